@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Everything comes from the system's packages; packages.txt is the list the set-up script installs.
+find_package(PkgConfig REQUIRED)
+find_package(Threads REQUIRED)
+find_package(glm CONFIG REQUIRED)
+find_package(glfw3 3.3 CONFIG REQUIRED)
+find_package(OpenMesh CONFIG REQUIRED)
+find_package(TinyGLTF CONFIG REQUIRED)
+find_package(OpenImageIO CONFIG REQUIRED)
+find_package(embree 3 CONFIG REQUIRED)
+find_package(TBB CONFIG REQUIRED COMPONENTS tbb)
+find_package(hwy CONFIG REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(nlohmann_json CONFIG REQUIRED)
+find_package(CLI11 CONFIG REQUIRED)
+find_package(fmt CONFIG REQUIRED)
+find_package(GTest CONFIG REQUIRED)
+find_package(benchmark CONFIG REQUIRED)
+find_package(OpenGL REQUIRED COMPONENTS OpenGL EGL)
+pkg_check_modules(IMGUI REQUIRED IMPORTED_TARGET imgui)
+pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)
+pkg_check_modules(FREETYPE REQUIRED IMPORTED_TARGET freetype2)
+pkg_check_modules(FONTCONFIG REQUIRED IMPORTED_TARGET fontconfig)
+pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)
+
+# OpenImageIO's target names an OpenCV folder that its package does not bring.
+set_target_properties(OpenImageIO::OpenImageIO OpenImageIO::OpenImageIO_Util PROPERTIES
+                      INTERFACE_INCLUDE_DIRECTORIES "")
+
+# OpenSubdiv's shipped configuration names a static library that is not shipped.
+find_path(OPENSUBDIV_INCLUDE opensubdiv/far/topologyRefiner.h REQUIRED)
+find_library(OPENSUBDIV_CPU osdCPU REQUIRED)
+add_library(opensubdiv INTERFACE)
+target_include_directories(opensubdiv SYSTEM INTERFACE ${OPENSUBDIV_INCLUDE})
+target_link_libraries(opensubdiv INTERFACE ${OPENSUBDIV_CPU})

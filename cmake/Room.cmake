@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# A capability is a folder; this file turns the folder into a library and its tests into a program.
+
+# trivar_room(NAME DEPENDS lib...): every .cpp of the current folder becomes the library trivar_NAME.
+# PUBLIC names what includers of its headers need, DEPENDS what only its sources need.
+function(trivar_room name)
+  cmake_parse_arguments(ROOM "" "" "PUBLIC;DEPENDS;SUBFOLDERS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS *.cpp *.h)
+  foreach(folder ${ROOM_SUBFOLDERS})
+    file(GLOB more CONFIGURE_DEPENDS ${folder}/*.cpp ${folder}/*.h)
+    list(APPEND sources ${more})
+  endforeach()
+  list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
+  add_library(trivar_${name} STATIC ${sources})
+  set_target_properties(trivar_${name} PROPERTIES LINKER_LANGUAGE CXX)
+  target_include_directories(trivar_${name} PUBLIC ${CMAKE_SOURCE_DIR})
+  target_link_libraries(trivar_${name} PUBLIC ${ROOM_PUBLIC} PRIVATE ${ROOM_DEPENDS})
+endfunction()
+
+# trivar_tests(NAME LIBRARIES lib...): every tests/NAME/*_test.cpp becomes one program, found by ctest test by test.
+function(trivar_tests name)
+  cmake_parse_arguments(ROOM "" "" "LIBRARIES" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  add_executable(${name}_test ${sources})
+  target_include_directories(${name}_test PRIVATE ${CMAKE_SOURCE_DIR})
+  target_link_libraries(${name}_test PRIVATE ${ROOM_LIBRARIES} trivar_test_support GTest::gmock
+                                             GTest::gtest_main)
+  target_compile_definitions(${name}_test PRIVATE TRIVAR_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
+                                                  TRIVAR_BINARY_DIR="${CMAKE_BINARY_DIR}")
+  # Suites named RealData... want the folder of real models; they skip with a message without it.
+  gtest_discover_tests(${name}_test TEST_FILTER "-RealData*" TEST_LIST ${name}_cases
+                       DISCOVERY_TIMEOUT 60 WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}
+                       PROPERTIES TIMEOUT 300)
+  gtest_discover_tests(${name}_test TEST_FILTER "RealData*" TEST_LIST ${name}_realdata_cases
+                       DISCOVERY_TIMEOUT 60 WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}
+                       PROPERTIES TIMEOUT 300 LABELS realdata)
+endfunction()

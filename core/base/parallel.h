@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+
+namespace trivar {
+
+// Calls body(begin, end) for the consecutive blocks of [0, count), in any order and on any thread.
+// Blocks are `block` long (the last one may be shorter) whatever the number of threads, so a body
+// that writes only its own elements, or one result a block, gives the same bits on any machine.
+void parallel_blocks(std::size_t count, std::size_t block,
+                     const std::function<void(std::size_t begin, std::size_t end)>& body);
+
+// While it lives, parallel_blocks uses at most this many threads. Lives in main and in tests.
+class ThreadLimit {
+public:
+    explicit ThreadLimit(int threads);
+    ~ThreadLimit();
+    ThreadLimit(const ThreadLimit&) = delete;
+    ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+private:
+    struct Control;
+    std::unique_ptr<Control> control_;
+};
+
+} // namespace trivar

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/text.h"
+
+#include "core/base/rejected.h"
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+namespace trivar {
+namespace {
+
+template <class T> std::string shortest_of(T value)
+{
+    std::array<char, 32> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+    return {buffer.data(), end};
+}
+
+} // namespace
+
+std::string shortest(float value)
+{
+    return shortest_of(value);
+}
+
+std::string shortest(double value)
+{
+    return shortest_of(value);
+}
+
+std::optional<double> parse_number(std::string_view text)
+{
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
+        return std::nullopt;
+    return value;
+}
+
+std::string read_text_file(const std::string& path)
+{
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error))
+        throw Rejected(path + ": this is a folder, not a file");
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw Rejected(path + ": cannot be opened (" + std::strerror(errno) + ")");
+    std::string content{std::istreambuf_iterator<char>(file), {}};
+    if (file.bad()) throw Rejected(path + ": cannot be read to its end");
+    return content;
+}
+
+} // namespace trivar

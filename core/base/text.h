@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace trivar {
+
+// The shortest decimal text that reads back as the same bits. No locale.
+std::string shortest(float value);
+std::string shortest(double value);
+
+// The whole text as a finite number, or nothing. No locale.
+std::optional<double> parse_number(std::string_view text);
+
+// The whole content of a file. Throws Rejected, naming the file and the reason.
+std::string read_text_file(const std::string& path);
+
+} // namespace trivar

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace trivar {
+
+// How long each named stage took. It lies beside a result and never reaches into it.
+struct Timings {
+    struct Stage {
+        std::string name; // the same name in the overlay, the benchmark and the docs
+        double time_ms = 0;
+    };
+    std::vector<Stage> stages; // in the order they first ran; one entry a name
+
+    void add(std::string name, double time_ms)
+    {
+        for (Stage& stage : stages)
+            if (stage.name == name) {
+                stage.time_ms += time_ms;
+                return;
+            }
+        stages.push_back({std::move(name), time_ms});
+    }
+    void add(const Timings& other)
+    {
+        for (const Stage& stage : other.stages) add(stage.name, stage.time_ms);
+    }
+};
+
+// Runs body() and adds what it took to timings under the name; returns what body returns.
+template <class Body> auto timed(Timings& timings, std::string name, Body&& body)
+{
+    struct Watch {
+        Timings& timings;
+        std::string name;
+        std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+        ~Watch()
+        {
+            const std::chrono::duration<double, std::milli> spent =
+                std::chrono::steady_clock::now() - start;
+            timings.add(std::move(name), spent.count());
+        }
+    } watch{timings, std::move(name)};
+    return body();
+}
+
+} // namespace trivar

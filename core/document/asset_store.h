@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/document/document.h"
+#include "core/mesh/model.h"
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace trivar {
+
+// Turns an ImportedFile into a Model. Paths are taken from `folder`; `relinked` replaces the path
+// of a file by another one (--set NAME=FILE, where NAME is the path or its file name). A model is
+// read once and kept. Thread-safe.
+class AssetStore {
+public:
+    explicit AssetStore(std::string folder, std::map<std::string, std::string> relinked = {});
+    ~AssetStore();
+    AssetStore(const AssetStore&) = delete;
+    AssetStore& operator=(const AssetStore&) = delete;
+
+    struct Loaded {
+        Ref<Model> model;   // null: missing or unreadable
+        std::string notice; // why it is missing, or that its content changed; empty: as meant
+    };
+    Loaded load(const ImportedFile& file, const Progress& progress = {}) const;
+    std::string resolve(const std::string& path) const; // the file that would be opened
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace trivar

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/camera.h"
+#include "core/base/ref.h"
+#include "core/document/render_settings.h"
+#include "core/files/read_model.h"
+#include "core/placement/placement.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace trivar {
+
+using Id = int; // of an object, from 1 up; never used twice in one document. 0: none
+
+// Where an object's shape comes from. A file is named relative to the scene file's folder; the
+// hash says which content was meant.
+struct ImportedFile {
+    std::string path, hash;
+    UpAxis up = UpAxis::automatic;
+    double scale = 1;
+    int subdivisions = 0; // Catmull-Clark levels, 0..6
+    bool operator==(const ImportedFile&) const = default;
+};
+struct PlaneShape {
+    glm::dvec2 size{4};
+    glm::ivec2 segments{1};
+    bool operator==(const PlaneShape&) const = default;
+};
+struct BoxShape {
+    glm::dvec3 size{1};
+    glm::ivec3 segments{8};
+    bool operator==(const BoxShape&) const = default;
+};
+struct SphereShape {
+    double radius = 0.5;
+    int segments = 64, rings = 32;
+    bool operator==(const SphereShape&) const = default;
+};
+struct CylinderShape {
+    double radius = 0.5, height = 1;
+    int segments = 64, stacks = 16;
+    bool operator==(const CylinderShape&) const = default;
+};
+struct TorusShape {
+    double radius = 0.5, tube = 0.2;
+    glm::ivec2 segments{96, 48};
+    bool operator==(const TorusShape&) const = default;
+};
+struct MoebiusShape {
+    double radius = 0.5, width = 0.3;
+    glm::ivec2 segments{128, 12};
+    bool operator==(const MoebiusShape&) const = default;
+};
+struct TeapotShape {
+    double height = 1;
+    int resolution = 12;
+    bool operator==(const TeapotShape&) const = default;
+};
+struct GroupShape {
+    bool operator==(const GroupShape&) const = default;
+}; // no shape: a parent for others
+using Source = std::variant<GroupShape, ImportedFile, PlaneShape, BoxShape, SphereShape,
+                            CylinderShape, TorusShape, MoebiusShape, TeapotShape>;
+
+struct Transform {
+    glm::dvec3 translation{0};
+    glm::dvec3 rotation_deg{0}; // about X, then Y, then Z
+    glm::dvec3 scale{1};
+    glm::dmat4 matrix() const;
+    bool operator==(const Transform&) const = default;
+};
+
+struct Surfacing { // one material over the whole object, in place of its own
+    glm::vec4 base_color{0.8f, 0.8f, 0.8f, 1};
+    float metallic = 0, roughness = 0.6f;
+    bool operator==(const Surfacing&) const = default;
+};
+
+// A stroke laid over other objects. `onto` is what the rays see: a dependency, so moving one of
+// them places this one again. Cycles are refused.
+struct PlacementStep {
+    Sketch sketch;
+    PlacementParameters parameters;
+    std::vector<Id> onto;
+    bool operator==(const PlacementStep&) const = default;
+};
+
+struct Object {
+    std::string name;
+    Source source;
+    Transform transform;
+    std::optional<Surfacing> surfacing;
+    Id parent = 0;
+    bool hidden = false;
+    std::optional<PlacementStep>
+        placement; // placed objects ignore translation and rotation; scale holds
+    bool operator==(const Object&) const = default;
+};
+
+// All causes, no effects. Copying it costs a pointer per object.
+struct Document {
+    std::map<Id, Ref<Object>> objects;
+    Id next_id = 1;
+    std::map<std::string, Camera> bookmarks;
+    Ref<RenderSettings> render = make_ref(RenderSettings{});
+};
+
+// The object, or Rejected naming the id.
+const Object& object(const Document& document, Id id);
+bool visible(const Document& document, Id id); // neither it nor a parent is hidden
+// Digest of the causes, 32 hexadecimal digits.
+std::string digest(const Document& document);
+
+} // namespace trivar

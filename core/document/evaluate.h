@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/timing.h"
+#include "core/document/asset_store.h"
+#include "core/document/document.h"
+
+#include <memory>
+
+namespace trivar {
+
+// One mesh as it stands in the world.
+struct Part {
+    Ref<Mesh> mesh;
+    glm::dmat4 to_world{1}; // identity where the mesh was deformed into the world
+};
+
+struct EvaluatedObject {
+    Id id = 0;
+    std::vector<Part> parts;
+    Ref<std::vector<Material>> materials; // what face_material indexes
+    Ref<Placement> placement;             // null where nothing was placed
+    Box bounds;                           // world
+    std::vector<std::string> notices;     // a missing file, a stroke that misses now
+};
+
+// The effects of a document. Objects that did not change keep their pointer.
+struct Evaluated {
+    std::map<Id, Ref<EvaluatedObject>> objects; // visible ones
+    Timings timings;                            // of this evaluation, by stage
+};
+
+// Evaluates documents one after another and keeps what is still true: results are cached by the
+// identity of what they came from, so a drag recomputes only what it touches. Not thread-safe;
+// may live on a thread of its own.
+class Evaluator {
+public:
+    explicit Evaluator(Ref<AssetStore> assets);
+    ~Evaluator();
+    Evaluated operator()(const Document& document, const Progress& progress = {});
+
+private:
+    struct Cache;
+    std::unique_ptr<Cache> cache_;
+};
+
+// Digest of every deformed position, normal and index, in the order of ids.
+std::string digest(const Evaluated& evaluated);
+
+} // namespace trivar

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <glm/glm.hpp>
+#include <string>
+
+namespace trivar {
+
+// How the picture is made; part of the document. Colours are linear.
+struct RenderSettings {
+    std::string look = "studio"; // a named look of the renderer: studio, clay, dark
+    double exposure = 0;         // stops
+    double sun_azimuth = -0.7;   // radians round Z, 0 along +X
+    double sun_elevation = 0.9;  // radians above the horizon
+    bool shadows = true;
+    bool ambient_occlusion = true;
+    bool ground = true; // a shadow-catching ground under the scene
+    bool operator==(const RenderSettings&) const = default;
+};
+
+} // namespace trivar

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/ffd/lattice.h"
+
+namespace trivar {
+namespace {
+
+glm::dvec3 greville(const std::array<Knots, 3>& axes, int i, int j, int k)
+{
+    return {axes[0].greville(i), axes[1].greville(j), axes[2].greville(k)};
+}
+
+} // namespace
+
+Lattice lattice_at_rest(const std::array<Knots, 3>& axes, const glm::dmat4& rest)
+{
+    Lattice out{{axes, {}}, rest};
+    out.displacement.points.assign(static_cast<std::size_t>(axes[0].count()) *
+                                       static_cast<std::size_t>(axes[1].count()) *
+                                       static_cast<std::size_t>(axes[2].count()),
+                                   glm::dvec3(0));
+    return out;
+}
+
+glm::dvec3 control_point(const Lattice& lattice, int i, int j, int k)
+{
+    const auto& d = lattice.displacement;
+    return glm::dvec3(lattice.rest * glm::dvec4(greville(d.axes, i, j, k), 1)) +
+           d.points[d.index(i, j, k)];
+}
+
+Lattice lattice_through(const Trivariate<glm::dvec3>& control_points_world)
+{
+    glm::dvec3 sum(0);
+    for (const glm::dvec3& p : control_points_world.points) sum += p;
+    const glm::dvec3 mean = sum / static_cast<double>(control_points_world.points.size());
+    Lattice out{control_points_world, glm::dmat4(0)};
+    out.rest[3] = glm::dvec4(mean, 1);
+    for (glm::dvec3& p : out.displacement.points) p -= mean;
+    return out;
+}
+
+Jet<glm::dvec3> evaluate(const Lattice& lattice, glm::dvec3 uvw, int derivatives)
+{
+    Jet<glm::dvec3> jet = evaluate(lattice.displacement, uvw, derivatives);
+    jet.value += glm::dvec3(lattice.rest * glm::dvec4(uvw, 1));
+    for (std::size_t axis = 0; axis < 3 && derivatives > 0; ++axis)
+        jet.first[axis] += glm::dvec3(lattice.rest[static_cast<int>(axis)]);
+    return jet;
+}
+
+} // namespace trivar

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/spline/trivariate.h"
+
+#include <glm/glm.hpp>
+
+namespace trivar {
+
+// A free-form deformation volume. F(uvw) = rest(uvw) + sum_ijk N_ijk(uvw) D_ijk: control points
+// are held as displacements D from where the affine map `rest` puts their Greville abscissae, so a
+// lattice of zeros is exactly `rest`, for B-splines reproduce affine maps.
+struct Lattice {
+    Trivariate<glm::dvec3> displacement;
+    glm::dmat4 rest{1}; // uvw to world, affine
+
+    bool operator==(const Lattice&) const = default;
+};
+
+// n_u x n_v x n_w zero displacements over [0,1]^3.
+Lattice lattice_at_rest(const std::array<Knots, 3>& axes, const glm::dmat4& rest);
+
+// World position of stored control point (i, j, k), and the lattice with control points at given
+// world positions. The latter takes `rest` as a translation to their mean, which keeps digits.
+glm::dvec3 control_point(const Lattice& lattice, int i, int j, int k);
+Lattice lattice_through(const Trivariate<glm::dvec3>& control_points_world);
+
+// F, with F_u, F_v, F_w in `first` where derivatives >= 1. In double; the reference of deform().
+Jet<glm::dvec3> evaluate(const Lattice& lattice, glm::dvec3 uvw, int derivatives = 0);
+
+} // namespace trivar

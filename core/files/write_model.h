@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/mesh/model.h"
+
+#include <string>
+
+namespace trivar {
+
+// Writes .glb, .obj (with .mtl), .ply, .stl or .off by extension, through a temporary file beside
+// it that is renamed at the end: a failure leaves the previous file as it was. glTF and OBJ are
+// written Y up, the others Z up. Formats keep what they can hold: GLB everything, OBJ normals, one
+// UV set, materials and groups, PLY normals, one UV set and colours, STL and OFF positions. Throws
+// Rejected.
+void write_model(const Model& model, const std::string& path);
+
+} // namespace trivar

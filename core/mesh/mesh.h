@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+namespace trivar {
+
+// A polygon mesh as arrays. A vertex is what a GPU calls one: a position with one normal, one
+// tangent, one colour and one texture coordinate a set. Where a seam gives a point of the surface
+// two normals or two texture coordinates there are two vertices, and `points` says that they are
+// one point. A deformation maps vertex by vertex: equal positions stay equal, bit for bit.
+//
+//   faces    f: corners[face_begin[f]] .. corners[face_begin[f + 1] - 1], counter-clockwise
+//   corners  c: a vertex index                 vertices v: positions[v], normals[v], ...
+struct Mesh {
+    std::vector<glm::vec3> positions;         // #V
+    std::vector<glm::vec3> normals;           // #V unit, or empty
+    std::vector<glm::vec4> tangents;          // #V unit xyz, w = +1 or -1 (bitangent), or empty
+    std::vector<glm::vec4> colors;            // #V linear RGBA, or empty
+    std::vector<std::vector<glm::vec2>> uvs;  // sets, each #V; v goes up, as in OpenGL
+    std::vector<std::uint32_t> points;        // #V to point of the surface, or empty: identity
+    std::vector<std::uint32_t> corners;       // #C to vertex
+    std::vector<std::uint32_t> face_begin{0}; // #F + 1 to corner
+    std::vector<std::uint32_t> face_material; // #F to Model::materials, or empty: all 0
+    std::vector<std::uint32_t> face_group;    // #F to group_names, or empty: none
+    std::vector<std::string> group_names;
+    struct Crease {         // for subdivision
+        std::uint32_t a, b; // vertices at the ends of an edge
+        float sharpness;    // 0 smooth, 10 and more: infinitely sharp
+        bool operator==(const Crease&) const = default;
+    };
+    std::vector<Crease> creases;
+
+    std::size_t vertex_count() const { return positions.size(); }
+    std::size_t face_count() const { return face_begin.size() - 1; }
+    std::uint32_t point(std::uint32_t vertex) const
+    {
+        return points.empty() ? vertex : points[vertex];
+    }
+    bool operator==(const Mesh&) const = default;
+};
+
+struct Box {
+    glm::dvec3 lo{1e300}, hi{-1e300};
+    bool empty() const { return lo.x > hi.x; }
+    glm::dvec3 size() const { return empty() ? glm::dvec3(0) : hi - lo; }
+    glm::dvec3 center() const { return (lo + hi) / 2.0; }
+    void add(const glm::dvec3& p)
+    {
+        lo = glm::min(lo, p);
+        hi = glm::max(hi, p);
+    }
+    void add(const Box& other)
+    {
+        lo = glm::min(lo, other.lo);
+        hi = glm::max(hi, other.hi);
+    }
+};
+Box bounding_box(const Mesh& mesh, const glm::dmat4& to_world = glm::dmat4(1));
+
+// #T by 3 vertex indices; face f's triangles are consecutive. Concave polygons are cut by ears,
+// in the plane of their area normal.
+std::vector<glm::uvec3> triangles(const Mesh& mesh);
+
+// Area-weighted vertex normals, shared by the vertices of one point when they have no other
+// reason to differ (`points`). #V unit; (0, 0, 1) where a vertex has no area around it.
+std::vector<glm::vec3> smooth_normals(const Mesh& mesh);
+
+// The mesh with every position, normal and tangent mapped by an affine matrix; a mirroring one
+// also turns the faces round.
+Mesh transformed(const Mesh& mesh, const glm::dmat4& matrix);
+
+// Throws Rejected, with `name` in the sentence, unless every index is in range, every number
+// finite and every face has at least three corners.
+void validate(const Mesh& mesh, const std::string& name);
+
+} // namespace trivar

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/ref.h"
+#include "core/mesh/mesh.h"
+
+#include <array>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+namespace trivar {
+
+// An image with 8 bits a channel, rows from the top, RGBA.
+struct Image {
+    std::string name;
+    glm::ivec2 size_px{0};
+    std::vector<std::uint8_t> rgba; // 4 x width x height; sRGB in colour textures
+    std::string source_bytes; // the encoded file as it came, for a lossless way out; may be empty
+    std::string mime;         // image/png, image/jpeg, ...
+};
+
+struct Texture {
+    Ref<Image> image; // null: none
+    int uv_set = 0;
+    bool repeat_u = true, repeat_v = true;
+    bool operator==(const Texture&) const = default;
+};
+
+// glTF 2.0's metallic-roughness material. Colours are linear.
+struct Material {
+    std::string name;
+    glm::vec4 base_color{0.8f, 0.8f, 0.8f, 1};
+    float metallic = 0;
+    float roughness = 0.6f;
+    glm::vec3 emissive{0};
+    float normal_scale = 1;
+    enum class Alpha { opaque, mask, blend } alpha = Alpha::opaque;
+    float alpha_cutoff = 0.5f;
+    bool double_sided = false;
+    Texture base_color_texture, metallic_roughness_texture, normal_texture, occlusion_texture,
+        emissive_texture;
+    bool operator==(const Material&) const = default;
+};
+
+struct Node {
+    std::string name;
+    int parent = -1; // index into Model::nodes, always smaller than the node's own
+    glm::dmat4 to_parent{1};
+    int mesh = -1; // index into Model::meshes, or none
+};
+
+// What a file or a primitive gives: meshes hung on a tree of nodes. World: Z up, metres.
+struct Model {
+    std::vector<Node> nodes;
+    std::vector<Ref<Mesh>> meshes;
+    std::vector<Material> materials;  // at least one
+    std::vector<std::string> notices; // what was repaired on the way in, one sentence each
+};
+
+// Node to model space: the product of to_parent up to the root.
+glm::dmat4 node_to_model(const Model& model, int node);
+
+Box bounding_box(const Model& model);
+
+// One mesh, one root node, one default material if there is none.
+Model single_mesh_model(std::string name, Mesh mesh, std::vector<Material> materials = {});
+
+} // namespace trivar

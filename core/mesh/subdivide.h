@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/mesh/mesh.h"
+
+namespace trivar {
+
+// Catmull-Clark subdivision of a cage, `levels` times (0..6), creases and corners kept, the last
+// level moved to its limit position with limit normals. Texture coordinates are face-varying:
+// seams stay seams. Throws Rejected if the result would exceed 20 million faces.
+// E. Catmull, J. Clark 1978; creases after DeRose, Kass, Truong 1998.
+Mesh subdivide(const Mesh& cage, int levels, const Progress& progress = {});
+
+} // namespace trivar

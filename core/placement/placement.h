@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/camera.h"
+#include "core/base/timing.h"
+#include "core/ffd/deform.h"
+#include "core/placement/ray_scene.h"
+#include "core/spline/surface.h"
+
+#include <string>
+#include <vector>
+
+namespace trivar {
+
+struct StrokeSample {
+    glm::dvec2 p_px{0};  // in the camera's picture
+    double time_s = 0;   // since the stroke began
+    double pressure = 1; // 0..1
+    bool operator==(const StrokeSample&) const = default;
+};
+
+struct Sketch {
+    Camera camera;
+    std::vector<StrokeSample> samples;
+    bool operator==(const Sketch&) const = default;
+};
+
+// What a node of the grid does whose ray hits nothing.
+enum class Misses { membrane, ground, nearest, shrink };
+
+struct PlacementParameters {
+    double width = 0;           // of the strip, metres; 0: in proportion to the model
+    double height = 0;          // of the volume, metres; 0: in proportion to the model
+    glm::ivec3 grid{33, 9, 4};  // control points along, across and above the stroke
+    glm::ivec3 orders{3, 3, 3}; // 2..6 each
+    double offset = 0;    // 0: F1, extrusion toward the camera; 1: F2, offset along the normals
+    bool springs = true;  // bridge gaps by the obstacle problem
+    double stiffness = 1; // of the springs, relative to the pull toward the scene
+    double bending = 0;   // resistance to bending, relative to stiffness, 0..10
+    int neighborhood = 3; // grid steps round a rough node that are let loose
+    double roughness_deg = 20; // angle between neighbouring faces that counts as rough, 1..90
+    bool free_ends = false;    // nodes on the rim may move too
+    Misses misses = Misses::membrane;
+    bool skip_back_faces = false;
+    double start = 0;             // where along the stroke the model begins, 0..1
+    double fill = 1;              // how much of the stroke it fills, start + fill <= 1
+    double lift_tolerance = 1e-3; // allowed penetration, as a fraction of the height
+    double clearance = 0;         // metres kept between scene and contact surface
+    bool reverse = false;         // the model looks toward the start of the stroke
+    double roll_deg = 0;          // quarter turns of the model about its length: 0, 90, 180, 270
+    bool operator==(const PlacementParameters&) const = default;
+};
+
+struct PlacementReport {
+    double length_world = 0, width_world = 0, height_world = 0;
+    double missed_share = 0;    // of the nodes
+    double contact_share = 0;   // of the nodes, after the springs
+    double largest_gap = 0;     // metres between contact surface and scene
+    double penetration = 0;     // largest left after the lift, as a fraction of the height
+    double largest_stretch = 1; // of the contact surface along the stroke
+    int spring_iterations = 0;
+    int narrowed = 0;                 // columns narrowed so that the strip does not fold
+    double smallest_jacobian = 0;     // sampled at the nodes, relative to the undeformed volume's
+    std::vector<std::string> notices; // sentences for the user
+};
+
+// Everything one stroke gives. The contact surface is the volume's face w = 0.
+struct Placement {
+    Surface<glm::dvec3> contact;
+    Lattice volume;
+    Embedding embedding; // of a model with the box given to place()
+    PlacementReport report;
+    std::vector<std::vector<glm::dvec3>> strip; // the middle line and the two rims, world
+};
+
+// Lays a volume for a model with the given box along the stroke: sketch fit, offsets, ray grid,
+// misses, springs, contact surface, lift, volume. The model's +x runs along the stroke, its +z
+// stands on the scene. Throws Rejected with a sentence that says what to do: a click, a stroke
+// that leaves the picture or hits nothing, sizes that are not positive. Pure; any number of
+// threads gives the same bits. Schein 2006, chapter 2.
+Placement place(const Sketch& sketch, const PlacementParameters& parameters, const Box& model,
+                const RayScene& scene, Timings& timings);
+
+} // namespace trivar

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/camera.h"
+#include "core/base/ref.h"
+#include "core/mesh/mesh.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace trivar {
+
+// One mesh made ready for rays: a bounding-volume hierarchy over its triangles, in object space.
+// Building costs about 0.4 microseconds a triangle; it is shared by all scenes that hold it.
+class RayMesh {
+public:
+    explicit RayMesh(Ref<Mesh> mesh);
+    ~RayMesh();
+    RayMesh(const RayMesh&) = delete;
+    RayMesh& operator=(const RayMesh&) = delete;
+    struct State;
+    const State& state() const { return *state_; }
+
+private:
+    std::unique_ptr<State> state_;
+};
+
+struct Hit {
+    double distance = 0; // along the ray, world units
+    glm::dvec3 p_world{0};
+    glm::dvec3 normal{0, 0, 1}; // unit, of the triangle, world space, toward the outside
+    int object = -1;            // the id given with the mesh
+    int face = -1;              // index of the mesh's face
+    bool back_face = false;     // the ray came from inside
+};
+
+// The scene as rays see it. No ray slips through a shared edge; the hit is recomputed in double.
+class RayScene {
+public:
+    struct Entry {
+        Ref<RayMesh> mesh;
+        glm::dmat4 to_world{1};
+        int object = -1;
+    };
+    explicit RayScene(std::vector<Entry> entries);
+    ~RayScene();
+    RayScene(RayScene&&) noexcept;
+    RayScene& operator=(RayScene&&) noexcept;
+
+    // The nearest hit between the two distances. Thread-safe. About 0.6 microseconds.
+    std::optional<Hit> hit(const Ray& ray, double from = 0, double to = 1e300,
+                           bool skip_back_faces = false) const;
+    Box bounds() const; // world
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace trivar

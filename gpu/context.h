@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+
+namespace trivar::gpu {
+
+// An OpenGL 4.3 core context without a window, current on the calling thread while it lives:
+// EGL's surfaceless platform, else its device platform. Throws Rejected with what was tried.
+class HeadlessContext {
+public:
+    HeadlessContext();
+    ~HeadlessContext();
+    HeadlessContext(const HeadlessContext&) = delete;
+    HeadlessContext& operator=(const HeadlessContext&) = delete;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+// Vendor, renderer and version of the current context, in one line.
+std::string describe_context();
+// Whether the current context is drawn by the processor (Mesa's llvmpipe and friends).
+bool is_software();
+
+} // namespace trivar::gpu

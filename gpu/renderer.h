@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/timing.h"
+#include "gpu/picture.h"
+
+#include <memory>
+
+namespace trivar::gpu {
+
+// Draws pictures into the current OpenGL context, a window's or a headless one alike.
+class Renderer {
+public:
+    Renderer();
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    // Draws into a texture of its own, `size_px` large (the camera's aspect follows it), and
+    // returns that texture's name: RGBA8, sRGB-encoded, row 0 at the bottom; valid till the next
+    // call.
+    unsigned draw(const Picture& picture, glm::ivec2 size_px);
+
+    // The same, read back.
+    Image render(const Picture& picture, glm::ivec2 size_px);
+
+    // The id of the instance under a pixel of the last picture drawn (0, 0 top left); 0: none.
+    int pick(glm::ivec2 p_px);
+
+    // How long the passes of the last picture took (by fences on software GL).
+    const Timings& timings() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace trivar::gpu
