@@ -1,37 +1,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/document/document.h"
+#include "core/document/asset_store.h"
+#include "core/document/commands/arrange.h"
+#include "core/document/commands/import.h"
+#include "core/document/commands/material.h"
+#include "core/document/commands/place.h"
+#include "core/document/commands/primitives.h"
+#include "core/document/commands/view.h"
 
+#include <string>
 #include <string_view>
 #include <variant>
-#include <vector>
-
-// A command is a struct of values with one list of its fields; JSON both ways, the reference in
-// docs/commands.md, the default panel and the fuzzer all come from that list. `fields` is called
-// with field(name, value, "what it means, unit, range").
 
 namespace trivar {
 
-struct ImportModel {
-    static constexpr std::string_view verb = "import", summary = "Add a model from a file.";
-    std::string path, hash, name, up = "auto"; // up: auto, y, z
-    double scale = 1;
-    int subdivisions = 0;
-    static void fields(auto& c, auto&& field)
-    {
-        field("path", c.path, "file, relative to the scene file's folder");
-        field("hash", c.hash, "digest of the content that was meant; empty: any");
-        field("name", c.name, "name in the outliner; empty: the file's");
-        field("up", c.up, "axis that points up in the file: auto, y or z");
-        field("scale", c.scale, "file units to metres, above 0");
-        field("subdivisions", c.subdivisions, "Catmull-Clark levels, 0..6");
-    }
-};
+// Everything that a person can do to a document, by value.
+using Command = std::variant<ImportModel, AddPlane, AddBox, AddSphere, AddCylinder, AddTorus,
+                             AddMoebius, AddTeapot, SetTransform, SetMaterial, ClearMaterial,
+                             Rename, Hide, Show, Delete, Duplicate, Group, Ungroup, Place,
+                             EditPlacement, Unplace, SaveCamera, DeleteCamera, SetRender>;
 
-// The other commands follow this pattern (verbs): add_plane, add_box, add_sphere, add_cylinder,
-// add_torus, add_moebius, add_teapot, transform, set_material, clear_material, rename, hide, show,
-// delete, duplicate, group, ungroup, place, edit_placement, unplace, save_camera, delete_camera,
-// set_render.
+// The document after the command; objects that it does not touch keep their pointer. Pure: reads
+// no file. Throws Rejected (the field, what is wrong, what would be right) and nothing happened.
+// A new object's id is the old document's next_id.
+Document after(const Document& document, const Command& command);
+
+// Fills in what only the outside knows before a command is proposed: for an import the hash, the
+// path relative to the store's folder and the name. Throws Rejected if the file cannot be read.
+Command prepare(Command command, const AssetStore& assets, const Progress& progress = {});
+
+// One line of JSON without its line break: {"do":"rename","object":3,"name":"Snake"}. Every field
+// is written, numbers as the shortest decimals that read back as the same bits.
+std::string to_json_line(const Command& command);
+// Strict: unknown verbs and fields, missing required fields, wrong types, numbers out of range are
+// Rejected by the field's name.
+Command command_from_json_line(std::string_view line);
+
+std::string_view verb(const Command& command);
+// What the command did, for a list of steps: "Rename Snake". `before` is what it was applied to.
+std::string title(const Command& command, const Document& before);
+
+// The reference of all commands with their fields, defaults and ranges.
+std::string commands_markdown();
+std::string commands_json();
 
 } // namespace trivar

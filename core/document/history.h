@@ -3,18 +3,43 @@
 
 #include "core/document/command.h"
 
+#include <optional>
+#include <vector>
+
 namespace trivar {
 
-// See the design: propose replaces the pending proposal and always works on the last committed
-// document; a drag is many proposals and one commit. There is no inverse code: undo returns to a
-// document that is still held.
-//
-//   class History {
-//       explicit History(Document start = {});
-//       const Document& document() const;     // the proposal's if there is one
-//       const Document& committed() const;
-//       void propose(Command), commit(), cancel(); bool undo(), redo();
-//       const std::vector<Step>& steps() const; std::size_t position() const;
-//   };
+// The way from a first document to the present one. `propose` replaces the pending proposal and
+// always works on the last committed document, so a drag is many proposals and one commit. There
+// is no inverse code: undo returns to a document that is still held. Undo and redo cost nothing;
+// a commit costs a pointer per object.
+class History {
+public:
+    struct Step {
+        Command command;
+        Document result;
+    };
+    explicit History(Document start = {});
+
+    const Document& document() const;  // the proposal's if there is one, else committed()
+    const Document& committed() const; // after position() steps
+    const std::optional<Step>& proposal() const { return proposal_; }
+
+    void propose(Command command); // Rejected: the pending proposal stays as it was
+    bool commit();                 // false: nothing was proposed. Forgets the undone steps
+    void cancel() { proposal_.reset(); }
+    void run(Command command); // propose and commit
+    bool undo();               // false: nothing to undo. Both cancel a pending proposal
+    bool redo();
+
+    const Document& start() const { return start_; }
+    const std::vector<Step>& steps() const { return steps_; } // undone ones at the end
+    std::size_t position() const { return position_; }        // how many of them are in force
+
+private:
+    Document start_;
+    std::vector<Step> steps_;
+    std::size_t position_ = 0;
+    std::optional<Step> proposal_;
+};
 
 } // namespace trivar

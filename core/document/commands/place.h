@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/commands/field.h"
+
+namespace trivar {
+
+// The ranges that a panel offers and a log may hold; place() may still refuse a combination.
+template <> struct FieldsOf<PlacementParameters> {
+    static void fields(auto& p, auto&& field)
+    {
+        field("width", p.width, "of the strip, metres; 0: in proportion to the model",
+              not_negative);
+        field("height", p.height, "of the volume, metres; 0: in proportion to the model",
+              not_negative);
+        field("grid", p.grid, "control points along, across and above the stroke",
+              between(2, 1024));
+        field("orders", p.orders, "of the volume along, across and above the stroke",
+              between(2, 6));
+        field("offset", p.offset, "0: extrusion toward the camera, 1: offset along the normals",
+              between(0, 1));
+        field("springs", p.springs, "bridge gaps with springs");
+        field("stiffness", p.stiffness, "of the springs, relative to the pull toward the scene",
+              between(0, 1e4));
+        field("bending", p.bending, "resistance to bending, relative to stiffness", between(0, 10));
+        field("neighborhood", p.neighborhood, "grid steps round a rough node that are let loose",
+              between(0, 1024));
+        field("roughness_deg", p.roughness_deg, "angle between faces that counts as rough, degrees",
+              between(1, 90));
+        field("free_ends", p.free_ends, "nodes on the rim may move too");
+        field("misses", p.misses, "what a node does whose ray hits nothing");
+        field("skip_back_faces", p.skip_back_faces, "rays pass through faces seen from behind");
+        field("start", p.start, "where along the stroke the model begins", between(0, 1));
+        field("fill", p.fill, "how much of the stroke it fills; start + fill is at most 1",
+              between(1e-3, 1));
+        field("lift_tolerance", p.lift_tolerance,
+              "penetration that may stay, as a fraction of the height", between(0, 1));
+        field("clearance", p.clearance, "metres kept between scene and contact surface",
+              not_negative);
+        field("reverse", p.reverse, "the model looks toward the start of the stroke");
+        field("roll_deg", p.roll_deg, "quarter turns about its length: 0, 90, 180 or 270",
+              between(0, 270));
+    }
+};
+
+struct Place {
+    static constexpr std::string_view verb = "place",
+                                      summary = "Lay an object along a stroke over the scene.";
+    Id object = 0;
+    Sketch sketch;
+    PlacementParameters parameters;
+    std::vector<Id> onto;
+    bool operator==(const Place&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("object", c.object, "id of the object to lay down", required);
+        field("camera", c.sketch.camera, "the view the stroke was drawn in", required);
+        field("samples", c.sketch.samples, "the stroke, [x px, y px, seconds, pressure] each",
+              required);
+        field("parameters", c.parameters, "how it lies");
+        field("onto", c.onto,
+              "ids it lies on; empty: every visible object that does not lie on it");
+    }
+};
+struct EditPlacement {
+    static constexpr std::string_view verb = "edit_placement",
+                                      summary = "Change how a placed object lies.";
+    Id object = 0;
+    PlacementParameters parameters;
+    std::optional<Sketch> sketch;        // nothing: the stroke stays
+    std::optional<std::vector<Id>> onto; // nothing: as it was; empty: chosen anew
+    bool operator==(const EditPlacement&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("object", c.object, "id of a placed object", required);
+        field("parameters", c.parameters, "all of them; what is left out has its default",
+              required);
+        field("sketch", c.sketch, "a new stroke; left out: as it was");
+        field("onto", c.onto, "ids it lies on; left out: as it was; empty: chosen anew");
+    }
+};
+struct Unplace {
+    static constexpr std::string_view verb = "unplace",
+                                      summary = "Take an object off its stroke, straight again.";
+    Id object = 0;
+    bool operator==(const Unplace&) const = default;
+    static void fields(auto& c, auto&& field) { field("object", c.object, "id", required); }
+};
+
+template <> struct FieldsOf<Sketch> {
+    static void fields(auto& s, auto&& field)
+    {
+        field("camera", s.camera, "the view the stroke was drawn in", required);
+        field("samples", s.samples, "the stroke, [x px, y px, seconds, pressure] each", required);
+    }
+};
+
+} // namespace trivar

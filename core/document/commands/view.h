@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/commands/field.h"
+
+namespace trivar {
+
+struct SaveCamera {
+    static constexpr std::string_view verb = "save_camera",
+                                      summary = "Keep a point of view under a name. The one named "
+                                                "picture is what replay draws.";
+    std::string name;
+    Camera camera;
+    bool operator==(const SaveCamera&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("name", c.name, "name of the bookmark; one of that name is replaced", required);
+        field("camera", c.camera, "the point of view", required);
+    }
+};
+struct DeleteCamera {
+    static constexpr std::string_view verb = "delete_camera", summary = "Forget a point of view.";
+    std::string name;
+    bool operator==(const DeleteCamera&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("name", c.name, "name of the bookmark", required);
+    }
+};
+struct SetRender {
+    static constexpr std::string_view verb = "set_render",
+                                      summary = "Say how the picture is made, as a whole.";
+    RenderSettings settings;
+    bool operator==(const SetRender&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("look", c.settings.look, "light and background", one_of("studio|clay|dark"));
+        field("exposure", c.settings.exposure, "stops", between(-20, 20));
+        field("sun_azimuth", c.settings.sun_azimuth, "radians round Z, 0 along +X",
+              between(-100, 100));
+        field("sun_elevation", c.settings.sun_elevation, "radians above the horizon",
+              between(-1.6, 1.6));
+        field("shadows", c.settings.shadows, "the sun casts shadows");
+        field("ambient_occlusion", c.settings.ambient_occlusion, "corners are darker");
+        field("ground", c.settings.ground, "a ground under the scene that catches shadows");
+    }
+};
+
+} // namespace trivar

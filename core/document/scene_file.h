@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/history.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace trivar {
+
+// A history that is kept in a file as it grows: each commit, undo and redo appends its line, so a
+// killed process loses no committed command and undo survives closing the program. While it lives
+// the file is locked; who opens it a second time gets a copy without a path.
+//
+// When appending fails (disk full, file taken away) the step stands, `trouble` says so, the file
+// keeps its last whole line, and the next step or save_as tries again with all that is missing.
+class SceneFile {
+public:
+    SceneFile();                                 // untitled: in memory only
+    explicit SceneFile(const std::string& path); // replays it. Throws Rejected
+    ~SceneFile();
+    SceneFile(SceneFile&&) noexcept;
+    SceneFile& operator=(SceneFile&&) noexcept;
+
+    const History& history() const;
+    const Document& document() const { return history().document(); }
+
+    // As in History.
+    void propose(Command command);
+    bool commit();
+    void cancel();
+    void run(Command command);
+    bool undo();
+    bool redo();
+
+    // Writes the whole history, or only the steps in force (which forgets the undone ones), beside
+    // the target and renames it over it; goes on there. Paths of imports are made relative to the
+    // new folder. Throws Rejected, and neither the file at `path` nor this changed.
+    void save_as(const std::string& path);
+    void save_compact(const std::string& path);
+
+    const std::string& path() const;    // empty: untitled, or a copy
+    std::string folder() const;         // what paths of imports are relative to
+    const std::string& trouble() const; // why the last append failed; empty: all is on disk
+    const std::vector<std::string>& notices() const; // from opening, one sentence each
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace trivar
