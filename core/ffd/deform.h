@@ -12,17 +12,37 @@ namespace trivar {
 // How an object lies in a lattice. Both maps are affine, from object space.
 struct Embedding {
     glm::dmat4 to_uvw{1};
-    glm::dmat4 to_rest{
-        1}; // world position before deformation: rest(to_uvw(p)), often known exactly
+    glm::dmat4 to_rest{1}; // rest(to_uvw(p)): world before deformation, often known exactly
 
     bool operator==(const Embedding&) const = default;
 };
 
-// Deforms one mesh by one lattice after another: positions by F, normals by the cofactor matrix of
-// the Jacobian (exact; Barr 1984), tangents by the Jacobian and re-orthonormalised. Vertices
-// are sorted by cell once, at construction; operator() is single precision, SIMD, parallel over
-// blocks, and gives the same bits for any number of threads. A lattice of zeros returns positions
-// equal to to_rest(p) and, where to_rest is the identity, the very bits of the mesh.
+// Where a point of the object goes, and the derivative of that by the point: object to world.
+// In double; the reference of Deformer.
+struct DeformedPoint {
+    glm::dvec3 position_world;
+    glm::dmat3 jacobian;
+};
+DeformedPoint deform(const glm::dvec3& p_object, const Embedding& embedding,
+                     const Lattice& lattice);
+
+// The arrays of a mesh that a deformation changes; empty where the mesh has none.
+struct Deformed {
+    std::vector<glm::vec3> positions, normals; // #V, world; normals unit
+    std::vector<glm::vec4> tangents;           // #V, xyz unit and orthogonal to the normal
+};
+
+// Deforms one mesh by one lattice after another:
+//
+//   position  to_rest(p) + sum_ijk N_ijk(to_uvw(p)) D_ijk
+//   normal    cof(J) n / |cof(J) n|, J the Jacobian of the line above by p: exact (Barr 1984)
+//   tangent   J t made orthogonal to the normal; the handedness stays
+//
+// Vertices beyond an open axis move with the nearest end. A lattice of zeros returns to_rest(p)
+// and, where to_rest is the identity, the very bits of the mesh. Equal positions get equal bits.
+// Tangents of a mesh without normals mean nothing and are dropped.
+// Normals agree with the winding of the deformed faces, so where det J < 0 both look inwards.
+// Where J leaves no normal (rank 1) it is taken from the deformed faces around.
 class Deformer {
 public:
     Deformer(Ref<Mesh> mesh, const Embedding& embedding, const std::array<Knots, 3>& axes);
@@ -30,8 +50,12 @@ public:
     Deformer(Deformer&&) noexcept;
     Deformer& operator=(Deformer&&) noexcept;
 
-    // The lattice must have the axes given at construction. Faces, UVs, colours are shared by copy.
+    // The lattice must have the axes given at construction. Faces, UVs, colours are copied.
     Mesh operator()(const Lattice& lattice) const;
+
+    // The same without the copies. Storage is taken over from `reuse`, whatever it holds: moving
+    // the last result in saves the allocation of the next one.
+    Deformed arrays(const Lattice& lattice, Deformed reuse = {}) const;
 
 private:
     struct State;

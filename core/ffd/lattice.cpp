@@ -11,6 +11,14 @@ glm::dvec3 greville(const std::array<Knots, 3>& axes, int i, int j, int k)
 
 } // namespace
 
+bool beyond(const Knots& knots, double t)
+{
+    // A box fitted to a model has vertices on its faces, give or take a rounding: those are inside.
+    const double slack = 1e-6 * (knots.end() - knots.begin());
+    return knots.closure() == Closure::open &&
+           (t < knots.begin() - slack || t > knots.end() + slack);
+}
+
 Lattice lattice_at_rest(const std::array<Knots, 3>& axes, const glm::dmat4& rest)
 {
     Lattice out{{axes, {}}, rest};
@@ -42,6 +50,9 @@ Lattice lattice_through(const Trivariate<glm::dvec3>& control_points_world)
 Jet<glm::dvec3> evaluate(const Lattice& lattice, glm::dvec3 uvw, int derivatives)
 {
     Jet<glm::dvec3> jet = evaluate(lattice.displacement, uvw, derivatives);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        if (beyond(lattice.displacement.axes[axis], uvw[static_cast<int>(axis)]))
+            jet.first[axis] = glm::dvec3(0);
     jet.value += glm::dvec3(lattice.rest * glm::dvec4(uvw, 1));
     for (std::size_t axis = 0; axis < 3 && derivatives > 0; ++axis)
         jet.first[axis] += glm::dvec3(lattice.rest[static_cast<int>(axis)]);
