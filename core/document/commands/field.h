@@ -69,19 +69,20 @@ template <> struct FieldsOf<Camera> {
     }
 };
 
-// Calls field(name, value, help, rule) for each field of a command or of a nested value.
-template <class T> void each_field(T& value, auto&& field)
-{
-    using Plain = std::remove_const_t<T>;
-    if constexpr (requires { Plain::verb; })
-        Plain::fields(value, field);
-    else
-        FieldsOf<Plain>::fields(value, field);
-}
+// Values whose fields are listed by a specialisation of FieldsOf.
 template <class T>
 concept Nested = requires(T& value)
 {
     FieldsOf<std::remove_const_t<T>>::fields(value, [](auto&&...) {});
 };
+
+// Calls field(name, value, help, rule) for each field of a command or of a nested value.
+template <class T> void each_field(T& value, auto&& field)
+{
+    if constexpr (Nested<T>)
+        FieldsOf<std::remove_const_t<T>>::fields(value, field);
+    else
+        T::fields(value, field);
+}
 
 } // namespace trivar

@@ -5,22 +5,27 @@
 
 namespace trivar {
 
+template <> struct FieldsOf<ImportedFile> {
+    static void fields(auto& f, auto&& field)
+    {
+        field("path", f.path, "file, relative to the scene file's folder", required);
+        field("hash", f.hash, "digest of the content that was meant; empty: any");
+        field("up", f.up, "axis that points up in the file; auto: Y in glTF and OBJ, else Z");
+        field("scale", f.scale, "file units to metres", between(1e-9, 1e9));
+        field("subdivisions", f.subdivisions, "Catmull-Clark levels", between(0, 6));
+    }
+};
+
 struct ImportModel {
     static constexpr std::string_view verb = "import", summary = "Add a model from a file.";
-    std::string path, hash, name;
-    UpAxis up = UpAxis::automatic;
-    double scale = 1;
-    int subdivisions = 0;
+    ImportedFile file;
+    std::string name;
     Transform transform;
     bool operator==(const ImportModel&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("path", c.path, "file, relative to the scene file's folder", required);
-        field("hash", c.hash, "digest of the content that was meant; empty: any");
+        FieldsOf<ImportedFile>::fields(c.file, field);
         field("name", c.name, "name in the outliner; empty: the file's");
-        field("up", c.up, "axis that points up in the file; auto: Y in glTF and OBJ, else Z");
-        field("scale", c.scale, "file units to metres", between(1e-9, 1e9));
-        field("subdivisions", c.subdivisions, "Catmull-Clark levels", between(0, 6));
         field("transform", c.transform, "where it stands");
     }
 };

@@ -5,110 +5,95 @@
 
 namespace trivar {
 
-// Each adds one object; its id is the document's next_id.
-struct AddPlane {
-    static constexpr std::string_view verb = "add_plane", summary = "Add a plane in z = 0.";
-    std::string name = "Plane";
-    PlaneShape shape;
-    Transform transform;
-    bool operator==(const AddPlane&) const = default;
-    static void fields(auto& c, auto&& field)
+template <> struct FieldsOf<PlaneShape> {
+    static constexpr std::string_view verb = "add_plane", summary = "Add a plane in z = 0.",
+                                      name = "Plane";
+    static void fields(auto& s, auto&& field)
     {
-        field("name", c.name, "name in the outliner");
-        field("size", c.shape.size, "along X and Y, metres", positive);
-        field("segments", c.shape.segments, "along X and Y", between(1, 2000));
-        field("transform", c.transform, "where it stands");
+        field("size", s.size, "along X and Y, metres", positive);
+        field("segments", s.segments, "along X and Y", between(1, 2000));
     }
 };
-struct AddBox {
-    static constexpr std::string_view verb = "add_box", summary = "Add a box.";
-    std::string name = "Box";
-    BoxShape shape;
-    Transform transform;
-    bool operator==(const AddBox&) const = default;
-    static void fields(auto& c, auto&& field)
+template <> struct FieldsOf<BoxShape> {
+    static constexpr std::string_view verb = "add_box", summary = "Add a box.", name = "Box";
+    static void fields(auto& s, auto&& field)
     {
-        field("name", c.name, "name in the outliner");
-        field("size", c.shape.size, "along X, Y and Z, metres", positive);
-        field("segments", c.shape.segments, "along X, Y and Z", between(1, 500));
-        field("transform", c.transform, "where it stands");
+        field("size", s.size, "along X, Y and Z, metres", positive);
+        field("segments", s.segments, "along X, Y and Z", between(1, 500));
     }
 };
-struct AddSphere {
-    static constexpr std::string_view verb = "add_sphere", summary = "Add a sphere.";
-    std::string name = "Sphere";
-    SphereShape shape;
-    Transform transform;
-    bool operator==(const AddSphere&) const = default;
-    static void fields(auto& c, auto&& field)
+template <> struct FieldsOf<SphereShape> {
+    static constexpr std::string_view verb = "add_sphere", summary = "Add a sphere.",
+                                      name = "Sphere";
+    static void fields(auto& s, auto&& field)
     {
-        field("name", c.name, "name in the outliner");
-        field("radius", c.shape.radius, "metres", positive);
-        field("segments", c.shape.segments, "around the axis", between(3, 2000));
-        field("rings", c.shape.rings, "from pole to pole", between(2, 1000));
-        field("transform", c.transform, "where it stands");
+        field("radius", s.radius, "metres", positive);
+        field("segments", s.segments, "around the axis", between(3, 2000));
+        field("rings", s.rings, "from pole to pole", between(2, 1000));
     }
 };
-struct AddCylinder {
-    static constexpr std::string_view verb = "add_cylinder", summary = "Add a closed cylinder.";
-    std::string name = "Cylinder";
-    CylinderShape shape;
-    Transform transform;
-    bool operator==(const AddCylinder&) const = default;
-    static void fields(auto& c, auto&& field)
+template <> struct FieldsOf<CylinderShape> {
+    static constexpr std::string_view verb = "add_cylinder", summary = "Add a closed cylinder.",
+                                      name = "Cylinder";
+    static void fields(auto& s, auto&& field)
     {
-        field("name", c.name, "name in the outliner");
-        field("radius", c.shape.radius, "metres", positive);
-        field("height", c.shape.height, "metres", positive);
-        field("segments", c.shape.segments, "around the axis", between(3, 2000));
-        field("stacks", c.shape.stacks, "along the axis", between(1, 2000));
-        field("transform", c.transform, "where it stands");
+        field("radius", s.radius, "metres", positive);
+        field("height", s.height, "metres", positive);
+        field("segments", s.segments, "around the axis", between(3, 2000));
+        field("stacks", s.stacks, "along the axis", between(1, 2000));
     }
 };
-struct AddTorus {
-    static constexpr std::string_view verb = "add_torus", summary = "Add a torus.";
-    std::string name = "Torus";
-    TorusShape shape;
-    Transform transform;
-    bool operator==(const AddTorus&) const = default;
-    static void fields(auto& c, auto&& field)
+template <> struct FieldsOf<TorusShape> {
+    static constexpr std::string_view verb = "add_torus", summary = "Add a torus.", name = "Torus";
+    static void fields(auto& s, auto&& field)
     {
-        field("name", c.name, "name in the outliner");
-        field("radius", c.shape.radius, "of the middle circle, metres", positive);
-        field("tube", c.shape.tube, "radius of the tube, metres", positive);
-        field("segments", c.shape.segments, "around the axis and round the tube", between(3, 2000));
-        field("transform", c.transform, "where it stands");
+        field("radius", s.radius, "of the middle circle, metres", positive);
+        field("tube", s.tube, "radius of the tube, metres", positive);
+        field("segments", s.segments, "around the axis and round the tube", between(3, 2000));
     }
 };
-struct AddMoebius {
-    static constexpr std::string_view verb = "add_moebius", summary = "Add a Moebius band.";
-    std::string name = "Moebius band";
-    MoebiusShape shape;
-    Transform transform;
-    bool operator==(const AddMoebius&) const = default;
-    static void fields(auto& c, auto&& field)
+template <> struct FieldsOf<MoebiusShape> {
+    static constexpr std::string_view verb = "add_moebius", summary = "Add a Moebius band.",
+                                      name = "Moebius band";
+    static void fields(auto& s, auto&& field)
     {
-        field("name", c.name, "name in the outliner");
-        field("radius", c.shape.radius, "of the middle circle, metres", positive);
-        field("width", c.shape.width, "metres", positive);
-        field("segments", c.shape.segments, "around the axis and across", between(1, 2000));
-        field("transform", c.transform, "where it stands");
+        field("radius", s.radius, "of the middle circle, metres", positive);
+        field("width", s.width, "metres", positive);
+        field("segments", s.segments, "around the axis and across", between(1, 2000));
     }
 };
-struct AddTeapot {
-    static constexpr std::string_view verb = "add_teapot", summary = "Add the Utah teapot.";
-    std::string name = "Teapot";
-    TeapotShape shape;
-    Transform transform;
-    bool operator==(const AddTeapot&) const = default;
-    static void fields(auto& c, auto&& field)
+template <> struct FieldsOf<TeapotShape> {
+    static constexpr std::string_view verb = "add_teapot", summary = "Add the Utah teapot.",
+                                      name = "Teapot";
+    static void fields(auto& s, auto&& field)
     {
-        field("name", c.name, "name in the outliner");
-        field("height", c.shape.height, "metres", positive);
-        field("resolution", c.shape.resolution, "samples along each side of its 32 patches",
+        field("height", s.height, "metres", positive);
+        field("resolution", s.resolution, "samples along each side of its 32 patches",
               between(1, 64));
+    }
+};
+
+// Adds one object; its id is the document's next_id.
+template <class Shape> struct AddShape {
+    static constexpr std::string_view verb = FieldsOf<Shape>::verb,
+                                      summary = FieldsOf<Shape>::summary;
+    std::string name{FieldsOf<Shape>::name};
+    Shape shape;
+    Transform transform;
+    bool operator==(const AddShape&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("name", c.name, "name in the outliner");
+        FieldsOf<Shape>::fields(c.shape, field);
         field("transform", c.transform, "where it stands");
     }
 };
+using AddPlane = AddShape<PlaneShape>;
+using AddBox = AddShape<BoxShape>;
+using AddSphere = AddShape<SphereShape>;
+using AddCylinder = AddShape<CylinderShape>;
+using AddTorus = AddShape<TorusShape>;
+using AddMoebius = AddShape<MoebiusShape>;
+using AddTeapot = AddShape<TeapotShape>;
 
 } // namespace trivar
