@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,7 @@ struct Mesh {
     std::vector<std::uint32_t> face_group;    // #F to group_names, or empty: none
     std::vector<std::string> group_names;
     struct Crease {         // for subdivision
-        std::uint32_t a, b; // vertices at the ends of an edge
+        std::uint32_t a, b; // vertices at the ends of an edge; a == b: a corner
         float sharpness;    // 0 smooth, 10 and more: infinitely sharp
         bool operator==(const Crease&) const = default;
     };
@@ -61,8 +62,24 @@ struct Box {
 };
 Box bounding_box(const Mesh& mesh, const glm::dmat4& to_world = glm::dmat4(1));
 
-// #T by 3 vertex indices; face f's triangles are consecutive. Concave polygons are cut by ears,
-// in the plane of their area normal.
+// Adds a face at the end of `corners` and `face_begin`.
+void add_face(Mesh& mesh, std::span<const std::uint32_t> vertices);
+
+// Twice the area of a face times its unit normal (Newell's sum over its corners).
+glm::dvec3 area_normal(const Mesh& mesh, std::size_t face);
+
+// For Mesh::points: vertices at exactly one position are one point. Numbered from 0 in the order
+// of first appearance; O(#V).
+std::vector<std::uint32_t> points_by_position(const std::vector<glm::vec3>& positions);
+
+// One more than the largest point number: the length of a table by point.
+std::size_t point_count(const Mesh& mesh);
+
+// The mesh less the vertices that no face has a corner at, the others in their order.
+Mesh without_loose_vertices(Mesh mesh);
+
+// #C - 2 #F by 3 vertex indices: face f's triangles are consecutive and begin at
+// face_begin[f] - 2 f. Concave polygons are cut by ears, in the plane of their area normal.
 std::vector<glm::uvec3> triangles(const Mesh& mesh);
 
 // Area-weighted vertex normals, shared by the vertices of one point when they have no other

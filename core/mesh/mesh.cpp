@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/mesh.h"
+
+#include "core/base/rejected.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+template <class T> bool finite(const T& vector)
+{
+    for (int i = 0; i < T::length(); ++i)
+        if (!std::isfinite(vector[i])) return false;
+    return true;
+}
+
+template <class T>
+void check_values(const std::vector<T>& values, std::size_t expected, bool may_be_empty,
+                  const char* what, const std::string& name)
+{
+    if (values.empty() && may_be_empty) return;
+    if (values.size() != expected)
+        throw Rejected(
+            fmt::format("{}: {} {} for {} vertices", name, values.size(), what, expected));
+    for (std::size_t v = 0; v < values.size(); ++v)
+        if (!finite(values[v]))
+            throw Rejected(
+                fmt::format("{}: vertex {} has a value among its {} that is not a finite "
+                            "number",
+                            name, v, what));
+}
+
+void check_indices(const std::vector<std::uint32_t>& indices, std::size_t expected,
+                   std::size_t limit, const char* what, const std::string& name)
+{
+    if (!indices.empty() && indices.size() != expected)
+        throw Rejected(fmt::format("{}: {} {}, expected {}", name, indices.size(), what, expected));
+    for (const std::uint32_t index : indices)
+        if (index >= limit)
+            throw Rejected(fmt::format("{}: one of the {} is {}, there are only {}", name, what,
+                                       index, limit));
+}
+
+template <class T> void keep(std::vector<T>& values, const std::vector<std::uint32_t>& kept)
+{
+    if (values.empty()) return;
+    for (std::size_t i = 0; i < kept.size(); ++i) values[i] = values[kept[i]];
+    values.resize(kept.size());
+}
+
+} // namespace
+
+Box bounding_box(const Mesh& mesh, const glm::dmat4& to_world)
+{
+    Box box;
+    for (const glm::vec3& p : mesh.positions) box.add(glm::dvec3(to_world * glm::dvec4(p, 1)));
+    return box;
+}
+
+void add_face(Mesh& mesh, std::span<const std::uint32_t> vertices)
+{
+    mesh.corners.insert(mesh.corners.end(), vertices.begin(), vertices.end());
+    mesh.face_begin.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
+}
+
+glm::dvec3 area_normal(const Mesh& mesh, std::size_t face)
+{
+    const std::uint32_t begin = mesh.face_begin[face], end = mesh.face_begin[face + 1];
+    const glm::dvec3 origin(mesh.positions[mesh.corners[begin]]);
+    glm::dvec3 sum(0);
+    for (std::uint32_t c = begin + 1; c + 1 < end; ++c)
+        sum += glm::cross(glm::dvec3(mesh.positions[mesh.corners[c]]) - origin,
+                          glm::dvec3(mesh.positions[mesh.corners[c + 1]]) - origin);
+    return sum;
+}
+
+std::vector<std::uint32_t> points_by_position(const std::vector<glm::vec3>& positions)
+{
+    // Open addressing with the first vertex of each point in the slots: no order of memory or of
+    // a library's hash reaches the numbers.
+    const std::uint32_t none = ~0u;
+    const std::size_t slots = std::bit_ceil(positions.size() * 2 + 1);
+    std::vector<std::uint32_t> first_at(slots, none), points(positions.size());
+    std::uint32_t count = 0;
+    for (std::uint32_t v = 0; v < positions.size(); ++v) {
+        const glm::vec3 p = positions[v] + 0.0f; // -0 and 0 are one position
+        std::uint64_t hash = 0;
+        for (int i = 0; i < 3; ++i) {
+            hash = (hash ^ std::bit_cast<std::uint32_t>(p[i])) * 0x9e3779b97f4a7c15u;
+            hash ^= hash >> 29;
+        }
+        std::size_t slot = hash & (slots - 1);
+        while (first_at[slot] != none && positions[first_at[slot]] != positions[v])
+            slot = (slot + 1) & (slots - 1);
+        if (first_at[slot] == none) {
+            first_at[slot] = v;
+            points[v] = count++;
+        } else {
+            points[v] = points[first_at[slot]];
+        }
+    }
+    return points;
+}
+
+std::size_t point_count(const Mesh& mesh)
+{
+    if (mesh.points.empty()) return mesh.vertex_count();
+    return *std::max_element(mesh.points.begin(), mesh.points.end()) + std::size_t{1};
+}
+
+Mesh without_loose_vertices(Mesh mesh)
+{
+    std::vector<bool> used(mesh.vertex_count(), false);
+    for (const std::uint32_t v : mesh.corners) used[v] = true;
+    std::vector<std::uint32_t> kept, now_at(mesh.vertex_count());
+    for (std::uint32_t v = 0; v < used.size(); ++v) {
+        now_at[v] = static_cast<std::uint32_t>(kept.size());
+        if (used[v]) kept.push_back(v);
+    }
+    if (kept.size() == mesh.vertex_count()) return mesh;
+    keep(mesh.positions, kept);
+    keep(mesh.normals, kept);
+    keep(mesh.tangents, kept);
+    keep(mesh.colors, kept);
+    for (auto& set : mesh.uvs) keep(set, kept);
+    keep(mesh.points, kept);
+    for (std::uint32_t& v : mesh.corners) v = now_at[v];
+    std::erase_if(mesh.creases, [&](const Mesh::Crease& c) { return !used[c.a] || !used[c.b]; });
+    for (Mesh::Crease& crease : mesh.creases)
+        crease.a = now_at[crease.a], crease.b = now_at[crease.b];
+    return mesh;
+}
+
+std::vector<glm::vec3> smooth_normals(const Mesh& mesh)
+{
+    std::vector<glm::dvec3> sums(mesh.vertex_count() == 0 ? 0 : point_count(mesh), glm::dvec3(0));
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+        const glm::dvec3 normal = area_normal(mesh, f);
+        for (std::uint32_t c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c)
+            sums[mesh.point(mesh.corners[c])] += normal;
+    }
+    std::vector<glm::vec3> normals(mesh.vertex_count());
+    for (std::uint32_t v = 0; v < normals.size(); ++v) {
+        const glm::dvec3 sum = sums[mesh.point(v)];
+        const double length = glm::length(sum);
+        normals[v] =
+            length > 0 && std::isfinite(length) ? glm::vec3(sum / length) : glm::vec3(0, 0, 1);
+    }
+    return normals;
+}
+
+Mesh transformed(const Mesh& mesh, const glm::dmat4& matrix)
+{
+    Mesh result = mesh;
+    const glm::dmat3 linear(matrix);
+    const double determinant = glm::determinant(linear);
+    // Cofactors rather than the inverse: they exist for a flattening matrix too.
+    const glm::dmat3 cofactors =
+        glm::dmat3(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
+                   glm::cross(linear[0], linear[1])) *
+        (determinant < 0 ? -1.0 : 1.0);
+    const auto unit = [](const glm::dvec3& mapped, const glm::dvec3& otherwise) {
+        const double length = glm::length(mapped);
+        return glm::vec3(length > 0 ? mapped / length : otherwise);
+    };
+    for (glm::vec3& p : result.positions) p = glm::vec3(matrix * glm::dvec4(p, 1));
+    for (glm::vec3& n : result.normals) n = unit(cofactors * glm::dvec3(n), n);
+    for (glm::vec4& t : result.tangents) {
+        const glm::dvec3 before(t);
+        t = glm::vec4(unit(linear * before, before), determinant < 0 ? -t.w : t.w);
+    }
+    if (determinant < 0)
+        for (std::size_t f = 0; f < result.face_count(); ++f)
+            std::reverse(result.corners.begin() + result.face_begin[f] + 1,
+                         result.corners.begin() + result.face_begin[f + 1]);
+    return result;
+}
+
+void validate(const Mesh& mesh, const std::string& name)
+{
+    const std::size_t vertices = mesh.vertex_count(), faces = mesh.face_count();
+    check_values(mesh.positions, vertices, true, "positions", name);
+    check_values(mesh.normals, vertices, true, "normals", name);
+    check_values(mesh.tangents, vertices, true, "tangents", name);
+    check_values(mesh.colors, vertices, true, "colours", name);
+    for (const auto& set : mesh.uvs)
+        check_values(set, vertices, false, "texture coordinates", name);
+    check_indices(mesh.points, vertices, vertices, "point numbers", name);
+    if (mesh.face_begin.empty() || mesh.face_begin.front() != 0 ||
+        mesh.face_begin.back() != mesh.corners.size())
+        throw Rejected(name + ": the faces do not cover the corners");
+    check_indices(mesh.corners, mesh.corners.size(), vertices, "corners' vertices", name);
+    for (std::size_t f = 0; f < faces; ++f) {
+        if (mesh.face_begin[f + 1] < mesh.face_begin[f] ||
+            mesh.face_begin[f + 1] - mesh.face_begin[f] < 3)
+            throw Rejected(fmt::format("{}: face {} has fewer than three corners", name, f));
+    }
+    check_indices(mesh.face_material, faces, ~0u, "face materials", name);
+    check_indices(mesh.face_group, faces, mesh.group_names.size(), "face groups", name);
+    for (const Mesh::Crease& crease : mesh.creases)
+        if (crease.a >= vertices || crease.b >= vertices || !(crease.sharpness >= 0))
+            throw Rejected(name + ": a crease names a vertex that is not there or is below 0");
+}
+
+} // namespace trivar

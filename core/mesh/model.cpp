@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/model.h"
+
+#include <cassert>
+
+namespace trivar {
+
+glm::dmat4 node_to_model(const Model& model, int node)
+{
+    glm::dmat4 result(1);
+    while (node >= 0) {
+        const Node& n = model.nodes.at(static_cast<std::size_t>(node));
+        assert(n.parent < node);
+        result = n.to_parent * result;
+        node = n.parent;
+    }
+    return result;
+}
+
+Box bounding_box(const Model& model)
+{
+    Box box;
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        const int mesh = model.nodes[i].mesh;
+        if (mesh < 0) continue;
+        box.add(bounding_box(*model.meshes.at(static_cast<std::size_t>(mesh)),
+                             node_to_model(model, static_cast<int>(i))));
+    }
+    return box;
+}
+
+Model single_mesh_model(std::string name, Mesh mesh, std::vector<Material> materials)
+{
+    Model model;
+    model.meshes = {make_ref(std::move(mesh))};
+    model.nodes = {Node{std::move(name), -1, glm::dmat4(1), 0}};
+    model.materials = std::move(materials);
+    if (model.materials.empty()) model.materials.emplace_back();
+    return model;
+}
+
+} // namespace trivar
