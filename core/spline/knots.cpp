@@ -53,6 +53,20 @@ Row differentiated(const std::vector<double>& t, int s, int o, const Row& lower)
     return out;
 }
 
+void check_size(int order, int count)
+{
+    if (order < 2 || order > max_order)
+        throw Rejected("order " + std::to_string(order) + " is outside 2 to 6");
+    if (count < order)
+        throw Rejected("order " + std::to_string(order) + " needs at least " +
+                       std::to_string(order) + " control points, there are " +
+                       std::to_string(count));
+    constexpr int most = 1 << 20; // an axis beyond this is a mistake, not a shape
+    if (count > most)
+        throw Rejected(std::to_string(count) + " control points on an axis are more than " +
+                       std::to_string(most));
+}
+
 } // namespace
 
 Knots::Knots(int order, int count, Closure closure, std::vector<double> knots)
@@ -61,12 +75,7 @@ Knots::Knots(int order, int count, Closure closure, std::vector<double> knots)
       closure_(closure),
       knots_(std::move(knots))
 {
-    if (order < 2 || order > max_order)
-        throw Rejected("order " + std::to_string(order) + " is outside 2 to 6");
-    if (count < order)
-        throw Rejected("order " + std::to_string(order) + " needs at least " +
-                       std::to_string(order) + " control points, there are " +
-                       std::to_string(count));
+    check_size(order, count);
     for (std::size_t i = 0; i < knots_.size(); ++i) {
         if (!std::isfinite(knots_[i]))
             throw Rejected("knot " + std::to_string(i) + " is not a number");
@@ -80,36 +89,55 @@ Knots::Knots(int order, int count, Closure closure, std::vector<double> knots)
 
 Knots Knots::uniform(int order, int count, double begin, double end)
 {
+    check_size(order, count);
     std::vector<double> t;
+    const int spans = count - order + 1;
     for (int i = 0; i < count + order; ++i) {
-        const int step = std::clamp(i - order + 1, 0, count - order + 1);
-        t.push_back(step == count - order + 1 ? end
-                                              : begin + (end - begin) * step / (count - order + 1));
+        const int step = std::clamp(i - order + 1, 0, spans);
+        t.push_back(step == spans ? end : begin + (end - begin) * step / spans);
     }
     return {order, count, Closure::open, std::move(t)};
 }
 
 Knots Knots::general(int order, std::vector<double> knots)
 {
-    const int count = static_cast<int>(knots.size()) - order;
+    // Kept small here so that the conversion cannot overflow; the constructor says what is wrong.
+    const auto size = static_cast<int>(std::min(knots.size(), std::size_t{1} << 22));
+    const int count = size - std::clamp(order, 0, 16);
     return {order, count, Closure::open, std::move(knots)};
 }
 
 Knots Knots::periodic(int order, int count, double begin, double end, Closure closure)
 {
+    check_size(order, count);
+    std::vector<double> one_period;
+    for (int i = 0; i < count; ++i) one_period.push_back(begin + (end - begin) * i / count);
+    return closed(order, one_period, end, closure);
+}
+
+Knots Knots::closed(int order, const std::vector<double>& one_period, double end, Closure closure)
+{
+    const int count = static_cast<int>(one_period.size());
+    check_size(order, count);
+    const double period = end - one_period.front();
+    if (!(one_period.back() < end)) throw Rejected("a knot lies behind the end of the period");
+    // order - 1 knots of the period before, one period, order of the period behind.
     std::vector<double> t;
-    for (int i = 0; i < count + 2 * order - 1; ++i)
-        t.push_back(begin + (end - begin) * (i - order + 1) / count);
+    for (int i = 1 - order; i < count + order; ++i) {
+        const int turn = i < 0 ? -1 : i / count;
+        const double knot = one_period[at(i - turn * count)];
+        t.push_back(i == count ? end : knot + turn * period);
+    }
     return {order, count, closure, std::move(t)};
 }
 
 Knots::InDomain Knots::into_domain(double t) const
 {
-    if (closure_ == Closure::open) return {std::clamp(t, begin(), end()), 0};
+    if (closure_ == Closure::open) return {std::clamp(t, begin(), end()), false};
     const double period = end() - begin();
     const double turns = std::floor((t - begin()) / period);
     const double inside = std::clamp(t - turns * period, begin(), end());
-    return {inside, static_cast<int>(turns)};
+    return {inside, closure_ == Closure::twisted && std::fmod(turns, 2) != 0};
 }
 
 int Knots::span(double t) const
@@ -133,6 +161,12 @@ Knots::Wrapped Knots::wrapped(int i) const
 {
     if (closure_ == Closure::open) return {i, false};
     return {i % count_, closure_ == Closure::twisted && (i / count_) % 2 == 1};
+}
+
+int Knots::multiplicity(double t) const
+{
+    const auto [first, last] = std::equal_range(knots_.begin(), knots_.end(), t);
+    return static_cast<int>(last - first);
 }
 
 std::vector<double> Knots::breaks() const

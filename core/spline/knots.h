@@ -17,14 +17,18 @@ inline constexpr int max_order = 6;
 // Closed: the sequence is unwrapped, order - 1 control points longer, and index i stands for the
 // stored point i mod count (see wrapped). Every constructor throws Rejected for orders
 // outside 2..6, count < order (closed: count < order as well), decreasing or non-finite knots,
-// multiplicity above order.
+// multiplicity above order, or more than 2^20 control points.
 class Knots {
 public:
     // Clamped: `order` equal knots at each end, the interior equally spaced.
     static Knots uniform(int order, int count, double begin = 0, double end = 1);
     static Knots general(int order, std::vector<double> knots);
+    // Closed, equally spaced.
     static Knots periodic(int order, int count, double begin = 0, double end = 1,
                           Closure closure = Closure::periodic);
+    // Closed, with the knots of one period: begin <= t < end, one a control point.
+    static Knots closed(int order, const std::vector<double>& one_period, double end,
+                        Closure closure = Closure::periodic);
 
     int order() const { return order_; }
     int degree() const { return order_ - 1; }
@@ -35,11 +39,12 @@ public:
     double begin() const { return knots_[static_cast<std::size_t>(order_ - 1)]; }
     double end() const { return knots_[static_cast<std::size_t>(unwrapped_count())]; }
 
-    // t brought into the domain: clamped on an open axis, modulo the period on a closed one.
-    // `turns` counts the periods taken off: on a twisted axis an odd number mirrors.
+    // t brought into the domain: clamped on an open axis, modulo the period on a closed one, where
+    // `odd` says that an odd number of periods was taken off and the axis is twisted: the other
+    // axes are mirrored there. A NaN stays one.
     struct InDomain {
         double t;
-        int turns;
+        bool odd;
     };
     InDomain into_domain(double t) const;
 
@@ -56,6 +61,9 @@ public:
         bool mirrored;
     };
     Wrapped wrapped(int i) const;
+
+    // How many times t stands in values().
+    int multiplicity(double t) const;
 
     // Parameter values where non-empty spans start, and the end of the domain: ascending, distinct.
     std::vector<double> breaks() const;

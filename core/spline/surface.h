@@ -35,8 +35,20 @@ template <class T> struct SurfaceJet {
 // The jet at (u, v), brought into the domain; `derivatives` 0, 1 or 2 says what is filled in.
 template <class T> SurfaceJet<T> evaluate(const Surface<T>& s, glm::dvec2 uv, int derivatives = 0)
 {
-    const Basis a = basis(s.axes[0], s.axes[0].into_domain(uv.x).t, derivatives);
-    const Basis b = basis(s.axes[1], s.axes[1].into_domain(uv.y).t, derivatives);
+    // A twisted axis that was gone round an odd number of times mirrors the other one.
+    glm::dvec2 t = uv;
+    glm::dvec2 sign(1);
+    for (int axis = 0; axis < 2; ++axis) {
+        const Knots::InDomain in = s.axes[static_cast<std::size_t>(axis)].into_domain(t[axis]);
+        t[axis] = in.t;
+        if (!in.odd) continue;
+        const Knots& other = s.axes[static_cast<std::size_t>(1 - axis)];
+        t[1 - axis] = other.begin() + other.end() - t[1 - axis];
+        sign[1 - axis] = -sign[1 - axis];
+    }
+    t.x = s.axes[0].into_domain(t.x).t;
+    const Basis a = basis(s.axes[0], t.x, derivatives);
+    const Basis b = basis(s.axes[1], t.y, derivatives);
     SurfaceJet<T> jet;
     for (int i = 0; i < s.axes[0].order(); ++i)
         for (int j = 0; j < s.axes[1].order(); ++j) {
@@ -44,11 +56,12 @@ template <class T> SurfaceJet<T> evaluate(const Surface<T>& s, glm::dvec2 uv, in
             const T& p = s.point(a.first + i, b.first + j);
             jet.value = jet.value + p * (a.value[I] * b.value[J]);
             if (derivatives < 1) continue;
-            jet.u = jet.u + p * (a.first_derivative[I] * b.value[J]);
-            jet.v = jet.v + p * (a.value[I] * b.first_derivative[J]);
+            const double u1 = sign.x * a.first_derivative[I], v1 = sign.y * b.first_derivative[J];
+            jet.u = jet.u + p * (u1 * b.value[J]);
+            jet.v = jet.v + p * (a.value[I] * v1);
             if (derivatives < 2) continue;
             jet.uu = jet.uu + p * (a.second_derivative[I] * b.value[J]);
-            jet.uv = jet.uv + p * (a.first_derivative[I] * b.first_derivative[J]);
+            jet.uv = jet.uv + p * (u1 * v1);
             jet.vv = jet.vv + p * (a.value[I] * b.second_derivative[J]);
         }
     return jet;

@@ -14,7 +14,7 @@ template <class T> Jet<T> evaluate(const Trivariate<T>& f, glm::dvec3 uvw, int d
         const Knots& knots = f.axes[static_cast<std::size_t>(axis)];
         const Knots::InDomain in = knots.into_domain(t[axis]);
         t[axis] = in.t;
-        if (knots.closure() != Closure::twisted || in.turns % 2 == 0) continue;
+        if (!in.odd) continue;
         for (int other = 0; other < 3; ++other) {
             if (other == axis) continue;
             const Knots& k = f.axes[static_cast<std::size_t>(other)];
