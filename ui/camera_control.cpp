@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/camera_control.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace trivar::ui {
+namespace {
+
+// At the poles the picture would have no horizon: this near (radians) is near enough.
+constexpr double pole_gap = 0.01;
+constexpr double nearest_world = 1e-4, farthest_world = 1e6;
+
+glm::dvec3 forward_of(const Camera& camera)
+{
+    return glm::normalize(camera.target - camera.eye);
+}
+
+glm::dvec3 right_of(const glm::dvec3& forward)
+{
+    const glm::dvec3 right = glm::cross(forward, glm::dvec3(0, 0, 1));
+    const double length = glm::length(right);
+    return length > 1e-9 ? right / length : glm::dvec3(1, 0, 0);
+}
+
+glm::dvec3 turned(const glm::dvec3& v, const glm::dvec3& axis, double angle)
+{
+    return glm::dvec3(glm::rotate(glm::dmat4(1), angle, axis) * glm::dvec4(v, 0));
+}
+
+} // namespace
+
+Camera orbited(const Camera& camera, const glm::dvec3& pivot_world, glm::dvec2 drag_px)
+{
+    const double per_px = glm::pi<double>() / std::max(1.0, camera.size_px.y);
+    const glm::dvec3 forward = forward_of(camera);
+    const double elevation = std::asin(std::clamp(forward.z, -1.0, 1.0));
+    const double limit = glm::half_pi<double>() - pole_gap;
+    const double pitch = std::clamp(elevation - drag_px.y * per_px, -limit, limit) - elevation;
+    const double yaw = -drag_px.x * per_px;
+    const glm::dvec3 right = right_of(forward);
+    const auto turn = [&](const glm::dvec3& v) {
+        return turned(turned(v, right, pitch), glm::dvec3(0, 0, 1), yaw);
+    };
+    Camera result = camera;
+    result.up = {0, 0, 1};
+    result.eye = pivot_world + turn(camera.eye - pivot_world);
+    result.target = pivot_world + turn(camera.target - pivot_world);
+    return result;
+}
+
+Camera panned(const Camera& camera, const glm::dvec3& anchor_world, glm::dvec2 drag_px)
+{
+    const double depth =
+        std::max(nearest_world, glm::dot(anchor_world - camera.eye, forward_of(camera)));
+    const glm::dvec3 right = right_of(forward_of(camera));
+    const glm::dvec3 up = glm::cross(right, forward_of(camera));
+    const glm::dvec3 shift =
+        (right * -drag_px.x + up * drag_px.y) * pixel_size_world(camera, depth);
+    Camera result = camera;
+    result.eye += shift;
+    result.target += shift;
+    return result;
+}
+
+Camera zoomed(const Camera& camera, const glm::dvec3& anchor_world, double factor)
+{
+    const double distance =
+        camera.perspective ? glm::distance(camera.eye, camera.target) : camera.height_world;
+    factor = std::clamp(distance * factor, nearest_world, farthest_world) / distance;
+    Camera result = camera;
+    // A homothety about the anchor: no direction changes, so the anchor's pixel does not either.
+    result.eye = anchor_world + (camera.eye - anchor_world) * factor;
+    result.target = anchor_world + (camera.target - anchor_world) * factor;
+    result.height_world = camera.height_world * factor;
+    return result;
+}
+
+Camera framed(const Camera& camera, const Box& box)
+{
+    if (box.empty()) return camera;
+    constexpr double margin = 1.1;
+    const double radius = std::max(glm::length(box.size()) / 2 * margin, nearest_world);
+    const double aspect = camera.size_px.x / std::max(1.0, camera.size_px.y);
+    const double half_y = camera.fov_y / 2;
+    const double half_x = std::atan(std::tan(half_y) * aspect);
+    Camera result = camera;
+    result.target = box.center();
+    result.height_world = 2 * radius / std::min(1.0, aspect);
+    const double distance = std::min(radius / std::sin(std::min(half_x, half_y)), farthest_world);
+    result.eye = result.target - forward_of(camera) * distance;
+    return result;
+}
+
+Camera seen_from(const Camera& camera, const glm::dvec3& direction)
+{
+    const glm::dvec3 level(direction.x, direction.y, 0);
+    glm::dvec3 from = glm::normalize(direction);
+    // Straight above or below: keep a trace of the present heading, so that up stays up.
+    if (glm::length(level) < std::sin(pole_gap)) {
+        const glm::dvec3 forward = forward_of(camera);
+        const double heading = std::atan2(forward.y, forward.x);
+        const double quarter = glm::half_pi<double>();
+        const double square = std::round(heading / quarter) * quarter;
+        from = glm::dvec3(-std::cos(square) * std::sin(pole_gap),
+                          -std::sin(square) * std::sin(pole_gap),
+                          std::copysign(std::cos(pole_gap), direction.z));
+    }
+    Camera result = camera;
+    result.up = {0, 0, 1};
+    result.eye = camera.target + from * glm::distance(camera.eye, camera.target);
+    return result;
+}
+
+Camera with_perspective(const Camera& camera, bool perspective)
+{
+    if (camera.perspective == perspective) return camera;
+    Camera result = camera;
+    result.perspective = perspective;
+    const double slope = 2 * std::tan(camera.fov_y / 2);
+    if (perspective)
+        result.eye = camera.target - forward_of(camera) * (camera.height_world / slope);
+    else
+        result.height_world = glm::distance(camera.eye, camera.target) * slope;
+    return result;
+}
+
+glm::dvec3 point_at_target_depth(const Camera& camera, glm::dvec2 p_px)
+{
+    const Ray ray = ray_through(camera, p_px);
+    const glm::dvec3 forward = forward_of(camera);
+    const double depth = glm::dot(camera.target - ray.origin, forward);
+    return ray.origin + ray.direction * (depth / glm::dot(ray.direction, forward));
+}
+
+} // namespace trivar::ui

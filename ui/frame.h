@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/input.h"
+#include "ui/theme.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace trivar::ui {
+
+// What the program that draws a frame is given, and what it asks for in return.
+struct Frame {
+    const Theme& theme;
+    const std::vector<Event>& events; // what hands did since the last frame
+    glm::vec2 size_px{0};
+    double time_s = 0;        // on a steady clock
+    bool close_asked = false; // somebody wants to close the window
+
+    double again_in_s = 1e300; // asked for: another frame after this time at the latest
+    bool close = false;        // asked for: the end
+    void again_in(double seconds) { again_in_s = std::min(again_in_s, seconds); }
+};
+using DrawFrame = std::function<void(Frame&)>;
+
+// Decides when the next frame is due, so that an idle window draws nothing at all.
+class Pace {
+public:
+    // After input a few frames are owed: ImGui needs them for hovering and popups to settle.
+    void input_came() { owed_ = 3; }
+    void drawn(const Frame& frame)
+    {
+        owed_ = std::max(0, owed_ - 1);
+        due_s_ = frame.again_in_s < 1e9 ? frame.time_s + frame.again_in_s : 1e300;
+    }
+    // Seconds until a frame is due: 0 now, above 1e9 not before something happens.
+    double wait_s(double time_s) const { return owed_ > 0 ? 0 : std::max(0.0, due_s_ - time_s); }
+
+private:
+    int owed_ = 3;
+    double due_s_ = 1e300;
+};
+
+} // namespace trivar::ui

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/gui.h"
+
+#include <algorithm>
+#include <backends/imgui_impl_opengl3.h>
+#include <epoxy/gl.h>
+#include <imgui.h>
+
+namespace trivar::ui {
+
+struct Gui::Contexts {
+    Contexts()
+    {
+        ImGui::CreateContext();
+        ImGuiIO& io = ImGui::GetIO();
+        io.IniFilename = nullptr; // layout is the editor's to keep
+        io.LogFilename = nullptr;
+        io.ConfigInputTextCursorBlink = false; // a blinking cursor would keep an idle window busy
+        io.ConfigDragClickToInputText = true;  // a click on a number types, a drag drags
+        io.MouseDragThreshold = 3;
+        map_keys();
+        ImGui_ImplOpenGL3_Init("#version 430");
+    }
+    ~Contexts()
+    {
+        ImGui_ImplOpenGL3_Shutdown();
+        ImGui::DestroyContext();
+    }
+    Contexts(const Contexts&) = delete;
+    Contexts& operator=(const Contexts&) = delete;
+};
+
+Gui::Gui(const ThemeOptions& options)
+    : contexts_(std::make_unique<Contexts>()),
+      theme_(apply_theme(options))
+{
+}
+
+Gui::~Gui() = default;
+
+void Gui::set_theme(const ThemeOptions& options)
+{
+    theme_ = apply_theme(options);
+    ImGui_ImplOpenGL3_DestroyFontsTexture(); // made again, from the new atlas, by the next frame
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+}
+
+Frame Gui::frame(glm::ivec2 size_px, double time_s, bool close_asked, const DrawFrame& body)
+{
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {static_cast<float>(size_px.x), static_cast<float>(size_px.y)};
+    const double passed = last_time_s_ < 0 ? 1.0 / 60 : time_s - last_time_s_;
+    // After a long idle the first frame must not think that a second passed under the mouse.
+    io.DeltaTime = static_cast<float>(std::clamp(passed, 1e-4, 0.1));
+    last_time_s_ = time_s;
+
+    input_.begin_frame();
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui::NewFrame();
+    Frame frame{theme_, input_.events(), glm::vec2(size_px), time_s, close_asked};
+    body(frame);
+    ImGui::Render();
+
+    glViewport(0, 0, size_px.x, size_px.y);
+    glDisable(GL_SCISSOR_TEST);
+    glClearColor(0, 0, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    if (input_.pending()) frame.again_in(0);
+    return frame;
+}
+
+} // namespace trivar::ui

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/frame.h"
+
+#include <memory>
+
+namespace trivar::ui {
+
+// ImGui on the current OpenGL context, a window's or a headless one alike. It lives as long as
+// the context stays current on this thread.
+class Gui {
+public:
+    explicit Gui(const ThemeOptions& options = {});
+    ~Gui();
+    Gui(const Gui&) = delete;
+    Gui& operator=(const Gui&) = delete;
+
+    Input& input() { return input_; }
+    const Theme& theme() const { return theme_; }
+    void set_theme(const ThemeOptions& options); // between frames only
+
+    // One frame into the bound framebuffer: input, body, pixels.
+    Frame frame(glm::ivec2 size_px, double time_s, bool close_asked, const DrawFrame& body);
+
+private:
+    struct Contexts; // made first and destroyed last
+    std::unique_ptr<Contexts> contexts_;
+    Theme theme_;
+    Input input_;
+    double last_time_s_ = -1;
+};
+
+} // namespace trivar::ui

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/headless.h"
+
+#include <algorithm>
+#include <epoxy/gl.h>
+
+namespace trivar::ui {
+
+HeadlessFrames::HeadlessFrames(glm::ivec2 size_px, const ThemeOptions& options)
+    : gui_(options),
+      size_px_(size_px)
+{
+    glGenTextures(1, &color_);
+    glBindTexture(GL_TEXTURE_2D, color_);
+    glTexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA8, size_px.x, size_px.y);
+    glGenFramebuffers(1, &framebuffer_);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_, 0);
+}
+
+HeadlessFrames::~HeadlessFrames()
+{
+    glDeleteFramebuffers(1, &framebuffer_);
+    glDeleteTextures(1, &color_);
+}
+
+void HeadlessFrames::frames(int count, const DrawFrame& body)
+{
+    const DrawFrame into_image = [&](Frame& frame) {
+        body(frame);
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_); // the body may have drawn elsewhere
+    };
+    for (int i = 0; i < count; ++i) {
+        gui_.frame(size_px_, time_s_, false, into_image);
+        time_s_ += 1.0 / 60;
+        ++count_;
+    }
+}
+
+int HeadlessFrames::settle(const DrawFrame& body, int limit)
+{
+    Pace pace;
+    int drawn = 0;
+    const DrawFrame paced = [&](Frame& frame) {
+        body(frame);
+        if (gui_.input().pending()) pace.input_came();
+        pace.drawn(frame);
+    };
+    for (; drawn < limit && pace.wait_s(time_s_) < 1e9; ++drawn) {
+        time_s_ += pace.wait_s(time_s_);
+        frames(1, paced);
+    }
+    return drawn;
+}
+
+Image HeadlessFrames::picture() const
+{
+    Image image{.name = "frame", .size_px = size_px_, .rgba = {}, .source_bytes = {}, .mime = {}};
+    const auto row = static_cast<std::size_t>(size_px_.x) * 4;
+    std::vector<std::uint8_t> upside_down(row * static_cast<std::size_t>(size_px_.y));
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, size_px_.x, size_px_.y, GL_RGBA, GL_UNSIGNED_BYTE, upside_down.data());
+    image.rgba.reserve(upside_down.size());
+    for (std::size_t y = static_cast<std::size_t>(size_px_.y); y-- > 0;)
+        for (std::size_t x = 0; x < row; ++x)
+            image.rgba.push_back(x % 4 == 3 ? 255 : upside_down[y * row + x]);
+    return image;
+}
+
+} // namespace trivar::ui

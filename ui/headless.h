@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/mesh/model.h"
+#include "gpu/context.h"
+#include "ui/gui.h"
+
+namespace trivar::ui {
+
+// Frames without a screen: the same input, the same drawing, an image instead of a window. Time
+// stands still between frames and moves by 1/60 s at each.
+class HeadlessFrames {
+public:
+    explicit HeadlessFrames(glm::ivec2 size_px, const ThemeOptions& options = {});
+    ~HeadlessFrames();
+    HeadlessFrames(const HeadlessFrames&) = delete;
+    HeadlessFrames& operator=(const HeadlessFrames&) = delete;
+
+    Input& input() { return gui_.input(); }
+    const Theme& theme() const { return gui_.theme(); }
+    void frames(int count, const DrawFrame& body);
+    // Draws as a window would, until nothing more is due or the limit is reached; returns how many
+    // frames that took. Waits for later frames are skipped, not slept through.
+    int settle(const DrawFrame& body, int limit = 100);
+    Image picture() const; // of the last frame
+    int count() const { return count_; }
+
+private:
+    gpu::HeadlessContext context_;
+    Gui gui_;
+    glm::ivec2 size_px_;
+    unsigned framebuffer_ = 0, color_ = 0;
+    double time_s_ = 0;
+    int count_ = 0;
+};
+
+} // namespace trivar::ui

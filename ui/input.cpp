@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/input.h"
+
+#include "ui/keys.h"
+
+#include <imgui.h>
+
+namespace trivar::ui {
+namespace {
+
+bool is_modifier(const Event& event)
+{
+    return event.kind == Event::Kind::key && event.code >= key_left_shift &&
+           event.code <= key_right_super;
+}
+
+} // namespace
+
+Event move_to(glm::vec2 p_px, double time_s)
+{
+    return {.kind = Event::Kind::move, .at = p_px, .paths = {}, .time_s = time_s};
+}
+
+Event press(Button button, bool down)
+{
+    return {
+        .kind = Event::Kind::button, .code = static_cast<int>(button), .down = down, .paths = {}};
+}
+
+Event press_key(int code, bool down)
+{
+    return {.kind = Event::Kind::key, .code = code, .down = down, .paths = {}};
+}
+
+Event type_text(unsigned code_point)
+{
+    return {.kind = Event::Kind::text, .code = static_cast<int>(code_point), .paths = {}};
+}
+
+Event turn_wheel(float steps_up)
+{
+    return {.kind = Event::Kind::wheel, .at = {0, steps_up}, .paths = {}};
+}
+
+Event drop_files(std::vector<std::string> paths)
+{
+    return {.kind = Event::Kind::drop, .paths = std::move(paths)};
+}
+
+void Input::begin_frame()
+{
+    taken_.clear();
+    bool pressed = false; // a press or release was taken: what follows it must wait a frame
+    while (!waiting_.empty()) {
+        const Event& next = waiting_.front();
+        const bool press = next.kind == Event::Kind::button || next.kind == Event::Kind::key;
+        if (pressed && (press || next.kind == Event::Kind::move)) break;
+        // Modifiers going down belong to the press that follows them.
+        if (press && !(is_modifier(next) && next.down)) pressed = true;
+        tell(next);
+        taken_.push_back(std::move(waiting_.front()));
+        waiting_.pop_front();
+    }
+}
+
+void Input::tell(const Event& event) const
+{
+    ImGuiIO& io = ImGui::GetIO();
+    switch (event.kind) {
+    case Event::Kind::move: io.MousePos = {event.at.x, event.at.y}; break;
+    case Event::Kind::button:
+        if (event.code >= 0 && event.code < 5) io.MouseDown[event.code] = event.down;
+        break;
+    case Event::Kind::wheel:
+        io.MouseWheelH += event.at.x;
+        io.MouseWheel += event.at.y;
+        break;
+    case Event::Kind::key:
+        if (event.code >= 0 && event.code < key_count) io.KeysDown[event.code] = event.down;
+        io.KeyShift = io.KeysDown[key_left_shift] || io.KeysDown[key_left_shift + 4];
+        io.KeyCtrl = io.KeysDown[key_left_control] || io.KeysDown[key_left_control + 4];
+        io.KeyAlt = io.KeysDown[key_left_alt] || io.KeysDown[key_left_alt + 4];
+        io.KeySuper = io.KeysDown[key_left_super] || io.KeysDown[key_right_super];
+        break;
+    case Event::Kind::text: io.AddInputCharacter(static_cast<unsigned>(event.code)); break;
+    case Event::Kind::focus:
+        io.AddFocusEvent(event.down);
+        if (event.down) break;
+        // Whatever was held is let go elsewhere, where we do not hear it.
+        for (bool& held : io.MouseDown) held = false;
+        for (bool& held : io.KeysDown) held = false;
+        io.KeyShift = io.KeyCtrl = io.KeyAlt = io.KeySuper = false;
+        break;
+    case Event::Kind::drop: break;
+    }
+}
+
+void map_keys()
+{
+    ImGuiIO& io = ImGui::GetIO();
+    const auto map = [&io](ImGuiKey name, int code) { io.KeyMap[name] = code; };
+    map(ImGuiKey_Tab, key_tab);
+    map(ImGuiKey_LeftArrow, key_left);
+    map(ImGuiKey_RightArrow, key_right);
+    map(ImGuiKey_UpArrow, key_up);
+    map(ImGuiKey_DownArrow, key_down);
+    map(ImGuiKey_PageUp, key_page_up);
+    map(ImGuiKey_PageDown, key_page_down);
+    map(ImGuiKey_Home, key_home);
+    map(ImGuiKey_End, key_end);
+    map(ImGuiKey_Insert, key_insert);
+    map(ImGuiKey_Delete, key_delete);
+    map(ImGuiKey_Backspace, key_backspace);
+    map(ImGuiKey_Space, key_space);
+    map(ImGuiKey_Enter, key_enter);
+    map(ImGuiKey_Escape, key_escape);
+    map(ImGuiKey_KeyPadEnter, key_keypad_enter);
+    map(ImGuiKey_A, 'A');
+    map(ImGuiKey_C, 'C');
+    map(ImGuiKey_V, 'V');
+    map(ImGuiKey_X, 'X');
+    map(ImGuiKey_Y, 'Y');
+    map(ImGuiKey_Z, 'Z');
+}
+
+} // namespace trivar::ui

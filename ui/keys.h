@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace trivar::ui {
+
+// Key codes: a printable key is its capital letter in ASCII, the others are as GLFW numbers them.
+enum Key : int {
+    key_space = 32,
+    key_period = 46,
+    key_slash = 47,
+    key_0 = 48,
+    key_1 = 49,
+    key_a = 65,
+    key_escape = 256,
+    key_enter = 257,
+    key_tab = 258,
+    key_backspace = 259,
+    key_insert = 260,
+    key_delete = 261,
+    key_right = 262,
+    key_left = 263,
+    key_down = 264,
+    key_up = 265,
+    key_page_up = 266,
+    key_page_down = 267,
+    key_home = 268,
+    key_end = 269,
+    key_f1 = 290,
+    key_keypad_enter = 335,
+    key_left_shift = 340,
+    key_left_control = 341,
+    key_left_alt = 342,
+    key_left_super = 343,
+    key_right_shift = 344,
+    key_right_super = 347,
+    key_count = 349
+};
+
+// A key with what is held beside it.
+struct Chord {
+    int key = 0;
+    bool ctrl = false, shift = false, alt = false;
+    bool operator==(const Chord&) const = default;
+};
+
+// As people write it: "Ctrl+Shift+S", "Esc", "F10".
+std::string text_of(const Chord& chord);
+
+// Whether the chord was struck in this frame (held keys do not repeat) and nobody types text.
+bool struck(const Chord& chord);
+
+} // namespace trivar::ui

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window.h"
+
+#include "core/base/rejected.h"
+#include "core/base/text.h"
+#include "ui/gui.h"
+
+#include <epoxy/gl.h>
+
+#include <GLFW/glfw3.h>
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstdlib>
+#include <imgui.h>
+
+namespace trivar::ui {
+namespace {
+
+[[noreturn]] void reject_glfw(const std::string& what)
+{
+    const char* why = nullptr;
+    glfwGetError(&why);
+    throw Rejected(what + (why ? ": " + std::string(why) : std::string()) + ".");
+}
+
+struct Library { // GLFW itself
+    Library()
+    {
+        if (!glfwInit()) reject_glfw("No window can be opened");
+    }
+    ~Library() { glfwTerminate(); }
+    Library(const Library&) = delete;
+    Library& operator=(const Library&) = delete;
+};
+
+GLFWwindow* open_window(const WindowOptions& options)
+{
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    GLFWwindow* window =
+        glfwCreateWindow(options.size.x, options.size.y, options.title.c_str(), nullptr, nullptr);
+    if (!window) reject_glfw("No window with OpenGL 4.3 can be opened");
+    glfwMakeContextCurrent(window);
+    glfwSwapInterval(1);
+    return window;
+}
+
+} // namespace
+
+std::optional<double> scale_override(double asked)
+{
+    if (asked > 0) return std::clamp(asked, 0.75, 3.0);
+    const char* text = std::getenv("TRIVAR_SCALE");
+    const std::optional<double> scale = parse_number(text ? text : "");
+    if (scale && *scale > 0) return std::clamp(*scale, 0.75, 3.0);
+    return std::nullopt;
+}
+
+struct Window::State {
+    Library library;
+    GLFWwindow* window;
+    WindowOptions options;
+    Gui gui;
+    Pace pace;
+    std::array<GLFWcursor*, ImGuiMouseCursor_COUNT> cursors{};
+    int cursor = -2;
+    std::atomic<bool> woken = false; // by another thread
+    long frames = 0;
+
+    explicit State(const WindowOptions& wanted)
+        : window(open_window(wanted)),
+          options(wanted),
+          gui({wanted_scale(), wanted.light})
+    {
+        glfwSetWindowUserPointer(window, this);
+        glfwSetWindowSizeLimits(window, 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
+        make_cursors();
+        listen();
+        ImGuiIO& io = ImGui::GetIO();
+        io.ClipboardUserData = window;
+        io.GetClipboardTextFn = [](void* w) {
+            return glfwGetClipboardString(static_cast<GLFWwindow*>(w));
+        };
+        io.SetClipboardTextFn = [](void* w, const char* text) {
+            glfwSetClipboardString(static_cast<GLFWwindow*>(w), text);
+        };
+    }
+    ~State()
+    {
+        for (GLFWcursor* c : cursors)
+            if (c) glfwDestroyCursor(c);
+    }
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+
+    // Framebuffer pixels a window coordinate.
+    float density() const
+    {
+        int w = 0, h = 0, fw = 0, fh = 0;
+        glfwGetWindowSize(window, &w, &h);
+        glfwGetFramebufferSize(window, &fw, &fh);
+        return w > 0 && fw > 0 ? static_cast<float>(fw) / static_cast<float>(w) : 1.0f;
+    }
+
+    float wanted_scale() const
+    {
+        if (const auto scale = scale_override(options.scale)) return static_cast<float>(*scale);
+        float x = 1, y = 1;
+        glfwGetWindowContentScale(window, &x, &y);
+        return x;
+    }
+
+    void push(Event event)
+    {
+        gui.input().push(std::move(event));
+        pace.input_came();
+    }
+
+    static State& of(GLFWwindow* window)
+    {
+        return *static_cast<State*>(glfwGetWindowUserPointer(window));
+    }
+
+    void listen() const
+    {
+        glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
+            const float d = of(w).density();
+            of(w).push(move_to(glm::vec2(x, y) * d, glfwGetTime()));
+        });
+        glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
+            if (!entered) of(w).push(move_to(glm::vec2(-1e6f), glfwGetTime()));
+        });
+        glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int) {
+            of(w).push(press(static_cast<Button>(button), action == GLFW_PRESS));
+        });
+        glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
+            of(w).push({.kind = Event::Kind::wheel, .at = {x, y}, .paths = {}});
+        });
+        glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int code, int action, int) {
+            if (action == GLFW_REPEAT || key == GLFW_KEY_UNKNOWN) return; // ImGui repeats itself
+            // Letters are meant as they are printed on this keyboard, not where QWERTY has them.
+            const char* name = glfwGetKeyName(key, code);
+            if (name && name[0] >= 'a' && name[0] <= 'z' && name[1] == 0) key = name[0] - 'a' + 'A';
+            of(w).push(press_key(key, action == GLFW_PRESS));
+        });
+        glfwSetCharCallback(window,
+                            [](GLFWwindow* w, unsigned letter) { of(w).push(type_text(letter)); });
+        glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int gained) {
+            of(w).push({.kind = Event::Kind::focus, .down = gained != 0, .paths = {}});
+        });
+        glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+            of(w).push(drop_files({paths, paths + count}));
+        });
+        const auto redraw = [](GLFWwindow* w) { of(w).pace.input_came(); };
+        glfwSetWindowRefreshCallback(window, redraw);
+        glfwSetWindowCloseCallback(window, redraw);
+        glfwSetFramebufferSizeCallback(window,
+                                       [](GLFWwindow* w, int, int) { of(w).pace.input_came(); });
+    }
+
+    void make_cursors()
+    {
+        const auto make = [this](ImGuiMouseCursor name, int shape) {
+            cursors[static_cast<std::size_t>(name)] = glfwCreateStandardCursor(shape);
+        };
+        make(ImGuiMouseCursor_Arrow, GLFW_ARROW_CURSOR);
+        make(ImGuiMouseCursor_TextInput, GLFW_IBEAM_CURSOR);
+        make(ImGuiMouseCursor_ResizeNS, GLFW_VRESIZE_CURSOR);
+        make(ImGuiMouseCursor_ResizeEW, GLFW_HRESIZE_CURSOR);
+        make(ImGuiMouseCursor_Hand, GLFW_HAND_CURSOR);
+        // ImGui has no cross, and we have no use for its "not allowed": the tools' cursor.
+        make(ImGuiMouseCursor_NotAllowed, GLFW_CROSSHAIR_CURSOR);
+    }
+
+    void show_cursor()
+    {
+        const int wanted = ImGui::GetMouseCursor();
+        if (wanted == cursor || wanted < 0) return;
+        cursor = wanted;
+        GLFWcursor* shape = cursors[static_cast<std::size_t>(wanted)];
+        glfwSetCursor(window, shape ? shape : cursors[ImGuiMouseCursor_Arrow]);
+    }
+
+    void sleep_until_due()
+    {
+        const double wait = gui.input().pending() ? 0 : pace.wait_s(glfwGetTime());
+        if (wait <= 0)
+            glfwPollEvents();
+        else if (wait > 1e9)
+            glfwWaitEvents();
+        else
+            glfwWaitEventsTimeout(wait);
+        if (woken.exchange(false)) pace.input_came();
+    }
+
+    // Draws if a frame is due; whether the program goes on.
+    bool step(const DrawFrame& body)
+    {
+        sleep_until_due();
+        const bool closing = glfwWindowShouldClose(window);
+        if (!closing && !gui.input().pending() && pace.wait_s(glfwGetTime()) > 0) return true;
+        int w = 0, h = 0;
+        glfwGetFramebufferSize(window, &w, &h);
+        if ((w <= 0 || h <= 0) && !closing) { // minimised: nothing to draw into
+            glfwWaitEvents();
+            return true;
+        }
+        if (wanted_scale() != gui.theme().scale) gui.set_theme({wanted_scale(), options.light});
+        const Frame frame =
+            gui.frame({std::max(w, 1), std::max(h, 1)}, glfwGetTime(), closing, [&body](Frame& f) {
+                body(f);
+                glBindFramebuffer(GL_FRAMEBUFFER, 0);
+            });
+        glfwSetWindowShouldClose(window, GLFW_FALSE);
+        pace.drawn(frame);
+        show_cursor();
+        glfwSwapBuffers(window);
+        ++frames;
+        return !frame.close;
+    }
+};
+
+Window::Window(const WindowOptions& options) : state_(std::make_unique<State>(options)) {}
+Window::~Window() = default;
+
+void Window::run(const DrawFrame& body)
+{
+    while (state_->step(body)) {
+    }
+}
+
+std::function<void()> Window::waker() const
+{
+    return [state = state_.get()] {
+        state->woken = true;
+        glfwPostEmptyEvent();
+    };
+}
+
+void Window::set_title(const std::string& title)
+{
+    glfwSetWindowTitle(state_->window, title.c_str());
+}
+
+long Window::frames_drawn() const
+{
+    return state_->frames;
+}
+
+} // namespace trivar::ui
