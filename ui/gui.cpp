@@ -5,8 +5,24 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <epoxy/gl.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 namespace trivar::ui {
+namespace {
+
+// Tooltips wait for a hovering mouse and held keys repeat: both need frames without input.
+void ask_for_what_imgui_needs(Frame& frame)
+{
+    constexpr float tooltip_s = 0.55f, repeat_s = 0.04f;
+    const ImGuiContext& g = *ImGui::GetCurrentContext();
+    if (g.HoveredId != 0 && g.HoveredIdTimer < tooltip_s)
+        frame.again_in(tooltip_s - g.HoveredIdTimer);
+    if (g.IO.WantTextInput && std::any_of(std::begin(g.IO.KeysDown), std::end(g.IO.KeysDown),
+                                          [](bool down) { return down; }))
+        frame.again_in(repeat_s);
+}
+
+} // namespace
 
 struct Gui::Contexts {
     Contexts()
@@ -51,7 +67,7 @@ Frame Gui::frame(glm::ivec2 size_px, double time_s, bool close_asked, const Draw
     io.DisplaySize = {static_cast<float>(size_px.x), static_cast<float>(size_px.y)};
     const double passed = last_time_s_ < 0 ? 1.0 / 60 : time_s - last_time_s_;
     // After a long idle the first frame must not think that a second passed under the mouse.
-    io.DeltaTime = static_cast<float>(std::clamp(passed, 1e-4, 0.1));
+    io.DeltaTime = static_cast<float>(std::clamp(passed, 1e-4, 0.6));
     last_time_s_ = time_s;
 
     input_.begin_frame();
@@ -66,6 +82,7 @@ Frame Gui::frame(glm::ivec2 size_px, double time_s, bool close_asked, const Draw
     glClearColor(0, 0, 0, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    ask_for_what_imgui_needs(frame);
     if (input_.pending()) frame.again_in(0);
     return frame;
 }

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/camera_control.h"
+
+#include <cmath>
+#include <gmock/gmock.h>
+
+namespace trivar::ui {
+namespace {
+
+constexpr double tolerance_px = 1e-6;
+
+Camera somewhere()
+{
+    Camera camera;
+    camera.eye = {3, -5, 2.5};
+    camera.target = {0.4, 0.2, 0.3};
+    return camera;
+}
+
+std::vector<Camera> both_kinds()
+{
+    return {somewhere(), with_perspective(somewhere(), false)};
+}
+
+void expect_same_pixel(const Camera& before, const Camera& after, const glm::dvec3& p,
+                       glm::dvec2 moved_px = {0, 0})
+{
+    const glm::dvec2 a = project(before, p).p_px + moved_px, b = project(after, p).p_px;
+    EXPECT_NEAR(a.x, b.x, tolerance_px);
+    EXPECT_NEAR(a.y, b.y, tolerance_px);
+}
+
+TEST(CameraControl, OrbitKeepsThePivotWhereItIsInThePicture)
+{
+    const glm::dvec3 pivot(0.7, -0.5, 0.1);
+    for (const Camera& camera : both_kinds())
+        expect_same_pixel(camera, orbited(camera, pivot, {140, -60}), pivot);
+}
+
+TEST(CameraControl, OrbitKeepsTheDistanceAndTheHorizon)
+{
+    for (const Camera& camera : both_kinds()) {
+        const Camera turned = orbited(camera, camera.target, {-333, 5000});
+        EXPECT_NEAR(glm::distance(turned.eye, turned.target),
+                    glm::distance(camera.eye, camera.target), 1e-9);
+        // A vertical line stays upright in the middle of the picture: no roll.
+        const glm::dvec2 low = project(turned, turned.target).p_px;
+        const glm::dvec2 high = project(turned, turned.target + glm::dvec3(0, 0, 0.1)).p_px;
+        EXPECT_NEAR(low.x, high.x, 1e-6);
+        EXPECT_LT(high.y, low.y) << "up is up, even after a drag far beyond the pole";
+    }
+}
+
+TEST(CameraControl, OrbitThereAndBackIsWhereItBegan)
+{
+    const Camera camera = somewhere();
+    const Camera back = orbited(orbited(camera, {1, 1, 0}, {80, 0}), {1, 1, 0}, {-80, 0});
+    EXPECT_NEAR(glm::distance(camera.eye, back.eye), 0, 1e-12);
+    EXPECT_NEAR(glm::distance(camera.target, back.target), 0, 1e-12);
+}
+
+TEST(CameraControl, PanFollowsThePointerExactly)
+{
+    const glm::dvec3 anchor(0.3, 0.9, -0.2);
+    for (const Camera& camera : both_kinds())
+        expect_same_pixel(camera, panned(camera, anchor, {37, -21}), anchor, {37, -21});
+}
+
+TEST(CameraControl, ZoomKeepsTheAnchorAndChangesItsSizeByTheFactor)
+{
+    const glm::dvec3 anchor(0.3, 0.9, -0.2);
+    for (const Camera& camera : both_kinds()) {
+        const Camera nearer = zoomed(camera, anchor, 0.8);
+        expect_same_pixel(camera, nearer, anchor);
+        const auto pixel = [&](const Camera& c) {
+            return pixel_size_world(c, project(c, anchor).depth_world);
+        };
+        EXPECT_NEAR(pixel(nearer) / pixel(camera), 0.8, 1e-9);
+    }
+}
+
+TEST(CameraControl, ZoomStopsBeforeTheCameraReachesItsTargetOrLeavesTheWorld)
+{
+    Camera in = somewhere(), out = somewhere();
+    for (int i = 0; i < 400; ++i) {
+        in = zoomed(in, in.target, 0.5);
+        out = zoomed(out, out.target, 2);
+    }
+    EXPECT_GE(glm::distance(in.eye, in.target), 0.99e-4);
+    EXPECT_LE(glm::distance(out.eye, out.target), 1.01e6);
+}
+
+TEST(CameraControl, AFramedBoxIsWhollyInThePictureAndFillsAThirdOfIt)
+{
+    Box box;
+    box.add({-2, 1, 0});
+    box.add({3, 2, 4});
+    for (const glm::dvec2 size : {glm::dvec2(1600, 400), glm::dvec2(300, 900)})
+        for (Camera camera : both_kinds()) {
+            camera.size_px = size;
+            const Camera framed_camera = framed(camera, box);
+            Box seen;
+            for (int corner = 0; corner < 8; ++corner) {
+                const glm::dvec3 p((corner & 1 ? box.hi : box.lo).x,
+                                   (corner & 2 ? box.hi : box.lo).y,
+                                   (corner & 4 ? box.hi : box.lo).z);
+                seen.add(glm::dvec3(project(framed_camera, p).p_px, 0));
+            }
+            EXPECT_GE(seen.lo.x, 0);
+            EXPECT_GE(seen.lo.y, 0);
+            EXPECT_LE(seen.hi.x, size.x);
+            EXPECT_LE(seen.hi.y, size.y);
+            EXPECT_GT(std::max(seen.size().x / size.x, seen.size().y / size.y), 0.33);
+        }
+}
+
+TEST(CameraControl, FramingNothingChangesNothing)
+{
+    EXPECT_EQ(framed(somewhere(), Box{}), somewhere());
+}
+
+TEST(CameraControl, AViewFromAboveShowsYUpward)
+{
+    const Camera above = seen_from(orbited(somewhere(), {}, {20, 0}), {0, 0, 1});
+    const glm::dvec2 origin = project(above, above.target).p_px;
+    const glm::dvec2 north = project(above, above.target + glm::dvec3(0, 1, 0)).p_px;
+    EXPECT_NEAR(origin.x, north.x, 1e-6);
+    EXPECT_LT(north.y, origin.y);
+}
+
+TEST(CameraControl, ChangingTheProjectionKeepsSizesAtTheTarget)
+{
+    const Camera camera = somewhere();
+    const Camera flat = with_perspective(camera, false);
+    const glm::dvec3 side =
+        glm::normalize(glm::cross(camera.target - camera.eye, glm::dvec3(0, 0, 1)));
+    expect_same_pixel(camera, flat, camera.target + side);
+    expect_same_pixel(camera, with_perspective(flat, true), camera.target + side);
+}
+
+TEST(CameraControl, ThePointAtTheTargetsDepthLiesUnderItsPixel)
+{
+    for (const Camera& camera : both_kinds()) {
+        const Projected p = project(camera, point_at_target_depth(camera, {100, 650}));
+        EXPECT_NEAR(p.p_px.x, 100, tolerance_px);
+        EXPECT_NEAR(p.p_px.y, 650, tolerance_px);
+        EXPECT_NEAR(p.depth_world, project(camera, camera.target).depth_world, 1e-9);
+    }
+}
+
+} // namespace
+} // namespace trivar::ui

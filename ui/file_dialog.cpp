@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/file_dialog.h"
+
+#include "ui/dialog.h"
+#include "ui/icons.h"
+#include "ui/keys.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <imgui.h>
+
+namespace trivar::ui {
+namespace fs = std::filesystem;
+namespace {
+
+std::string lower(std::string text)
+{
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
+std::string size_text(std::uintmax_t bytes)
+{
+    const auto b = static_cast<double>(bytes);
+    if (b < 1e3) return fmt::format("{} B", bytes);
+    if (b < 1e6) return fmt::format("{:.0f} KB", b / 1e3);
+    return b < 1e9 ? fmt::format("{:.1f} MB", b / 1e6) : fmt::format("{:.1f} GB", b / 1e9);
+}
+
+bool is_folder(const fs::path& path)
+{
+    std::error_code ignored;
+    return fs::is_directory(path, ignored);
+}
+
+bool has_extension(const std::string& name, const std::vector<std::string>& extensions)
+{
+    const std::string small = lower(name);
+    return extensions.empty() ||
+           std::any_of(extensions.begin(), extensions.end(),
+                       [&](const std::string& e) { return small.ends_with(e); });
+}
+
+} // namespace
+
+bool natural_less(const std::string& a, const std::string& b)
+{
+    const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+    const std::string x = lower(a), y = lower(b);
+    std::size_t i = 0, j = 0;
+    while (i < x.size() && j < y.size()) {
+        if (digit(x[i]) && digit(y[j])) { // runs of digits compare as numbers: by length, then text
+            while (i + 1 < x.size() && x[i] == '0' && digit(x[i + 1])) ++i;
+            while (j + 1 < y.size() && y[j] == '0' && digit(y[j + 1])) ++j;
+            std::size_t m = i, n = j;
+            while (m < x.size() && digit(x[m])) ++m;
+            while (n < y.size() && digit(y[n])) ++n;
+            if (m - i != n - j) return m - i < n - j;
+            const int order = x.compare(i, m - i, y, j, n - j);
+            if (order != 0) return order < 0;
+            i = m;
+            j = n;
+        } else {
+            if (x[i] != y[j]) return x[i] < y[j];
+            ++i;
+            ++j;
+        }
+    }
+    if ((i < x.size()) != (j < y.size())) return j < y.size();
+    return a < b;
+}
+
+std::vector<FileEntry> entries_of(const fs::path& folder,
+                                  const std::vector<std::string>& extensions)
+{
+    std::vector<FileEntry> entries;
+    std::error_code trouble;
+    for (fs::directory_iterator it(folder, trouble), end; !trouble && it != end;
+         it.increment(trouble)) {
+        std::error_code ignored;
+        FileEntry entry{it->path().filename().string(), it->is_directory(ignored), 0};
+        if (entry.name.empty() || entry.name[0] == '.') continue;
+        if (!entry.folder && !has_extension(entry.name, extensions)) continue;
+        if (!entry.folder) entry.bytes = it->file_size(ignored);
+        if (ignored) entry.bytes = 0;
+        entries.push_back(std::move(entry));
+    }
+    std::sort(entries.begin(), entries.end(), [](const FileEntry& a, const FileEntry& b) {
+        return a.folder != b.folder ? a.folder : natural_less(a.name, b.name);
+    });
+    return entries;
+}
+
+void FileDialog::open(FileRequest request, const fs::path& start)
+{
+    request_ = std::move(request);
+    open_ = just_opened_ = true;
+    overwrite_asked_ = false;
+    typed_ = request_.name;
+    std::error_code ignored;
+    fs::path folder = is_folder(start) ? start : folder_;
+    if (!is_folder(folder)) folder = fs::current_path(ignored);
+    enter(folder);
+}
+
+void FileDialog::enter(const fs::path& folder)
+{
+    std::error_code ignored;
+    const fs::path real = fs::weakly_canonical(folder, ignored);
+    folder_ = real.empty() ? folder : real;
+    entries_ = entries_of(folder_, request_.extensions);
+    selected_ = -1;
+    problem_.clear();
+    if (!request_.saving) typed_.clear();
+}
+
+fs::path FileDialog::absolute(const std::string& typed) const
+{
+    const char* home = std::getenv("HOME");
+    if (home && (typed == "~" || typed.starts_with("~/"))) return home + typed.substr(1);
+    const fs::path path(typed);
+    return path.is_absolute() ? path : folder_ / path;
+}
+
+std::optional<std::string> FileDialog::take(const std::string& typed)
+{
+    if (typed.empty()) return std::nullopt;
+    fs::path path = absolute(typed);
+    if (is_folder(path)) {
+        enter(path);
+        typed_.clear();
+        return std::nullopt;
+    }
+    if (request_.saving && path.extension().empty() && !request_.extensions.empty())
+        path += request_.extensions.front();
+    std::error_code ignored;
+    const bool there = fs::exists(path, ignored);
+    if (!request_.saving && !there) {
+        problem_ = "There is no file of this name.";
+        return std::nullopt;
+    }
+    if (request_.saving && !is_folder(path.parent_path())) {
+        problem_ = "There is no such folder.";
+        return std::nullopt;
+    }
+    if (!has_extension(path.filename().string(), request_.extensions)) {
+        problem_ = "The name must end in ";
+        for (const std::string& e : request_.extensions)
+            problem_ += (&e == &request_.extensions.front() ? "" : ", ") + e;
+        problem_ += ".";
+        return std::nullopt;
+    }
+    if (request_.saving && there && !overwrite_asked_) {
+        overwrite_asked_ = true;
+        problem_ = "This file exists. Press " + request_.action + " again to replace it.";
+        return std::nullopt;
+    }
+    open_ = false;
+    return path.string();
+}
+
+std::optional<std::string> FileDialog::draw_list(const Theme& theme, float height)
+{
+    const Palette& c = theme.color;
+    std::optional<std::string> chosen;
+    bool scroll = false;
+    const int count = static_cast<int>(entries_.size());
+    if (!ImGui::GetIO().WantTextInput || ImGui::IsKeyPressed(key_down) ||
+        ImGui::IsKeyPressed(key_up)) {
+        const int step = ImGui::IsKeyPressed(key_down) ? 1 : ImGui::IsKeyPressed(key_up) ? -1 : 0;
+        if (step != 0 && count > 0) {
+            selected_ = std::clamp(selected_ + step, 0, count - 1);
+            scroll = true;
+        }
+    }
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, c.base);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+    ImGui::BeginChild("entries", {0, height});
+    for (int i = 0; i < count; ++i) {
+        const FileEntry& entry = entries_[static_cast<std::size_t>(i)];
+        ImGui::PushID(i);
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const Rect row = rect_at({at.x, at.y}, {ImGui::GetContentRegionAvail().x, theme.px(28)});
+        const bool pressed = ImGui::InvisibleButton("entry", {row.width(), row.height()});
+        const Rect band = {row.lo + glm::vec2(theme.px(4), 0), row.hi - glm::vec2(theme.px(4), 0)};
+        if (i == selected_)
+            paint_box(band, c.row_selected, theme.size.rounding_small);
+        else if (ImGui::IsItemHovered())
+            paint_box(band, c.row_hover, theme.size.rounding_small);
+        if (i == selected_ && scroll) ImGui::SetScrollHereY();
+        const Rect in = {band.lo + glm::vec2(theme.px(10), 0),
+                         band.hi - glm::vec2(theme.px(10), 0)};
+        paint_text(theme.font.body, in, entry.folder ? c.accent_text : c.text_2,
+                   entry.folder ? icon::folder : icon::file);
+        paint_text(theme.font.body, {in.lo + glm::vec2(theme.px(26), 0), in.hi}, c.text,
+                   elided(theme.font.body, entry.name, in.width() - theme.px(110)));
+        if (!entry.folder)
+            paint_text(theme.font.small, in, i == selected_ ? c.text_2 : c.text_3,
+                       size_text(entry.bytes), Align::right);
+        const bool twice = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0);
+        ImGui::PopID();
+        if (pressed || twice) {
+            selected_ = i;
+            overwrite_asked_ = false;
+            problem_.clear();
+            if (!entry.folder) typed_ = entry.name;
+        }
+        if (twice) {
+            chosen = entry.name;
+            break; // taking it may change the list
+        }
+    }
+    if (count == 0) {
+        const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+        empty_state(theme, rect_at({at.x, at.y}, {size.x, size.y}), icon::folder, "Nothing here",
+                    "This folder has no file that can be used here.");
+    }
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor();
+    return chosen ? take(*chosen) : std::nullopt;
+}
+
+std::optional<std::string> FileDialog::draw(const Theme& theme)
+{
+    if (!open_) return std::nullopt;
+    std::optional<std::string> chosen;
+    const bool nothing_typed = typed_.empty(); // before this frame's keys
+    const Rect rect = begin_dialog(theme, "files", {theme.px(640), theme.px(520)});
+    const float pad = theme.px(24), left = rect.lo.x + pad, width = rect.width() - 2 * pad;
+    const auto at = [&](float x, float y) { ImGui::SetCursorScreenPos({x, y}); };
+    float y = rect.lo.y + theme.px(20);
+    paint_text(theme.font.title, {{left, y}, {rect.hi.x, y + theme.px(24)}}, theme.color.text,
+               request_.title);
+    y += theme.px(36);
+    const glm::vec2 square(theme.size.icon_button);
+    at(left, y);
+    if (icon_button(theme, "up", icon::level_up, square, "Folder above", "Backspace"))
+        enter(folder_.parent_path());
+    at(left + theme.px(28), y);
+    const char* home = std::getenv("HOME");
+    if (icon_button(theme, "home", icon::home, square, "Home folder") && home) enter(home);
+    const std::string shown = folder_.string();
+    paint_text(theme.font.body, {{left + theme.px(64), y}, {rect.hi.x - pad, y + theme.size.row}},
+               theme.color.text_2, elided(theme.font.body, shown, width - theme.px(64)));
+    y += theme.px(32);
+    const float list_height = rect.hi.y - y - theme.px(128);
+    ImGui::SetCursorScreenPos({left, y});
+    ImGui::PushClipRect({left, y}, {rect.hi.x - pad, rect.hi.y}, true);
+    ImGui::BeginChild("list", {width, list_height});
+    chosen = draw_list(theme, list_height);
+    ImGui::EndChild();
+    ImGui::PopClipRect();
+    y += list_height + theme.px(12);
+    at(left, y);
+    if (just_opened_) ImGui::SetKeyboardFocusHere();
+    just_opened_ = false;
+    if (text_field(theme, "path", typed_, request_.saving ? "Name" : "Type or paste a path", width,
+                   icon::file) == Edit::changed) {
+        problem_.clear();
+        overwrite_asked_ = false;
+        selected_ = -1;
+    }
+    y += theme.px(32);
+    paint_text(theme.font.small, {{left, y}, {rect.hi.x - pad, y + theme.px(20)}}, theme.color.warn,
+               problem_);
+    const float ok = button_width(theme, request_.action), no = button_width(theme, "Cancel");
+    const float bottom = rect.hi.y - theme.px(20) - theme.px(32);
+    at(rect.hi.x - pad - ok, bottom);
+    bool done = button(theme, request_.action, ButtonKind::primary);
+    at(rect.hi.x - pad - ok - theme.px(8) - no, bottom);
+    const bool cancelled = button(theme, "Cancel") || ImGui::IsKeyPressed(key_escape, false);
+    done |= ImGui::IsKeyPressed(key_enter, false) || ImGui::IsKeyPressed(key_keypad_enter, false);
+    if (!chosen && open_ && done) {
+        const bool from_list = selected_ >= 0 && (typed_.empty() || !request_.saving);
+        chosen = take(from_list ? entries_[static_cast<std::size_t>(selected_)].name : typed_);
+    }
+    if (open_ && nothing_typed && ImGui::IsKeyPressed(key_backspace, false))
+        enter(folder_.parent_path());
+    if (cancelled) open_ = false;
+    if (!open_) ImGui::CloseCurrentPopup();
+    end_dialog();
+    return chosen;
+}
+
+} // namespace trivar::ui

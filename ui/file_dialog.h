@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/theme.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace trivar::ui {
+
+// What a file dialog is asked for.
+struct FileRequest {
+    std::string title;                   // "Open a scene"
+    std::string action;                  // on the button: "Open"
+    std::vector<std::string> extensions; // with the dot, lower case; empty: all files
+    bool saving = false; // a new name may be typed; the first extension is added where none is
+    std::string name;    // suggested
+};
+
+struct FileEntry {
+    std::string name;
+    bool folder = false;
+    std::uintmax_t bytes = 0;
+    bool operator==(const FileEntry&) const = default;
+};
+
+// Folders first, then the files with one of the extensions, both in the order people expect
+// (model2 before model10, no difference of case). Hidden ones are left out. An unreadable folder
+// is empty.
+std::vector<FileEntry> entries_of(const std::filesystem::path& folder,
+                                  const std::vector<std::string>& extensions);
+bool natural_less(const std::string& a, const std::string& b);
+
+// Browses folders inside the window: click and double click, arrows, Enter, Backspace for the
+// folder above, or a path typed or pasted into its field. Esc closes it.
+class FileDialog {
+public:
+    void open(FileRequest request, const std::filesystem::path& start = {});
+    bool is_open() const { return open_; }
+    // Draws it if it is open; the chosen path in the frame in which it was chosen.
+    std::optional<std::string> draw(const Theme& theme);
+
+private:
+    void enter(const std::filesystem::path& folder);
+    std::optional<std::string> take(const std::string& typed);
+    std::optional<std::string> draw_list(const Theme& theme, float height);
+    std::filesystem::path absolute(const std::string& typed) const;
+
+    bool open_ = false, just_opened_ = false, overwrite_asked_ = false;
+    FileRequest request_;
+    std::filesystem::path folder_;
+    std::vector<FileEntry> entries_;
+    int selected_ = -1;
+    std::string typed_;   // the path or name field
+    std::string problem_; // why the last choice was not taken
+};
+
+} // namespace trivar::ui

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/notices.h"
+
+#include "ui/icons.h"
+#include "ui/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <imgui.h>
+
+namespace trivar::ui {
+namespace {
+
+constexpr std::size_t most_shown = 3;
+
+double lifetime_s(NoticeKind kind)
+{
+    return kind == NoticeKind::good ? 4 : kind == NoticeKind::warning ? 10 : 1e300;
+}
+
+// An undecorated window over everything else, of just this place.
+void begin_card(const Theme& theme, const char* name, const Rect& rect)
+{
+    ImGui::SetNextWindowPos({rect.lo.x, rect.lo.y});
+    ImGui::SetNextWindowSize({rect.width(), rect.height()});
+    ImGui::SetNextWindowBgAlpha(0);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::Begin(name, nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                     ImGuiWindowFlags_NoNav);
+    ImGui::PopStyleVar();
+    paint_card(theme, rect);
+}
+
+// Returns the card's rectangle; `close` says whether its cross was pressed.
+struct Drawn {
+    Rect rect;
+    bool close = false, hovered = false;
+};
+Drawn draw_one(const Theme& theme, const Notices::Notice& notice, glm::vec2 lower_right,
+               float width, const char* name)
+{
+    const Palette& c = theme.color;
+    const Color color = notice.kind == NoticeKind::good      ? c.good
+                        : notice.kind == NoticeKind::warning ? c.warn
+                                                             : c.bad;
+    const char* icon = notice.kind == NoticeKind::good ? icon::check : icon::warning;
+    const float left = theme.px(44), line = theme.px(18), pad = theme.px(10);
+    const float room = width - left - theme.px(40);
+    const std::string counted =
+        notice.count > 1 ? notice.title + "  (" + std::to_string(notice.count) + ")" : notice.title;
+    const std::vector<std::string> title = wrapped(theme.font.strong, counted, room);
+    const std::vector<std::string> body = wrapped(theme.font.body, notice.body, room);
+    const float height = 2 * pad + line * static_cast<float>(title.size() + body.size()) +
+                         (body.empty() ? 0 : theme.px(4));
+    const glm::vec2 size{width, height};
+    Drawn drawn{.rect = {lower_right - size, lower_right}};
+    begin_card(theme, name, drawn.rect);
+    const Rect& r = drawn.rect;
+    paint_box(
+        {r.lo + glm::vec2(theme.px(1), theme.px(8)), {r.lo.x + theme.px(4), r.hi.y - theme.px(8)}},
+        color, theme.px(2));
+    float y = r.lo.y + pad;
+    paint_text(theme.font.body, {{r.lo.x + theme.px(16), y}, {r.hi.x, y + line}}, color, icon);
+    const auto write = [&](const ImFont* font, Color ink, const std::vector<std::string>& lines) {
+        for (const std::string& words : lines) {
+            paint_text(font, {{r.lo.x + left, y}, {r.hi.x, y + line}}, ink, words);
+            y += line;
+        }
+    };
+    write(theme.font.strong, c.text, title);
+    y += theme.px(4);
+    write(theme.font.body, c.text_2, body);
+    ImGui::SetCursorScreenPos({r.hi.x - theme.px(32), r.lo.y + theme.px(7)});
+    drawn.close =
+        icon_button(theme, "close", icon::close, glm::vec2(theme.size.icon_button), "Close");
+    drawn.hovered = ImGui::IsWindowHovered();
+    ImGui::End();
+    return drawn;
+}
+
+} // namespace
+
+void Notices::say(NoticeKind kind, std::string title, std::string body)
+{
+    for (Notice& notice : notices_)
+        if (notice.kind == kind && notice.title == title && notice.body == body) {
+            ++notice.count;
+            notice.left_s = lifetime_s(kind);
+            return;
+        }
+    notices_.push_back({kind, std::move(title), std::move(body), 1, -1});
+    if (notices_.size() > most_shown) notices_.erase(notices_.begin());
+}
+
+void Notices::draw(Frame& frame, const Rect& in)
+{
+    const Theme& theme = frame.theme;
+    const double passed = std::clamp(frame.time_s - last_s_, 0.0, 1.0);
+    last_s_ = frame.time_s;
+    const float width = std::min(theme.px(384), in.width() - theme.px(32));
+    glm::vec2 corner = in.hi - theme.px(16);
+    for (std::size_t i = notices_.size(); i-- > 0;) { // the newest lowest
+        Notice& notice = notices_[i];
+        if (notice.left_s < 0) notice.left_s = lifetime_s(notice.kind);
+        const std::string name = "notice " + std::to_string(i);
+        const Drawn drawn = draw_one(theme, notice, corner, width, name.c_str());
+        corner.y = drawn.rect.lo.y - theme.px(8);
+        if (!drawn.hovered) notice.left_s -= passed;
+        if (drawn.close) notice.left_s = 0;
+        if (notice.left_s < 1e9) frame.again_in(std::clamp(notice.left_s, 0.0, 1.0));
+    }
+    std::erase_if(notices_, [](const Notice& notice) { return notice.left_s <= 0; });
+}
+
+bool draw_progress(const Theme& theme, const Rect& in, const std::string& what,
+                   const std::string& stage, double fraction)
+{
+    const float width = std::min(theme.px(440), in.width() - theme.px(32));
+    const glm::vec2 size{width, theme.px(76)};
+    const Rect r =
+        rect_at({std::round(in.center().x - width / 2), in.hi.y - size.y - theme.px(16)}, size);
+    begin_card(theme, "progress", r);
+    const Rect inside = r.grown(-theme.px(16));
+    const Rect line{inside.lo, {inside.hi.x, inside.lo.y + theme.px(20)}};
+    const float button = theme.px(80);
+    const float room = inside.width() - button - theme.px(16);
+    paint_text(theme.font.strong, line, theme.color.text, elided(theme.font.strong, what, room));
+    const std::string done =
+        fraction >= 0 ? std::to_string(static_cast<int>(fraction * 100)) + " %  " + stage : stage;
+    const Rect below{{inside.lo.x, line.hi.y + theme.px(2)},
+                     {inside.hi.x, line.hi.y + theme.px(18)}};
+    paint_text(theme.font.small, below, theme.color.text_2, elided(theme.font.small, done, room));
+    Rect bar{{inside.lo.x, inside.hi.y - theme.px(4)}, {inside.lo.x + room, inside.hi.y}};
+    bar.lo.y += theme.px(4);
+    bar.hi.y += theme.px(4);
+    paint_box(bar, theme.color.field, theme.px(2));
+    bar.hi.x = bar.lo.x + bar.width() * static_cast<float>(std::clamp(fraction, 0.0, 1.0));
+    paint_box(bar, theme.color.accent, theme.px(2));
+    ImGui::SetCursorScreenPos({inside.hi.x - button, inside.lo.y + theme.px(6)});
+    const bool cancel = ui::button(theme, "Cancel", ButtonKind::plain, {button, theme.px(32)});
+    ImGui::End();
+    return cancel;
+}
+
+} // namespace trivar::ui

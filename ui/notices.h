@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/frame.h"
+#include "ui/paint.h"
+
+#include <string>
+#include <vector>
+
+namespace trivar::ui {
+
+enum class NoticeKind { good, warning, error };
+
+// Sentences for the user that come up at the lower right and leave again: success after 4 s,
+// warnings after 10 s, errors when they are closed. The same sentence twice counts up.
+class Notices {
+public:
+    void say(NoticeKind kind, std::string title, std::string body = {});
+    // Draws at most three over the lower right of the rectangle.
+    void draw(Frame& frame, const Rect& in);
+
+    struct Notice {
+        NoticeKind kind = NoticeKind::good;
+        std::string title, body;
+        int count = 1;
+        double left_s = 0; // before it leaves; negative: not yet shown
+    };
+    const std::vector<Notice>& all() const { return notices_; }
+    void clear() { notices_.clear(); }
+
+private:
+    std::vector<Notice> notices_;
+    double last_s_ = 0;
+};
+
+// A card at the lower middle of the rectangle that says how far long work is; whether Cancel was
+// pressed. `fraction` below 0: unknown.
+bool draw_progress(const Theme& theme, const Rect& in, const std::string& what,
+                   const std::string& stage, double fraction);
+
+} // namespace trivar::ui

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/text.h"
+#include "ui/keys.h"
+#include "ui/widgets.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+
+namespace trivar::ui {
+namespace {
+
+// Between frames ImGui keeps small values for a window by id; a double takes two of its integers.
+struct Memory {
+    ImGuiID id;
+    double get() const
+    {
+        const auto half = [this](ImGuiID i) {
+            return std::uint64_t{
+                static_cast<std::uint32_t>(ImGui::GetStateStorage()->GetInt(id + i))};
+        };
+        return std::bit_cast<double>(half(1) | half(2) << 32);
+    }
+    void set(double value) const
+    {
+        const auto bits = std::bit_cast<std::uint64_t>(value);
+        ImGui::GetStateStorage()->SetInt(id + 1, static_cast<int>(bits & 0xFFFFFFFFu));
+        ImGui::GetStateStorage()->SetInt(id + 2, static_cast<int>(bits >> 32));
+    }
+    enum Mode { resting, pressed, dragging, typing };
+    Mode mode() const { return static_cast<Mode>(ImGui::GetStateStorage()->GetInt(id)); }
+    void set_mode(Mode mode) const { ImGui::GetStateStorage()->SetInt(id, mode); }
+    float travel() const { return ImGui::GetStateStorage()->GetFloat(id + 3); }
+    void set_travel(float px) const { ImGui::GetStateStorage()->SetFloat(id + 3, px); }
+};
+
+// A drag gives values that people can read: four significant digits, or whole steps.
+double rounded(double value, double step)
+{
+    if (step > 0) return std::round(value / step) * step;
+    if (value == 0 || !std::isfinite(value)) return 0;
+    const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) - 3);
+    // Multiplying by a whole power of ten keeps 0.42 the nearest double to 0.42.
+    return unit < 1 ? std::round(value / unit) / std::round(1 / unit)
+                    : std::round(value / unit) * unit;
+}
+
+double per_px(double start, const NumberStyle& style)
+{
+    if (style.bar_hi > style.lo) return (style.bar_hi - style.lo) * 0.01 / 4;
+    if (style.step > 0) return style.step / 8;
+    return std::max(std::abs(start), 0.04) * 0.01 / 4 * 2;
+}
+
+void paint_number(const Theme& theme, const Rect& r, double value, const NumberStyle& style,
+                  bool hot)
+{
+    const Palette& c = theme.color;
+    paint_box(r, hot ? c.field_hover : c.field, theme.size.rounding_small);
+    if (style.bar_hi > style.lo) {
+        const double share = std::clamp((value - style.lo) / (style.bar_hi - style.lo), 0.0, 1.0);
+        ImGui::PushClipRect({r.lo.x, r.lo.y},
+                            {r.lo.x + r.width() * static_cast<float>(share), r.hi.y}, true);
+        paint_box(r, c.field_fill, theme.size.rounding_small);
+        ImGui::PopClipRect();
+    }
+    Rect text = {r.lo + glm::vec2(theme.px(8), 0), r.hi - glm::vec2(theme.px(6), 0)};
+    if (!style.axis.empty()) {
+        paint_text(theme.font.small_strong, text, style.axis_color ? style.axis_color : c.text_2,
+                   style.axis);
+        text.lo.x += theme.px(14);
+    }
+    const bool word = value == 0 && !style.zero.empty();
+    const float unit_width = text_width(theme.font.small, style.unit);
+    if (!style.unit.empty() && !word && text.width() > unit_width + theme.px(34)) {
+        paint_text(theme.font.small, text, c.text_2, style.unit, Align::right);
+        text.hi.x -= unit_width + theme.px(6);
+    }
+    const std::string shown = word ? style.zero : short_number(value);
+    paint_text(theme.font.body, text, word ? c.text_2 : c.text,
+               elided(theme.font.body, shown, text.width()));
+}
+
+Edit type_number(const Theme& theme, const Memory& memory, double& value, const NumberStyle& style,
+                 float width)
+{
+    std::string text = shortest(memory.get());
+    text.resize(64);
+    // ImGui's own text field, of our height, opened with the keyboard in it.
+    ImGui::SetNextItemWidth(width);
+    const bool fresh = memory.travel() == 0;
+    if (fresh) ImGui::SetKeyboardFocusHere();
+    memory.set_travel(memory.travel() + 1);
+    ImGui::PushStyleColor(ImGuiCol_FrameBg, theme.color.field_active);
+    ImGui::InputText("##typed", text.data(), text.size(), ImGuiInputTextFlags_AutoSelectAll);
+    ImGui::PopStyleColor();
+    const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
+    paint_rim({{lo.x, lo.y}, {hi.x, hi.y}}, theme.color.focus, theme.size.rounding_small,
+              1.5f * theme.scale);
+    const std::optional<double> typed = parse_number(text.c_str());
+    if (ImGui::IsItemActive()) {
+        if (typed) memory.set(*typed);
+        return Edit::none;
+    }
+    if (memory.travel() < 3) return Edit::none; // the keyboard arrives a frame later
+    memory.set_mode(Memory::resting);
+    const double result = std::clamp(memory.get(), style.lo, style.hi);
+    if (ImGui::IsKeyPressed(key_escape, false) || result == value) return Edit::none;
+    value = result;
+    return Edit::changed;
+}
+
+} // namespace
+
+std::string short_number(double value)
+{
+    if (value == 0) return "0";
+    const double size = std::abs(value);
+    if (!std::isfinite(value) || size < 1e-3 || size >= 1e6) return fmt::format("{:.3g}", value);
+    const int digits = std::max(0, 2 - static_cast<int>(std::floor(std::log10(size))));
+    std::string text = fmt::format("{:.{}f}", value, digits);
+    // 0.400 says no more than 0.4, but 0.42 and 0.40 beside each other are easier to compare.
+    while (digits > 2 && text.ends_with('0') && text[text.size() - 3] != '.') text.pop_back();
+    return text;
+}
+
+Edit number_field(const Theme& theme, const std::string& id, double& value,
+                  const NumberStyle& style, float width)
+{
+    ImGui::PushID(id.c_str());
+    const Memory memory{ImGui::GetID("number")};
+    Edit edit = Edit::none;
+    if (memory.mode() == Memory::typing) {
+        edit = type_number(theme, memory, value, style, width);
+        ImGui::PopID();
+        return edit;
+    }
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const Rect rect = rect_at({at.x, at.y}, {width, theme.size.row});
+    ImGui::InvisibleButton("drag", {std::max(1.0f, width), theme.size.row});
+    const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
+    if (hot) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (ImGui::IsItemActivated()) {
+        memory.set(value);
+        memory.set_travel(0);
+        memory.set_mode(Memory::pressed);
+    }
+    if (ImGui::IsItemActive()) {
+        const ImGuiIO& io = ImGui::GetIO();
+        if (ImGui::IsMouseDragging(ImGuiMouseButton_Left)) memory.set_mode(Memory::dragging);
+        if (memory.mode() == Memory::dragging) {
+            memory.set_travel(memory.travel() + io.MouseDelta.x * (io.KeyShift ? 0.1f : 1.0f));
+            const double start = memory.get();
+            const double moved = start + memory.travel() / theme.scale * per_px(start, style);
+            const double next = std::clamp(rounded(moved, style.step), style.lo, style.hi);
+            if (next != value && memory.travel() != 0) edit = Edit::changed;
+            if (edit == Edit::changed) value = next;
+        }
+        if (ImGui::IsKeyPressed(key_escape, false)) {
+            value = memory.get();
+            memory.set_mode(Memory::resting);
+            ImGui::ClearActiveID();
+            edit = Edit::cancelled;
+        }
+    } else if (memory.mode() == Memory::pressed) { // let go without a drag: type
+        memory.set_mode(Memory::typing);
+        memory.set_travel(0);
+    } else {
+        memory.set_mode(Memory::resting);
+    }
+    paint_number(theme, rect, value, style, hot);
+    ImGui::PopID();
+    return edit;
+}
+
+Edit integer_field(const Theme& theme, const std::string& id, int& value, const NumberStyle& style,
+                   float width)
+{
+    double number = value;
+    NumberStyle whole = style;
+    whole.step = std::max(1.0, std::round(style.step));
+    const Edit edit = number_field(theme, id, number, whole, width);
+    const int result = static_cast<int>(
+        std::clamp(std::round(number), std::max(style.lo, -2e9), std::min(style.hi, 2e9)));
+    if (edit == Edit::changed && result == value) return Edit::none;
+    value = result;
+    return edit;
+}
+
+} // namespace trivar::ui

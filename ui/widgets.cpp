@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/widgets.h"
+
+#include "ui/icons.h"
+
+#include <algorithm>
+#include <cmath>
+#include <imgui.h>
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+namespace trivar::ui {
+namespace {
+
+glm::vec2 cursor()
+{
+    const ImVec2 p = ImGui::GetCursorScreenPos();
+    return {p.x, p.y};
+}
+
+struct Pressed {
+    Rect rect;
+    bool hovered = false, held = false, clicked = false;
+};
+Pressed press_area(const std::string& id, glm::vec2 size)
+{
+    Pressed p;
+    p.rect = rect_at(cursor(), size);
+    p.clicked =
+        ImGui::InvisibleButton(id.c_str(), {std::max(1.0f, size.x), std::max(1.0f, size.y)});
+    p.hovered = ImGui::IsItemHovered();
+    p.held = ImGui::IsItemActive();
+    return p;
+}
+
+float to_srgb(float c)
+{
+    return c <= 0.0031308f ? 12.92f * c : 1.055f * std::pow(c, 1 / 2.4f) - 0.055f;
+}
+float to_linear(float c)
+{
+    return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
+}
+
+} // namespace
+
+Edit check_box(const Theme& theme, const std::string& id, bool& value, const std::string& effect)
+{
+    const Palette& c = theme.color;
+    const float side = theme.px(16);
+    const float width = side + theme.px(8) + text_width(theme.font.body, effect);
+    const Pressed p = press_area(id, {width, theme.size.row});
+    const Rect box = rect_at({p.rect.lo.x, p.rect.lo.y + theme.px(4)}, glm::vec2(side));
+    paint_box(box, value ? (p.hovered ? c.accent_hover : c.accent) : c.field_hover,
+              theme.size.rounding_small);
+    if (!value)
+        paint_rim(box, p.hovered ? c.focus : c.text_off, theme.size.rounding_small,
+                  theme.size.hairline);
+    if (value) {
+        const auto at = [&](float x, float y) { return box.lo + glm::vec2(x, y) * theme.scale; };
+        paint_path({at(4, 8), at(7, 11), at(12, 5)}, c.on_accent, 1.8f * theme.scale);
+    }
+    paint_text(theme.font.body, {{box.hi.x + theme.px(8), p.rect.lo.y}, p.rect.hi}, c.text, effect);
+    if (!p.clicked) return Edit::none;
+    value = !value;
+    return Edit::changed;
+}
+
+Edit segments(const Theme& theme, const std::string& id, int& chosen,
+              const std::vector<std::string>& names, float width)
+{
+    const Palette& c = theme.color;
+    const float each = width / static_cast<float>(names.size());
+    bool fits = true;
+    for (const std::string& name : names)
+        fits = fits && text_width(theme.font.body, name) + theme.px(8) < each;
+    const Pressed p = press_area(id, {width, theme.size.row});
+    paint_box(p.rect, c.field, theme.size.rounding_small);
+    const float mouse = ImGui::GetIO().MousePos.x - p.rect.lo.x;
+    const int under = p.hovered ? static_cast<int>(mouse / each) : -1;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const auto k = static_cast<float>(i);
+        const Rect one{{std::round(p.rect.lo.x + k * each), p.rect.lo.y},
+                       {std::round(p.rect.lo.x + (k + 1) * each), p.rect.hi.y}};
+        const bool on = static_cast<int>(i) == chosen, hot = static_cast<int>(i) == under;
+        if (on) paint_box(one.grown(-theme.px(2)), c.segment, theme.px(3));
+        paint_text(fits ? theme.font.body : theme.font.small, one, on || hot ? c.text : c.text_2,
+                   names[i], Align::center);
+    }
+    const int last = static_cast<int>(names.size()) - 1;
+    if (!p.clicked || std::clamp(under, 0, last) == chosen) return Edit::none;
+    chosen = std::clamp(under, 0, last);
+    return Edit::changed;
+}
+
+Edit choice(const Theme& theme, const std::string& id, int& chosen,
+            const std::vector<std::string>& names, float width)
+{
+    const Palette& c = theme.color;
+    ImGui::PushID(id.c_str());
+    const Pressed p = press_area("open", {width, theme.size.row});
+    paint_box(p.rect, p.hovered ? c.field_hover : c.field, theme.size.rounding_small);
+    Rect text = {p.rect.lo + glm::vec2(theme.px(8), 0), p.rect.hi - glm::vec2(theme.px(8), 0)};
+    paint_text(theme.font.body, text, c.text_2, icon::open, Align::right);
+    text.hi.x -= theme.px(16);
+    const bool known = chosen >= 0 && chosen < static_cast<int>(names.size());
+    const std::string shown = known ? names[static_cast<std::size_t>(chosen)] : "";
+    paint_text(theme.font.body, text, c.text, elided(theme.font.body, shown, text.width()));
+    if (p.clicked) ImGui::OpenPopup("list");
+    ImGui::SetNextWindowPos({p.rect.lo.x, p.rect.hi.y + theme.px(4)});
+    ImGui::SetNextWindowSize({width, 0});
+    Edit edit = Edit::none;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.px(6), theme.px(6)});
+    if (ImGui::BeginPopup("list")) {
+        for (std::size_t i = 0; i < names.size(); ++i)
+            if (ImGui::Selectable(names[i].c_str(), static_cast<int>(i) == chosen)) {
+                chosen = static_cast<int>(i);
+                edit = Edit::changed;
+            }
+        ImGui::EndPopup();
+    }
+    ImGui::PopStyleVar();
+    ImGui::PopID();
+    return edit;
+}
+
+Edit color_field(const Theme& theme, const std::string& id, glm::vec4& linear, float width)
+{
+    float shown[3] = {to_srgb(linear.x), to_srgb(linear.y), to_srgb(linear.z)};
+    ImGui::SetNextItemWidth(width);
+    ImGui::PushID(id.c_str());
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, {theme.px(4), theme.px(4)});
+    const bool changed =
+        ImGui::ColorEdit3("##color", shown,
+                          ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_PickerHueWheel |
+                              ImGuiColorEditFlags_NoOptions);
+    ImGui::PopStyleVar();
+    ImGui::PopID();
+    if (!changed) return Edit::none;
+    for (int i = 0; i < 3; ++i) linear[i] = std::clamp(to_linear(shown[i]), 0.0f, 1.0f);
+    return Edit::changed;
+}
+
+Edit text_field(const Theme& theme, const std::string& id, std::string& text,
+                const std::string& hint, float width, const char* icon)
+{
+    const Palette& c = theme.color;
+    ImGui::PushID(id.c_str());
+    const Rect rect = rect_at(cursor(), {width, theme.size.row});
+    const float pad = icon ? theme.px(28) : theme.px(8);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {pad, theme.px(4)});
+    ImGui::SetNextItemWidth(width);
+    const bool changed = ImGui::InputText("##text", &text);
+    const bool active = ImGui::IsItemActive();
+    ImGui::PopStyleVar();
+    ImGui::PopID();
+    if (active) paint_rim(rect, c.focus, theme.size.rounding_small, 1.5f * theme.scale);
+    if (icon)
+        paint_text(theme.font.body, {rect.lo + glm::vec2(theme.px(8), 0), rect.hi}, c.text_2, icon);
+    if (text.empty() && !active)
+        paint_text(theme.font.body, {rect.lo + glm::vec2(pad, 0), rect.hi}, c.text_3, hint);
+    return changed ? Edit::changed : Edit::none;
+}
+
+float button_width(const Theme& theme, const std::string& text)
+{
+    return std::max(theme.px(80), text_width(theme.font.strong, text) + theme.px(32));
+}
+
+bool button(const Theme& theme, const std::string& text, ButtonKind kind, glm::vec2 size,
+            const char* icon, const std::string& key)
+{
+    const Palette& c = theme.color;
+    if (size.x <= 0) size.x = button_width(theme, text) + (icon ? theme.px(22) : 0);
+    if (size.y <= 0) size.y = theme.px(32);
+    const Pressed p = press_area(text, size);
+    const bool filled = kind == ButtonKind::primary || kind == ButtonKind::danger;
+    const Color rest = kind == ButtonKind::primary  ? c.accent
+                       : kind == ButtonKind::danger ? c.bad_fill
+                       : kind == ButtonKind::plain  ? c.field
+                                                    : 0;
+    const Color hot = kind == ButtonKind::primary  ? c.accent_hover
+                      : kind == ButtonKind::danger ? c.bad_fill_hover
+                      : kind == ButtonKind::plain  ? c.field_hover
+                                                   : c.row_hover;
+    paint_box(p.rect, p.held ? faded(hot, 0.8f) : p.hovered ? hot : rest, theme.size.rounding);
+    const Color color = filled ? c.on_accent : kind == ButtonKind::quiet ? c.accent_text : c.text;
+    const ImFont* font = filled ? theme.font.strong : theme.font.body;
+    const Rect inside = {p.rect.lo + glm::vec2(theme.px(12), 0),
+                         p.rect.hi - glm::vec2(theme.px(12), 0)};
+    if (!icon && key.empty()) {
+        paint_text(font, p.rect, color, text, Align::center);
+    } else { // a line of a list: icon, words, key
+        if (icon) paint_text(font, inside, filled ? color : c.text_2, icon);
+        paint_text(font, {inside.lo + glm::vec2(icon ? theme.px(24) : 0, 0), inside.hi}, color,
+                   text);
+        paint_text(theme.font.small, inside, filled ? color : c.text_2, key, Align::right);
+    }
+    return p.clicked;
+}
+
+bool icon_button(const Theme& theme, const std::string& id, const char* icon, glm::vec2 size,
+                 const std::string& tip, const std::string& key, IconState state)
+{
+    const Palette& c = theme.color;
+    const Pressed p = press_area(id, size);
+    const bool tool = size.y >= theme.size.tool_button;
+    if (state.on)
+        paint_box(p.rect, p.hovered ? c.accent_hover : c.accent, theme.size.rounding);
+    else if (p.hovered && state.enabled)
+        paint_box(p.rect, c.field_hover, theme.size.rounding_small);
+    const Color color = !state.enabled ? c.text_off
+                        : state.on     ? c.on_accent
+                        : p.hovered    ? c.text
+                                       : c.text_2;
+    paint_text(tool ? theme.font.tool : theme.font.body, p.rect, color, icon, Align::center);
+    tooltip(theme, tip, key);
+    return p.clicked && state.enabled;
+}
+
+void tooltip(const Theme& theme, const std::string& name, const std::string& key,
+             const std::string& sentence)
+{
+    constexpr float patience_s = 0.5f;
+    if (!ImGui::IsItemHovered() || ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
+    if (GImGui->HoveredIdTimer < patience_s) return;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.px(10), theme.px(8)});
+    ImGui::BeginTooltip();
+    ImGui::PushFont(theme.font.strong);
+    ImGui::TextUnformatted(name.c_str());
+    ImGui::PopFont();
+    if (!key.empty()) {
+        ImGui::SameLine(0, theme.px(16));
+        ImGui::PushStyleColor(ImGuiCol_Text, theme.color.text_2);
+        ImGui::TextUnformatted(key.c_str());
+        ImGui::PopStyleColor();
+    }
+    if (!sentence.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, theme.color.text_2);
+        for (const std::string& line : wrapped(theme.font.body, sentence, theme.px(260)))
+            ImGui::TextUnformatted(line.c_str());
+        ImGui::PopStyleColor();
+    }
+    ImGui::EndTooltip();
+    ImGui::PopStyleVar();
+}
+
+} // namespace trivar::ui

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/paint.h"
+
+#include <string>
+#include <vector>
+
+// What panels are made of. Each draws at ImGui's cursor in the current window and moves it on.
+
+namespace trivar::ui {
+
+enum class Edit { none, changed, cancelled }; // cancelled: the value is as it was before the drag
+
+// A number that is dragged sideways (1 % of the range, or of the value, each 4 px; Shift a tenth)
+// or clicked and typed. Values out of range are cut to it.
+struct NumberStyle {
+    double lo = -1e9, hi = 1e9;
+    double bar_hi = 0; // above lo: a bar is filled from lo to here, and drags follow this range
+    double step = 0;   // above 0: drags move by whole steps of this
+    std::string unit, axis = {};
+    Color axis_color = 0;
+    std::string zero = {}; // what is shown in place of 0: "auto"
+};
+Edit number_field(const Theme& theme, const std::string& id, double& value,
+                  const NumberStyle& style, float width);
+Edit integer_field(const Theme& theme, const std::string& id, int& value, const NumberStyle& style,
+                   float width);
+
+Edit check_box(const Theme& theme, const std::string& id, bool& value, const std::string& effect);
+Edit segments(const Theme& theme, const std::string& id, int& chosen,
+              const std::vector<std::string>& names, float width);
+Edit choice(const Theme& theme, const std::string& id, int& chosen,
+            const std::vector<std::string>& names, float width);
+Edit color_field(const Theme& theme, const std::string& id, glm::vec4& linear, float width);
+// Reports a change as the text is typed.
+Edit text_field(const Theme& theme, const std::string& id, std::string& text,
+                const std::string& hint, float width, const char* icon = nullptr);
+
+enum class ButtonKind { plain, primary, danger, quiet };
+bool button(const Theme& theme, const std::string& text, ButtonKind kind = ButtonKind::plain,
+            glm::vec2 size = {0, 0}, const char* icon = nullptr, const std::string& key = {});
+float button_width(const Theme& theme, const std::string& text);
+struct IconState {
+    bool on = false, enabled = true;
+};
+bool icon_button(const Theme& theme, const std::string& id, const char* icon, glm::vec2 size,
+                 const std::string& tip, const std::string& key = {}, IconState state = {});
+
+// Over the last item, after half a second: a name with its key, and a sentence.
+void tooltip(const Theme& theme, const std::string& name, const std::string& key = {},
+             const std::string& sentence = {});
+
+// A group's heading that opens and closes; whether it is open. `note` stands at its right.
+bool section(const Theme& theme, const std::string& title, bool open_at_first = true,
+             const std::string& note = {}, Color note_color = 0);
+
+// The label at the left of a row; the cursor is left where the field goes. Returns the field's
+// width. A dot marks a value that differs from its default; clicking the dot resets it.
+struct Row {
+    float width = 0;
+    bool reset = false;
+};
+Row label_row(const Theme& theme, const std::string& label, bool changed = false,
+              const std::string& help = {});
+// A row that only tells.
+void fact_row(const Theme& theme, const std::string& label, const std::string& value,
+              Color color = 0);
+void gap(const Theme& theme, float height_at_scale_1);
+
+// Icon, bold line, a sentence with the way out; centred in the rectangle.
+void empty_state(const Theme& theme, const Rect& in, const char* icon, const std::string& title,
+                 const std::string& body);
+
+// A number with three significant digits, and no exponent between 0.001 and 1e6.
+std::string short_number(double value);
+
+} // namespace trivar::ui
