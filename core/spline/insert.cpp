@@ -15,13 +15,23 @@ std::size_t at(int i)
     return static_cast<std::size_t>(i);
 }
 
-// Weights of control points s - d .. s in the blossom of the piece over span s at d arguments:
-// the recursion of the basis functions with another argument at every step.
-std::array<double, max_order> blossom_row(const std::vector<double>& t, int s, int d,
-                                          const double* arguments)
+// The first span with a length, at or behind j, of the domain; the last one where there is none.
+int piece_of(const Knots& knots, int j)
+{
+    const auto& t = knots.values();
+    int s = std::max(j, knots.degree());
+    while (s < knots.unwrapped_count() && t[at(s)] == t[at(s + 1)]) ++s;
+    return s < knots.unwrapped_count() ? s : knots.span(knots.end());
+}
+
+} // namespace
+
+// The recursion of the basis functions with another argument at every step.
+std::array<double, max_order> blossom(const std::vector<double>& t, int s, int degree,
+                                      const double* arguments)
 {
     std::array<double, max_order> n{1};
-    for (int p = 1; p <= d; ++p) {
+    for (int p = 1; p <= degree; ++p) {
         const double u = arguments[p - 1];
         double saved = 0;
         for (int r = 0; r < p; ++r) {
@@ -35,17 +45,6 @@ std::array<double, max_order> blossom_row(const std::vector<double>& t, int s, i
     return n;
 }
 
-// The first span with a length, at or behind j, of the domain; the last one where there is none.
-int piece_of(const Knots& knots, int j)
-{
-    const auto& t = knots.values();
-    int s = std::max(j, knots.degree());
-    while (s < knots.unwrapped_count() && t[at(s)] == t[at(s + 1)]) ++s;
-    return s < knots.unwrapped_count() ? s : knots.span(knots.end());
-}
-
-} // namespace
-
 AxisMap refinement_map(const Knots& from, const Knots& to)
 {
     assert(from.order() == to.order());
@@ -55,7 +54,7 @@ AxisMap refinement_map(const Knots& from, const Knots& to)
     map.width = from.order();
     for (int j = 0; j < to.count(); ++j) {
         const int s = from.span(to.values()[at(piece_of(to, j))]);
-        const auto row = blossom_row(from.values(), s, d, to.values().data() + j + 1);
+        const auto row = blossom(from.values(), s, d, to.values().data() + j + 1);
         map.first.push_back(s - d);
         map.weights.insert(map.weights.end(), row.begin(), row.begin() + from.order());
     }

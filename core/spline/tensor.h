@@ -51,6 +51,14 @@ inline std::size_t points_inside(std::span<const Knots> axes, int axis)
     return inner;
 }
 
+// Throws Rejected unless the number of points fits the axes and twisted axes can mirror: all other
+// axes are then open and their knots symmetric.
+void check_shape(std::span<const Knots> axes, std::size_t points);
+template <class Spline> void check_shape(const Spline& f)
+{
+    check_shape(axes_of(f), f.points.size());
+}
+
 // The spline whose points along one axis are the map's rows, over the knots `to`.
 template <class Spline>
 Spline mapped(const Spline& f, int axis, const AxisMap& map, const Knots& to)

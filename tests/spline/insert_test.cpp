@@ -12,14 +12,9 @@ namespace {
 using testing::all_axes;
 using testing::inside;
 using testing::Noise;
-
-Curve<glm::dvec3> random_curve(const Knots& knots, unsigned seed = 1)
-{
-    Noise noise(seed);
-    Curve<glm::dvec3> c{knots, {}};
-    for (int i = 0; i < knots.count(); ++i) c.points.push_back(noise.vec3());
-    return c;
-}
+using testing::random_curve;
+using testing::random_surface;
+using testing::random_volume;
 
 // Largest distance over the common domain, the derivatives' included where asked.
 double largest_change(const Curve<glm::dvec3>& a, const Curve<glm::dvec3>& b)
@@ -84,8 +79,7 @@ TEST(KnotInsertion, WorksAlongEveryAxisOfAVolume)
     Noise noise;
     const std::array<Knots, 3> axes{Knots::uniform(3, 4), testing::uneven_knots(4),
                                     Knots::periodic(2, 5)};
-    Trivariate<glm::dvec3> f{axes, {}};
-    for (int i = 0; i < 4 * axes[1].count() * 5; ++i) f.points.push_back(noise.vec3());
+    const auto f = random_volume(axes);
     auto finer = f;
     const std::vector<double> knots{0.2, 0.37, 0.85};
     for (int axis = 0; axis < 3; ++axis) finer = insert_knots(finer, axis, knots);
@@ -98,9 +92,8 @@ TEST(KnotInsertion, WorksAlongEveryAxisOfAVolume)
 TEST(KnotInsertion, WorksAlongAndAcrossAMoebiusBand)
 {
     Noise noise;
-    Surface<glm::dvec3> f{{Knots::periodic(3, 6, 0, 1, Closure::twisted), Knots::uniform(3, 4)},
-                          {}};
-    for (int i = 0; i < 24; ++i) f.points.push_back(noise.vec3());
+    const auto f =
+        random_surface({Knots::periodic(3, 6, 0, 1, Closure::twisted), Knots::uniform(3, 4)});
     const std::vector<double> once{0.2, 0.9}, across{0.25, 0.75};
     const auto finer = insert_knots(insert_knots(f, 0, once), 1, across);
     for (int i = 0; i < 300; ++i) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/spline/curve.h"
+#include "core/spline/surface.h"
 #include "core/spline/trivariate.h"
 
 #include <random>
@@ -46,6 +48,31 @@ inline std::vector<Knots> all_axes()
     return out;
 }
 
+// Splines of random points.
+inline Curve<glm::dvec3> random_curve(const Knots& knots, unsigned seed = 1)
+{
+    Noise noise(seed);
+    Curve<glm::dvec3> c{knots, {}};
+    for (int i = 0; i < knots.count(); ++i) c.points.push_back(noise.vec3());
+    return c;
+}
+inline Surface<glm::dvec3> random_surface(const std::array<Knots, 2>& axes, unsigned seed = 1)
+{
+    Noise noise(seed);
+    Surface<glm::dvec3> s{axes, {}};
+    for (int i = 0; i < axes[0].count() * axes[1].count(); ++i) s.points.push_back(noise.vec3());
+    return s;
+}
+inline Trivariate<glm::dvec3> random_volume(const std::array<Knots, 3>& axes, unsigned seed = 1)
+{
+    Noise noise(seed);
+    Trivariate<glm::dvec3> f{axes, {}};
+    for (int i = 0; i < axes[0].count() * axes[1].count() * axes[2].count(); ++i)
+        f.points.push_back(noise.vec3());
+    return f;
+}
+
+// Equally spaced parameters, both ends of the domain among them.
 inline std::vector<double> inside(const Knots& k, int count)
 {
     std::vector<double> out;
