@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace trivar {
@@ -19,6 +20,10 @@ public:
     ~RayMesh();
     RayMesh(const RayMesh&) = delete;
     RayMesh& operator=(const RayMesh&) = delete;
+
+    const Mesh& mesh() const;
+    const std::vector<glm::uvec3>& triangles() const; // #T by 3 vertex indices
+
     struct State;
     const State& state() const { return *state_; }
 
@@ -35,7 +40,8 @@ struct Hit {
     bool back_face = false;     // the ray came from inside
 };
 
-// The scene as rays see it. No ray slips through a shared edge; the hit is recomputed in double.
+// The scene as rays see it. No ray slips through a shared edge; the hit is recomputed in double,
+// and of several triangles that meet in the hit the one of the first entry and face is taken.
 class RayScene {
 public:
     struct Entry {
@@ -43,6 +49,7 @@ public:
         glm::dmat4 to_world{1};
         int object = -1;
     };
+    // Throws Rejected for a matrix that is not finite.
     explicit RayScene(std::vector<Entry> entries);
     ~RayScene();
     RayScene(RayScene&&) noexcept;
@@ -51,7 +58,11 @@ public:
     // The nearest hit between the two distances. Thread-safe. About 0.6 microseconds.
     std::optional<Hit> hit(const Ray& ray, double from = 0, double to = 1e300,
                            bool skip_back_faces = false) const;
+    // The same for many rays, in parallel.
+    std::vector<std::optional<Hit>> hits(std::span<const Ray> rays,
+                                         bool skip_back_faces = false) const;
     Box bounds() const; // world
+    const std::vector<Entry>& entries() const;
 
 private:
     struct State;

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/spline/surface.h"
+
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace trivar {
+
+// Whether values on the grid turn so sharply along `direction` (of each node) that a surface
+// through them would overshoot: a node lies further from the line between its neighbours than half
+// of their distance seen along the direction.
+bool jumps(const std::array<Knots, 2>& axes, const std::vector<glm::dvec3>& nodes,
+           const std::vector<glm::dvec3>& direction);
+
+// The surface over nodes at the Greville abscissae: through them, or, where that would overshoot,
+// with them as its control points, which never does.
+Surface<glm::dvec3> contact_surface(const std::array<Knots, 2>& axes,
+                                    const std::vector<glm::dvec3>& nodes, bool through_nodes);
+
+// Cumulative length of the line through points, where a step that runs mostly along its view
+// direction counts at most three times what is seen of it: a cliff is one long step of the
+// stroke, and the nodes must not all gather there.
+std::vector<double> walked_length(const std::vector<glm::dvec3>& points,
+                                  const std::vector<glm::dvec3>& view_direction);
+
+// The parameters at which the cumulative length is the given share of the whole. Linear between
+// the ones known; both ends stay.
+std::vector<double> at_length_shares(const std::vector<double>& length,
+                                     const std::vector<double>& parameter,
+                                     const std::vector<double>& shares);
+
+} // namespace trivar

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/placement/embed.h"
+
+#include "core/base/rejected.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace trivar {
+namespace {
+
+constexpr double flat_share = 1e-9;    // of the largest edge: thinner is flat
+constexpr double flat_size = 1.0 / 20; // of the stroke's length, where the model gives no measure
+
+double metres_per_unit(const ModelFrame& frame, const PlacementParameters& p, double length)
+{
+    const glm::dvec3 size = frame.box.size();
+    const double along = frame.flat.x ? std::max(size.y, size.z) : size.x;
+    return length * p.fill / along;
+}
+
+} // namespace
+
+ModelFrame model_frame(const PlacementParameters& parameters, const Box& model)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        if (!std::isfinite(model.size()[axis]) || !std::isfinite(model.lo[axis]))
+            throw Rejected("the model has corners that are not numbers");
+    if (model.empty() || model.size() == glm::dvec3(0))
+        throw Rejected("the model is empty or a single point; choose another one");
+
+    const long quarters = std::lround(parameters.roll_deg / 90);
+    ModelFrame out;
+    // Columns are images of the axes; a quarter turn about x takes y to z and z to -y.
+    const glm::dmat3 quarter(1, 0, 0, 0, 0, 1, 0, -1, 0);
+    for (long i = 0; i < ((quarters % 4) + 4) % 4; ++i) out.turn = quarter * out.turn;
+    if (parameters.reverse) out.turn = glm::dmat3(-1, 0, 0, 0, -1, 0, 0, 0, 1) * out.turn;
+    out.box.add(out.turn * model.lo);
+    out.box.add(out.turn * model.hi);
+    const glm::dvec3 size = out.box.size();
+    const double largest = std::max({size.x, size.y, size.z});
+    out.flat = glm::lessThanEqual(size, glm::dvec3(flat_share * largest));
+    return out;
+}
+
+double strip_width(const ModelFrame& frame, const PlacementParameters& parameters, double length)
+{
+    if (parameters.width > 0) return parameters.width;
+    if (frame.flat.y) return flat_size * length;
+    return frame.box.size().y * metres_per_unit(frame, parameters, length);
+}
+
+double volume_height(const ModelFrame& frame, const PlacementParameters& parameters, double length)
+{
+    if (parameters.height > 0) return parameters.height;
+    if (frame.flat.z) return flat_size * length;
+    return frame.box.size().z * metres_per_unit(frame, parameters, length);
+}
+
+glm::dmat4 model_to_uvw(const ModelFrame& frame, const PlacementParameters& parameters)
+{
+    const glm::dvec3 size = frame.box.size();
+    const glm::dvec3 extent(parameters.fill, 1, 1);
+    glm::dvec3 scale(0), origin(parameters.start, 0, 0);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!frame.flat[axis]) {
+            scale[axis] = extent[axis] / size[axis];
+            continue;
+        }
+        // A flat model lies on the contact surface, and in the middle of the strip.
+        if (axis < 2) origin[axis] += extent[axis] / 2;
+    }
+    glm::dmat4 out(1);
+    out = glm::translate(out, origin);
+    out = glm::scale(out, scale);
+    out = glm::translate(out, -frame.box.lo);
+    return out * glm::dmat4(frame.turn);
+}
+
+} // namespace trivar

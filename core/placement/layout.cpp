@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/placement/layout.h"
+
+#include "core/base/rejected.h"
+#include "core/placement/contact.h"
+#include "core/placement/sketch.h"
+#include "core/placement/view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+namespace trivar {
+namespace {
+
+constexpr double most_missed = 0.6;
+constexpr int rounds = 4; // of measuring and shooting again; a fixed point for planes after one
+constexpr std::size_t profile_steps = 129;
+// The strip may differ from its width seen flat on by these factors.
+constexpr double narrowest = 0.25, widest = 2;
+
+std::vector<double> smoothed(std::vector<double> values, int passes)
+{
+    for (int pass = 0; pass < passes; ++pass) {
+        std::vector<double> out = values;
+        for (std::size_t i = 1; i + 1 < values.size(); ++i)
+            out[i] = (values[i - 1] + 2 * values[i] + values[i + 1]) / 4;
+        values = std::move(out);
+    }
+    return values;
+}
+
+std::vector<glm::dvec3> directions(const RayGrid& grid)
+{
+    std::vector<glm::dvec3> out;
+    for (const Ray& ray : grid.rays) out.push_back(ray.direction);
+    return out;
+}
+
+std::vector<double> greville(const Knots& knots)
+{
+    std::vector<double> out;
+    for (int i = 0; i < knots.count(); ++i) out.push_back(knots.greville(i));
+    return out;
+}
+
+// One row or column of nodes, and the mean of the two middle columns.
+template <class T> std::vector<T> row(const RayGrid& grid, const std::vector<T>& values, int i)
+{
+    const auto first = values.begin() + static_cast<std::ptrdiff_t>(grid.index(i, 0));
+    return {first, first + grid.columns};
+}
+std::vector<glm::dvec3> middle(const RayGrid& grid, const std::vector<glm::dvec3>& values)
+{
+    std::vector<glm::dvec3> out;
+    for (int i = 0; i < grid.rows; ++i)
+        out.push_back((values[grid.index(i, (grid.columns - 1) / 2)] +
+                       values[grid.index(i, grid.columns / 2)]) /
+                      2.0);
+    return out;
+}
+
+// Rows of the shrunk strip: from the first to the last that is mostly hit.
+std::array<double, 2> hit_range(const RayGrid& grid)
+{
+    std::array<double, 2> out{1, 0};
+    for (int i = 0; i < grid.rows; ++i) {
+        int hits = 0;
+        for (int j = 0; j < grid.columns; ++j) hits += grid.hit[grid.index(i, j)];
+        if (2 * hits <= grid.columns) continue;
+        const double a = grid.a[static_cast<std::size_t>(i)];
+        out = {std::min(out[0], a), std::max(out[1], a)};
+    }
+    return out;
+}
+
+Curve<glm::dvec2> piece(const Curve<glm::dvec2>& curve, const std::array<double, 2>& range)
+{
+    std::vector<glm::dvec2> points;
+    constexpr int count = 400; // a stroke of the picture's width, every few pixels
+    for (int i = 0; i <= count; ++i)
+        points.push_back(evaluate(curve, range[0] + (range[1] - range[0]) * i / count).value);
+    return fit_sketch(points, 0.1);
+}
+
+class Builder {
+public:
+    Builder(const Camera& camera, const PlacementParameters& parameters, const ModelFrame& frame,
+            const RayScene& scene, Timings& timings)
+        : camera_(camera),
+          parameters_(parameters),
+          frame_(frame),
+          scene_(scene),
+          timings_(timings)
+    {
+    }
+
+    Layout build(Curve<glm::dvec2> curve)
+    {
+        Layout out{.axes = {Knots::uniform(parameters_.orders.x, parameters_.grid.x),
+                            Knots::uniform(parameters_.orders.y, parameters_.grid.y)},
+                   .strip = strip_round(curve, {0, 0})};
+        along_ = greville(out.axes[0]);
+        across_ = greville(out.axes[1]);
+        begin(out, curve);
+        check_misses(out);
+        for (int round = 0; round < rounds; ++round) {
+            relax(out);
+            if (!measure(out)) break;
+            cast(out, curve);
+        }
+        if (out.s.size() != out.grid.rays.size() || !relaxed_) relax(out);
+        for (const double a : a_)
+            out.narrowed += out.strip.narrowed[static_cast<std::size_t>(
+                                std::lround(a * static_cast<double>(profile_steps - 1)))] != 0;
+        return out;
+    }
+
+private:
+    // First guesses from the middle line, and the strip shrunk to where there is something.
+    void begin(Layout& out, Curve<glm::dvec2>& curve)
+    {
+        center_ = middle_line(curve);
+        first_guess(out);
+        cast(out, curve);
+        if (parameters_.misses != Misses::shrink) return;
+        const std::array<double, 2> range = hit_range(out.grid);
+        if (range[0] <= 0 && range[1] >= 1) return;
+        if (!(range[1] - range[0] > 0.1))
+            throw Rejected("less than a tenth of the stroke meets an object; draw it over one");
+        curve = piece(curve, range);
+        center_ = middle_line(curve);
+        first_guess(out);
+        cast(out, curve);
+    }
+
+    RayGrid middle_line(const Curve<glm::dvec2>& curve)
+    {
+        return timed(timings_, "rays", [&] {
+            return center_line(curve, 4 * parameters_.grid.x + 1, camera_, scene_,
+                               parameters_.skip_back_faces);
+        });
+    }
+
+    void first_guess(Layout& out)
+    {
+        std::vector<glm::dvec3> points;
+        for (std::size_t k = 0; k < center_.rays.size(); ++k) points.push_back(center_.point(k));
+        const std::vector<double> length = walked_length(points, directions(center_));
+        a_ = at_length_shares(length, center_.a, along_);
+        v_.clear();
+        for (std::size_t i = 0; i < along_.size(); ++i)
+            v_.insert(v_.end(), across_.begin(), across_.end());
+        scale_.assign(profile_steps, 1);
+        set_sizes(out, length.back());
+    }
+
+    void set_sizes(Layout& out, double length)
+    {
+        out.length = length;
+        if (!(length > 0))
+            throw Rejected("the stroke is too short in the scene; draw a longer one");
+        out.width = strip_width(frame_, parameters_, length);
+        out.height = volume_height(frame_, parameters_, length);
+    }
+
+    void cast(Layout& out, const Curve<glm::dvec2>& curve)
+    {
+        timed(timings_, "rays", [&] {
+            half_px_ = half_width_px(center_, camera_, out.width, profile_steps);
+            const double picture = glm::length(camera_.size_px);
+            if (!(*std::max_element(half_px_.begin(), half_px_.end()) < picture))
+                throw Rejected(fmt::format("a strip {:.3g} m wide is wider than the picture; "
+                                           "choose a smaller width or zoom out",
+                                           out.width));
+            for (std::size_t i = 0; i < profile_steps; ++i) half_px_[i] *= scale_[i];
+            out.strip = strip_round(curve, half_px_);
+            out.grid = shoot(out.strip, a_, v_, camera_, scene_, parameters_.skip_back_faces);
+            missed_ = out.grid.missed_share();
+            if (missed_ < 1) out.grid = filled(std::move(out.grid), parameters_.misses);
+        });
+        relaxed_ = false;
+    }
+
+    void check_misses(const Layout&) const
+    {
+        if (missed_ > most_missed)
+            throw Rejected(fmt::format("{:.0f} % of the strip meets nothing; draw the stroke over "
+                                       "an object or choose a smaller width",
+                                       100 * missed_));
+    }
+
+    void relax(Layout& out)
+    {
+        timed(timings_, "springs", [&] {
+            const RayGrid& grid = out.grid;
+            SpringSheet& sheet = out.sheet;
+            sheet = {};
+            sheet.rows = grid.rows;
+            sheet.columns = grid.columns;
+            for (const double t : along_) sheet.along.push_back(t * out.length);
+            for (const double t : across_) sheet.across.push_back(t * out.width);
+            const double infinite = std::numeric_limits<double>::infinity();
+            for (std::size_t k = 0; k < grid.rays.size(); ++k) {
+                sheet.direction.push_back(-grid.rays[k].direction);
+                sheet.p0.push_back(grid.point(k) + parameters_.clearance * sheet.direction[k]);
+                sheet.lo.push_back(grid.hit[k] ? 0 : -10 * out.height);
+                sheet.hi.push_back(infinite);
+            }
+            out.s.assign(grid.rays.size(), 0);
+            out.loose.assign(grid.rays.size(), 0);
+            if (parameters_.springs) {
+                RestShape rest = rest_shape(sheet, out.s,
+                                            {.roughness_deg = parameters_.roughness_deg,
+                                             .neighborhood = parameters_.neighborhood,
+                                             .free_ends = parameters_.free_ends,
+                                             .tolerance = 1e-5 * out.height});
+                out.s = std::move(rest.s);
+                out.loose = std::move(rest.loose);
+                out.spring_iterations += rest.sweeps;
+            }
+        });
+        relaxed_ = true;
+    }
+
+    // New parameters that put the nodes at equal lengths on the surface as it is; false when they
+    // are the old ones.
+    bool measure(Layout& out)
+    {
+        const RayGrid& grid = out.grid;
+        const std::vector<glm::dvec3> points = out.points();
+        const std::vector<glm::dvec3> views = directions(grid);
+        const std::vector<double> length = walked_length(middle(grid, points), middle(grid, views));
+        const std::vector<double> a = at_length_shares(length, grid.a, along_);
+        double change = 0;
+        for (std::size_t i = 0; i < a.size(); ++i)
+            change = std::max(change, std::abs(a[i] - a_[i]));
+        const double old_width = out.width, old_length = out.length;
+        set_sizes(out, length.back());
+
+        std::vector<double> factor;
+        for (int i = 0; i < grid.rows; ++i) {
+            const std::vector<double> walked =
+                walked_length(row(grid, points, i), row(grid, views, i));
+            const std::vector<double> v = at_length_shares(walked, row(grid, grid.v, i), across_);
+            for (int j = 0; j < grid.columns; ++j) {
+                double& old = v_[grid.index(i, j)];
+                change = std::max(change, std::abs(v[static_cast<std::size_t>(j)] - old));
+                old = v[static_cast<std::size_t>(j)];
+            }
+            // A narrowed row is meant to be that much narrower.
+            const double at = grid.a[static_cast<std::size_t>(i)];
+            const double kept =
+                (profile_at(out.strip.left_px, at) + profile_at(out.strip.right_px, at)) /
+                (2 * profile_at(half_px_, at));
+            factor.push_back(walked.back() > 0 ? old_width * kept / walked.back() : 1);
+        }
+        factor = smoothed(std::move(factor), 4);
+        std::size_t i = 0;
+        for (std::size_t step = 0; step < profile_steps; ++step) {
+            const double t = static_cast<double>(step) / static_cast<double>(profile_steps - 1);
+            while (i + 2 < grid.a.size() && grid.a[i + 1] < t) ++i;
+            const double gap = grid.a[i + 1] - grid.a[i];
+            const double f = gap > 0 ? std::clamp((t - grid.a[i]) / gap, 0.0, 1.0) : 0;
+            const double next = std::clamp(scale_[step] * (factor[i] * (1 - f) + factor[i + 1] * f),
+                                           narrowest, widest);
+            change = std::max(change, std::abs(next - scale_[step]));
+            scale_[step] = next;
+        }
+        a_ = a;
+        change = std::max(
+            {change, std::abs(out.width / old_width - 1), std::abs(out.length / old_length - 1)});
+        return change > 1e-12;
+    }
+
+    const Camera& camera_;
+    const PlacementParameters& parameters_;
+    const ModelFrame& frame_;
+    const RayScene& scene_;
+    Timings& timings_;
+    RayGrid center_;
+    std::vector<double> along_, across_;  // where the nodes belong, as shares of the lengths
+    std::vector<double> a_, v_;           // where on the strip that is
+    std::vector<double> scale_, half_px_; // of the half width, at profile_steps
+    double missed_ = 1;
+    bool relaxed_ = false;
+};
+
+} // namespace
+
+std::vector<glm::dvec3> Layout::points() const
+{
+    std::vector<glm::dvec3> out(s.size());
+    for (std::size_t k = 0; k < s.size(); ++k) out[k] = sheet.point(k, s);
+    return out;
+}
+
+RayGrid center_line(const Curve<glm::dvec2>& center, int count, const Camera& camera,
+                    const RayScene& scene, bool skip_back_faces)
+{
+    std::vector<double> a, v(static_cast<std::size_t>(count), 0.5);
+    for (int i = 0; i < count; ++i) a.push_back(static_cast<double>(i) / (count - 1));
+    RayGrid line = shoot(strip_round(center, {0, 0}), std::move(a), std::move(v), camera, scene,
+                         skip_back_faces);
+    if (line.missed_share() == 1)
+        throw Rejected("the stroke meets nothing; draw it over an object");
+    return filled(std::move(line), Misses::membrane);
+}
+
+std::vector<double> half_width_px(const RayGrid& center, const Camera& camera, double width,
+                                  std::size_t steps)
+{
+    const View view(camera);
+    std::vector<double> depth;
+    for (std::size_t k = 0; k < center.rays.size(); ++k)
+        depth.push_back(view.project(center.point(k)).depth_world);
+    depth = smoothed(std::move(depth), static_cast<int>(depth.size()) / 2);
+    std::vector<double> out;
+    for (std::size_t i = 0; i < steps; ++i) {
+        const double t = static_cast<double>(i) / static_cast<double>(steps - 1);
+        out.push_back(width / 2 / view.pixel_size(profile_at(depth, t)));
+    }
+    return out;
+}
+
+Layout lay_out(Curve<glm::dvec2> center, const Camera& camera,
+               const PlacementParameters& parameters, const ModelFrame& frame,
+               const RayScene& scene, Timings& timings)
+{
+    return Builder(camera, parameters, frame, scene, timings).build(std::move(center));
+}
+
+} // namespace trivar

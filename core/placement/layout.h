@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/placement/embed.h"
+#include "core/placement/ray_grid.h"
+#include "core/placement/springs.h"
+
+namespace trivar {
+
+// The strip laid on the scene, before and after the springs: everything place() decides before
+// there is a surface. The live animation of the springs starts from it, too.
+struct Layout {
+    std::array<Knots, 2> axes; // of the contact surface; node (i, j) sits at Greville (i, j)
+    Strip strip;
+    RayGrid grid{}; // filled
+    SpringSheet sheet{};
+    std::vector<double> s{}; // the nodes' rest on the sheet; 0 without springs
+    std::vector<char> loose{};
+    double length = 0, width = 0, height = 0; // world, as far as the nodes tell
+    int spring_iterations = 0;
+    int narrowed = 0;
+
+    std::vector<glm::dvec3> points() const; // the nodes, on their springs
+};
+
+// Throws Rejected for a stroke that meets nothing, or too little, and sizes that do not fit.
+Layout lay_out(Curve<glm::dvec2> center, const Camera& camera,
+               const PlacementParameters& parameters, const ModelFrame& frame,
+               const RayScene& scene, Timings& timings);
+
+// The middle line of the strip as rays see it, `count` points; misses filled by the membrane.
+RayGrid center_line(const Curve<glm::dvec2>& center, int count, const Camera& camera,
+                    const RayScene& scene, bool skip_back_faces);
+
+// Half the strip's width in pixels at `steps` equal steps of the center line, for a width in
+// metres at the line's depth, which is smoothed so that a step of the scene makes no notch.
+std::vector<double> half_width_px(const RayGrid& center, const Camera& camera, double width,
+                                  std::size_t steps);
+
+} // namespace trivar

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/placement/placement.h"
+#include "core/placement/strip.h"
+
+namespace trivar {
+
+// Rays through a ruled grid of the strip and what they meet. Node (i, j) has index
+// i * columns + j; i runs along the stroke, j from its right to its left.
+struct RayGrid {
+    int rows = 0, columns = 0;
+    std::vector<double> a;          // #rows, along the strip
+    std::vector<double> v;          // #nodes, across
+    std::vector<Ray> rays;          // #nodes
+    std::vector<double> distance;   // #nodes, along the ray; of misses only after filled()
+    std::vector<char> hit;          // #nodes
+    std::vector<glm::dvec3> normal; // #nodes, of the scene, toward the camera; misses: the ray's
+
+    std::size_t index(int i, int j) const
+    {
+        return static_cast<std::size_t>(i) * static_cast<std::size_t>(columns) +
+               static_cast<std::size_t>(j);
+    }
+    glm::dvec3 point(std::size_t k) const
+    {
+        return rays[k].origin + distance[k] * rays[k].direction;
+    }
+    double missed_share() const;
+};
+
+// One ray a node. A surface met at less than about a degree counts as missed: such a hit jumps
+// with the smallest move of the strip.
+RayGrid shoot(const Strip& strip, std::vector<double> a, std::vector<double> v,
+              const Camera& camera, const RayScene& scene, bool skip_back_faces);
+
+// The grid with a distance for every node: missed ones get theirs from the membrane that spans the
+// hits around them (discrete Laplace equation), from the ground z = 0 or from the nearest hit.
+// At least one node must be a hit.
+RayGrid filled(RayGrid grid, Misses misses);
+
+} // namespace trivar

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/placement/ray_scene.h"
+
+#include "core/base/parallel.h"
+#include "core/base/rejected.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <embree3/rtcore.h>
+#include <limits>
+
+namespace trivar {
+namespace {
+
+// Instances and the scenes they show must belong to one device, so the process has one. It holds
+// nothing that a result could depend on.
+RTCDevice device()
+{
+    struct Device {
+        RTCDevice handle = rtcNewDevice(nullptr);
+        ~Device() { rtcReleaseDevice(handle); }
+    };
+    static const Device device;
+    return device.handle;
+}
+
+struct SceneHandle {
+    RTCScene scene = nullptr;
+    SceneHandle()
+    {
+        scene = rtcNewScene(device());
+        rtcSetSceneFlags(scene, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST |
+                                                           RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+    }
+    ~SceneHandle() { rtcReleaseScene(scene); }
+    SceneHandle(const SceneHandle&) = delete;
+    SceneHandle& operator=(const SceneHandle&) = delete;
+};
+
+// A triangle of an entry, and where the ray meets it.
+struct Candidate {
+    unsigned entry = 0, triangle = 0;
+    float distance = 0;
+};
+
+// What our filter needs beside Embree's own context, which therefore has to come first.
+struct Query {
+    RTCIntersectContext context;
+    bool skip_back_faces = false;
+    bool collect = false; // note every triangle and accept none
+    std::array<Candidate, 32> found{};
+    std::size_t count = 0;
+};
+
+void filter(const RTCFilterFunctionNArguments* args)
+{
+    assert(args->N == 1);
+    auto* query = reinterpret_cast<Query*>(args->context);
+    const auto* ray = reinterpret_cast<const RTCRay*>(args->ray);
+    const auto* hit = reinterpret_cast<const RTCHit*>(args->hit);
+    const float toward = hit->Ng_x * ray->dir_x + hit->Ng_y * ray->dir_y + hit->Ng_z * ray->dir_z;
+    if (query->skip_back_faces && toward > 0) {
+        args->valid[0] = 0;
+        return;
+    }
+    if (!query->collect) return;
+    args->valid[0] = 0;
+    if (query->count < query->found.size())
+        query->found[query->count++] = {query->context.instID[0], hit->primID, ray->tfar};
+}
+
+RTCRayHit embree_ray(const Ray& ray, double from, double to)
+{
+    const double far = std::min(to, 3e38);
+    RTCRayHit out{};
+    out.ray.org_x = static_cast<float>(ray.origin.x);
+    out.ray.org_y = static_cast<float>(ray.origin.y);
+    out.ray.org_z = static_cast<float>(ray.origin.z);
+    out.ray.dir_x = static_cast<float>(ray.direction.x);
+    out.ray.dir_y = static_cast<float>(ray.direction.y);
+    out.ray.dir_z = static_cast<float>(ray.direction.z);
+    out.ray.tnear = static_cast<float>(from);
+    out.ray.tfar = static_cast<float>(far);
+    out.ray.mask = 0xffffffffu;
+    out.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    out.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    return out;
+}
+
+void intersect(RTCScene scene, Query& query, RTCRayHit& ray)
+{
+    rtcInitIntersectContext(&query.context);
+    if (query.skip_back_faces || query.collect) query.context.filter = filter;
+    rtcIntersect1(scene, &query.context, &ray);
+}
+
+// Where a ray meets the plane of a triangle, and by how much it passes outside the triangle: the
+// most negative barycentric coordinate, or 0. A plane seen edge-on is not met.
+struct PlaneHit {
+    double distance = 0;
+    double outside = 0;
+    glm::dvec3 normal{0}; // not unit
+};
+
+PlaneHit meet(const Ray& ray, const std::array<glm::dvec3, 3>& p)
+{
+    const glm::dvec3 e1 = p[1] - p[0], e2 = p[2] - p[0];
+    const glm::dvec3 n = glm::cross(e1, e2);
+    const double along = glm::dot(n, ray.direction);
+    const glm::dvec3 to = p[0] - ray.origin;
+    if (along == 0) return {glm::dot(to, ray.direction), -1, n};
+    const glm::dvec3 q = glm::cross(to, ray.direction);
+    const double b1 = glm::dot(e2, q) / along, b2 = -glm::dot(e1, q) / along;
+    return {glm::dot(n, to) / along, std::min({0.0, b1, b2, 1 - b1 - b2}), n};
+}
+
+} // namespace
+
+struct RayMesh::State {
+    Ref<Mesh> mesh;
+    std::vector<glm::uvec3> triangles;
+    std::vector<std::uint32_t> face; // of each triangle
+    SceneHandle handle;
+};
+
+RayMesh::RayMesh(Ref<Mesh> mesh) : state_(std::make_unique<State>())
+{
+    state_->triangles = trivar::triangles(*mesh);
+    for (std::size_t f = 0; f < mesh->face_count(); ++f)
+        for (std::uint32_t c = mesh->face_begin[f] + 2; c < mesh->face_begin[f + 1]; ++c)
+            state_->face.push_back(static_cast<std::uint32_t>(f));
+    assert(state_->face.size() == state_->triangles.size());
+
+    if (!state_->triangles.empty()) {
+        RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE);
+        // Embree reads 16 bytes a vertex, past the end of a plain array, so it gets its own copy.
+        auto* points = static_cast<glm::vec3*>(
+            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                    sizeof(glm::vec3), mesh->positions.size()));
+        std::copy(mesh->positions.begin(), mesh->positions.end(), points);
+        auto* indices = static_cast<glm::uvec3*>(
+            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                    sizeof(glm::uvec3), state_->triangles.size()));
+        std::copy(state_->triangles.begin(), state_->triangles.end(), indices);
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometry(state_->handle.scene, geometry);
+        rtcReleaseGeometry(geometry);
+    }
+    rtcCommitScene(state_->handle.scene);
+    state_->mesh = std::move(mesh);
+}
+
+RayMesh::~RayMesh() = default;
+
+const Mesh& RayMesh::mesh() const
+{
+    return *state_->mesh;
+}
+
+const std::vector<glm::uvec3>& RayMesh::triangles() const
+{
+    return state_->triangles;
+}
+
+struct RayScene::State {
+    std::vector<Entry> entries;
+    std::vector<glm::dmat3> normal_to_world;
+    std::vector<Box> boxes; // of each entry, world
+    Box bounds;
+    SceneHandle handle;
+
+    std::array<glm::dvec3, 3> corners(unsigned entry, unsigned triangle) const
+    {
+        const Entry& e = entries[entry];
+        const glm::uvec3 t = e.mesh->triangles()[triangle];
+        std::array<glm::dvec3, 3> out;
+        for (int k = 0; k < 3; ++k)
+            out[static_cast<std::size_t>(k)] =
+                glm::dvec3(e.to_world * glm::dvec4(e.mesh->mesh().positions[t[k]], 1));
+        return out;
+    }
+
+    bool shared_by_entries(const glm::dvec3& p, double slack) const
+    {
+        int inside = 0;
+        for (const Box& box : boxes)
+            inside += glm::all(glm::greaterThanEqual(p, box.lo - slack)) &&
+                      glm::all(glm::lessThanEqual(p, box.hi + slack));
+        return inside > 1;
+    }
+};
+
+RayScene::RayScene(std::vector<Entry> entries) : state_(std::make_unique<State>())
+{
+    State& s = *state_;
+    s.entries = std::move(entries);
+    for (std::size_t i = 0; i < s.entries.size(); ++i) {
+        const Entry& e = s.entries[i];
+        const glm::dmat4& m = e.to_world;
+        for (int c = 0; c < 4; ++c)
+            for (int r = 0; r < 4; ++r)
+                if (!std::isfinite(m[c][r]))
+                    throw Rejected("the transform of object " + std::to_string(e.object) +
+                                   " is not finite");
+        // A mesh squeezed flat keeps no outside; its hits are recomputed in world space anyway.
+        const double volume = glm::determinant(glm::dmat3(m));
+        s.normal_to_world.push_back(volume != 0 ? glm::transpose(glm::inverse(glm::dmat3(m)))
+                                                : glm::dmat3(0));
+        s.boxes.push_back(bounding_box(e.mesh->mesh(), m));
+        s.bounds.add(s.boxes.back());
+
+        RTCGeometry instance = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_INSTANCE);
+        rtcSetGeometryInstancedScene(instance, e.mesh->state().handle.scene);
+        const glm::mat4x3 floats(m);
+        rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, &floats[0][0]);
+        rtcCommitGeometry(instance);
+        rtcAttachGeometryByID(s.handle.scene, instance, static_cast<unsigned>(i));
+        rtcReleaseGeometry(instance);
+    }
+    rtcCommitScene(s.handle.scene);
+}
+
+RayScene::~RayScene() = default;
+RayScene::RayScene(RayScene&&) noexcept = default;
+RayScene& RayScene::operator=(RayScene&&) noexcept = default;
+
+std::optional<Hit> RayScene::hit(const Ray& ray, double from, double to, bool skip_back_faces) const
+{
+    const State& s = *state_;
+    Query query;
+    query.skip_back_faces = skip_back_faces;
+    RTCRayHit found = embree_ray(ray, from, to);
+    intersect(s.handle.scene, query, found);
+    if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+
+    Candidate best{found.hit.instID[0], found.hit.primID, found.ray.tfar};
+    PlaneHit plane = meet(ray, s.corners(best.entry, best.triangle));
+
+    // Near an edge, or where objects touch, several triangles compete, and which of them Embree
+    // names depends on single precision and on the order in which its tree was built. So all of
+    // them are asked for, and the choice is made in double.
+    const float nearest_edge = std::min({found.hit.u, found.hit.v, 1 - found.hit.u - found.hit.v});
+    const double slack = 1e-5 * (std::abs(double{found.ray.tfar}) + glm::length(ray.origin));
+    if (nearest_edge < 0.01f || plane.outside < 0 ||
+        s.shared_by_entries(ray.origin + double{found.ray.tfar} * ray.direction, slack)) {
+        query.collect = true;
+        RTCRayHit again = embree_ray(ray, std::max(from, found.ray.tfar - slack),
+                                     std::min(to, found.ray.tfar + slack));
+        intersect(s.handle.scene, query, again);
+        const double tie = 1e-9 * slack / 1e-5;
+        for (std::size_t i = 0; i < query.count; ++i) {
+            const Candidate& c = query.found[i];
+            const PlaneHit p = meet(ray, s.corners(c.entry, c.triangle));
+            const bool inside = p.outside > -1e-9, best_inside = plane.outside > -1e-9;
+            const bool nearer = p.distance < plane.distance - tie;
+            const bool tied = std::abs(p.distance - plane.distance) <= tie;
+            const bool earlier =
+                std::pair(c.entry, c.triangle) < std::pair(best.entry, best.triangle);
+            if (inside == best_inside ? nearer || (tied && earlier) : inside) {
+                best = c;
+                plane = p;
+            }
+        }
+    }
+
+    Hit hit;
+    // Far outside the triangle the plane says nothing; Embree's own distance is the better one.
+    hit.distance = plane.outside > -1e-3 ? plane.distance : double{best.distance};
+    hit.p_world = ray.origin + hit.distance * ray.direction;
+    const Entry& e = s.entries[best.entry];
+    const glm::uvec3 t = e.mesh->triangles()[best.triangle];
+    const auto& p = e.mesh->mesh().positions;
+    const glm::dvec3 a(p[t.x]), b(p[t.y]), c(p[t.z]);
+    glm::dvec3 n = s.normal_to_world[best.entry] * glm::cross(b - a, c - a);
+    if (!(glm::length(n) > 0)) n = plane.normal;
+    hit.normal = glm::length(n) > 0 ? glm::normalize(n) : -ray.direction;
+    hit.object = e.object;
+    hit.face = static_cast<int>(e.mesh->state().face[best.triangle]);
+    hit.back_face = glm::dot(hit.normal, ray.direction) > 0;
+    return hit;
+}
+
+std::vector<std::optional<Hit>> RayScene::hits(std::span<const Ray> rays,
+                                               bool skip_back_faces) const
+{
+    std::vector<std::optional<Hit>> out(rays.size());
+    parallel_blocks(rays.size(), 128, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) out[i] = hit(rays[i], 0, 1e300, skip_back_faces);
+    });
+    return out;
+}
+
+Box RayScene::bounds() const
+{
+    return state_->bounds;
+}
+
+const std::vector<RayScene::Entry>& RayScene::entries() const
+{
+    return state_->entries;
+}
+
+} // namespace trivar

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/placement/strip.h"
+
+#include "core/placement/sketch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trivar {
+namespace {
+
+// The inner rim keeps a tenth of the bend's radius, so that rulings stay apart.
+constexpr double share_of_radius = 0.9;
+// The rim may approach the middle by half a pixel a pixel: a steeper notch would show.
+constexpr double steepest_rim = 0.5;
+
+// The largest profile below `limit` that changes by at most steepest_rim a pixel of the curve.
+std::vector<double> lower_envelope(std::vector<double> limit, const std::vector<double>& step_px)
+{
+    for (std::size_t i = 1; i < limit.size(); ++i)
+        limit[i] = std::min(limit[i], limit[i - 1] + steepest_rim * step_px[i]);
+    for (std::size_t i = limit.size() - 1; i > 0; --i)
+        limit[i - 1] = std::min(limit[i - 1], limit[i] + steepest_rim * step_px[i]);
+    return limit;
+}
+
+} // namespace
+
+double profile_at(const std::vector<double>& profile, double t)
+{
+    const double x = std::clamp(t, 0.0, 1.0) * static_cast<double>(profile.size() - 1);
+    const std::size_t i = std::min(static_cast<std::size_t>(x), profile.size() - 2);
+    const double f = x - static_cast<double>(i);
+    return profile[i] * (1 - f) + profile[i + 1] * f;
+}
+
+glm::dvec2 Strip::at(double a, double v) const
+{
+    const CurveJet<glm::dvec2> jet = evaluate(center, a, 1);
+    const double offset = v * profile_at(left_px, a) - (1 - v) * profile_at(right_px, a);
+    return jet.value + offset * left_normal(jet);
+}
+
+Strip strip_round(Curve<glm::dvec2> center, const std::vector<double>& half_width_px)
+{
+    const std::size_t n = half_width_px.size();
+    std::vector<double> left = half_width_px, right = half_width_px, step_px(n, 0);
+    glm::dvec2 before{0};
+    for (std::size_t i = 0; i < n; ++i) {
+        const double a = static_cast<double>(i) / static_cast<double>(n - 1);
+        const CurveJet<glm::dvec2> jet = evaluate(center, a, 2);
+        const double k = curvature(jet);
+        if (k != 0) {
+            double& inner = k > 0 ? left[i] : right[i];
+            inner = std::min(inner, share_of_radius / std::abs(k));
+        }
+        if (i > 0) step_px[i] = glm::length(jet.value - before);
+        before = jet.value;
+    }
+    Strip out{std::move(center), left, right, std::vector<char>(n, 0)};
+    for (std::size_t i = 0; i < n; ++i)
+        out.narrowed[i] = left[i] < half_width_px[i] || right[i] < half_width_px[i];
+    out.left_px = lower_envelope(std::move(left), step_px);
+    out.right_px = lower_envelope(std::move(right), step_px);
+    return out;
+}
+
+} // namespace trivar

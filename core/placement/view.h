@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/camera.h"
+
+namespace trivar {
+
+// A camera made ready to project many points: project() without setting up the frame each time.
+class View {
+public:
+    explicit View(const Camera& camera)
+        : world_to_view_(view_matrix(camera)),
+          center_px_(camera.size_px / 2.0),
+          pixel_at_one_(pixel_size_world(camera, 1)),
+          eye_(camera.eye),
+          forward_(-world_to_view_[0][2], -world_to_view_[1][2], -world_to_view_[2][2]),
+          perspective_(camera.perspective)
+    {
+    }
+
+    Projected project(const glm::dvec3& p_world) const
+    {
+        const glm::dvec3 p(world_to_view_ * glm::dvec4(p_world, 1));
+        const double pixels = 1 / pixel_size(-p.z);
+        return {center_px_ + glm::dvec2(p.x, -p.y) * pixels, -p.z};
+    }
+    // World length of a pixel at that depth.
+    double pixel_size(double depth_world) const
+    {
+        return perspective_ ? pixel_at_one_ * depth_world : pixel_at_one_;
+    }
+    // Unit, from the point to where it is seen from.
+    glm::dvec3 toward_eye(const glm::dvec3& p_world) const
+    {
+        return perspective_ ? glm::normalize(eye_ - p_world) : -forward_;
+    }
+    const glm::dvec3& forward() const { return forward_; }
+
+private:
+    glm::dmat4 world_to_view_;
+    glm::dvec2 center_px_;
+    double pixel_at_one_;
+    glm::dvec3 eye_, forward_;
+    bool perspective_;
+};
+
+} // namespace trivar

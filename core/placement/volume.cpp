@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/placement/volume.h"
+
+#include "core/spline/fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trivar {
+namespace {
+
+using Points = std::vector<glm::dvec3>;
+
+// The guard keeps the roof below 0.8 of the radius of a hollow: closer and det J is nearly zero.
+constexpr double share_of_radius = 0.8;
+constexpr int most_smoothings = 40;
+
+// Jets of a surface at all pairs of its Greville abscissae.
+std::vector<SurfaceJet<glm::dvec3>> jets(const Surface<glm::dvec3>& s, int derivatives)
+{
+    std::vector<SurfaceJet<glm::dvec3>> out;
+    out.reserve(s.points.size());
+    for (int i = 0; i < s.axes[0].count(); ++i)
+        for (int j = 0; j < s.axes[1].count(); ++j)
+            out.push_back(evaluate(s, {s.axes[0].greville(i), s.axes[1].greville(j)}, derivatives));
+    return out;
+}
+
+glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& otherwise)
+{
+    const double length = glm::length(v);
+    return length > 0 ? v / length : otherwise;
+}
+
+// The larger principal curvature toward n; negative where the surface curves away on all sides.
+double largest_curvature(const SurfaceJet<glm::dvec3>& s, const glm::dvec3& n)
+{
+    const double E = glm::dot(s.u, s.u), F = glm::dot(s.u, s.v), G = glm::dot(s.v, s.v);
+    const double L = glm::dot(s.uu, n), M = glm::dot(s.uv, n), N = glm::dot(s.vv, n);
+    const double area = E * G - F * F;
+    if (!(area > 0)) return 0;
+    const double mean = (E * N - 2 * F * M + G * L) / (2 * area);
+    const double gauss = (L * N - M * M) / area;
+    return mean + std::sqrt(std::max(0.0, mean * mean - gauss));
+}
+
+Points smoothed(const Points& in, int rows, int columns)
+{
+    Points out(in.size());
+    const auto at = [columns](int i, int j) {
+        return static_cast<std::size_t>(i) * static_cast<std::size_t>(columns) +
+               static_cast<std::size_t>(j);
+    };
+    for (int i = 0; i < rows; ++i)
+        for (int j = 0; j < columns; ++j) {
+            const glm::dvec3 around =
+                in[at(std::max(i - 1, 0), j)] + in[at(std::min(i + 1, rows - 1), j)] +
+                in[at(i, std::max(j - 1, 0))] + in[at(i, std::min(j + 1, columns - 1))];
+            out[at(i, j)] = (in[at(i, j)] + around / 4.0) / 2.0;
+        }
+    return out;
+}
+
+} // namespace
+
+Extrusion extrusion(const Surface<glm::dvec3>& contact, const View& view, double height,
+                    double offset, bool through_nodes)
+{
+    const int rows = contact.axes[0].count(), columns = contact.axes[1].count();
+    const auto at_nodes = jets(contact, 2);
+    Points rise(at_nodes.size());
+    int lowered = 0;
+    for (std::size_t k = 0; k < rise.size(); ++k) {
+        const SurfaceJet<glm::dvec3>& s = at_nodes[k];
+        const glm::dvec3 v = view.toward_eye(s.value);
+        if (offset == 0) {
+            rise[k] = height * v;
+            continue;
+        }
+        const glm::dvec3 n = unit_or(glm::cross(s.u, s.v), v);
+        const glm::dvec3 d = unit_or(glm::mix(v, n, offset), v);
+        const double bend = offset * largest_curvature(s, n);
+        const double highest = bend > 0 ? share_of_radius / bend : height;
+        if (highest < height) ++lowered;
+        rise[k] = std::min(height, highest) * d;
+    }
+    const auto surface = [&](const Points& values) {
+        return through_nodes ? interpolate(contact.axes, values)
+                             : Surface<glm::dvec3>{contact.axes, values};
+    };
+    Extrusion out{surface(rise), lowered};
+    if (offset == 0) return out;
+    for (int i = 0; i < most_smoothings && smallest_jacobian(contact, out.rise) <= 0; ++i) {
+        rise = smoothed(rise, rows, columns);
+        out.rise = surface(rise);
+    }
+    return out;
+}
+
+Lattice volume_over(const Surface<glm::dvec3>& contact, const Surface<glm::dvec3>& rise,
+                    const Knots& above)
+{
+    Trivariate<glm::dvec3> f{{contact.axes[0], contact.axes[1], above}, {}};
+    f.points.reserve(contact.points.size() * static_cast<std::size_t>(above.count()));
+    for (std::size_t k = 0; k < contact.points.size(); ++k)
+        for (int i = 0; i < above.count(); ++i)
+            f.points.push_back(contact.points[k] + above.greville(i) * rise.points[k]);
+    return lattice_through(f);
+}
+
+double smallest_jacobian(const Surface<glm::dvec3>& contact, const Surface<glm::dvec3>& rise)
+{
+    const auto s = jets(contact, 1), e = jets(rise, 1);
+    double smallest = 1e300;
+    for (std::size_t k = 0; k < s.size(); ++k)
+        for (const double w : {0.0, 0.5, 1.0})
+            smallest =
+                std::min(smallest, glm::dot(glm::cross(s[k].u + w * e[k].u, s[k].v + w * e[k].v),
+                                            e[k].value));
+    return smallest;
+}
+
+} // namespace trivar

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/ffd/lattice.h"
+#include "core/placement/view.h"
+#include "core/spline/surface.h"
+
+namespace trivar {
+
+// F(u, v, w) = S(u, v) + w E(u, v): the contact surface and, on the same axes, how far and where
+// to the volume rises over it.
+struct Extrusion {
+    Surface<glm::dvec3> rise; // E
+    int lowered = 0;          // columns whose height the fold guard took down
+};
+
+// F1 (offset 0): E = h V, V toward the camera. F2 (offset 1): E = h n, n the normals of S. Between:
+// the blend of the two, made unit. Where the offset would fold because S curves tighter than it is
+// high, the height is taken down, and the normals are smoothed until none does. Schein 2006, 2.3.1.
+Extrusion extrusion(const Surface<glm::dvec3>& contact, const View& view, double height,
+                    double offset, bool through_nodes);
+
+// Control points S_ij + g_k E_ij at the Greville abscissae g_k of the third axis: exactly linear
+// in w, whatever its order.
+Lattice volume_over(const Surface<glm::dvec3>& contact, const Surface<glm::dvec3>& rise,
+                    const Knots& above);
+
+// The smallest det J of F over the nodes, at w = 0, 1/2 and 1.
+double smallest_jacobian(const Surface<glm::dvec3>& contact, const Surface<glm::dvec3>& rise);
+
+} // namespace trivar

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/placement/placement.h"
+
+#include "core/base/parallel.h"
+#include "core/base/rejected.h"
+#include "core/mesh/primitives.h"
+#include "tests/placement/scenes.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace trivar {
+namespace {
+
+using namespace testing;
+
+RayScene ground()
+{
+    return scene_of(plane_mesh({20, 20}, {4, 4}));
+}
+
+Placement placed(const Sketch& sketch, const RayScene& scene, const PlacementParameters& p = {})
+{
+    Timings timings;
+    return place(sketch, p, snake_box(), scene, timings);
+}
+
+TEST(Place, OnAPlaneTheContactIsPlanarAndEvenlySpread)
+{
+    const Camera camera = from_above();
+    const Placement out = placed(stroke(camera, {{300, 500}, {1200, 560}}), ground());
+    const double length = out.report.length_world, width = out.report.width_world;
+    // 902 pixels of 2 mm; the snake is a fifth as wide and a tenth as high as long.
+    EXPECT_NEAR(length, 0.002 * std::hypot(900, 60), 1e-9);
+    EXPECT_NEAR(width, length / 5, 1e-9);
+    EXPECT_NEAR(out.report.height_world, length / 10, 1e-9);
+    for (double u = 0; u <= 1; u += 0.125)
+        for (double v = 0; v <= 1; v += 0.125) {
+            const auto s = evaluate(out.contact, {u, v}, 1);
+            EXPECT_NEAR(s.value.z, 0, 1e-12);
+            EXPECT_NEAR(glm::length(s.u), length, 1e-9 * length);
+            EXPECT_NEAR(glm::length(s.v), width, 1e-9 * width);
+        }
+}
+
+TEST(Place, IsDeterministicForAnyNumberOfThreads)
+{
+    const RayScene scene = scene_of(
+        height_field(6, 80, [](double x, double y) { return 0.3 * sin(3 * x) * cos(4 * y); }));
+    const Sketch sketch = stroke_over(from_the_side(), {{-1, 0, 0}, {0, 0.3, 0}, {1, 0, 0}});
+    const auto with_threads = [&](int n) {
+        const ThreadLimit limit(n);
+        return placed(sketch, scene, {.offset = 0.5});
+    };
+    const Placement one = with_threads(1), two = with_threads(2);
+    EXPECT_EQ(one.contact, two.contact);
+    EXPECT_EQ(one.volume, two.volume);
+    EXPECT_EQ(one.embedding, two.embedding);
+}
+
+TEST(Place, NeverMirrorsTheModel)
+{
+    for (const bool reverse : {false, true})
+        for (const double roll : {0.0, 90.0, 180.0, 270.0}) {
+            const Placement out = placed(stroke(from_above(), {{300, 500}, {1200, 500}}), ground(),
+                                         {.reverse = reverse, .roll_deg = roll});
+            const glm::dmat3 to_uvw(out.embedding.to_uvw);
+            const auto jet = evaluate(out.volume, {0.5, 0.5, 0.5}, 1);
+            const glm::dmat3 j(jet.first[0], jet.first[1], jet.first[2]);
+            EXPECT_GT(glm::determinant(j * to_uvw), 0);
+            EXPECT_GT(out.report.smallest_jacobian, 0.99);
+        }
+}
+
+TEST(Place, KeepsTheProportionsOfTheModel)
+{
+    const Placement out = placed(stroke(from_above(), {{300, 500}, {1200, 500}}), ground(),
+                                 {.start = 0.25, .fill = 0.5});
+    const auto jet = evaluate(out.volume, {0.5, 0.5, 0.5}, 1);
+    const glm::dmat3 j =
+        glm::dmat3(jet.first[0], jet.first[1], jet.first[2]) * glm::dmat3(out.embedding.to_uvw);
+    for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(glm::length(j[axis]), 1.8 * 0.5 / 10, 1e-9);
+    EXPECT_NEAR((out.embedding.to_uvw * glm::dvec4(-5, 0, 0, 1)).x, 0.25, 1e-12);
+    EXPECT_NEAR((out.embedding.to_uvw * glm::dvec4(5, 0, 1, 1)).x, 0.75, 1e-12);
+    EXPECT_NEAR((out.embedding.to_uvw * glm::dvec4(5, 0, 1, 1)).z, 1, 1e-12);
+}
+
+} // namespace
+} // namespace trivar
