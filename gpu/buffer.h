@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+namespace trivar::gpu {
+
+// A GL buffer object. Needs the context it was made in to be current, as all wrappers here do.
+class Buffer {
+public:
+    Buffer() = default;
+    Buffer(Buffer&& other) noexcept;
+    Buffer& operator=(Buffer&& other) noexcept;
+    ~Buffer();
+
+    // Replaces the contents; the old storage is orphaned, so nothing waits for draws under way.
+    void write(std::span<const std::byte> bytes);
+    unsigned name() const { return name_; }
+
+private:
+    unsigned name_ = 0;
+};
+
+} // namespace trivar::gpu

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gpu/context.h"
+
+#include "core/base/rejected.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <epoxy/egl.h>
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+namespace trivar::gpu {
+namespace {
+
+EGLDisplay surfaceless_display()
+{
+    if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless"))
+        return EGL_NO_DISPLAY;
+    return eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
+}
+
+EGLDisplay device_display()
+{
+    if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device")) return EGL_NO_DISPLAY;
+    EGLDeviceEXT device = nullptr;
+    EGLint count = 0;
+    if (!eglQueryDevicesEXT(1, &device, &count) || count < 1) return EGL_NO_DISPLAY;
+    return eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr);
+}
+
+EGLContext context_of(EGLDisplay display)
+{
+    // Without a surface the configuration matters little, but some drivers insist on one.
+    const std::array<EGLint, 5> wanted{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0,
+                                       EGL_NONE};
+    EGLConfig config = nullptr;
+    EGLint count = 0;
+    if (!eglChooseConfig(display, wanted.data(), &config, 1, &count) || count < 1) config = nullptr;
+    const std::array<EGLint, 9> version{EGL_CONTEXT_MAJOR_VERSION,
+                                        4,
+                                        EGL_CONTEXT_MINOR_VERSION,
+                                        3,
+                                        EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                        EGL_CONTEXT_OPENGL_DEBUG,
+                                        EGL_TRUE,
+                                        EGL_NONE};
+    return eglCreateContext(display, config, EGL_NO_CONTEXT, version.data());
+}
+
+} // namespace
+
+struct HeadlessContext::State {
+    EGLDisplay display = EGL_NO_DISPLAY;
+    EGLContext context = EGL_NO_CONTEXT;
+
+    // Makes a context current on the display; returns why not, or nothing.
+    std::string open(EGLDisplay candidate)
+    {
+        if (candidate == EGL_NO_DISPLAY) return "not offered by this EGL";
+        if (!eglInitialize(candidate, nullptr, nullptr)) return "cannot be initialised";
+        display = candidate;
+        std::string why;
+        if (!eglBindAPI(EGL_OPENGL_API))
+            why = "has no desktop OpenGL";
+        else if ((context = context_of(display)) == EGL_NO_CONTEXT)
+            why = "has no OpenGL 4.3 core context";
+        else if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context))
+            why = "cannot draw without a surface";
+        if (!why.empty()) close();
+        return why;
+    }
+
+    void close()
+    {
+        eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        if (context != EGL_NO_CONTEXT) eglDestroyContext(display, context);
+        context = EGL_NO_CONTEXT;
+        // The display is shared by everyone in the process who asked for it: it is not terminated.
+        display = EGL_NO_DISPLAY;
+    }
+};
+
+HeadlessContext::HeadlessContext() : state_(std::make_unique<State>())
+{
+    const std::string surfaceless = state_->open(surfaceless_display());
+    if (surfaceless.empty()) return;
+    const std::string device = state_->open(device_display());
+    if (device.empty()) return;
+    throw Rejected(fmt::format("No OpenGL without a window here: EGL's surfaceless platform {}, "
+                               "its device platform {}.",
+                               surfaceless, device));
+}
+
+HeadlessContext::~HeadlessContext()
+{
+    state_->close();
+}
+
+std::string describe_context()
+{
+    const auto text = [](GLenum name) -> std::string {
+        const GLubyte* value = glGetString(name);
+        return value ? reinterpret_cast<const char*>(value) : "?";
+    };
+    return fmt::format("{}, {}, OpenGL {}", text(GL_VENDOR), text(GL_RENDERER), text(GL_VERSION));
+}
+
+bool is_software()
+{
+    std::string name = describe_context();
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    for (const char* known : {"llvmpipe", "softpipe", "swrast", "software", "gdi generic"})
+        if (name.find(known) != std::string::npos) return true;
+    return false;
+}
+
+} // namespace trivar::gpu

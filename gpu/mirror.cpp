@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gpu/mirror.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <epoxy/gl.h>
+
+namespace trivar::gpu {
+namespace {
+
+template <class T>
+void add_attribute(MirroredMesh& out, unsigned location, const std::vector<T>& values)
+{
+    if (values.empty()) return;
+    out.buffers.emplace_back().write(std::as_bytes(std::span(values)));
+    out.vertices.attribute(location, out.buffers.back(), T::length(), sizeof(T));
+}
+
+// The triangles' corners, those of one material together.
+std::vector<std::uint32_t> sorted_corners(const Mesh& mesh, std::vector<MirroredMesh::Part>& parts)
+{
+    const std::vector<glm::uvec3> all = triangles(mesh);
+    std::vector<std::uint32_t> material(all.size(), 0);
+    if (!mesh.face_material.empty()) {
+        std::size_t next = 0;
+        for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+            const std::size_t count = mesh.face_begin[f + 1] - mesh.face_begin[f] - 2;
+            for (std::size_t i = 0; i < count && next < all.size(); ++i)
+                material[next++] = mesh.face_material[f];
+        }
+        assert(next == all.size());
+    }
+    std::vector<std::uint32_t> order(all.size());
+    for (std::size_t t = 0; t < order.size(); ++t) order[t] = static_cast<std::uint32_t>(t);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](auto a, auto b) { return material[a] < material[b]; });
+    std::vector<std::uint32_t> corners;
+    corners.reserve(3 * all.size());
+    for (const std::uint32_t t : order) {
+        if (parts.empty() || parts.back().material != material[t])
+            parts.push_back({material[t], static_cast<int>(corners.size()), 0});
+        for (int k = 0; k < 3; ++k) corners.push_back(all[t][k]);
+        parts.back().count += 3;
+    }
+    return corners;
+}
+
+MirroredMesh uploaded(const Mesh& mesh)
+{
+    MirroredMesh out;
+    out.buffers.reserve(7);
+    add_attribute(out, 0, mesh.positions);
+    add_attribute(out, 1, mesh.normals.empty() ? smooth_normals(mesh) : mesh.normals);
+    add_attribute(out, 2, mesh.tangents);
+    add_attribute(out, 3, mesh.colors);
+    // Two sets of texture coordinates, as every glTF viewer must; more are rare and fall back.
+    for (unsigned set = 0; set < std::min<std::size_t>(mesh.uvs.size(), 2); ++set)
+        add_attribute(out, 4 + set, mesh.uvs[set]);
+    out.buffers.emplace_back().write(
+        std::as_bytes(std::span(std::as_const(sorted_corners(mesh, out.parts)))));
+    out.vertices.indices(out.buffers.back());
+    return out;
+}
+
+template <class Entries> void erase_dead(Entries& entries)
+{
+    std::erase_if(entries, [](const auto& item) { return item.second.alive.expired(); });
+}
+
+} // namespace
+
+Mirror::MeshEntry& Mirror::entry(const Ref<Mesh>& mesh)
+{
+    MeshEntry& found = meshes_[mesh.get()];
+    // A dead mesh's address may have been taken by another one.
+    if (found.alive.lock() != mesh) {
+        found = {mesh, uploaded(*mesh), {}};
+        found.mirrored.serial = ++uploads_;
+    }
+    return found;
+}
+
+const MirroredMesh& Mirror::mesh(const Ref<Mesh>& mesh)
+{
+    return entry(mesh).mirrored;
+}
+
+Box Mirror::box_world(const Ref<Mesh>& mesh, const glm::dmat4& to_world)
+{
+    auto& boxes = entry(mesh).boxes;
+    for (const auto& [matrix, box] : boxes)
+        if (matrix == to_world) return box;
+    if (boxes.size() >= 16) boxes.clear();
+    return boxes.emplace_back(to_world, bounding_box(*mesh, to_world)).second;
+}
+
+const Texture2D& Mirror::texture(const Ref<Image>& image, bool srgb)
+{
+    TextureEntry& found = textures_[{image.get(), srgb}];
+    if (found.alive.lock() != image) {
+        const glm::ivec2 size = image->size_px;
+        assert(size.x > 0 && size.y > 0);
+        const int levels = std::bit_width(static_cast<unsigned>(std::max(size.x, size.y)));
+        found = {image, Texture2D(srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, size, true, levels)};
+        found.texture.write_rgba(image->rgba);
+    }
+    return found.texture;
+}
+
+void Mirror::drop_dead()
+{
+    erase_dead(meshes_);
+    erase_dead(textures_);
+}
+
+} // namespace trivar::gpu

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/ref.h"
+#include "core/mesh/model.h"
+#include "gpu/texture.h"
+#include "gpu/vertex_array.h"
+
+#include <map>
+#include <memory>
+
+namespace trivar::gpu {
+
+// A mesh as the GPU has it: triangles sorted by material.
+struct MirroredMesh {
+    struct Part {
+        std::uint32_t material = 0;
+        int first = 0, count = 0; // of the indices
+    };
+    VertexArray vertices;
+    std::vector<Buffer> buffers;
+    std::vector<Part> parts;
+    std::uint64_t serial = 0; // no two uploads have the same
+};
+
+// Uploads of immutable values, keyed by Ref identity. The mirror owns none of the values: what
+// nobody else holds any more is freed by drop_dead().
+class Mirror {
+public:
+    const MirroredMesh& mesh(const Ref<Mesh>& mesh);
+    // bounding_box(), remembered for the last few matrices a mesh was seen with.
+    Box box_world(const Ref<Mesh>& mesh, const glm::dmat4& to_world);
+    const Texture2D& texture(const Ref<Image>& image, bool srgb);
+    void drop_dead();
+
+    std::size_t mesh_count() const { return meshes_.size(); }
+    std::size_t texture_count() const { return textures_.size(); }
+
+private:
+    struct MeshEntry {
+        std::weak_ptr<const Mesh> alive;
+        MirroredMesh mirrored;
+        std::vector<std::pair<glm::dmat4, Box>> boxes;
+    };
+    struct TextureEntry {
+        std::weak_ptr<const Image> alive;
+        Texture2D texture;
+    };
+    MeshEntry& entry(const Ref<Mesh>& mesh);
+    std::map<const Mesh*, MeshEntry> meshes_;
+    std::map<std::pair<const Image*, bool>, TextureEntry> textures_;
+    std::uint64_t uploads_ = 0;
+};
+
+} // namespace trivar::gpu

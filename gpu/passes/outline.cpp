@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gpu/passes/overlays.h"
+
+#include <array>
+#include <epoxy/gl.h>
+
+namespace trivar::gpu {
+namespace {
+
+constexpr float outline_px = 2.2f;
+
+struct Rectangle {
+    glm::ivec2 lo, size;
+};
+
+// The part of the picture that holds the highlighted instances and their outline.
+Rectangle bounds_px(const Frame& frame, const Scene& scene, glm::ivec2 size_px)
+{
+    glm::vec2 lo(1), hi(-1);
+    for (const SceneItem& item : scene.items)
+        for (int k = 0; item.highlighted && k < 8; ++k) {
+            const glm::vec3 p((k & 1 ? item.hi : item.lo).x, (k & 2 ? item.hi : item.lo).y,
+                              (k & 4 ? item.hi : item.lo).z);
+            const glm::vec4 c = frame.view_clip * glm::vec4(p, 1);
+            if (c.w <= 0) return {glm::ivec2(0), size_px}; // beside the eye: anywhere
+            lo = glm::min(lo, glm::vec2(c) / c.w);
+            hi = glm::max(hi, glm::vec2(c) / c.w);
+        }
+    lo = glm::clamp(lo, -1.0f, 1.0f) * 0.5f + 0.5f;
+    hi = glm::clamp(hi, -1.0f, 1.0f) * 0.5f + 0.5f;
+    const glm::ivec2 from = glm::max(glm::ivec2(lo * glm::vec2(size_px)) - 5, glm::ivec2(0));
+    const glm::ivec2 to = glm::min(glm::ivec2(hi * glm::vec2(size_px)) + 6, size_px);
+    return {from, glm::max(to - from, glm::ivec2(0))};
+}
+
+} // namespace
+
+void draw_outline(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
+                  const glm::vec3& color)
+{
+    const Rectangle part = bounds_px(frame, scene, targets.size_px);
+    const auto only_part = [&] {
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(part.lo.x, part.lo.y, part.size.x, part.size.y);
+    };
+    targets.to_mask.bind();
+    set_state({});
+    const std::array<float, 4> none{0, 0, 0, 0};
+    glClearBufferfv(GL_COLOR, 0, none.data());
+    for (const bool visible : {false, true}) {
+        set_state({.depth = visible ? DepthTest::less_equal : DepthTest::off});
+        only_part();
+        glEnable(GL_POLYGON_OFFSET_FILL); // or the instance would hide itself
+        glPolygonOffset(-1, -2);
+        MeshPass pass;
+        pass.fragment = "mask";
+        pass.scene_to_clip = frame.view_clip;
+        pass.reads_material = false;
+        pass.wanted = [](const SceneItem& item, const auto&) { return item.highlighted; };
+        pass.prepare = [visible](const Program& program, const SceneItem&) {
+            program.set("value", visible ? 1.0f : 0.5f);
+        };
+        tools.draw(scene, pass);
+        glDisable(GL_POLYGON_OFFSET_FILL);
+    }
+    targets.to_color.bind();
+    set_state({.blend = true});
+    only_part();
+    const Program& program = tools.use(full_screen_program("outline"));
+    program.set("color", glm::vec4(color, 1));
+    program.set("width_px", outline_px);
+    targets.mask.bind(0);
+    tools.full_screen();
+}
+
+} // namespace trivar::gpu

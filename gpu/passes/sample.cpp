@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gpu/passes/sample.h"
+
+#include <algorithm>
+#include <array>
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+namespace trivar::gpu {
+
+std::vector<std::string> Quality::shadow_defines() const
+{
+    std::vector<std::string> out{fmt::format("SHADOW_BLOCKERS {}", shadow_blockers),
+                                 fmt::format("SHADOW_TAPS {}", shadow_taps)};
+    if (shadow_blockers == 0) out.emplace_back("SHADOW_RADIUS 3.0"); // texels
+    return out;
+}
+
+void draw_surfaces(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
+                   bool clay)
+{
+    targets.to_surfaces.bind();
+    set_state({.depth = DepthTest::less, .write_depth = true});
+    const std::array<GLuint, 4> nothing{0, 0, 0, 0};
+    glClearBufferuiv(GL_COLOR, 0, nothing.data());
+    glClearBufferuiv(GL_COLOR, 1, nothing.data());
+    glClear(GL_DEPTH_BUFFER_BIT);
+    MeshPass pass;
+    pass.fragment = "surfaces";
+    if (clay) pass.defines.emplace_back("CLAY");
+    pass.scene_to_clip = frame.view_clip;
+    pass.wanted = solid;
+    pass.prepare = [](const Program& program, const SceneItem& item) {
+        program.set("id", static_cast<unsigned>(item.id));
+    };
+    tools.draw(scene, pass);
+}
+
+void draw_occlusion(Tools& tools, const Targets& targets)
+{
+    set_state({});
+    targets.surfaces.bind(2);
+    targets.ids_depths.bind(3);
+    targets.to_occlusion_noisy.bind();
+    tools.use(full_screen_program("occlusion"));
+    tools.full_screen();
+    targets.to_occlusion.bind();
+    tools.use(full_screen_program("occlusion_blur"));
+    targets.occlusion_noisy.bind(1);
+    tools.full_screen();
+}
+
+void draw_light(Tools& tools, const Targets& targets, const Quality& quality)
+{
+    targets.to_color.bind();
+    // The triangle lies at the far plane, so "greater" passes where a surface is: software GL
+    // skips the rest in blocks.
+    set_state({.depth = DepthTest::greater});
+    std::vector<std::string> defines = quality.shadow_defines();
+    if (quality.occlusion) defines.emplace_back("OCCLUSION");
+    tools.use(full_screen_program("shade", defines));
+    targets.occlusion.bind(1);
+    targets.surfaces.bind(2);
+    targets.ids_depths.bind(3);
+    tools.full_screen();
+}
+
+void draw_backdrop(Tools& tools, const Targets& targets, const Quality& quality)
+{
+    targets.to_color.bind();
+    set_state({.depth = DepthTest::less_equal});
+    tools.use(full_screen_program("backdrop", quality.shadow_defines()));
+    tools.full_screen();
+}
+
+void draw_ghosts(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
+                 const Quality& quality)
+{
+    struct Ghost {
+        const SceneItem* item;
+        const MirroredMesh::Part* part;
+        float distance;
+    };
+    std::vector<Ghost> ghosts;
+    for (const SceneItem& item : scene.items)
+        for (const MirroredMesh::Part& part : item.mesh->parts)
+            if (item.see_through(part)) {
+                const glm::vec4 middle((item.lo + item.hi) * 0.5f, 1);
+                ghosts.push_back({&item, &part, -(frame.view * middle).z});
+            }
+    std::stable_sort(ghosts.begin(), ghosts.end(),
+                     [](const Ghost& a, const Ghost& b) { return a.distance > b.distance; });
+
+    // From back to front, of each only the layer nearest to the eye: its depth first.
+    MeshPass depth;
+    depth.fragment = "depth";
+    depth.scene_to_clip = frame.view_clip;
+    depth.reads_material = false;
+    MeshPass light;
+    light.fragment = "ghost";
+    light.defines = quality.shadow_defines();
+    light.scene_to_clip = frame.view_clip;
+    light.prepare = [](const Program& program, const SceneItem& item) {
+        program.set("opacity", item.opacity);
+    };
+    MeshPass ids = depth;
+    ids.fragment = "ids";
+    ids.prepare = [](const Program& program, const SceneItem& item) {
+        program.set("id", static_cast<unsigned>(item.id));
+    };
+    for (const Ghost& ghost : ghosts) {
+        targets.to_color.bind();
+        set_state({.depth = DepthTest::less, .write_depth = true, .write_color = false});
+        tools.draw(*ghost.item, *ghost.part, depth);
+        set_state({.depth = DepthTest::less_equal, .blend = true});
+        tools.draw(*ghost.item, *ghost.part, light);
+        if (ghost.item->id == 0) continue;
+        targets.to_ids.bind();
+        set_state({.depth = DepthTest::less_equal});
+        tools.draw(*ghost.item, *ghost.part, ids);
+    }
+}
+
+void add_sample(Tools& tools, const Targets& targets, int index)
+{
+    targets.to_sum.bind();
+    set_state({.blend = true});
+    const Program& program = tools.use(full_screen_program("average"));
+    program.set("weight", 1.0f / static_cast<float>(index + 1));
+    program.set("last", 0);
+    targets.color.bind(0);
+    tools.full_screen();
+}
+
+void draw_average(Tools& tools, const Targets& targets)
+{
+    targets.to_color.bind();
+    set_state({});
+    const Program& program = tools.use(full_screen_program("average"));
+    program.set("weight", 1.0f);
+    program.set("last", 1);
+    targets.sum.bind(0);
+    tools.full_screen();
+}
+
+} // namespace trivar::gpu

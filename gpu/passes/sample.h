@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gpu/passes/targets.h"
+#include "gpu/passes/tools.h"
+
+namespace trivar::gpu {
+
+// How much is spent on a sample.
+struct Quality {
+    bool occlusion = true;
+    int shadow_blockers = 8, shadow_taps = 12; // no blockers: shadows of one softness
+    std::vector<std::string> shadow_defines() const;
+};
+
+// The passes of one sample of a picture, in order. Each reads what the ones before left in the
+// targets; contact and shadow map are bound.
+void draw_surfaces(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
+                   bool clay);
+void draw_occlusion(Tools& tools, const Targets& targets);
+void draw_light(Tools& tools, const Targets& targets, const Quality& quality);
+void draw_backdrop(Tools& tools, const Targets& targets, const Quality& quality);
+void draw_ghosts(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
+                 const Quality& quality);
+// Mixes the sample into the average of those before; `index` counts from 0.
+void add_sample(Tools& tools, const Targets& targets, int index);
+void draw_average(Tools& tools, const Targets& targets);
+
+} // namespace trivar::gpu

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gpu/passes/tools.h"
+
+namespace trivar::gpu {
+
+// What the key light sees: an orthographic depth map fitted to the casters. Drawn anew only when
+// they, the light or the resolution change.
+class ShadowMap {
+public:
+    ShadowMap();
+    // Fits the map and fills in the frame's key_clip and shadow_map; `resolution_px` is its side.
+    void fit(Frame& frame, const Scene& scene, int resolution_px);
+    // Whether the map shows something else than was fitted last.
+    bool stale(const Scene& scene) const;
+    void draw(Tools& tools, const Scene& scene);
+    void bind() const; // to the units of shadow.glsl
+
+private:
+    Texture2D depth_;
+    Framebuffer target_;
+    Sampler compared_, plain_;
+    glm::mat4 fitted_{0}, drawn_{0};
+    CasterKey drawn_from_;
+};
+
+} // namespace trivar::gpu

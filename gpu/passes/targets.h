@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gpu/framebuffer.h"
+
+namespace trivar::gpu {
+
+// The textures of one picture size, and the framebuffers over them.
+struct Targets {
+    explicit Targets(glm::ivec2 size_px);
+
+    glm::ivec2 size_px;
+    Texture2D depth;      // 32-bit float
+    Texture2D surfaces;   // pack.glsl
+    Texture2D ids_depths; // instance id, bits of the distance along the view direction
+    Texture2D occlusion_noisy, occlusion; // half size: open share, distance
+    Texture2D color;                      // sRGB
+    Texture2D color_bytes;                // the same texels as plain bytes
+    Texture2D sum;                        // average of the samples so far, linear
+    Texture2D mask;                       // of highlighted instances
+
+    Framebuffer to_surfaces, to_ids, to_occlusion_noisy, to_occlusion, to_color, to_bytes, to_sum,
+        to_mask;
+};
+
+} // namespace trivar::gpu

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gpu/passes/tools.h"
+
+#include <array>
+#include <epoxy/gl.h>
+
+namespace trivar::gpu {
+namespace {
+
+constexpr unsigned first_material_unit = 8; // surface.glsl
+constexpr unsigned frame_binding = 0;       // frame.glsl
+
+struct Slot {
+    const Texture* texture;
+    bool srgb;
+};
+std::array<Slot, 5> slots_of(const Material& m)
+{
+    return {{{&m.base_color_texture, true},
+             {&m.metallic_roughness_texture, false},
+             {&m.normal_texture, false},
+             {&m.occlusion_texture, false},
+             {&m.emissive_texture, true}}};
+}
+
+bool usable(const Texture& texture)
+{
+    if (!texture.image) return false;
+    const glm::ivec2 size = texture.image->size_px;
+    constexpr int largest = 16384; // what OpenGL 4.3 promises
+    return size.x > 0 && size.y > 0 && size.x <= largest && size.y <= largest &&
+           texture.image->rgba.size() == static_cast<std::size_t>(size.x) * size.y * 4;
+}
+
+bool textured(const Material& material)
+{
+    for (const Slot& slot : slots_of(material))
+        if (usable(*slot.texture)) return true;
+    return false;
+}
+
+} // namespace
+
+void set_state(const DrawState& state)
+{
+    const bool test = state.depth != DepthTest::off;
+    (test ? glEnable : glDisable)(GL_DEPTH_TEST);
+    glDepthFunc(state.depth == DepthTest::less_equal ? GL_LEQUAL
+                : state.depth == DepthTest::equal    ? GL_EQUAL
+                : state.depth == DepthTest::greater  ? GL_GREATER
+                                                     : GL_LESS);
+    glDepthMask(state.write_depth);
+    const GLboolean color = state.write_color;
+    glColorMask(color, color, color, color);
+    (state.blend ? glEnable : glDisable)(GL_BLEND);
+    // The picture stays opaque whatever is blended into it.
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_SCISSOR_TEST);
+    glEnable(GL_FRAMEBUFFER_SRGB);
+}
+
+bool solid(const SceneItem& item, const MirroredMesh::Part& part)
+{
+    return !item.see_through(part);
+}
+
+ProgramName full_screen_program(std::string fragment, std::vector<std::string> defines)
+{
+    return {"full", std::move(fragment), std::move(defines)};
+}
+
+Tools::Tools()
+{
+    using Edge = Sampler::Edge;
+    for (const Edge u : {Edge::clamp, Edge::repeat})
+        for (const Edge v : {Edge::clamp, Edge::repeat}) samplers_.emplace_back(u, v, true);
+}
+
+void Tools::set_frame(const Frame& frame)
+{
+    frame_.write(std::as_bytes(std::span(&frame, 1)));
+    glBindBufferBase(GL_UNIFORM_BUFFER, frame_binding, frame_.name());
+}
+
+void Tools::full_screen() const
+{
+    nothing_.bind();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+int Tools::bind_textures(const Material& material)
+{
+    int use = 0;
+    unsigned slot = 0;
+    for (const auto& [texture, srgb] : slots_of(material)) {
+        if (usable(*texture)) {
+            mirror_.texture(texture->image, srgb).bind(first_material_unit + slot);
+            samplers_[2 * texture->repeat_u + texture->repeat_v].bind(first_material_unit + slot);
+            use |= (texture->uv_set == 1 ? 3 : 1) << (2 * slot);
+        }
+        ++slot;
+    }
+    return use;
+}
+
+void Tools::set_material(const Program& program, const Material& material)
+{
+    const bool mask = material.alpha == Material::Alpha::mask;
+    const bool opaque = material.alpha == Material::Alpha::opaque;
+    glm::vec4 base = material.base_color;
+    if (opaque) base.a = 1;
+    program.set("base_color", base);
+    program.set("emissive_color", glm::vec4(material.emissive, material.normal_scale));
+    program.set("roughness_metallic",
+                glm::vec4(material.roughness, material.metallic, material.double_sided ? 1 : 0,
+                          mask ? material.alpha_cutoff : -1));
+    program.set("texture_use", bind_textures(material));
+}
+
+void Tools::draw(const SceneItem& item, const MirroredMesh::Part& part, const MeshPass& pass)
+{
+    const Material& material = item.material(part.material);
+    const bool mask = material.alpha == Material::Alpha::mask;
+    const bool reads = pass.reads_material || mask;
+    ProgramName name{"mesh", pass.fragment, pass.defines};
+    if (reads && textured(material)) name.defines.emplace_back("TEXTURED");
+    if (mask) name.defines.emplace_back("MASKED");
+    const Program& program = programs_.use(name);
+    program.set("to_scene", item.to_scene);
+    program.set("normal_to_scene", item.normal_to_scene);
+    program.set("scene_to_clip", pass.scene_to_clip);
+    if (reads) set_material(program, material);
+    if (pass.prepare) pass.prepare(program, item);
+    glFrontFace(item.mirrored ? GL_CW : GL_CCW);
+    item.mesh->vertices.bind();
+    const auto offset = static_cast<std::size_t>(part.first) * sizeof(std::uint32_t);
+    glDrawElements(GL_TRIANGLES, part.count, GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(offset));
+}
+
+void Tools::draw(const Scene& scene, const MeshPass& pass)
+{
+    // What meshes without these attributes have: no tangent, white, no texture coordinates.
+    glVertexAttrib3f(1, 0, 0, 1);
+    glVertexAttrib4f(2, 1, 0, 0, 0);
+    glVertexAttrib4f(3, 1, 1, 1, 1);
+    glVertexAttrib2f(4, 0, 0);
+    glVertexAttrib2f(5, 0, 0);
+    for (const SceneItem& item : scene.items)
+        for (const MirroredMesh::Part& part : item.mesh->parts)
+            if (pass.wanted(item, part)) draw(item, part, pass);
+}
+
+} // namespace trivar::gpu

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gpu/frame.h"
+#include "gpu/framebuffer.h"
+#include "gpu/mirror.h"
+#include "gpu/program.h"
+
+#include <functional>
+
+namespace trivar::gpu {
+
+enum class DepthTest { off, less, less_equal, equal, greater };
+
+// Every pass sets the state it needs, so that no pass depends on the one before.
+struct DrawState {
+    DepthTest depth = DepthTest::off;
+    bool write_depth = false, write_color = true, blend = false;
+};
+void set_state(const DrawState& state);
+
+// One pass over the meshes of a scene.
+struct MeshPass {
+    std::string fragment;             // which program draws it, beside mesh.vert
+    std::vector<std::string> defines; // of every variant
+    glm::mat4 scene_to_clip;
+    bool reads_material = true; // else only cut-outs do
+    std::function<bool(const SceneItem&, const MirroredMesh::Part&)> wanted;
+    std::function<void(const Program&, const SceneItem&)> prepare = {}; // uniforms of its own
+};
+
+// What all passes draw with.
+class Tools {
+public:
+    Tools();
+    const Program& use(const ProgramName& name) { return programs_.use(name); }
+    Mirror& mirror() { return mirror_; }
+    void set_frame(const Frame& frame);
+    // Runs the program in use over the whole framebuffer, at the far plane.
+    void full_screen() const;
+    void draw(const Scene& scene, const MeshPass& pass);
+    void draw(const SceneItem& item, const MirroredMesh::Part& part, const MeshPass& pass);
+
+private:
+    Programs programs_;
+    Mirror mirror_;
+    VertexArray nothing_;
+    Buffer frame_;
+    std::vector<Sampler> samplers_; // by 2 repeat_u + repeat_v
+    int bind_textures(const Material& material);
+    void set_material(const Program& program, const Material& material);
+};
+
+// Whether the part is solid: everything that is not see-through.
+bool solid(const SceneItem& item, const MirroredMesh::Part& part);
+
+// A full-screen program without variants.
+ProgramName full_screen_program(std::string fragment, std::vector<std::string> defines = {});
+
+} // namespace trivar::gpu

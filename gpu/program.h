@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gpu/shader_source.h"
+
+#include <glm/glm.hpp>
+#include <map>
+
+namespace trivar::gpu {
+
+// A linked GL program. Its uniforms are set by name while it is in use; a name the compiler has
+// dropped is ignored, as GL does.
+class Program {
+public:
+    explicit Program(const ProgramName& name); // asserts that our shaders compile, printing why not
+    Program(Program&& other) noexcept;
+    Program& operator=(Program&& other) noexcept;
+    ~Program();
+
+    void use() const;
+    void set(const char* uniform, int value) const;
+    void set(const char* uniform, unsigned value) const;
+    void set(const char* uniform, float value) const;
+    void set(const char* uniform, glm::vec2 value) const;
+    void set(const char* uniform, const glm::vec4& value) const;
+    void set(const char* uniform, const glm::mat3& value) const;
+    void set(const char* uniform, const glm::mat4& value) const;
+
+private:
+    unsigned name_ = 0;
+    int location(const char* uniform) const;
+    mutable std::map<std::string, int, std::less<>> locations_;
+};
+
+// The programs compiled so far, each once and when it is first wanted.
+class Programs {
+public:
+    // Makes the program current and returns it.
+    const Program& use(const ProgramName& name);
+
+private:
+    std::map<ProgramName, Program> compiled_;
+};
+
+} // namespace trivar::gpu

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gpu/scene.h"
+
+#include <cmath>
+
+namespace trivar::gpu {
+namespace {
+
+bool drawable(const Box& box)
+{
+    // Beyond this single precision has no squares left to compute with.
+    constexpr double limit = 1e15;
+    for (int i = 0; i < 3; ++i)
+        if (!(box.lo[i] > -limit && box.hi[i] < limit)) return false;
+    return !box.empty();
+}
+
+SceneItem item_of(const Instance& instance, const Box& box, const glm::dvec3& origin_world,
+                  Mirror& mirror)
+{
+    SceneItem item;
+    item.mesh = &mirror.mesh(instance.mesh);
+    item.materials = instance.materials;
+    glm::dmat4 to_scene = instance.to_world;
+    to_scene[3] -= glm::dvec4(origin_world, 0);
+    item.to_scene = to_scene;
+    const glm::dmat3 linear(to_scene);
+    const double volume = glm::determinant(linear);
+    // Cofactors turn normals right even where the matrix is flat; a mirror flips their sign.
+    const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
+                               glm::cross(linear[0], linear[1]));
+    const double size = std::cbrt(std::abs(volume)) + 1e-30;
+    item.normal_to_scene = cofactors * ((volume < 0 ? -1 : 1) / (size * size));
+    item.mirrored = volume < 0;
+    item.id = instance.id;
+    item.highlighted = instance.highlighted;
+    item.opacity = glm::clamp(instance.opacity, 0.0f, 1.0f);
+    item.lo = box.lo - origin_world;
+    item.hi = box.hi - origin_world;
+    return item;
+}
+
+} // namespace
+
+const Material& SceneItem::material(std::uint32_t index) const
+{
+    static const Material plain;
+    return materials && index < materials->size() ? (*materials)[index] : plain;
+}
+
+bool SceneItem::see_through(const MirroredMesh::Part& part) const
+{
+    return opacity < 1 || material(part.material).alpha == Material::Alpha::blend;
+}
+
+CasterKey casters_of(const Scene& scene)
+{
+    CasterKey key;
+    for (const SceneItem& item : scene.items)
+        if (item.opacity >= 1)
+            key.casters.push_back({item.mesh->serial, item.to_scene, item.materials});
+    return key;
+}
+
+Scene scene_of(const Picture& picture, Mirror& mirror)
+{
+    Scene scene;
+    std::vector<Box> boxes;
+    Box all, standing;
+    for (const Instance& instance : picture.instances) {
+        const bool some = instance.mesh && instance.mesh->face_count() > 0;
+        const Box box = some ? mirror.box_world(instance.mesh, instance.to_world) : Box{};
+        boxes.push_back(drawable(box) && instance.opacity > 0 ? box : Box{});
+        all.add(boxes.back());
+        if (instance.opacity >= 1) standing.add(boxes.back());
+    }
+    if (all.empty()) return scene;
+    scene.origin_world = all.center();
+    scene.lo = all.lo - scene.origin_world;
+    scene.hi = all.hi - scene.origin_world;
+    scene.radius = std::max(static_cast<float>(glm::length(all.size())) / 2, 1e-6f);
+    // A ghost that dips lower while it is moved does not pull the ground along.
+    scene.ground_z =
+        static_cast<float>((standing.empty() ? all : standing).lo.z - scene.origin_world.z);
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        if (!boxes[i].empty())
+            scene.items.push_back(
+                item_of(picture.instances[i], boxes[i], scene.origin_world, mirror));
+    return scene;
+}
+
+} // namespace trivar::gpu

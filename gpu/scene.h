@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gpu/mirror.h"
+#include "gpu/picture.h"
+
+namespace trivar::gpu {
+
+// An instance ready to be drawn. Scene space is world space moved to the middle of the scene, so
+// that single precision is enough wherever in the world the scene lies.
+struct SceneItem {
+    const MirroredMesh* mesh;
+    Ref<std::vector<Material>> materials; // may be null: the default material
+    glm::mat4 to_scene;
+    glm::mat3 normal_to_scene;
+    bool mirrored; // the matrix turns faces round
+    int id;
+    bool highlighted;
+    float opacity;
+    glm::vec3 lo, hi; // box in scene space
+
+    const Material& material(std::uint32_t index) const;
+    // Whether a part lets what is behind shine through.
+    bool see_through(const MirroredMesh::Part& part) const;
+};
+
+struct Scene {
+    glm::dvec3 origin_world{0};
+    std::vector<SceneItem> items;
+    glm::vec3 lo{0}, hi{0}; // of all items; the unit cube's half where there are none
+    float ground_z = 0;     // the lowest point of what stands there
+    float radius = 1;       // half the diagonal
+};
+
+// What the maps that do not depend on the camera were drawn from: equal keys, equal maps.
+struct CasterKey {
+    struct Caster {
+        std::uint64_t mesh_serial;
+        glm::mat4 to_scene;
+        Ref<std::vector<Material>> materials;
+        bool operator==(const Caster&) const = default;
+    };
+    std::vector<Caster> casters;
+    bool operator==(const CasterKey&) const = default;
+};
+CasterKey casters_of(const Scene& scene);
+
+// Uploads what is missing. Instances without a mesh, without triangles or with a matrix that is
+// not finite are left out.
+Scene scene_of(const Picture& picture, Mirror& mirror);
+
+} // namespace trivar::gpu

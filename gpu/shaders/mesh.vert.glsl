@@ -1,0 +1,31 @@
+// Every pass that draws meshes.
+#include "frame.glsl"
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec4 tangent; // w 0: none given
+layout(location = 3) in vec4 color;   // linear
+layout(location = 4) in vec2 uv_first;
+layout(location = 5) in vec2 uv_second;
+uniform mat4 to_scene;
+uniform mat3 normal_to_scene;
+uniform mat4 scene_to_clip;
+out vec3 at_scene;
+out vec3 at_normal;
+out vec4 at_color;
+#ifdef TEXTURED
+out vec4 at_tangent;
+out vec4 at_uv;
+#endif
+
+void main()
+{
+    at_scene = (to_scene * vec4(position, 1.0)).xyz;
+    at_normal = normal_to_scene * normal;
+    at_color = color;
+#ifdef TEXTURED
+    // A mirroring matrix turns the bitangent's sense round.
+    at_tangent = vec4(mat3(to_scene) * tangent.xyz, tangent.w * sign(determinant(mat3(to_scene))));
+    at_uv = vec4(uv_first, uv_second);
+#endif
+    gl_Position = scene_to_clip * vec4(at_scene, 1.0);
+}

@@ -1,0 +1,71 @@
+// Ambient occlusion at half size: visibility bitmasks (Therrien, Levesque, Gilet 2023) in the
+// slices of GTAO (Jimenez et al. 2016). The 32 sectors are uniform in sin(angle), so their free
+// share is cosine weighted; surfaces have a thickness, so thin parts throw no dark halo.
+#include "frame.glsl"
+#include "surface.glsl"
+#include "pack.glsl"
+layout(location = 0) out vec4 out_open;
+layout(binding = 2) uniform usampler2D surfaces;
+layout(binding = 3) uniform usampler2D ids_depths; // full size
+
+const int SLICES = 2, STEPS = 3;
+
+float quick_acos(float x)
+{
+    float a = abs(x);
+    float r = (1.5707288 + a * (-0.2121144 + a * (0.0742610 - a * 0.0187293))) * sqrt(1.0 - min(a, 1.0));
+    return x < 0.0 ? PI - r : r;
+}
+
+void main()
+{
+    ivec2 size = textureSize(ids_depths, 0), here = min(ivec2(gl_FragCoord.xy) * 2, size - 1);
+    uvec2 id_depth = texelFetch(ids_depths, here, 0).rg;
+    float depth = uintBitsToFloat(id_depth.g);
+    if (depth == 0.0) {
+        out_open = vec4(1.0, 1e9, 0.0, 0.0);
+        return;
+    }
+    vec2 uv = (vec2(here) + 0.5) / vec2(size);
+    bool perspective = frame.eye.w > 0.5;
+    vec3 n = mat3(frame.view) * unpacked_normal(texelFetch(surfaces, here, 0).x);
+    vec3 p = view_point(uv, depth), v = perspective ? normalize(-p) : vec3(0.0, 0.0, 1.0);
+    p += n * 0.002 * frame.scene.x;
+    float radius = frame.scene.z, thickness = radius * 0.5;
+    float radius_px = radius * frame.clip[1][1] * 0.5 * float(size.y) / (perspective ? depth : 1.0);
+    radius_px = min(radius_px, 0.25 * float(size.y));
+    ivec2 c = ivec2(gl_FragCoord.xy) & 3; // a 4 x 4 pattern, which the blur averages
+    float turn = fract((float((c.x ^ c.y) * 4 + c.y) + 0.5) / 16.0 + frame.scene.w * 0.618034);
+    float push = fract(float((c.y * 4 + c.x) * 7 % 16) / 16.0 + frame.scene.w * 0.754878);
+    float open = 0.0, weights = 0.0;
+    for (int s = 0; s < SLICES; s++) {
+        float phi = (float(s) + turn) * PI / float(SLICES);
+        vec2 w = vec2(cos(phi), sin(phi));
+        vec3 dv = vec3(w, 0.0), across = dv - dot(dv, v) * v, axis = normalize(cross(dv, v));
+        vec3 pn = n - axis * dot(n, axis);
+        float len = length(pn), cosine = clamp(dot(pn, v) / max(len, 1e-5), -1.0, 1.0);
+        float tilt = sign(dot(across, pn)) * quick_acos(cosine);
+        uint blocked = 0u;
+        for (int side = -1; side <= 1; side += 2)
+            for (int j = 0; j < STEPS; j++) {
+                float t = (float(j) + push + 0.25) / float(STEPS);
+                vec2 q = uv + float(side) * w * (t * t * radius_px + 2.0) / vec2(size);
+                ivec2 q_px = clamp(ivec2(q * vec2(size)), ivec2(0), size - 1);
+                float z = uintBitsToFloat(texelFetch(ids_depths, q_px, 0).g);
+                if (z == 0.0) continue;
+                vec3 d = view_point((vec2(q_px) + 0.5) / vec2(size), z) - p;
+                float l2 = dot(d, d);
+                if (l2 > radius * radius * 1.6) continue;
+                float front = quick_acos(dot(d, v) * inversesqrt(l2));
+                float back = quick_acos(dot(normalize(d - v * thickness), v));
+                vec2 h = clamp(vec2(front, back) * float(side) - tilt, -0.5 * PI, 0.5 * PI);
+                h = sin(h) * 0.5 + 0.5;
+                if (h.x > h.y) h = h.yx;
+                uint first = uint(h.x * 32.0), count = uint(clamp(round((h.y - h.x) * 32.0), 0.0, 32.0));
+                blocked |= count == 0u ? 0u : (0xFFFFFFFFu >> (32u - count)) << min(first, 31u);
+            }
+        open += len * (1.0 - float(bitCount(blocked)) / 32.0);
+        weights += len;
+    }
+    out_open = vec4(saturate(open / max(weights, 1e-4)), depth, 0.0, 0.0);
+}

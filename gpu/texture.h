@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+
+namespace trivar::gpu {
+
+// A two-dimensional GL texture with fixed storage.
+class Texture2D {
+public:
+    Texture2D() = default;
+    // `format` is a sized internal format; sampled linearly or by the nearest texel, clamped.
+    Texture2D(unsigned format, glm::ivec2 size_px, bool linear = false, int levels = 1);
+    Texture2D(Texture2D&& other) noexcept;
+    Texture2D& operator=(Texture2D&& other) noexcept;
+    ~Texture2D();
+
+    // The same texels seen through another format of the same size.
+    Texture2D view(unsigned format) const;
+    // 8-bit RGBA, first row first; makes the smaller levels.
+    void write_rgba(std::span<const std::uint8_t> rgba);
+    void bind(unsigned unit) const;
+    unsigned name() const { return name_; }
+    glm::ivec2 size_px() const { return size_px_; }
+
+private:
+    unsigned name_ = 0;
+    glm::ivec2 size_px_{0};
+};
+
+// How a texture is read, apart from the texture.
+class Sampler {
+public:
+    enum class Edge { repeat, clamp, white_border };
+    // `smooth`: linear between texels and levels, anisotropic; `compare`: depth comparison (<=).
+    Sampler(Edge u, Edge v, bool smooth, bool compare = false);
+    Sampler(Sampler&& other) noexcept;
+    Sampler& operator=(Sampler&& other) noexcept;
+    ~Sampler();
+    void bind(unsigned unit) const;
+
+private:
+    unsigned name_ = 0;
+};
+
+} // namespace trivar::gpu
