@@ -30,7 +30,8 @@ Framebuffer::Framebuffer(std::initializer_list<const Texture2D*> colors, const T
 }
 
 Framebuffer::Framebuffer(Framebuffer&& other) noexcept
-    : name_(std::exchange(other.name_, 0)), size_px_(std::exchange(other.size_px_, glm::ivec2(0)))
+    : name_(std::exchange(other.name_, 0)),
+      size_px_(std::exchange(other.size_px_, glm::ivec2(0)))
 {
 }
 

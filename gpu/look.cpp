@@ -26,11 +26,8 @@ Look studio()
     Look look;
     look.boxes[0] = {0, 0, {0.15f, 0.15f}, glm::vec3(1, 0.965f, 0.91f) * 35.0f, 0.02f};
     // Large, cool and low on the other side; a tall strip behind for the edges.
-    look.boxes[1] = {104 * degrees,
-                     22 * degrees,
-                     {0.34f, 0.62f},
-                     glm::vec3(0.86f, 0.93f, 1) * 0.55f,
-                     0.06f};
+    look.boxes[1] = {
+        104 * degrees, 22 * degrees, {0.34f, 0.62f}, glm::vec3(0.86f, 0.93f, 1) * 0.55f, 0.06f};
     look.boxes[2] = {
         200 * degrees, 30 * degrees, {0.16f, 0.75f}, glm::vec3(1, 0.98f, 0.95f) * 3.8f, 0.03f};
     look.zenith = glm::vec3(0.50f, 0.54f, 0.60f) * 0.62f;

@@ -57,8 +57,8 @@ MirroredMesh uploaded(const Mesh& mesh)
     // Two sets of texture coordinates, as every glTF viewer must; more are rare and fall back.
     for (unsigned set = 0; set < std::min<std::size_t>(mesh.uvs.size(), 2); ++set)
         add_attribute(out, 4 + set, mesh.uvs[set]);
-    out.buffers.emplace_back().write(
-        std::as_bytes(std::span(std::as_const(sorted_corners(mesh, out.parts)))));
+    const std::vector<std::uint32_t> corners = sorted_corners(mesh, out.parts);
+    out.buffers.emplace_back().write(std::as_bytes(std::span(corners)));
     out.vertices.indices(out.buffers.back());
     return out;
 }

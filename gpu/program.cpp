@@ -50,7 +50,8 @@ Program::Program(const ProgramName& name) : name_(glCreateProgram())
 }
 
 Program::Program(Program&& other) noexcept
-    : name_(std::exchange(other.name_, 0)), locations_(std::move(other.locations_))
+    : name_(std::exchange(other.name_, 0)),
+      locations_(std::move(other.locations_))
 {
 }
 

@@ -140,13 +140,11 @@ unsigned Renderer::draw(const Picture& picture, glm::ivec2 size_px)
         s.clock.pass("shadow map", [&] { s.shadow_map.draw(s.tools, scene); });
     const int contact_px = picture.draft ? 96 : 192;
     if (s.contact_map.stale(frame, scene, contact_px))
-        s.clock.pass("contact map",
-                     [&] { s.contact_map.draw(s.tools, frame, scene, contact_px); });
+        s.clock.pass("contact map", [&] { s.contact_map.draw(s.tools, frame, scene, contact_px); });
 
     for (int i = 0; i < samples; ++i) {
         s.draw_sample(sample_of(frame, i, samples), scene, look, quality);
-        if (samples > 1)
-            s.clock.pass("average", [&] { add_sample(s.tools, *s.targets, i); });
+        if (samples > 1) s.clock.pass("average", [&] { add_sample(s.tools, *s.targets, i); });
     }
     s.tools.set_frame(frame);
     if (samples > 1) s.clock.pass("average", [&] { draw_average(s.tools, *s.targets); });

@@ -74,16 +74,21 @@ Studio studio_for(const Look& look, double sun_azimuth, double sun_elevation, bo
         const double a = 2.399963229728653 * i;
         const glm::dvec3 d(r * std::cos(a), r * std::sin(a), z);
         const glm::dvec3 light =
-            dome(studio, d) +
-            glm::dvec3(studio.boxes[1].radiance) * softbox(studio.boxes[1], d) +
+            dome(studio, d) + glm::dvec3(studio.boxes[1].radiance) * softbox(studio.boxes[1], d) +
             glm::dvec3(studio.boxes[2].radiance) * softbox(studio.boxes[2], d);
-        const std::array<double, 9> basis{1,         d.y,       d.z,
-                                          d.x,       d.x * d.y, d.y * d.z,
-                                          3 * z * z - 1, d.x * d.z, d.x * d.x - d.y * d.y};
+        const std::array<double, 9> basis{1,
+                                          d.y,
+                                          d.z,
+                                          d.x,
+                                          d.x * d.y,
+                                          d.y * d.z,
+                                          3 * z * z - 1,
+                                          d.x * d.z,
+                                          d.x * d.x - d.y * d.y};
         for (std::size_t k = 0; k < 9; ++k) sums[k] += light * (basis[k] * weight);
         const double facing = std::max(0.0, glm::dot(d, glm::dvec3(studio.boxes[0].direction)));
-        key += glm::dvec3(studio.boxes[0].radiance) *
-               (softbox(studio.boxes[0], d) * facing * weight);
+        key +=
+            glm::dvec3(studio.boxes[0].radiance) * (softbox(studio.boxes[0], d) * facing * weight);
     }
     constexpr std::array<double, 9> norm{0.282095, 0.488603, 0.488603, 0.488603, 1.092548,
                                          1.092548, 0.315392, 1.092548, 0.546274};

@@ -22,7 +22,8 @@ Texture2D::Texture2D(unsigned format, glm::ivec2 size_px, bool linear, int level
 }
 
 Texture2D::Texture2D(Texture2D&& other) noexcept
-    : name_(std::exchange(other.name_, 0)), size_px_(std::exchange(other.size_px_, glm::ivec2(0)))
+    : name_(std::exchange(other.name_, 0)),
+      size_px_(std::exchange(other.size_px_, glm::ivec2(0)))
 {
 }
 

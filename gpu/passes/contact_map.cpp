@@ -16,7 +16,7 @@ glm::mat4 along_z(const Frame& frame, float height, bool up)
     glm::mat4 m(0);
     m[0][0] = m[1][1] = 2 * per_side;
     m[2][2] = (up ? 2 : -2) / span;
-    m[3] = glm::vec4(-2 * corner * per_side - 1.0f, 0, 1);
+    m[3] = glm::vec4(-2.0f * corner * per_side - 1.0f, 0, 1);
     m[3].z = up ? -1 - 2 * (ground - air) / span : 1 + 2 * (ground - air) / span;
     return m;
 }

@@ -11,8 +11,8 @@ float key_visibility(vec3 p, vec3 n, vec2 p_px)
     // Leave the surface a little: one texel, and more where the light grazes, or the terminator speckles.
     vec3 lifted = p + n * (width * texel * (1.5 - facing) + 0.008 * frame.scene.x * (1.0 - facing));
     vec3 q = (frame.key_clip * vec4(lifted, 1.0)).xyz * 0.5 + 0.5;
-    q.z = min(q.z, 0.99999); // beyond the far plane nothing blocks, but the comparison would say so
-    bool outside = any(lessThanEqual(q.xy, vec2(0.0))) || any(greaterThanEqual(q.xy, vec2(1.0)));
+    bool outside = any(lessThanEqual(q.xy, vec2(0.0))) || any(greaterThanEqual(q, vec3(1.0)));
+    const float FARTHEST = 0.999999; // where nothing is the map holds 1, which must not block
     // The receiver's own plane: depth change per uv, so that wide kernels do not shadow themselves.
     vec3 in_light = (frame.key_clip * vec4(n, 0.0)).xyz * vec3(width, width, -range) * 0.5;
     vec2 slope = in_light.xy / max(in_light.z, 0.25) * (width / range);
@@ -25,7 +25,7 @@ float key_visibility(vec3 p, vec3 n, vec2 p_px)
     for (int i = 0; i < blockers; i++) {
         vec2 o = sunflower(i, SHADOW_BLOCKERS, phi) * reach;
         float z = textureLod(shadow_depth, q.xy + o, 0.0).r;
-        float hit = step(z, q.z + dot(slope, o) - bias - 0.0015);
+        float hit = step(z, min(q.z + dot(slope, o) - bias - 0.0015, FARTHEST));
         sum += z * hit;
         count += hit;
     }
@@ -39,7 +39,8 @@ float key_visibility(vec3 p, vec3 n, vec2 p_px)
     float seen = 0.0;
     for (int i = 0; i < taps; i++) {
         vec2 o = sunflower(i, SHADOW_TAPS, phi + 1.7) * radius;
-        seen += texture(shadow_compare, vec3(q.xy + o, q.z + dot(slope, o) - bias));
+        float z = min(q.z + dot(slope, o) - bias, FARTHEST);
+        seen += texture(shadow_compare, vec3(q.xy + o, z));
     }
     return taps == 0 ? 1.0 : seen / float(SHADOW_TAPS);
 }

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/rejected.h"
+#include "tests/gpu/support.h"
+
+#include <limits>
+
+namespace trivar::gpu::testing {
+
+class TheRenderer : public WithContext {
+protected:
+    Renderer renderer;
+};
+
+Camera looking_at_origin(double distance)
+{
+    Camera camera;
+    camera.eye = {0, -distance, 0};
+    camera.target = {0, 0, 0};
+    camera.fov_y = 0.6;
+    return camera;
+}
+
+TEST_F(TheRenderer, DrawsAnEmptyPictureAsABackdropWithoutStructure)
+{
+    const Image image = renderer.render({}, {64, 48});
+    ASSERT_EQ(image.rgba.size(), 64u * 48 * 4);
+    for (int y = 0; y < 48; ++y)
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(rgb_at(image, {3, y})[c], rgb_at(image, {60, y})[c], 2); // dither
+    EXPECT_NE(rgb_at(image, {0, 0}), rgb_at(image, {0, 47}));
+    EXPECT_EQ(image.rgba[3], 255);
+}
+
+// A sphere of radius r seen from distance d covers the angle asin(r / d).
+TEST_F(TheRenderer, PutsASphereWhereTheCameraProjectsIt)
+{
+    Picture picture;
+    picture.camera = looking_at_origin(5);
+    picture.instances = {instance_of(sphere_mesh(1, 128, 64))};
+    picture.instances[0].id = 7;
+    picture.samples = 1;
+    const glm::ivec2 size(200, 160);
+    renderer.draw(picture, size);
+    const double radius_px = std::tan(std::asin(1.0 / 5)) / std::tan(0.3) * size.y / 2;
+    for (int y = 0; y < size.y; y += 3)
+        for (int x = 0; x < size.x; x += 3) {
+            const double r = glm::length(glm::dvec2(x + 0.5, y + 0.5) - glm::dvec2(size) / 2.0);
+            if (std::abs(r - radius_px) < 1) continue;
+            EXPECT_EQ(renderer.pick({x, y}), r < radius_px ? 7 : 0) << x << ' ' << y;
+        }
+}
+
+TEST_F(TheRenderer, PicksWhatTheCameraProjectsThere)
+{
+    for (const bool perspective : {true, false}) {
+        Picture picture;
+        picture.camera.perspective = perspective;
+        picture.camera.height_world = 6;
+        const glm::ivec2 size(160, 120);
+        picture.camera.size_px = size;
+        for (int i = 0; i < 3; ++i) {
+            picture.instances.push_back(instance_of(sphere_mesh(0.3, 24, 12), moved(i - 1, 0, i)));
+            picture.instances.back().id = i + 1;
+        }
+        renderer.draw(picture, size);
+        for (int i = 0; i < 3; ++i) {
+            const glm::ivec2 p(project(picture.camera, glm::dvec3(i - 1, 0, i)).p_px);
+            EXPECT_EQ(renderer.pick(p), i + 1);
+        }
+        EXPECT_EQ(renderer.pick({0, 0}), 0);
+        EXPECT_EQ(renderer.pick({-1, 500}), 0);
+    }
+}
+
+TEST_F(TheRenderer, DrawsTheSamePictureTwiceBitByBit)
+{
+    Picture picture;
+    picture.camera = looking_at_origin(4);
+    picture.instances = {instance_of(torus_mesh(0.8, 0.3, {48, 24}))};
+    const Image first = renderer.render(picture, {96, 64});
+    Renderer another;
+    EXPECT_EQ(first.rgba, another.render(picture, {96, 64}).rgba);
+    EXPECT_EQ(first.rgba, renderer.render(picture, {96, 64}).rgba);
+}
+
+TEST_F(TheRenderer, RefusesSizesThatCannotBeDrawn)
+{
+    EXPECT_THROW(renderer.draw({}, {0, 10}), Rejected);
+    EXPECT_THROW(renderer.draw({}, {10, 1 << 20}), Rejected);
+}
+
+TEST_F(TheRenderer, RefusesACameraThatLooksNowhere)
+{
+    Picture picture;
+    picture.camera.target = picture.camera.eye;
+    EXPECT_THROW(renderer.draw(picture, {32, 32}), Rejected);
+    picture.camera.target.x = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(renderer.draw(picture, {32, 32}), Rejected);
+}
+
+TEST_F(TheRenderer, LeavesOutInstancesThatAreNowhere)
+{
+    Picture picture;
+    picture.camera = looking_at_origin(4);
+    picture.instances = {instance_of(sphere_mesh(1, 16, 8)), Instance{}, instance_of(Mesh{}),
+                         instance_of(sphere_mesh(1, 16, 8), glm::dmat4(0.0 / 0.0))};
+    picture.instances[0].id = 1;
+    picture.instances[3].id = 2;
+    renderer.draw(picture, {32, 32});
+    EXPECT_EQ(renderer.pick({16, 16}), 1);
+}
+
+} // namespace trivar::gpu::testing
