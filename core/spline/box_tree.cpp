@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/spline/box_tree.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace trivar {
+
+BoxTree::BoxTree(const std::vector<Bounds>& boxes)
+{
+    std::vector<int> order(boxes.size());
+    std::iota(order.begin(), order.end(), 0);
+    nodes_.reserve(2 * boxes.size());
+    if (!order.empty()) build(boxes, order.begin(), order.end());
+}
+
+int BoxTree::build(const std::vector<Bounds>& boxes, std::vector<int>::iterator begin,
+                   std::vector<int>::iterator end)
+{
+    Node node;
+    for (auto i = begin; i != end; ++i) {
+        node.bounds.add(boxes[static_cast<std::size_t>(*i)].lo);
+        node.bounds.add(boxes[static_cast<std::size_t>(*i)].hi);
+    }
+    const int here = static_cast<int>(nodes_.size());
+    if (end - begin == 1) {
+        node.box = *begin;
+        nodes_.push_back(node);
+        return here;
+    }
+    nodes_.push_back(node);
+    // Halved across the longest side of the whole, by the middles of the boxes.
+    const glm::dvec3 size = node.bounds.hi - node.bounds.lo;
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const auto middle = [&](int i) {
+        const Bounds& b = boxes[static_cast<std::size_t>(i)];
+        return b.lo[axis] + b.hi[axis];
+    };
+    std::sort(begin, end,
+              [&](int a, int b) { return middle(a) != middle(b) ? middle(a) < middle(b) : a < b; });
+    const auto half = begin + (end - begin) / 2;
+    build(boxes, begin, half);
+    const int second = build(boxes, half, end);
+    nodes_[static_cast<std::size_t>(here)].second = second;
+    return here;
+}
+
+std::vector<int> BoxTree::near(const glm::dvec3& p, double distance) const
+{
+    std::vector<int> found, open;
+    if (!nodes_.empty()) open.push_back(0);
+    while (!open.empty()) {
+        const int i = open.back();
+        const Node& node = nodes_[static_cast<std::size_t>(i)];
+        open.pop_back();
+        if (!(node.bounds.distance(p) <= distance)) continue;
+        if (node.box >= 0)
+            found.push_back(node.box);
+        else
+            open.insert(open.end(), {node.second, i + 1});
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+double BoxTree::distance(const glm::dvec3& p) const
+{
+    double best = 1e300;
+    std::vector<int> open;
+    if (!nodes_.empty()) open.push_back(0);
+    while (!open.empty()) {
+        const int i = open.back();
+        const Node& node = nodes_[static_cast<std::size_t>(i)];
+        open.pop_back();
+        const double here = node.bounds.distance(p);
+        if (!(here < best)) continue;
+        if (node.box >= 0)
+            best = here;
+        else
+            open.insert(open.end(), {node.second, i + 1});
+    }
+    return best;
+}
+
+} // namespace trivar
