@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// trivar-make FOLDER [NAME...]: writes FOLDER/NAME.glb for each model named, or for all of them;
+// "volumes" and "cages" are names too. --preview FOLDER adds four shaded views of each.
+#include "assets/make/check.h"
+#include "assets/make/models/models.h"
+#include "assets/make/preview.h"
+#include "assets/make/write_model.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+
+namespace {
+
+struct Order {
+    std::string folder, preview_folder;
+    std::vector<std::string> names;
+    bool wants(const std::string& name) const
+    {
+        return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+    }
+};
+
+Order parse(const std::vector<std::string>& words)
+{
+    Order order;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (words[i] == "--preview" && i + 1 < words.size()) {
+            order.preview_folder = words[++i];
+        } else if (order.folder.empty()) {
+            order.folder = words[i];
+        } else {
+            order.names.push_back(words[i]);
+        }
+    }
+    return order;
+}
+
+void print(const std::string& name, const make::Report& r)
+{
+    std::printf("%-18s %6d vertices %6d faces %3d%% quads %3d pieces %4d open %d shared edges, "
+                "%4.1f%% under 20 degrees, %.2f x %.2f x %.2f\n",
+                name.c_str(), r.vertices, r.faces, 100 * r.quads / std::max(1, r.faces), r.pieces,
+                r.open, r.nonmanifold, double(r.under_20_deg), double(r.hi.x - r.lo.x),
+                double(r.hi.y - r.lo.y), double(r.hi.z - r.lo.z));
+}
+
+void run(const Order& order)
+{
+    std::filesystem::create_directories(order.folder);
+    if (order.wants("volumes")) make::write_volumes(order.folder + "/volumes");
+    if (order.wants("cages")) make::write_cages(order.folder + "/cages");
+    for (const make::Entry& entry : make::catalogue()) {
+        if (!order.wants(entry.name)) continue;
+        const make::Model model = make::build(entry);
+        make::write_glb(model, order.folder + "/" + entry.name + ".glb");
+        print(entry.name, make::check(model));
+        if (!order.preview_folder.empty()) {
+            make::write_preview(model, order.preview_folder + "/" + entry.name + ".ppm");
+        }
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    const Order order = parse({argv + 1, argv + argc});
+    if (order.folder.empty()) {
+        std::fprintf(stderr, "usage: trivar-make FOLDER [NAME...] [--preview FOLDER]\n");
+        return 2;
+    }
+    try {
+        run(order);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "trivar-make: %s\n", error.what());
+        return 1;
+    }
+    return 0;
+}

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assets/make/models/models.h"
+
+namespace make {
+
+std::vector<Entry> catalogue()
+{
+    return {{"snake", snake},
+            {"crocodile", crocodile},
+            {"horse", horse},
+            {"camel", camel},
+            {"whale", whale},
+            {"ant", ant},
+            {"reptile", reptile},
+            {"robot", robot},
+            {"head", head},
+            {"mask", mask},
+            {"car", car},
+            {"bulldozer", bulldozer},
+            {"tree", tree},
+            {"trunk", trunk},
+            {"terrain", terrain},
+            {"jar", jar},
+            {"dodecahedron", dodecahedron},
+            {"bars", bars},
+            {"moebius", moebius},
+            {"moebius_lattice", moebius_lattice},
+            {"teapot", teapot},
+            {"book", book},
+            {"desk", desk},
+            {"mechanical", mechanical},
+            {"bones_hand", bones_hand},
+            {"bones_jaw", bones_jaw},
+            {"crystal", crystal},
+            {"tile_thorn", tile_thorn},
+            {"tile_flower", tile_flower},
+            {"tile_chain", tile_chain},
+            {"tile_mail", tile_mail},
+            {"tile_hair", tile_hair},
+            {"tile_hex", tile_hex},
+            {"tile_brick_a", tile_brick_a},
+            {"tile_brick_b", tile_brick_b},
+            {"tile_brick_c", tile_brick_c},
+            {"tile_brick_hollow", tile_brick_hollow},
+            {"tile_scale", tile_scale},
+            {"tile_statue", tile_statue}};
+}
+
+Model build(const Entry& entry)
+{
+    Model model = entry.build();
+    model.name = entry.name;
+    model.root().name = entry.name;
+    return model;
+}
+
+} // namespace make

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "assets/make/mesh.h"
+
+// Everything the generator makes. Deformables lie along +x (tail at 0, nose at 1) on y = 0 and are
+// symmetric in z; tiles are an exception: u = x, v = y in [0, 1], height = z.
+namespace make {
+
+struct Entry {
+    std::string name; // of the file, without its ending
+    std::function<Model()> build;
+};
+std::vector<Entry> catalogue();
+Model build(const Entry& entry); // named
+
+void write_volumes(const std::string& folder); // NRRD, bytes, x fastest
+void write_cages(const std::string& folder);   // quad OBJ with creases
+
+Model snake();
+Model crocodile();
+Model horse();
+Model camel();
+Model whale();
+Model ant();
+Model reptile();
+Model robot();
+Model head();
+Model mask();
+Model car();
+Model bulldozer();
+Model tree();
+Model trunk();
+Model terrain();
+Model jar();
+Model dodecahedron();
+Model bars();
+Model moebius();
+Model moebius_lattice();
+Model teapot();
+Model book();
+Model desk();
+Model mechanical();
+Model bones_hand();
+Model bones_jaw();
+Model crystal();
+Model tile_thorn();
+Model tile_flower();
+Model tile_chain();
+Model tile_mail();
+Model tile_hair();
+Model tile_hex();
+Model tile_brick_a();
+Model tile_brick_b();
+Model tile_brick_c();
+Model tile_brick_hollow();
+Model tile_scale();
+Model tile_statue();
+
+} // namespace make

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "assets/make/loft.h"
+
+namespace make {
+
+// What makes a horse differ from a camel.
+struct Steed {
+    std::vector<Station> trunk;
+    std::vector<vec4> neck, fore, hind, tail, mane; // limbs: xyz and radius
+    vec3 poll, muzzle;                              // the head's axis
+    float head, neck_flatness, fore_hoof, hind_hoof;
+    vec3 coat, dark, light;
+    bool camel;
+};
+Model quadruped(const Steed& steed);
+
+} // namespace make

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assets/make/write_model.h"
+
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <stdexcept>
+#include <tuple>
+
+namespace make {
+
+namespace {
+
+enum ComponentType {
+    unsigned_byte = 5121,
+    unsigned_short = 5123,
+    unsigned_int = 5125,
+    real = 5126
+};
+enum Target { any = 0, vertices = 34962, indices = 34963 };
+
+std::string number(double value)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
+std::string array(std::initializer_list<float> values)
+{
+    std::string text = "[";
+    for (float v : values) text += (text.size() > 1 ? "," : "") + number(double(v));
+    return text + "]";
+}
+
+// A JSON list that grows by one item at a time.
+struct List {
+    std::string text;
+    int count = 0;
+    int add(const std::string& item)
+    {
+        text += (count ? "," : "") + item;
+        return count++;
+    }
+};
+
+// The binary chunk with the views and accessors that describe it.
+struct Buffer {
+    std::string bytes;
+    List views, accessors;
+
+    template <class T>
+    int add(const std::vector<T>& values, ComponentType component, const char* type, Target target,
+            const std::string& more = "")
+    {
+        const std::size_t length = values.size() * sizeof(T);
+        const int view = views.add("{\"buffer\":0,\"byteOffset\":" + std::to_string(bytes.size()) +
+                                   ",\"byteLength\":" + std::to_string(length) +
+                                   (target ? ",\"target\":" + std::to_string(target) : "") + "}");
+        bytes.append(reinterpret_cast<const char*>(values.data()), length);
+        bytes.resize((bytes.size() + 3) / 4 * 4, '\0');
+        return accessors.add("{\"bufferView\":" + std::to_string(view) +
+                             ",\"componentType\":" + std::to_string(component) +
+                             ",\"count\":" + std::to_string(values.size()) + ",\"type\":\"" + type +
+                             "\"" + more + "}");
+    }
+};
+
+// A mesh as a GPU wants it: points split where their texture coordinates differ.
+struct Split {
+    std::vector<vec3> positions, normals;
+    std::vector<vec2> uvs;
+    std::vector<std::array<std::uint8_t, 4>> colors;
+    std::vector<std::uint32_t> triangles;
+};
+
+std::array<std::uint8_t, 4> color_bytes(vec3 srgb)
+{
+    const vec3 k = linear_light(srgb) * 255.f + .5f;
+    return {std::uint8_t(k.x), std::uint8_t(k.y), std::uint8_t(k.z), 255};
+}
+
+Split split(const Mesh& mesh)
+{
+    Split out;
+    const std::vector<vec3> normal = normals(mesh);
+    std::map<std::tuple<int, long, long>, std::uint32_t> seen;
+    const auto corner = [&](std::size_t face, std::size_t k) {
+        const int point = mesh.faces[face][k];
+        const vec2 uv = mesh.uvs.empty() ? vec2(0) : mesh.uvs[face][k];
+        const std::tuple key(point, std::lround(uv.x * 65536), std::lround(uv.y * 65536));
+        const auto [it, fresh] = seen.try_emplace(key, std::uint32_t(out.positions.size()));
+        if (fresh) {
+            const auto p = std::size_t(point);
+            out.positions.push_back(mesh.points[p]);
+            out.normals.push_back(normal[p]);
+            out.uvs.push_back(uv);
+            if (!mesh.colors.empty()) out.colors.push_back(color_bytes(mesh.colors[p]));
+        }
+        return it->second;
+    };
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+        const Face& q = mesh.faces[f];
+        const std::uint32_t a = corner(f, 0), b = corner(f, 1), c = corner(f, 2);
+        if (q[3] < 0) {
+            out.triangles.insert(out.triangles.end(), {a, b, c});
+            continue;
+        }
+        const std::uint32_t d = corner(f, 3);
+        const auto length = [&](std::size_t i, std::size_t j) {
+            return glm::distance(mesh.points[std::size_t(q[i])], mesh.points[std::size_t(q[j])]);
+        };
+        if (length(1, 3) < length(0, 2)) {
+            out.triangles.insert(out.triangles.end(), {a, b, d, b, c, d});
+        } else {
+            out.triangles.insert(out.triangles.end(), {a, b, c, a, c, d});
+        }
+    }
+    return out;
+}
+
+std::string primitive(const Mesh& mesh, Buffer& buffer)
+{
+    const Split s = split(mesh);
+    vec3 lo(1e9f), hi(-1e9f);
+    for (const vec3& p : s.positions) {
+        lo = glm::min(lo, p);
+        hi = glm::max(hi, p);
+    }
+    const std::string bounds =
+        ",\"min\":" + array({lo.x, lo.y, lo.z}) + ",\"max\":" + array({hi.x, hi.y, hi.z});
+    List attributes;
+    const auto attribute = [&](const char* name, int accessor) {
+        attributes.add("\"" + std::string(name) + "\":" + std::to_string(accessor));
+    };
+    attribute("POSITION", buffer.add(s.positions, real, "VEC3", vertices, bounds));
+    attribute("NORMAL", buffer.add(s.normals, real, "VEC3", vertices));
+    if (!mesh.uvs.empty()) attribute("TEXCOORD_0", buffer.add(s.uvs, real, "VEC2", vertices));
+    if (!s.colors.empty()) {
+        attribute("COLOR_0",
+                  buffer.add(s.colors, unsigned_byte, "VEC4", vertices, ",\"normalized\":true"));
+    }
+    int triangles = 0;
+    if (s.positions.size() < 65535) {
+        const std::vector<std::uint16_t> small(s.triangles.begin(), s.triangles.end());
+        triangles = buffer.add(small, unsigned_short, "SCALAR", indices);
+    } else {
+        triangles = buffer.add(s.triangles, unsigned_int, "SCALAR", indices);
+    }
+    return "{\"attributes\":{" + attributes.text + "},\"indices\":" + std::to_string(triangles) +
+           ",\"material\":" + std::to_string(mesh.material) + "}";
+}
+
+std::string mesh_json(const Node& node, Buffer& buffer)
+{
+    std::map<int, Mesh> by_material;
+    for (const Mesh& part : node.parts) by_material[part.material].add(part).mat(part.material);
+    List primitives;
+    for (const auto& [material, mesh] : by_material) primitives.add(primitive(mesh, buffer));
+    return "{\"name\":\"" + node.name + "\",\"primitives\":[" + primitives.text + "]}";
+}
+
+std::string children(const Model& model, int parent)
+{
+    List kids;
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        if (model.nodes[i].parent == parent) kids.add(std::to_string(i));
+    }
+    return kids.text;
+}
+
+std::string node_json(const Model& model, int index, int mesh)
+{
+    const Node& n = model.nodes[std::size_t(index)];
+    std::string text = "{\"name\":\"" + n.name + "\"";
+    if (n.translation != vec3(0)) {
+        text += ",\"translation\":" + array({n.translation.x, n.translation.y, n.translation.z});
+    }
+    if (n.rotation != quat(1, 0, 0, 0)) {
+        text += ",\"rotation\":" + array({n.rotation.x, n.rotation.y, n.rotation.z, n.rotation.w});
+    }
+    if (mesh >= 0) text += ",\"mesh\":" + std::to_string(mesh);
+    if (const std::string kids = children(model, index); !kids.empty()) {
+        text += ",\"children\":[" + kids + "]";
+    }
+    if (index == 0 && !model.extras.empty()) {
+        List extras;
+        for (const auto& [key, value] : model.extras) extras.add("\"" + key + "\":" + value);
+        text += ",\"extras\":{" + extras.text + "}";
+    }
+    return text + "}";
+}
+
+std::string clip_json(const Clip& clip, Buffer& buffer)
+{
+    const std::string bounds =
+        ",\"min\":" + array({clip.times_s.front()}) + ",\"max\":" + array({clip.times_s.back()});
+    const int times = buffer.add(clip.times_s, real, "SCALAR", any, bounds);
+    List samplers, channels;
+    for (const Channel& c : clip.channels) {
+        const bool moves = !c.translations.empty();
+        std::vector<vec4> turns;
+        for (const quat& r : c.rotations) turns.emplace_back(r.x, r.y, r.z, r.w);
+        const int values = moves ? buffer.add(c.translations, real, "VEC3", any)
+                                 : buffer.add(turns, real, "VEC4", any);
+        const int sampler = samplers.add("{\"input\":" + std::to_string(times) + ",\"output\":" +
+                                         std::to_string(values) + ",\"interpolation\":\"LINEAR\"}");
+        channels.add("{\"sampler\":" + std::to_string(sampler) +
+                     ",\"target\":{\"node\":" + std::to_string(c.node) + ",\"path\":\"" +
+                     (moves ? "translation" : "rotation") + "\"}}");
+    }
+    return "{\"name\":\"" + clip.name + "\",\"samplers\":[" + samplers.text + "],\"channels\":[" +
+           channels.text + "]}";
+}
+
+std::string material_json(const Material& m)
+{
+    const vec3 k = linear_light(m.color);
+    return "{\"name\":\"" + m.name +
+           "\",\"pbrMetallicRoughness\":{\"baseColorFactor\":" + array({k.x, k.y, k.z, 1}) +
+           ",\"metallicFactor\":" + number(double(m.metal)) +
+           ",\"roughnessFactor\":" + number(double(m.rough)) + "}}";
+}
+
+std::string little_endian(std::size_t value)
+{
+    std::string bytes;
+    for (int shift = 0; shift < 32; shift += 8) bytes.push_back(char(value >> shift & 255));
+    return bytes;
+}
+
+} // namespace
+
+void write_glb(const Model& model, const std::string& path)
+{
+    Buffer buffer;
+    List meshes, nodes, materials, clips;
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        const Node& node = model.nodes[i];
+        const int mesh = node.parts.empty() ? -1 : meshes.add(mesh_json(node, buffer));
+        nodes.add(node_json(model, int(i), mesh));
+    }
+    for (const Material& m : model.materials) materials.add(material_json(m));
+    for (const Clip& c : model.clips) clips.add(clip_json(c, buffer));
+
+    std::string json = "{\"asset\":{\"version\":\"2.0\",\"generator\":\"trivar-make\"},\"scene\":0,"
+                       "\"scenes\":[{\"nodes\":[" +
+                       children(model, -1) + "]}],\"nodes\":[" + nodes.text + "],\"meshes\":[" +
+                       meshes.text + "],\"materials\":[" + materials.text + "]";
+    if (clips.count) json += ",\"animations\":[" + clips.text + "]";
+    json += ",\"accessors\":[" + buffer.accessors.text + "],\"bufferViews\":[" + buffer.views.text +
+            "],\"buffers\":[{\"byteLength\":" + std::to_string(buffer.bytes.size()) + "}]}";
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+
+    constexpr std::size_t header = 12, chunk_header = 8;
+    std::ofstream file(path, std::ios::binary);
+    file << "glTF" << little_endian(2)
+         << little_endian(header + 2 * chunk_header + json.size() + buffer.bytes.size())
+         << little_endian(json.size()) << "JSON" << json << little_endian(buffer.bytes.size())
+         << std::string("BIN\0", 4) << buffer.bytes;
+    file.close();
+    if (!file) throw std::runtime_error("cannot write " + path);
+}
+
+} // namespace make
