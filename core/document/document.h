@@ -3,6 +3,7 @@
 
 #include "core/base/camera.h"
 #include "core/base/ref.h"
+#include "core/document/object_map.h"
 #include "core/document/render_settings.h"
 #include "core/files/read_model.h"
 #include "core/placement/placement.h"
@@ -102,9 +103,9 @@ struct Object {
     bool operator==(const Object&) const = default;
 };
 
-// All causes, no effects. Copying it costs a pointer per object.
+// All causes, no effects. Copies share what they have in common.
 struct Document {
-    std::map<Id, Ref<Object>> objects;
+    ObjectMap objects;
     Id next_id = 1;
     std::map<std::string, Camera> bookmarks;
     Ref<RenderSettings> render = make_ref(RenderSettings{});
@@ -113,6 +114,8 @@ struct Document {
 // The object, or Rejected naming the id.
 const Object& object(const Document& document, Id id);
 bool visible(const Document& document, Id id); // neither it nor a parent is hidden
+// The object's transform under its parents'. What is placed lies in the world without it.
+glm::dmat4 to_world(const Document& document, Id id);
 // Digest of the causes, 32 hexadecimal digits.
 std::string digest(const Document& document);
 

@@ -10,8 +10,7 @@ namespace trivar {
 
 // The way from a first document to the present one. `propose` replaces the pending proposal and
 // always works on the last committed document, so a drag is many proposals and one commit. There
-// is no inverse code: undo returns to a document that is still held. Undo and redo cost nothing;
-// a commit costs a pointer per object.
+// is no inverse code: undo returns to a document that is still held, at no cost.
 class History {
 public:
     struct Step {
@@ -30,6 +29,7 @@ public:
     void run(Command command); // propose and commit
     bool undo();               // false: nothing to undo. Both cancel a pending proposal
     bool redo();
+    void forget_undone(); // nothing to redo any more
 
     const Document& start() const { return start_; }
     const std::vector<Step>& steps() const { return steps_; } // undone ones at the end

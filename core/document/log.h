@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/rejected.h"
 #include "core/document/history.h"
 
 #include <string>
@@ -17,16 +18,17 @@ namespace trivar {
 //   {"undo":true}
 //   {"redo":true}
 //   {"digest":"<of the causes>","effects":"<of what they give>"}     either or both
+//
+// A command, undo or redo may carry "digest" too: of the causes after it.
 inline constexpr int log_version = 1;
 
 struct UndoLine {};
 struct RedoLine {};
-struct DigestLine {
-    std::string digest, effects; // empty: not said
-};
+struct CheckLine {};
 struct LogLine {
     int number = 0; // in the file, from 1
-    std::variant<Command, UndoLine, RedoLine, DigestLine> what;
+    std::variant<Command, UndoLine, RedoLine, CheckLine> what;
+    std::string digest, effects; // after this line; empty: not said
 };
 struct Log {
     std::string name; // for messages
@@ -37,17 +39,23 @@ struct Log {
 };
 
 // Strict. Throws Rejected as NAME:LINE: what is wrong. A last line that is no whole JSON and has
-// no line break was torn by a crash: it is dropped and said.
+// no line break was torn by a crash: it is dropped and said. A newer format version is refused.
 Log read_log(std::string_view text, const std::string& name);
 
-// Applies the lines to an empty document. Throws Rejected with NAME:LINE.
-History replay(const Log& log);
-// One line on top of a history; a digest line that does not fit throws CheckFailed.
+// One line on top of a history; digests are not looked at. Throws Rejected with NAME:LINE.
 void apply(History& history, const LogLine& line, const std::string& name);
+// All lines on top of an empty document.
+History replay(const Log& log);
 
-std::string log_header();                             // each with its line break
-std::string log_text(const History& history);         // all steps; the undone ones are undone
-std::string compact_log_text(const History& history); // only the steps in force
-std::string digest_line(const std::string& digest, const std::string& effects);
+// Each with its line break.
+std::string log_header();
+std::string command_line(const Command& command);
+std::string undo_line();
+std::string redo_line();
+std::string check_line(const std::string& digest, const std::string& effects);
+
+// The whole text: all steps, those that are undone undone at the end; or only those in force.
+std::string log_text(const History& history);
+std::string compact_log_text(const History& history);
 
 } // namespace trivar

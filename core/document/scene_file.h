@@ -14,7 +14,7 @@ namespace trivar {
 // the file is locked; who opens it a second time gets a copy without a path.
 //
 // When appending fails (disk full, file taken away) the step stands, `trouble` says so, the file
-// keeps its last whole line, and the next step or save_as tries again with all that is missing.
+// keeps its last whole line, and the next step or save tries again with all that is missing.
 class SceneFile {
 public:
     SceneFile();                                 // untitled: in memory only
@@ -35,17 +35,19 @@ public:
     bool redo();
 
     // Writes the whole history, or only the steps in force (which forgets the undone ones), beside
-    // the target and renames it over it; goes on there. Paths of imports are made relative to the
-    // new folder. Throws Rejected, and neither the file at `path` nor this changed.
+    // the target, renames it over it and goes on there. In another folder the paths of imports
+    // are rewritten. Throws Rejected, and neither the file at `path` nor this has changed.
     void save_as(const std::string& path);
     void save_compact(const std::string& path);
 
     const std::string& path() const;    // empty: untitled, or a copy
-    std::string folder() const;         // what paths of imports are relative to
+    std::string folder() const;         // absolute; what paths of imports are relative to
     const std::string& trouble() const; // why the last append failed; empty: all is on disk
     const std::vector<std::string>& notices() const; // from opening, one sentence each
 
 private:
+    void append(std::string line);
+    void save(const std::string& path, bool compact);
     struct State;
     std::unique_ptr<State> state_;
 };

@@ -18,6 +18,11 @@
 
 namespace trivar {
 
+template <class T> inline constexpr bool is_list = false;
+template <class T> inline constexpr bool is_list<std::vector<T>> = true;
+template <class T> inline constexpr bool is_optional = false;
+template <class T> inline constexpr bool is_optional<std::optional<T>> = true;
+
 // What a field accepts. Bounds are inclusive and hold for every component of a vector.
 struct Rule {
     bool required = false;         // in JSON; else what is left out has its default

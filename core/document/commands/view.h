@@ -27,6 +27,18 @@ struct DeleteCamera {
         field("name", c.name, "name of the bookmark", required);
     }
 };
+template <> struct FieldsOf<RenderSettings> {
+    static void fields(auto& s, auto&& field)
+    {
+        field("look", s.look, "light and background", one_of("studio|clay|dark"));
+        field("exposure", s.exposure, "stops", between(-20, 20));
+        field("sun_azimuth", s.sun_azimuth, "radians round Z, 0 along +X", between(-100, 100));
+        field("sun_elevation", s.sun_elevation, "radians above the horizon", between(-1.6, 1.6));
+        field("shadows", s.shadows, "the sun casts shadows");
+        field("ambient_occlusion", s.ambient_occlusion, "corners are darker");
+        field("ground", s.ground, "a ground under the scene that catches shadows");
+    }
+};
 struct SetRender {
     static constexpr std::string_view verb = "set_render",
                                       summary = "Say how the picture is made, as a whole.";
@@ -34,15 +46,7 @@ struct SetRender {
     bool operator==(const SetRender&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("look", c.settings.look, "light and background", one_of("studio|clay|dark"));
-        field("exposure", c.settings.exposure, "stops", between(-20, 20));
-        field("sun_azimuth", c.settings.sun_azimuth, "radians round Z, 0 along +X",
-              between(-100, 100));
-        field("sun_elevation", c.settings.sun_elevation, "radians above the horizon",
-              between(-1.6, 1.6));
-        field("shadows", c.settings.shadows, "the sun casts shadows");
-        field("ambient_occlusion", c.settings.ambient_occlusion, "corners are darker");
-        field("ground", c.settings.ground, "a ground under the scene that catches shadows");
+        FieldsOf<RenderSettings>::fields(c.settings, field);
     }
 };
 

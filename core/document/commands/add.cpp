@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/rejected.h"
+#include "core/document/commands/apply.h"
+
+#include <filesystem>
+
+namespace trivar {
+namespace {
+
+template <class Shape> Document added(Document document, const AddShape<Shape>& command)
+{
+    check_transform(command.transform);
+    if (command.name.empty()) throw Rejected("field \"name\" is empty");
+    return with_added(std::move(document), {.name = command.name,
+                                            .source = command.shape,
+                                            .transform = command.transform,
+                                            .surfacing = {},
+                                            .placement = {}});
+}
+
+} // namespace
+
+Document applied(Document document, const ImportModel& command)
+{
+    check_transform(command.transform);
+    if (command.file.path.empty()) throw Rejected("field \"path\" names no file");
+    const std::string own = std::filesystem::path(command.file.path).stem().string();
+    return with_added(std::move(document), {.name = !command.name.empty() ? command.name
+                                                    : !own.empty()        ? own
+                                                                          : command.file.path,
+                                            .source = command.file,
+                                            .transform = command.transform,
+                                            .surfacing = {},
+                                            .placement = {}});
+}
+Document applied(Document document, const AddPlane& command)
+{
+    return added(std::move(document), command);
+}
+Document applied(Document document, const AddBox& command)
+{
+    return added(std::move(document), command);
+}
+Document applied(Document document, const AddSphere& command)
+{
+    return added(std::move(document), command);
+}
+Document applied(Document document, const AddCylinder& command)
+{
+    return added(std::move(document), command);
+}
+Document applied(Document document, const AddTorus& command)
+{
+    return added(std::move(document), command);
+}
+Document applied(Document document, const AddMoebius& command)
+{
+    return added(std::move(document), command);
+}
+Document applied(Document document, const AddTeapot& command)
+{
+    return added(std::move(document), command);
+}
+
+} // namespace trivar

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/rejected.h"
+#include "core/document/commands/apply.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+// "Snake" gives "Snake 2", "Snake 2" gives "Snake 3": the first number that no object has yet.
+class Numbering {
+public:
+    explicit Numbering(const Document& document)
+    {
+        for (const auto& [id, ref] : document.objects) taken_.insert(ref->name);
+    }
+    std::string next(const std::string& name)
+    {
+        std::string stem = name;
+        const std::size_t space = name.rfind(' ');
+        if (space != std::string::npos && space > 0 && space + 1 < name.size() &&
+            name.find_first_not_of("0123456789", space + 1) == std::string::npos)
+            stem.resize(space);
+        int& number = numbers_.try_emplace(stem, 2).first->second;
+        std::string candidate;
+        do candidate = fmt::format("{} {}", stem, number++);
+        while (!taken_.insert(candidate).second);
+        return candidate;
+    }
+
+private:
+    std::set<std::string> taken_;
+    std::map<std::string, int> numbers_;
+};
+
+} // namespace
+
+Document applied(Document document, const SetTransform& command)
+{
+    check_transform(command.transform);
+    return with_changed(std::move(document), command.object,
+                        [&](Object& o) { o.transform = command.transform; });
+}
+
+Document applied(Document document, const Rename& command)
+{
+    if (command.name.empty()) throw Rejected("field \"name\" is empty");
+    return with_changed(std::move(document), command.object,
+                        [&](Object& o) { o.name = command.name; });
+}
+
+Document applied(Document document, const Hide& command)
+{
+    return with_all_changed(std::move(document), command.objects,
+                            [](Object& o) { o.hidden = true; });
+}
+
+Document applied(Document document, const Show& command)
+{
+    return with_all_changed(std::move(document), command.objects,
+                            [](Object& o) { o.hidden = false; });
+}
+
+Document applied(Document document, const Delete& command)
+{
+    const std::set<Id> gone = with_contents(document, distinct(document, command.objects));
+    for (const Id id : gone) document.objects.erase(id);
+    const auto is_gone = [&](Id id) { return gone.contains(id); };
+    const ObjectMap rest = document.objects;
+    for (const auto& [id, ref] : rest)
+        if (ref->placement && std::ranges::any_of(ref->placement->onto, is_gone))
+            document = with_changed(std::move(document), id,
+                                    [&](Object& o) { std::erase_if(o.placement->onto, is_gone); });
+    return document;
+}
+
+Document applied(Document document, const Duplicate& command)
+{
+    const std::set<Id> chosen = distinct(document, command.objects);
+    const std::set<Id> all = with_contents(document, chosen);
+    // Copies take their ids in the order of the command, then what is in groups by id.
+    std::vector<Id> order = command.objects;
+    for (const Id id : all)
+        if (!chosen.contains(id)) order.push_back(id);
+    std::map<Id, Id> copy_of;
+    for (std::size_t i = 0; i < order.size(); ++i)
+        copy_of[order[i]] = document.next_id + static_cast<Id>(i);
+    const auto renumbered = [&](Id id) { return copy_of.contains(id) ? copy_of.at(id) : id; };
+    Numbering numbering(document);
+    for (const Id id : order) {
+        Object copy = object(document, id);
+        const bool inside = copy_of.contains(copy.parent);
+        copy.parent = renumbered(copy.parent);
+        if (!inside) { // what is in a copied group moves with it
+            copy.name = numbering.next(copy.name);
+            copy.transform.translation += command.offset;
+        }
+        if (copy.placement)
+            std::ranges::transform(copy.placement->onto, copy.placement->onto.begin(), renumbered);
+        document = with_added(std::move(document), std::move(copy));
+    }
+    return document;
+}
+
+} // namespace trivar

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/document.h"
+
+#include "core/base/digest.h"
+#include "core/base/rejected.h"
+#include "core/document/commands/import.h"
+#include "core/document/commands/place.h"
+#include "core/document/commands/primitives.h"
+#include "core/document/commands/view.h"
+
+#include <array>
+#include <cmath>
+
+namespace trivar {
+namespace {
+
+// Exact for quarter turns, so that a model turned by 90 degrees keeps its coordinates' bits.
+struct Turn {
+    double cosine, sine;
+};
+Turn turn(double degrees)
+{
+    const double quarters = degrees / 90;
+    if (quarters == std::floor(quarters) && std::abs(quarters) < 1e9) {
+        static constexpr std::array<Turn, 4> exact{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
+        const auto step = static_cast<long long>(quarters) % 4;
+        return exact[static_cast<std::size_t>((step + 4) % 4)];
+    }
+    const double radians = glm::radians(degrees);
+    return {std::cos(radians), std::sin(radians)};
+}
+
+template <class T> void add(Digest& digest, const T& value)
+{
+    if constexpr (Nested<T>)
+        each_field(value,
+                   [&](std::string_view, const auto& field, auto&&...) { add(digest, field); });
+    else if constexpr (std::is_convertible_v<T, std::string_view>)
+        digest.add_text(value);
+    else if constexpr (is_optional<T>) {
+        digest.add(value.has_value());
+        if (value) add(digest, *value);
+    } else if constexpr (is_list<T>) {
+        digest.add(static_cast<std::uint64_t>(value.size()));
+        digest.add(std::span<const typename T::value_type>(value));
+    } else
+        digest.add(value);
+}
+
+void add(Digest& digest, const Object& object)
+{
+    add(digest, object.name);
+    digest.add(static_cast<std::uint64_t>(object.source.index()));
+    std::visit(
+        [&](const auto& source) {
+            if constexpr (!std::is_same_v<decltype(source), const GroupShape&>) add(digest, source);
+        },
+        object.source);
+    add(digest, object.transform);
+    digest.add(object.surfacing.has_value());
+    if (object.surfacing) {
+        digest.add(object.surfacing->base_color);
+        digest.add(object.surfacing->metallic);
+        digest.add(object.surfacing->roughness);
+    }
+    digest.add(object.parent);
+    digest.add(object.hidden);
+    digest.add(object.placement.has_value());
+    if (object.placement) {
+        add(digest, object.placement->sketch);
+        add(digest, object.placement->parameters);
+        add(digest, object.placement->onto);
+    }
+}
+
+} // namespace
+
+glm::dmat4 Transform::matrix() const
+{
+    const auto [cx, sx] = turn(rotation_deg.x);
+    const auto [cy, sy] = turn(rotation_deg.y);
+    const auto [cz, sz] = turn(rotation_deg.z);
+    // The columns of Rz Ry Rx.
+    const glm::dvec3 x{cy * cz, cy * sz, -sy};
+    const glm::dvec3 y{sx * sy * cz - cx * sz, sx * sy * sz + cx * cz, sx * cy};
+    const glm::dvec3 z{cx * sy * cz + sx * sz, cx * sy * sz - sx * cz, cx * cy};
+    return {glm::dvec4(x * scale.x, 0), glm::dvec4(y * scale.y, 0), glm::dvec4(z * scale.z, 0),
+            glm::dvec4(translation, 1)};
+}
+
+const Object& object(const Document& document, Id id)
+{
+    const auto found = document.objects.find(id);
+    if (found == document.objects.end()) throw Rejected("there is no object " + std::to_string(id));
+    return *found->second;
+}
+
+bool visible(const Document& document, Id id)
+{
+    for (; id != 0; id = object(document, id).parent)
+        if (object(document, id).hidden) return false;
+    return true;
+}
+
+glm::dmat4 to_world(const Document& document, Id id)
+{
+    glm::dmat4 matrix(1);
+    for (; id != 0; id = object(document, id).parent)
+        matrix = object(document, id).transform.matrix() * matrix;
+    return matrix;
+}
+
+std::string digest(const Document& document)
+{
+    Digest digest;
+    for (const auto& [id, ref] : document.objects) {
+        digest.add(id);
+        add(digest, *ref);
+    }
+    digest.add(document.next_id);
+    for (const auto& [name, camera] : document.bookmarks) {
+        digest.add_text(name);
+        add(digest, camera);
+    }
+    add(digest, *document.render);
+    return digest.hex();
+}
+
+} // namespace trivar

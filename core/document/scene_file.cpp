@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/scene_file.h"
+
+#include "core/base/rejected.h"
+#include "core/document/locked_file.h"
+#include "core/document/log.h"
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <optional>
+
+namespace trivar {
+namespace {
+
+std::string absolute_folder(const std::string& path)
+{
+    if (path.empty()) return std::filesystem::current_path().string();
+    return std::filesystem::absolute(path).lexically_normal().parent_path().string();
+}
+
+// The steps of a history with the paths of imports as they are from another folder.
+History moved(const History& history, const std::filesystem::path& from,
+              const std::filesystem::path& to, std::size_t count)
+{
+    History result;
+    for (std::size_t i = 0; i < count; ++i) {
+        Command command = history.steps()[i].command;
+        if (auto* import = std::get_if<ImportModel>(&command);
+            import && std::filesystem::path(import->file.path).is_relative())
+            import->file.path =
+                (from / import->file.path).lexically_normal().lexically_relative(to).string();
+        result.run(std::move(command));
+    }
+    while (result.position() > history.position()) result.undo();
+    return result;
+}
+
+} // namespace
+
+struct SceneFile::State {
+    History history;
+    std::string path, folder = absolute_folder("");
+    std::optional<LockedFile> file;
+    std::uintmax_t length = 0; // of the file's whole lines
+    std::string missing;       // lines that are not in the file yet
+    std::string torn;          // the file as it was found, to be kept before its end is cut off
+    std::string trouble;
+    std::vector<std::string> notices;
+};
+
+SceneFile::SceneFile() : state_(std::make_unique<State>()) {}
+SceneFile::~SceneFile() = default;
+SceneFile::SceneFile(SceneFile&&) noexcept = default;
+SceneFile& SceneFile::operator=(SceneFile&&) noexcept = default;
+
+SceneFile::SceneFile(const std::string& path) : state_(std::make_unique<State>())
+{
+    LockedFile file(path);
+    std::string text = file.read();
+    const Log log = read_log(text, path);
+    state_->history = replay(log);
+    state_->folder = absolute_folder(path);
+    if (!log.notice.empty()) state_->notices.push_back(log.notice);
+    if (file.access() == LockedFile::Access::in_use) {
+        state_->notices.push_back(fmt::format(
+            "{}: is open in another Trivar; this is a copy, save it under another name", path));
+        return;
+    }
+    if (file.access() == LockedFile::Access::read_only) {
+        state_->notices.push_back(
+            fmt::format("{}: may not be written; save changes under another name", path));
+        return;
+    }
+    state_->path = path;
+    state_->length = log.good_bytes;
+    if (!log.notice.empty()) state_->torn = std::move(text);
+    if (!log.ends_with_break) state_->missing = "\n";
+    state_->file.emplace(std::move(file));
+}
+
+const History& SceneFile::history() const
+{
+    return state_->history;
+}
+
+void SceneFile::append(std::string line)
+{
+    State& s = *state_;
+    if (!s.file) return;
+    s.missing += line;
+    if (!s.torn.empty()) {
+        try {
+            LockedFile(s.path + ".torn", s.torn);
+            s.torn.clear();
+        } catch (const Rejected& error) {
+            s.trouble = error.what();
+            return;
+        }
+    }
+    s.trouble = s.file->write_at(s.length, s.missing);
+    if (!s.trouble.empty()) return;
+    s.length += s.missing.size();
+    s.missing.clear();
+}
+
+void SceneFile::propose(Command command)
+{
+    state_->history.propose(std::move(command));
+}
+
+bool SceneFile::commit()
+{
+    if (!state_->history.commit()) return false;
+    append(command_line(state_->history.steps().back().command));
+    return true;
+}
+
+void SceneFile::cancel()
+{
+    state_->history.cancel();
+}
+
+void SceneFile::run(Command command)
+{
+    propose(std::move(command));
+    commit();
+}
+
+bool SceneFile::undo()
+{
+    if (!state_->history.undo()) return false;
+    append(undo_line());
+    return true;
+}
+
+bool SceneFile::redo()
+{
+    if (!state_->history.redo()) return false;
+    append(redo_line());
+    return true;
+}
+
+void SceneFile::save(const std::string& path, bool compact)
+{
+    State& s = *state_;
+    const std::string folder = absolute_folder(path);
+    std::error_code ignored;
+    const bool in_place = !s.path.empty() && std::filesystem::equivalent(path, s.path, ignored);
+    if (!in_place && std::filesystem::is_regular_file(path, ignored) &&
+        LockedFile(path).access() == LockedFile::Access::in_use)
+        throw Rejected(path + ": is open in another Trivar; choose another name");
+    std::optional<History> other;
+    if (compact || folder != s.folder)
+        other = moved(s.history, s.folder, folder,
+                      compact ? s.history.position() : s.history.steps().size());
+    const std::string text = log_text(other ? *other : s.history);
+    LockedFile file(path, text);
+    if (other && folder == s.folder)
+        s.history.forget_undone(); // the very documents stay, and with them what was computed
+    else if (other)
+        s.history = std::move(*other);
+    s.history.cancel();
+    s.file.emplace(std::move(file));
+    s.path = path;
+    s.folder = folder;
+    s.length = text.size();
+    s.missing.clear();
+    s.torn.clear();
+    s.trouble.clear();
+}
+
+void SceneFile::save_as(const std::string& path)
+{
+    save(path, false);
+}
+
+void SceneFile::save_compact(const std::string& path)
+{
+    save(path, true);
+}
+
+const std::string& SceneFile::path() const
+{
+    return state_->path;
+}
+
+std::string SceneFile::folder() const
+{
+    return state_->folder;
+}
+
+const std::string& SceneFile::trouble() const
+{
+    return state_->trouble;
+}
+
+const std::vector<std::string>& SceneFile::notices() const
+{
+    return state_->notices;
+}
+
+} // namespace trivar
