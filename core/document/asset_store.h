@@ -13,7 +13,7 @@ namespace trivar {
 
 // Turns an ImportedFile into a Model. Paths are taken from `folder`; `relinked` replaces the path
 // of a file by another one (--set NAME=FILE, where NAME is the path or its file name). A model is
-// read once and kept. Thread-safe.
+// read once and kept, without its subdivision. Thread-safe.
 class AssetStore {
 public:
     explicit AssetStore(std::string folder, std::map<std::string, std::string> relinked = {});
@@ -22,11 +22,15 @@ public:
     AssetStore& operator=(const AssetStore&) = delete;
 
     struct Loaded {
-        Ref<Model> model;   // null: missing or unreadable
-        std::string notice; // why it is missing, or that its content changed; empty: as meant
+        Ref<Model> model;                 // null: missing or unreadable
+        std::string hash;                 // of the file's content; empty: missing
+        std::vector<std::string> notices; // why it is missing, that its content is not the one
+                                          // that was meant, what was repaired
     };
+    // Throws Cancelled only.
     Loaded load(const ImportedFile& file, const Progress& progress = {}) const;
     std::string resolve(const std::string& path) const; // the file that would be opened
+    const std::string& folder() const;
 
 private:
     struct State;

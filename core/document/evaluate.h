@@ -14,6 +14,7 @@ namespace trivar {
 struct Part {
     Ref<Mesh> mesh;
     glm::dmat4 to_world{1}; // identity where the mesh was deformed into the world
+    bool operator==(const Part&) const = default;
 };
 
 struct EvaluatedObject {
@@ -23,17 +24,23 @@ struct EvaluatedObject {
     Ref<Placement> placement;             // null where nothing was placed
     Box bounds;                           // world
     std::vector<std::string> notices;     // a missing file, a stroke that misses now
+    // Why the stroke gave nothing, as a sentence for the user; the object then stands undeformed
+    // where its transform says. A tool shows it and does not commit. Empty: it lies, or has none.
+    std::string rejected;
 };
 
 // The effects of a document. Objects that did not change keep their pointer.
 struct Evaluated {
     std::map<Id, Ref<EvaluatedObject>> objects; // visible ones
-    Timings timings;                            // of this evaluation, by stage
+    Timings timings; // of this evaluation: import, subdivide, rays, springs, lift, volume, deform
 };
 
 // Evaluates documents one after another and keeps what is still true: results are cached by the
-// identity of what they came from, so a drag recomputes only what it touches. Not thread-safe;
-// may live on a thread of its own.
+// identity of what they came from, so a drag recomputes only what it touches, and the last few
+// states of each object are kept for undo. What is placed comes after what it lies on and sees it
+// deformed. Hidden objects are not in the result but still carry what lies on them: hiding a
+// table does not drop the snake. Not thread-safe; may live on a thread of its own. Throws
+// Cancelled; trouble with single objects is in their notices.
 class Evaluator {
 public:
     explicit Evaluator(Ref<AssetStore> assets);
@@ -47,5 +54,8 @@ private:
 
 // Digest of every deformed position, normal and index, in the order of ids.
 std::string digest(const Evaluated& evaluated);
+
+// All of it as one model to write to a file: a node a part, named as the objects are.
+Model model_of(const Evaluated& evaluated, const Document& document);
 
 } // namespace trivar

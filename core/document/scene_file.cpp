@@ -83,19 +83,23 @@ const History& SceneFile::history() const
     return state_->history;
 }
 
-void SceneFile::append(std::string line)
+void SceneFile::keep_torn()
+{
+    if (state_->torn.empty()) return;
+    const LockedFile kept(state_->path + ".torn", state_->torn);
+    state_->torn.clear();
+}
+
+void SceneFile::append(const std::string& line)
 {
     State& s = *state_;
     if (!s.file) return;
     s.missing += line;
-    if (!s.torn.empty()) {
-        try {
-            LockedFile(s.path + ".torn", s.torn);
-            s.torn.clear();
-        } catch (const Rejected& error) {
-            s.trouble = error.what();
-            return;
-        }
+    try {
+        keep_torn();
+    } catch (const Rejected& error) {
+        s.trouble = error.what();
+        return;
     }
     s.trouble = s.file->write_at(s.length, s.missing);
     if (!s.trouble.empty()) return;
@@ -154,6 +158,7 @@ void SceneFile::save(const std::string& path, bool compact)
         other = moved(s.history, s.folder, folder,
                       compact ? s.history.position() : s.history.steps().size());
     const std::string text = log_text(other ? *other : s.history);
+    if (in_place) keep_torn();
     LockedFile file(path, text);
     if (other && folder == s.folder)
         s.history.forget_undone(); // the very documents stay, and with them what was computed

@@ -46,7 +46,8 @@ public:
     const std::vector<std::string>& notices() const; // from opening, one sentence each
 
 private:
-    void append(std::string line);
+    void keep_torn(); // beside the file, with .torn after its name, before its end is cut off
+    void append(const std::string& line);
     void save(const std::string& path, bool compact);
     struct State;
     std::unique_ptr<State> state_;

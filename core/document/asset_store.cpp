@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/asset_store.h"
+
+#include "core/base/rejected.h"
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <mutex>
+#include <tuple>
+
+namespace trivar {
+
+struct AssetStore::State {
+    std::string folder;
+    std::map<std::string, std::string> relinked;
+    using Key = std::tuple<std::string, UpAxis, double>; // the file opened, and how it was read
+    std::map<Key, Loaded> loaded;
+    std::mutex mutex;
+};
+
+AssetStore::AssetStore(std::string folder, std::map<std::string, std::string> relinked)
+    : state_(std::make_unique<State>())
+{
+    state_->folder = std::move(folder);
+    state_->relinked = std::move(relinked);
+}
+
+AssetStore::~AssetStore() = default;
+
+const std::string& AssetStore::folder() const
+{
+    return state_->folder;
+}
+
+std::string AssetStore::resolve(const std::string& path) const
+{
+    const std::filesystem::path named(path);
+    for (const std::string& name : {path, named.filename().string()})
+        if (const auto found = state_->relinked.find(name); found != state_->relinked.end())
+            return found->second;
+    if (named.is_absolute()) return path;
+    return (std::filesystem::path(state_->folder) / named).lexically_normal().string();
+}
+
+AssetStore::Loaded AssetStore::load(const ImportedFile& file, const Progress& progress) const
+{
+    const std::string path = resolve(file.path);
+    // Held while reading: two threads that want the same big file should not both read it.
+    const std::lock_guard guard(state_->mutex);
+    const auto [entry, fresh] = state_->loaded.try_emplace({path, file.up, file.scale});
+    if (fresh) try {
+            entry->second.hash = file_hash(path);
+            Model model = read_model(path, {.up = file.up, .scale = file.scale}, progress);
+            entry->second.notices = model.notices;
+            entry->second.model = make_ref(std::move(model));
+        } catch (const Rejected& error) {
+            entry->second.notices = {error.what()};
+        } catch (...) {
+            state_->loaded.erase(entry);
+            throw;
+        }
+    Loaded result = entry->second;
+    if (result.model && !file.hash.empty() && file.hash != result.hash)
+        result.notices.push_back(fmt::format(
+            "{}: its content is not the one this scene was made with (it has changed since)",
+            file.path));
+    // What is missing may come back, say when a disk is plugged in.
+    if (result.hash.empty()) state_->loaded.erase(entry);
+    return result;
+}
+
+} // namespace trivar

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/evaluate.h"
+
+#include "core/base/digest.h"
+#include "core/document/laying.h"
+
+#include <algorithm>
+
+namespace trivar {
+namespace {
+
+// The objects to evaluate, each after those it lies on: the visible ones and what carries them.
+// Not recursive, for a hostile file may stack objects by the thousand.
+std::vector<Id> order_of(const Document& document)
+{
+    struct Open {
+        Id id;
+        std::size_t next;
+    };
+    std::vector<Id> order;
+    std::set<Id> seen;
+    std::vector<Open> open;
+    for (const auto& [root, ref] : document.objects) {
+        if (!visible(document, root) || !seen.insert(root).second) continue;
+        open.push_back({root, 0});
+        while (!open.empty()) {
+            const Object& o = object(document, open.back().id);
+            const std::size_t next = open.back().next++;
+            if (!o.placement || next >= o.placement->onto.size()) {
+                order.push_back(open.back().id);
+                open.pop_back();
+            } else if (const Id lower = o.placement->onto[next]; seen.insert(lower).second)
+                open.push_back({lower, 0});
+        }
+    }
+    return order;
+}
+
+// One plain material, as often as the shape has materials of its own.
+Ref<std::vector<Material>> surfaced(const std::vector<Material>& own, const Surfacing& surfacing)
+{
+    std::vector<Material> plain(own.size());
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        plain[i].base_color = surfacing.base_color;
+        plain[i].metallic = surfacing.metallic;
+        plain[i].roughness = surfacing.roughness;
+        plain[i].double_sided = own[i].double_sided;
+        if (surfacing.base_color.a < 1) plain[i].alpha = Material::Alpha::blend;
+    }
+    return make_ref(std::move(plain));
+}
+
+struct Causes { // all that one evaluated object comes from
+    Ref<Shape> shape;
+    Ref<Laid> laid;
+    glm::dmat4 to_world{1};
+    std::optional<Surfacing> surfacing;
+    bool operator==(const Causes&) const = default;
+};
+
+EvaluatedObject evaluated_object(Id id, const Causes& causes)
+{
+    EvaluatedObject result;
+    result.id = id;
+    result.notices = causes.shape->notices;
+    if (causes.laid && causes.laid->placement) {
+        result.placement = causes.laid->placement;
+        result.parts = causes.laid->parts;
+        const std::vector<std::string>& more = causes.laid->placement->report.notices;
+        result.notices.insert(result.notices.end(), more.begin(), more.end());
+    } else
+        for (const Shape::Hung& hung : causes.shape->meshes)
+            result.parts.push_back({hung.mesh, causes.to_world * hung.to_model});
+    if (causes.laid && !causes.laid->rejected.empty()) {
+        result.rejected = causes.laid->rejected;
+        result.notices.push_back(result.rejected);
+    }
+    result.materials = causes.surfacing ? surfaced(*causes.shape->materials, *causes.surfacing)
+                                        : causes.shape->materials;
+    for (const Part& part : result.parts)
+        result.bounds.add(bounding_box(*part.mesh, part.to_world));
+    return result;
+}
+
+} // namespace
+
+struct Evaluator::Cache {
+    struct Kept {
+        Ref<Object> object;
+        Ref<Shape> shape;
+        Laying laying;
+        std::vector<std::pair<Causes, Ref<EvaluatedObject>>> results; // the latest first
+    };
+    explicit Cache(Ref<AssetStore> assets) : shapes(std::move(assets)) {}
+    // What no object of the document and none of the kept results needs any more. An object that
+    // is gone may come back by undo, but then it is computed anew.
+    void forget_unused(const Document& document)
+    {
+        std::erase_if(objects, [&](const auto& o) { return !document.objects.contains(o.first); });
+        std::set<Ref<Mesh>> meshes;
+        for (const auto& [id, kept] : objects) kept.laying.add_meshes(meshes);
+        ray_meshes.keep_only(meshes);
+        shapes.forget_unused();
+    }
+
+    Shapes shapes;
+    RayMeshes ray_meshes;
+    std::map<Id, Kept> objects;
+};
+
+Evaluator::Evaluator(Ref<AssetStore> assets) : cache_(std::make_unique<Cache>(std::move(assets))) {}
+
+Evaluator::~Evaluator() = default;
+
+Evaluated Evaluator::operator()(const Document& document, const Progress& progress)
+{
+    Evaluated result;
+    std::map<Id, Ref<EvaluatedObject>> done;
+    const std::vector<Id> order = order_of(document);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const Id id = order[i];
+        const Ref<Object>& ref = document.objects.at(id);
+        if (std::holds_alternative<GroupShape>(ref->source)) continue;
+        report(progress, static_cast<double>(i) / static_cast<double>(order.size()), ref->name);
+        Cache::Kept& kept = cache_->objects[id];
+        if (!kept.object || !kept.shape || kept.object->source != ref->source ||
+            kept.shape->meshes.empty()) // a missing file may have come back
+            kept.shape = cache_->shapes(ref->source, result.timings, progress);
+        kept.object = ref;
+        Causes causes{kept.shape, nullptr, to_world(document, id), ref->surfacing};
+        if (ref->placement) {
+            std::vector<Support> supports;
+            for (const Id lower : ref->placement->onto)
+                if (const auto found = done.find(lower); found != done.end())
+                    for (const Part& part : found->second->parts) supports.push_back({lower, part});
+            causes.laid = kept.laying(kept.shape, ref->transform.scale, *ref->placement, supports,
+                                      cache_->ray_meshes, result.timings);
+        }
+        auto& results = kept.results;
+        const auto found =
+            std::ranges::find_if(results, [&](const auto& known) { return known.first == causes; });
+        if (found != results.end())
+            std::rotate(results.begin(), found, found + 1);
+        else {
+            Ref<EvaluatedObject> fresh = make_ref(evaluated_object(id, causes));
+            results.insert(results.begin(), {std::move(causes), std::move(fresh)});
+            constexpr std::size_t kept_results = 3; // as Laying keeps
+            if (results.size() > kept_results) results.pop_back();
+        }
+        done.emplace(id, results.front().second);
+        if (visible(document, id)) result.objects.emplace(id, results.front().second);
+    }
+    cache_->forget_unused(document);
+    return result;
+}
+
+std::string digest(const Evaluated& evaluated)
+{
+    Digest digest;
+    for (const auto& [id, ref] : evaluated.objects) {
+        digest.add(id);
+        for (const Part& part : ref->parts) {
+            digest.add(part.to_world);
+            digest.add(std::span<const glm::vec3>(part.mesh->positions));
+            digest.add(std::span<const glm::vec3>(part.mesh->normals));
+            digest.add(std::span<const std::uint32_t>(part.mesh->corners));
+            digest.add(std::span<const std::uint32_t>(part.mesh->face_begin));
+        }
+    }
+    return digest.hex();
+}
+
+} // namespace trivar

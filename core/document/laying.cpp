@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/laying.h"
+
+#include "core/base/rejected.h"
+
+#include <algorithm>
+
+namespace trivar {
+namespace {
+
+// Enough for undo and redo of a step or two without computing anything.
+constexpr std::size_t kept_results = 3;
+
+glm::dmat4 scaling(const glm::dvec3& scale)
+{
+    return {glm::dvec4(scale.x, 0, 0, 0), glm::dvec4(0, scale.y, 0, 0),
+            glm::dvec4(0, 0, scale.z, 0), glm::dvec4(0, 0, 0, 1)};
+}
+
+} // namespace
+
+Ref<RayMesh> RayMeshes::operator()(const Ref<Mesh>& mesh, Timings& timings)
+{
+    Ref<RayMesh>& known = known_[mesh];
+    if (!known)
+        known = timed(timings, "rays", [&] { return std::make_shared<const RayMesh>(mesh); });
+    return known;
+}
+
+void RayMeshes::keep_only(const std::set<Ref<Mesh>>& meshes)
+{
+    std::erase_if(known_, [&](const auto& known) { return !meshes.contains(known.first); });
+}
+
+Ref<Laid> Laying::operator()(const Ref<Shape>& shape, const glm::dvec3& scale,
+                             const PlacementStep& step, const std::vector<Support>& supports,
+                             RayMeshes& ray_meshes, Timings& timings)
+{
+    const auto found = std::ranges::find_if(known_, [&](const Known& k) {
+        return k.shape == shape && k.scale == scale && k.supports == supports && k.step == step;
+    });
+    if (found != known_.end()) {
+        std::rotate(known_.begin(), found, found + 1);
+        return known_.front().laid;
+    }
+    Laid laid;
+    try {
+        if (shape->meshes.empty()) throw Rejected("there is no shape to lay down");
+        if (supports.empty())
+            throw Rejected("everything this object lay on is gone; place it anew or unplace it");
+        const Ref<RayScene> scene = scene_of(supports, ray_meshes, timings);
+        laid = lay(*shape, scale, step, *scene, timings);
+    } catch (const Rejected& error) {
+        laid.rejected = error.what();
+    }
+    known_.insert(known_.begin(), {shape, scale, step, supports, make_ref(std::move(laid))});
+    if (known_.size() > kept_results) known_.pop_back();
+    return known_.front().laid;
+}
+
+Ref<RayScene> Laying::scene_of(const std::vector<Support>& supports, RayMeshes& ray_meshes,
+                               Timings& timings)
+{
+    if (scene_ && scene_supports_ == supports) return scene_;
+    std::vector<RayScene::Entry> entries;
+    entries.reserve(supports.size());
+    for (const Support& support : supports)
+        entries.push_back(
+            {ray_meshes(support.part.mesh, timings), support.part.to_world, support.id});
+    scene_ = timed(timings, "rays",
+                   [&] { return std::make_shared<const RayScene>(std::move(entries)); });
+    scene_supports_ = supports;
+    return scene_;
+}
+
+Laid Laying::lay(const Shape& shape, const glm::dvec3& scale, const PlacementStep& step,
+                 const RayScene& scene, Timings& timings)
+{
+    Box box;
+    for (const Shape::Hung& hung : shape.meshes)
+        box.add(bounding_box(*hung.mesh, scaling(scale) * hung.to_model));
+    Placement placement = place(step.sketch, step.parameters, box, scene, timings);
+    Laid laid;
+    std::vector<Sorted> used;
+    for (const Shape::Hung& hung : shape.meshes) {
+        glm::dmat4 to_box = scaling(scale) * hung.to_model;
+        Ref<Mesh> mesh = hung.mesh;
+        if (glm::determinant(glm::dmat3(to_box)) < 0) { // turn the faces round once, before
+            mesh = make_ref(transformed(*mesh, to_box));
+            to_box = glm::dmat4(1);
+        }
+        const Embedding embedding{placement.embedding.to_uvw * to_box,
+                                  placement.embedding.to_rest * to_box};
+        laid.parts.push_back(
+            {timed(timings, "deform",
+                   [&] { return deformed(mesh, embedding, placement.volume, used); }),
+             glm::dmat4(1)});
+    }
+    sorted_ = std::move(used);
+    laid.placement = make_ref(std::move(placement));
+    return laid;
+}
+
+Ref<Mesh> Laying::deformed(const Ref<Mesh>& mesh, const Embedding& embedding, const Lattice& volume,
+                           std::vector<Sorted>& used)
+{
+    const std::array<Knots, 3>& axes = volume.displacement.axes;
+    const auto found = std::ranges::find_if(sorted_, [&](const Sorted& s) {
+        return s.mesh == mesh && s.embedding == embedding && s.axes == axes;
+    });
+    used.push_back(found != sorted_.end()
+                       ? *found
+                       : Sorted{mesh, embedding, axes,
+                                std::make_shared<const Deformer>(mesh, embedding, axes)});
+    return make_ref((*used.back().deformer)(volume));
+}
+
+void Laying::add_meshes(std::set<Ref<Mesh>>& meshes) const
+{
+    for (const Known& known : known_)
+        for (const Support& support : known.supports) meshes.insert(support.part.mesh);
+}
+
+} // namespace trivar

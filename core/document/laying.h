@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/evaluate.h"
+#include "core/document/shapes.h"
+
+#include <set>
+
+namespace trivar {
+
+// What a stroke sees: the parts of the objects it may fall on.
+struct Support {
+    Id id = 0;
+    Part part;
+    bool operator==(const Support&) const = default;
+};
+
+// What an object is after it was laid along its stroke.
+struct Laid {
+    Ref<Placement> placement; // null: rejected
+    std::vector<Part> parts;  // in the world
+    std::string rejected;
+};
+
+// The bounding-volume hierarchies of meshes that strokes may fall on, each built once.
+class RayMeshes {
+public:
+    Ref<RayMesh> operator()(const Ref<Mesh>& mesh, Timings& timings); // stage: rays
+    void keep_only(const std::set<Ref<Mesh>>& meshes);
+
+private:
+    std::map<Ref<Mesh>, Ref<RayMesh>> known_;
+};
+
+// Lays one object again and again, while its stroke, its parameters or the scene change, and keeps
+// the last few results, the scene for rays, and how the meshes are sorted into the volume.
+class Laying {
+public:
+    // Stages: rays, springs, lift, volume (as place() names them) and deform.
+    Ref<Laid> operator()(const Ref<Shape>& shape, const glm::dvec3& scale,
+                         const PlacementStep& step, const std::vector<Support>& supports,
+                         RayMeshes& ray_meshes, Timings& timings);
+    void add_meshes(std::set<Ref<Mesh>>& meshes) const; // that the kept results fell on
+
+private:
+    struct Known {
+        Ref<Shape> shape;
+        glm::dvec3 scale;
+        PlacementStep step;
+        std::vector<Support> supports;
+        Ref<Laid> laid;
+    };
+    struct Sorted {
+        Ref<Mesh> mesh;
+        Embedding embedding;
+        std::array<Knots, 3> axes;
+        std::shared_ptr<const Deformer> deformer;
+    };
+    Ref<RayScene> scene_of(const std::vector<Support>& supports, RayMeshes& ray_meshes,
+                           Timings& timings);
+    Laid lay(const Shape& shape, const glm::dvec3& scale, const PlacementStep& step,
+             const RayScene& scene, Timings& timings);
+    Ref<Mesh> deformed(const Ref<Mesh>& mesh, const Embedding& embedding, const Lattice& volume,
+                       std::vector<Sorted>& used);
+
+    std::vector<Known> known_; // the latest first
+    std::vector<Support> scene_supports_;
+    Ref<RayScene> scene_;
+    std::vector<Sorted> sorted_;
+};
+
+} // namespace trivar

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/shapes.h"
+
+#include "core/base/rejected.h"
+#include "core/mesh/primitives.h"
+#include "core/mesh/subdivide.h"
+
+#include <algorithm>
+
+namespace trivar {
+namespace {
+
+Model model_of(const Mesh& mesh)
+{
+    return single_mesh_model("", mesh);
+}
+Model primitive(const GroupShape&)
+{
+    return {};
+}
+Model primitive(const ImportedFile&)
+{
+    return {};
+}
+Model primitive(const PlaneShape& s)
+{
+    return model_of(plane_mesh(s.size, s.segments));
+}
+Model primitive(const BoxShape& s)
+{
+    return model_of(box_mesh(s.size, s.segments));
+}
+Model primitive(const SphereShape& s)
+{
+    return model_of(sphere_mesh(s.radius, s.segments, s.rings));
+}
+Model primitive(const CylinderShape& s)
+{
+    return model_of(cylinder_mesh(s.radius, s.height, s.segments, s.stacks));
+}
+Model primitive(const TorusShape& s)
+{
+    return model_of(torus_mesh(s.radius, s.tube, s.segments));
+}
+Model primitive(const MoebiusShape& s)
+{
+    Model model = model_of(moebius_mesh(s.radius, s.width, s.segments));
+    for (Material& material : model.materials) material.double_sided = true;
+    return model;
+}
+Model primitive(const TeapotShape& s)
+{
+    return model_of(teapot_mesh(s.height, s.resolution));
+}
+
+Shape shape_of(const Model& model)
+{
+    Shape shape;
+    for (std::size_t i = 0; i < model.nodes.size(); ++i)
+        if (const int mesh = model.nodes[i].mesh; mesh >= 0)
+            shape.meshes.push_back({model.meshes[static_cast<std::size_t>(mesh)],
+                                    node_to_model(model, static_cast<int>(i))});
+    shape.materials =
+        make_ref(model.materials.empty() ? std::vector<Material>(1) : model.materials);
+    return shape;
+}
+
+// Meshes that hang on several nodes are subdivided once.
+void subdivide_all(Shape& shape, int levels, const Progress& progress)
+{
+    std::map<Ref<Mesh>, Ref<Mesh>> done;
+    for (Shape::Hung& hung : shape.meshes) {
+        const auto [entry, fresh] = done.try_emplace(hung.mesh);
+        if (fresh) entry->second = make_ref(subdivide(*hung.mesh, levels, progress));
+        hung.mesh = entry->second;
+    }
+}
+
+} // namespace
+
+Ref<Shape> Shapes::operator()(const Source& source, Timings& timings, const Progress& progress)
+{
+    const auto found = std::ranges::find(known_, source, &std::pair<Source, Ref<Shape>>::first);
+    if (found != known_.end()) return found->second;
+    Shape shape;
+    bool missing = false;
+    try {
+        if (const auto* file = std::get_if<ImportedFile>(&source)) {
+            const AssetStore::Loaded loaded =
+                timed(timings, "import", [&] { return assets_->load(*file, progress); });
+            missing = !loaded.model;
+            shape = shape_of(loaded.model ? *loaded.model : Model{});
+            shape.notices = loaded.notices;
+            if (file->subdivisions > 0)
+                timed(timings, "subdivide",
+                      [&] { subdivide_all(shape, file->subdivisions, progress); });
+        } else
+            shape = shape_of(timed(timings, "import", [&] {
+                return std::visit([](const auto& s) { return primitive(s); }, source);
+            }));
+    } catch (const Rejected& error) {
+        if (!shape.materials) shape = shape_of({});
+        shape.notices.emplace_back(error.what());
+    }
+    Ref<Shape> result = make_ref(std::move(shape));
+    if (!missing) known_.emplace_back(source, result);
+    return result;
+}
+
+void Shapes::forget_unused()
+{
+    std::erase_if(known_, [](const auto& known) { return known.second.use_count() == 1; });
+}
+
+} // namespace trivar

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/timing.h"
+#include "core/document/asset_store.h"
+
+namespace trivar {
+
+// What a source gives, subdivided, ready to be drawn or laid.
+struct Shape {
+    struct Hung {
+        Ref<Mesh> mesh;
+        glm::dmat4 to_model{1};
+    };
+    std::vector<Hung> meshes; // those that hang on a node
+    Ref<std::vector<Material>> materials;
+    std::vector<std::string> notices;
+};
+
+// Shapes by what they come from: two objects with equal sources share one.
+class Shapes {
+public:
+    explicit Shapes(Ref<AssetStore> assets) : assets_(std::move(assets)) {}
+
+    // Never null; trouble is in the notices, and tried again next time if the file was missing.
+    // Throws Cancelled. Stages: import, subdivide.
+    Ref<Shape> operator()(const Source& source, Timings& timings, const Progress& progress);
+    void forget_unused(); // those that nobody else holds
+
+private:
+    Ref<AssetStore> assets_;
+    std::vector<std::pair<Source, Ref<Shape>>> known_;
+};
+
+} // namespace trivar
