@@ -2,20 +2,14 @@
 #include "core/ffd/deform.h"
 
 #include "core/base/parallel.h"
+#include "core/ffd/kernel.h"
 #include "core/ffd/normals.h"
 
+#include <algorithm>
 #include <cassert>
+#include <span>
 
 namespace trivar {
-namespace {
-
-glm::dmat3 cofactor(const glm::dmat3& m)
-{
-    return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
-}
-
-} // namespace
-
 DeformedPoint deform(const glm::dvec3& p_object, const Embedding& embedding, const Lattice& lattice)
 {
     const glm::dvec4 p(p_object, 1);
@@ -26,15 +20,56 @@ DeformedPoint deform(const glm::dvec3& p_object, const Embedding& embedding, con
             glm::dmat3(embedding.to_rest) + by_uvw * glm::dmat3(embedding.to_uvw)};
 }
 
+namespace {
+
+void put_back(std::span<const std::uint32_t> place, std::size_t begin, const glm::vec3* from,
+              glm::vec3* to)
+{
+    for (std::size_t v = 0; v < place.size(); ++v) to[v] = from[place[v] - begin];
+}
+
+// Deforms a chunk in the order of computation and puts the results into that of the mesh. Writing
+// them there at once is slower: random loads overlap, random stores hardly do.
+bool deform_chunk(const SortedVertices& vertices, std::size_t chunk,
+                  const CellPolynomials& polynomials, const Mesh& mesh, Deformed& out)
+{
+    const std::size_t begin = vertices.runs[vertices.chunk_begin[chunk]].begin,
+                      end = vertices.runs[vertices.chunk_begin[chunk + 1] - 1].end,
+                      room = end - begin + SortedVertices::slack;
+    const auto positions = std::make_unique_for_overwrite<glm::vec3[]>(room);
+    const auto normals =
+        std::make_unique_for_overwrite<glm::vec3[]>(out.normals.empty() ? 0 : room);
+    const auto tangents =
+        std::make_unique_for_overwrite<glm::vec3[]>(out.tangents.empty() ? 0 : room);
+    const bool missing =
+        deform_chunk(vertices, chunk, polynomials,
+                     {begin, positions.get(), out.normals.empty() ? nullptr : normals.get(),
+                      out.tangents.empty() ? nullptr : tangents.get()});
+    const std::span<const std::uint32_t> place(vertices.place.data() + begin, end - begin);
+    put_back(place, begin, positions.get(), out.positions.data() + begin);
+    if (!out.normals.empty()) put_back(place, begin, normals.get(), out.normals.data() + begin);
+    if (!out.tangents.empty())
+        for (std::size_t v = begin; v < end; ++v)
+            out.tangents[v] = {tangents[place[v - begin] - begin], mesh.tangents[v].w};
+    return missing;
+}
+
+} // namespace
+
 struct Deformer::State {
     Ref<Mesh> mesh;
     Embedding embedding;
     std::array<Knots, 3> axes;
+    std::array<AxisCells, 3> cells;
+    SortedVertices vertices;
 };
 
 Deformer::Deformer(Ref<Mesh> mesh, const Embedding& embedding, const std::array<Knots, 3>& axes)
-    : state_(new State{std::move(mesh), embedding, axes})
 {
+    const std::array<AxisCells, 3> cells{AxisCells(axes[0]), AxisCells(axes[1]),
+                                         AxisCells(axes[2])};
+    SortedVertices vertices = sort_by_cell(*mesh, embedding, axes, cells);
+    state_.reset(new State{std::move(mesh), embedding, axes, cells, std::move(vertices)});
 }
 
 Deformer::~Deformer() = default;
@@ -43,37 +78,42 @@ Deformer& Deformer::operator=(Deformer&&) noexcept = default;
 
 Deformed Deformer::arrays(const Lattice& lattice, Deformed reuse) const
 {
-    assert(lattice.displacement.axes == state_->axes);
-    const Mesh& mesh = *state_->mesh;
+    const State& s = *state_;
+    assert(lattice.displacement.axes == s.axes);
     Deformed out = std::move(reuse);
-    out.positions.resize(mesh.positions.size());
-    out.normals.resize(mesh.normals.size());
-    out.tangents.resize(mesh.normals.empty() ? 0 : mesh.tangents.size());
-    parallel_blocks(mesh.vertex_count(), 1024, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t v = begin; v < end; ++v) {
-            const DeformedPoint at =
-                deform(glm::dvec3(mesh.positions[v]), state_->embedding, lattice);
-            out.positions[v] = glm::vec3(at.position_world);
-            if (mesh.normals.empty()) continue;
-            const glm::dvec3 n = cofactor(at.jacobian) * glm::dvec3(mesh.normals[v]);
-            const double length = glm::length(n);
-            out.normals[v] = length > 0 ? glm::vec3(n / length) : glm::vec3(0);
-            if (mesh.tangents.empty()) continue;
-            out.tangents[v] = glm::vec4(glm::vec3(at.jacobian * glm::dvec3(mesh.tangents[v])),
-                                        mesh.tangents[v].w);
-        }
+    out.positions.resize(s.mesh->positions.size());
+    out.normals.resize(s.mesh->normals.size());
+    out.tangents.resize(out.normals.empty() ? 0 : s.mesh->tangents.size());
+
+    const CellPolynomials polynomials =
+        cell_polynomials(lattice.displacement, s.cells, s.vertices.cells, s.embedding);
+    const std::size_t chunks = s.vertices.chunk_begin.size() - 1;
+    std::vector<unsigned char> missing(chunks, 0); // a bool a chunk, written side by side
+    parallel_blocks(chunks, 1, [&](std::size_t chunk, std::size_t) {
+        missing[chunk] = deform_chunk(s.vertices, chunk, polynomials, *s.mesh, out);
     });
-    if (!mesh.normals.empty())
-        out.normals = fill_missing_normals(mesh, out.positions, std::move(out.normals));
+    if (std::find(missing.begin(), missing.end(), 1) == missing.end()) return out;
+    out.normals = fill_missing_normals(*s.mesh, out.positions, std::move(out.normals));
     for (std::size_t v = 0; v < out.tangents.size(); ++v)
-        out.tangents[v] = orthogonal_tangent(out.tangents[v], out.normals[v]);
+        if (glm::vec3(out.tangents[v]) == glm::vec3(0))
+            out.tangents[v] = orthogonal_tangent(s.mesh->tangents[v], out.normals[v]);
     return out;
 }
 
 Mesh Deformer::operator()(const Lattice& lattice) const
 {
-    Mesh out = *state_->mesh;
+    const Mesh& mesh = *state_->mesh;
     Deformed moved = arrays(lattice);
+    Mesh out;
+    out.colors = mesh.colors;
+    out.uvs = mesh.uvs;
+    out.points = mesh.points;
+    out.corners = mesh.corners;
+    out.face_begin = mesh.face_begin;
+    out.face_material = mesh.face_material;
+    out.face_group = mesh.face_group;
+    out.group_names = mesh.group_names;
+    out.creases = mesh.creases;
     out.positions = std::move(moved.positions);
     out.normals = std::move(moved.normals);
     out.tangents = std::move(moved.tangents);

@@ -20,6 +20,11 @@ glm::dvec3 area_vector(const Mesh& mesh, std::size_t face, const std::vector<glm
 
 } // namespace
 
+glm::dmat3 cofactor(const glm::dmat3& m)
+{
+    return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
+}
+
 std::vector<glm::vec3> fill_missing_normals(const Mesh& mesh,
                                             const std::vector<glm::vec3>& positions,
                                             std::vector<glm::vec3> normals)
@@ -27,7 +32,7 @@ std::vector<glm::vec3> fill_missing_normals(const Mesh& mesh,
     std::vector<std::uint32_t> slot(normals.size(), 0); // 1-based place in `sums`
     std::vector<glm::dvec3> sums(1);
     for (std::size_t v = 0; v < normals.size(); ++v) {
-        if (normals[v] != glm::vec3(0)) continue;
+        if (normals[v] != glm::vec3(0) || mesh.normals[v] == glm::vec3(0)) continue;
         slot[v] = static_cast<std::uint32_t>(sums.size());
         sums.emplace_back(0);
     }

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/ffd/sorted_vertices.h"
+
+#include <span>
+
+namespace trivar {
+
+// The displacement in every occupied cell as a polynomial in the cell's t, in single precision,
+// and what the chain rule needs besides.
+struct CellPolynomials {
+    std::array<int, 3> order{};
+    // A cell: order_u x order_v x order_w x 4, highest powers first, as Horner's rule takes them;
+    // x, y, z and a zero. The NEGATED displacement: rest - (+0) has the bits of rest even where
+    // that is -0, which rest + 0 has not.
+    std::vector<float> coefficients;
+    struct Frame {
+        // J = rest - (d polynomial / dt) * t_by_p, both scaled by a power of two so that neither
+        // overflows nor underflows when multiplied. Rows of t_by_p belong to t, of rest to world.
+        std::array<std::array<float, 3>, 3> t_by_p{}, rest{};
+        bool still = false; // J is the identity: normals and tangents stay as they are
+    };
+    std::vector<Frame> frames;
+
+    std::size_t stride() const
+    {
+        return static_cast<std::size_t>(order[0] * order[1] * order[2]) * 4;
+    }
+};
+
+// About 800 multiplications of four doubles a cell of a tri-cubic lattice: as much as the
+// deformation of some ten vertices takes.
+CellPolynomials cell_polynomials(const Trivariate<glm::dvec3>& displacement,
+                                 const std::array<AxisCells, 3>& axes,
+                                 std::span<const SortedVertices::CellKey> cells,
+                                 const Embedding& embedding);
+
+} // namespace trivar

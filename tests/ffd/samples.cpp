@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ffd/samples.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <random>
+
+namespace trivar::testing {
+
+Mesh scattered_points(std::size_t count, float lo, float hi, unsigned seed)
+{
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> in(lo, hi), about(-1, 1);
+    const auto direction = [&] {
+        return glm::normalize(glm::vec3(about(random), about(random), about(random)));
+    };
+    Mesh mesh;
+    for (std::size_t i = 0; i < count; ++i) {
+        mesh.positions.emplace_back(in(random), in(random), in(random));
+        const glm::vec3 n = direction();
+        mesh.normals.push_back(n);
+        mesh.tangents.emplace_back(glm::normalize(glm::cross(n, direction())),
+                                   i % 2 ? 1.0f : -1.0f);
+    }
+    return mesh;
+}
+
+Lattice random_lattice(const std::array<Knots, 3>& axes, double size, unsigned seed,
+                       const glm::dmat4& rest)
+{
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> in(-size, size);
+    Lattice lattice = lattice_at_rest(axes, rest);
+    for (glm::dvec3& d : lattice.displacement.points) d = {in(random), in(random), in(random)};
+    return lattice;
+}
+
+Knots uneven_knots(int order)
+{
+    std::vector<double> knots(static_cast<std::size_t>(order), 0.0);
+    for (const double k : {0.1, 0.35, 0.35, 0.8}) knots.push_back(k);
+    knots.insert(knots.end(), static_cast<std::size_t>(order), 1.0);
+    return Knots::general(order, knots);
+}
+
+glm::dmat4 some_affine_map()
+{
+    const glm::dmat4 shift = glm::translate(glm::dmat4(1), glm::dvec3(3, -2, 5));
+    const glm::dmat4 turn = glm::rotate(shift, 0.7, glm::normalize(glm::dvec3(1, 2, 3)));
+    return glm::scale(turn, glm::dvec3(2, 0.5, 1.5));
+}
+
+Mesh deform_in_double(const Mesh& mesh, const Embedding& embedding, const Lattice& lattice)
+{
+    Mesh out = mesh;
+    for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+        const DeformedPoint at = deform(glm::dvec3(mesh.positions[v]), embedding, lattice);
+        out.positions[v] = glm::vec3(at.position_world);
+        if (mesh.normals.empty()) continue;
+        const glm::dmat3& j = at.jacobian;
+        const glm::dmat3 cofactor(glm::cross(j[1], j[2]), glm::cross(j[2], j[0]),
+                                  glm::cross(j[0], j[1]));
+        const glm::dvec3 n = glm::normalize(cofactor * glm::dvec3(mesh.normals[v]));
+        out.normals[v] = glm::vec3(n);
+        if (mesh.tangents.empty()) continue;
+        const glm::dvec3 t = j * glm::dvec3(mesh.tangents[v]);
+        out.tangents[v] =
+            glm::vec4(glm::vec3(glm::normalize(t - n * glm::dot(n, t))), mesh.tangents[v].w);
+    }
+    return out;
+}
+
+double largest_distance(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b)
+{
+    double most = a.size() == b.size() ? 0 : 1e300;
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+        const double distance = glm::length(glm::dvec3(a[i]) - glm::dvec3(b[i]));
+        most = distance <= most ? most : distance; // so that NaN counts
+    }
+    return most;
+}
+
+} // namespace trivar::testing
