@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/box.h"
+
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
@@ -44,22 +46,6 @@ struct Mesh {
     bool operator==(const Mesh&) const = default;
 };
 
-struct Box {
-    glm::dvec3 lo{1e300}, hi{-1e300};
-    bool empty() const { return lo.x > hi.x; }
-    glm::dvec3 size() const { return empty() ? glm::dvec3(0) : hi - lo; }
-    glm::dvec3 center() const { return (lo + hi) / 2.0; }
-    void add(const glm::dvec3& p)
-    {
-        lo = glm::min(lo, p);
-        hi = glm::max(hi, p);
-    }
-    void add(const Box& other)
-    {
-        lo = glm::min(lo, other.lo);
-        hi = glm::max(hi, other.hi);
-    }
-};
 Box bounding_box(const Mesh& mesh, const glm::dmat4& to_world = glm::dmat4(1));
 
 // Adds a face at the end of `corners` and `face_begin`.

@@ -98,9 +98,9 @@ BezierCell part_of(const BezierCell& cell, const glm::dvec3& lo, const glm::dvec
     return out;
 }
 
-Bounds bounds(const BezierCell& cell)
+Box bounds(const BezierCell& cell)
 {
-    Bounds out;
+    Box out;
     for (const glm::dvec3& p : cell.points) out.add(p);
     return out;
 }

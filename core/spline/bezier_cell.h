@@ -1,26 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/box.h"
 #include "core/spline/bezier.h"
 
 #include <glm/glm.hpp>
 
 namespace trivar {
-
-// An axis-aligned box in world space, or in the space of whatever it bounds.
-struct Bounds {
-    glm::dvec3 lo{1e300}, hi{-1e300};
-
-    void add(const glm::dvec3& p)
-    {
-        lo = glm::min(lo, p);
-        hi = glm::max(hi, p);
-    }
-    double distance(const glm::dvec3& p) const // 0 inside
-    {
-        return glm::length(glm::max(glm::max(lo - p, p - hi), glm::dvec3(0)));
-    }
-};
 
 // One polynomial piece of a trivariate map, in Bernstein form over the box [lo, hi].
 struct BezierCell {
@@ -42,6 +28,6 @@ CellValue evaluate(const BezierCell& cell, const glm::dvec3& x);
 // The same polynomial over the local box [lo, hi]; and the box round the control points, which
 // holds the piece (convex hull).
 BezierCell part_of(const BezierCell& cell, const glm::dvec3& lo, const glm::dvec3& hi);
-Bounds bounds(const BezierCell& cell);
+Box bounds(const BezierCell& cell);
 
 } // namespace trivar

@@ -6,7 +6,7 @@
 
 namespace trivar {
 
-BoxTree::BoxTree(const std::vector<Bounds>& boxes)
+BoxTree::BoxTree(const std::vector<Box>& boxes)
 {
     std::vector<int> order(boxes.size());
     std::iota(order.begin(), order.end(), 0);
@@ -14,14 +14,11 @@ BoxTree::BoxTree(const std::vector<Bounds>& boxes)
     if (!order.empty()) build(boxes, order.begin(), order.end());
 }
 
-int BoxTree::build(const std::vector<Bounds>& boxes, std::vector<int>::iterator begin,
+int BoxTree::build(const std::vector<Box>& boxes, std::vector<int>::iterator begin,
                    std::vector<int>::iterator end)
 {
     Node node;
-    for (auto i = begin; i != end; ++i) {
-        node.bounds.add(boxes[static_cast<std::size_t>(*i)].lo);
-        node.bounds.add(boxes[static_cast<std::size_t>(*i)].hi);
-    }
+    for (auto i = begin; i != end; ++i) node.bounds.add(boxes[static_cast<std::size_t>(*i)]);
     const int here = static_cast<int>(nodes_.size());
     if (end - begin == 1) {
         node.box = *begin;
@@ -33,7 +30,7 @@ int BoxTree::build(const std::vector<Bounds>& boxes, std::vector<int>::iterator 
     const glm::dvec3 size = node.bounds.hi - node.bounds.lo;
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     const auto middle = [&](int i) {
-        const Bounds& b = boxes[static_cast<std::size_t>(i)];
+        const Box& b = boxes[static_cast<std::size_t>(i)];
         return b.lo[axis] + b.hi[axis];
     };
     std::sort(begin, end,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/spline/bezier_cell.h"
+#include "core/base/box.h"
 
 #include <vector>
 
@@ -12,22 +12,22 @@ namespace trivar {
 class BoxTree {
 public:
     BoxTree() = default;
-    explicit BoxTree(const std::vector<Bounds>& boxes); // O(n log^2 n)
+    explicit BoxTree(const std::vector<Box>& boxes); // O(n log^2 n)
 
     // The boxes within a distance of p (0: those that hold it), ascending.
     std::vector<int> near(const glm::dvec3& p, double distance) const;
     // The smallest distance for which near() reports anything; 1e300 for an empty tree.
     double distance(const glm::dvec3& p) const;
-    const Bounds& bounds() const { return nodes_.front().bounds; } // of all; not when empty
+    const Box& bounds() const { return nodes_.front().bounds; } // of all; not when empty
 
 private:
     // A leaf holds one box; an inner node's children are the next node and `second`.
     struct Node {
-        Bounds bounds;
+        Box bounds;
         int box = -1;
         int second = -1;
     };
-    int build(const std::vector<Bounds>& boxes, std::vector<int>::iterator begin,
+    int build(const std::vector<Box>& boxes, std::vector<int>::iterator begin,
               std::vector<int>::iterator end);
     std::vector<Node> nodes_;
 };

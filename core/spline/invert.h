@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/spline/bezier_cell.h"
 #include "core/spline/box_tree.h"
 
 #include <optional>
@@ -43,7 +44,7 @@ private:
 
     std::vector<Knots> axes_;
     std::vector<BezierCell> cells_;
-    std::vector<Bounds> boxes_; // one a cell
+    std::vector<Box> boxes_; // one a cell
     BoxTree tree_;
     double tolerance_ = 0; // world
 };

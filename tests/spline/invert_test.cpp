@@ -35,7 +35,7 @@ Trivariate<glm::dvec3> bent_bar(double angle, double noise_share, int order)
 
 double diagonal(const Trivariate<glm::dvec3>& f)
 {
-    Bounds all;
+    Box all;
     for (const glm::dvec3& p : f.points) all.add(p);
     return glm::distance(all.lo, all.hi);
 }
@@ -198,7 +198,7 @@ TEST(BezierCells, HoldTheirPieceInTheirBoxAndAgreeWithTheMap)
         random_volume({testing::uneven_knots(3), Knots::periodic(4, 5), Knots::uniform(6, 7)});
     Noise noise;
     for (const BezierCell& cell : bezier_cells(f)) {
-        const Bounds box = bounds(cell);
+        const Box box = bounds(cell);
         const BezierCell part = part_of(cell, {0.2, 0.5, 0}, {0.7, 1, 0.3});
         for (int i = 0; i < 20; ++i) {
             const glm::dvec3 x = noise.vec3() * 0.5 + 0.5;
@@ -221,8 +221,8 @@ TEST(BezierCells, HoldTheirPieceInTheirBoxAndAgreeWithTheMap)
 TEST(BoxTree, FindsWhatASearchOfAllBoxesFinds)
 {
     Noise noise;
-    std::vector<Bounds> boxes(200);
-    for (Bounds& b : boxes) {
+    std::vector<Box> boxes(200);
+    for (Box& b : boxes) {
         const glm::dvec3 p = 5.0 * noise.vec3();
         b.add(p);
         b.add(p + noise.vec3());
@@ -239,7 +239,7 @@ TEST(BoxTree, FindsWhatASearchOfAllBoxesFinds)
         EXPECT_EQ(tree.distance(p), least);
         EXPECT_EQ(tree.near(p, 1), near);
     }
-    EXPECT_TRUE(BoxTree(std::vector<Bounds>{}).near({0, 0, 0}, 1).empty());
+    EXPECT_TRUE(BoxTree(std::vector<Box>{}).near({0, 0, 0}, 1).empty());
 }
 
 } // namespace

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace trivar {
+
+// An axis-aligned box; as it is made, an empty one.
+struct Box {
+    glm::dvec3 lo{1e300}, hi{-1e300};
+    bool empty() const { return lo.x > hi.x; }
+    glm::dvec3 size() const { return empty() ? glm::dvec3(0) : hi - lo; }
+    glm::dvec3 center() const { return (lo + hi) / 2.0; }
+    void add(const glm::dvec3& p)
+    {
+        lo = glm::min(lo, p);
+        hi = glm::max(hi, p);
+    }
+    void add(const Box& other)
+    {
+        lo = glm::min(lo, other.lo);
+        hi = glm::max(hi, other.hi);
+    }
+    double distance(const glm::dvec3& p) const // to the nearest point of the box; 0 inside
+    {
+        return glm::length(glm::max(glm::max(lo - p, p - hi), glm::dvec3(0)));
+    }
+};
+
+} // namespace trivar
