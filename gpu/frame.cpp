@@ -93,7 +93,11 @@ Frame frame_of(const Picture& picture, const Camera& camera, const Scene& scene,
     f.scene = glm::vec4(radius, exposure, 0.22 * radius, 0);
     const bool ground = picture.settings.ground && !scene.items.empty();
     f.ground = glm::vec4(scene.ground_z, round_step(radius / 4), 6 * scene.radius, ground ? 1 : 0);
-    f.centre = glm::vec4((scene.lo + scene.hi) * 0.5f, picture.grid ? 1 : 0);
+    f.centre = glm::vec4((scene.lo + scene.hi) * 0.5f, 0);
+    // Upwards the harmonics of bands 1 and 2 that count are z and 3 z^2 - 1.
+    const glm::vec3 ambient = studio.ambient[0] + studio.ambient[2] + 2.0f * studio.ambient[6];
+    const glm::vec3 key = studio.key_irradiance * std::max(studio.boxes[0].direction.z, 0.0f);
+    f.ground_share = glm::vec4(ambient / glm::max(ambient + key, glm::vec3(1e-6f)), 0);
     const glm::vec3 extent = scene.hi - scene.lo;
     const float side = std::max({std::max(extent.x, extent.y) + 1.6f * extent.z, 1e-6f});
     f.contact = glm::vec4(glm::vec2(f.centre) - side / 2, 1 / side, side);

@@ -15,9 +15,9 @@ struct Frame {
     std::array<glm::vec4, 3> box_dir, box_right, box_up, box_light;
     glm::vec4 zenith, horizon, floor_light, ground, contact, shadow_map, scene;
     std::array<glm::vec4, 3> backdrop;
-    glm::vec4 centre;
+    glm::vec4 centre, ground_share;
 };
-static_assert(sizeof(Frame) == 5 * 64 + 16 * (4 + 9 + 12 + 7 + 3 + 1));
+static_assert(sizeof(Frame) == 5 * 64 + 16 * (4 + 9 + 12 + 7 + 3 + 2));
 
 // Everything but key_clip and shadow_map, which the shadow map fills in. Throws Rejected for a
 // camera that looks nowhere.

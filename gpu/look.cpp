@@ -24,16 +24,16 @@ glm::vec3 srgb(std::uint32_t hex)
 Look studio()
 {
     Look look;
-    look.boxes[0] = {0, 0, {0.15f, 0.15f}, glm::vec3(1, 0.965f, 0.91f) * 35.0f, 0.02f};
+    look.boxes[0] = {0, 0, {0.15f, 0.15f}, glm::vec3(1, 0.965f, 0.91f) * 37.0f, 0.02f};
     // Large, cool and low on the other side; a tall strip behind for the edges.
     look.boxes[1] = {
         104 * degrees, 22 * degrees, {0.34f, 0.62f}, glm::vec3(0.86f, 0.93f, 1) * 0.55f, 0.06f};
     look.boxes[2] = {
         200 * degrees, 30 * degrees, {0.16f, 0.75f}, glm::vec3(1, 0.98f, 0.95f) * 3.8f, 0.03f};
-    look.zenith = glm::vec3(0.50f, 0.54f, 0.60f) * 0.62f;
-    look.horizon = glm::vec3(0.22f, 0.215f, 0.21f) * 0.62f;
-    look.floor = glm::vec3(0.66f, 0.63f, 0.60f) * 0.62f;
-    look.backdrop = {srgb(0x7F868E), srgb(0xC3C6C8), srgb(0xA3A5A6)};
+    look.zenith = glm::vec3(0.50f, 0.54f, 0.60f) * 0.52f;
+    look.horizon = glm::vec3(0.22f, 0.215f, 0.21f) * 0.52f;
+    look.floor = glm::vec3(0.66f, 0.63f, 0.60f) * 0.46f;
+    look.backdrop = {srgb(0x8C939B), srgb(0xD0D3D5), srgb(0xB3B5B7)};
     return look;
 }
 
@@ -43,9 +43,9 @@ Look dark()
     look.boxes[0].radiance *= 0.86f;
     look.boxes[1].radiance *= 1.1f;
     look.boxes[2].radiance *= 1.7f;
-    look.zenith *= 0.55f;
-    look.horizon *= 0.5f;
-    look.floor *= 0.35f;
+    look.zenith *= 0.66f;
+    look.horizon *= 0.6f;
+    look.floor *= 0.45f;
     look.backdrop = {srgb(0x16181B), srgb(0x34383D), srgb(0x1F2225)};
     return look;
 }

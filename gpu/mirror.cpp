@@ -50,6 +50,7 @@ MirroredMesh uploaded(const Mesh& mesh)
 {
     MirroredMesh out;
     out.buffers.reserve(7);
+    out.colored = !mesh.colors.empty();
     add_attribute(out, 0, mesh.positions);
     add_attribute(out, 1, mesh.normals.empty() ? smooth_normals(mesh) : mesh.normals);
     add_attribute(out, 2, mesh.tangents);

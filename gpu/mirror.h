@@ -20,6 +20,7 @@ struct MirroredMesh {
     VertexArray vertices;
     std::vector<Buffer> buffers;
     std::vector<Part> parts;
+    bool colored = false;     // has vertex colours
     std::uint64_t serial = 0; // no two uploads have the same
 };
 

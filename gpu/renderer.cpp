@@ -88,15 +88,16 @@ struct Renderer::State {
     }
 
     void draw_sample(const Frame& frame, const Scene& scene, const Look& look,
-                     const Quality& quality)
+                     const Quality& quality, bool grid)
     {
         tools.set_frame(frame);
         clock.pass("surfaces", [&] { draw_surfaces(tools, *targets, frame, scene, look.clay); });
-        if (quality.occlusion) clock.pass("occlusion", [&] { draw_occlusion(tools, *targets); });
+        if (quality.occlusion_slices > 0)
+            clock.pass("occlusion", [&] { draw_occlusion(tools, *targets, quality); });
         shadow_map.bind();
         contact_map.bind();
         clock.pass("light", [&] { draw_light(tools, *targets, quality); });
-        clock.pass("backdrop", [&] { draw_backdrop(tools, *targets, quality); });
+        clock.pass("backdrop", [&] { draw_backdrop(tools, *targets, quality, grid); });
         if (any_see_through(scene))
             clock.pass("ghosts", [&] { draw_ghosts(tools, *targets, frame, scene, quality); });
     }
@@ -131,9 +132,8 @@ unsigned Renderer::draw(const Picture& picture, glm::ivec2 size_px)
     }
 
     const int samples = picture.draft ? 1 : std::clamp(picture.samples, 1, 256);
-    Quality quality;
-    quality.occlusion = picture.settings.ambient_occlusion && !picture.draft;
-    if (picture.draft) quality.shadow_blockers = 0, quality.shadow_taps = 4;
+    Quality quality = quality_for(samples, picture.draft);
+    if (!picture.settings.ambient_occlusion) quality.occlusion_slices = 0;
     s.shadow_map.fit(frame, scene, picture.draft ? 1024 : 2048);
     s.tools.set_frame(frame);
     if (picture.settings.shadows && s.shadow_map.stale(scene))
@@ -143,7 +143,7 @@ unsigned Renderer::draw(const Picture& picture, glm::ivec2 size_px)
         s.clock.pass("contact map", [&] { s.contact_map.draw(s.tools, frame, scene, contact_px); });
 
     for (int i = 0; i < samples; ++i) {
-        s.draw_sample(sample_of(frame, i, samples), scene, look, quality);
+        s.draw_sample(sample_of(frame, i, samples), scene, look, quality, picture.grid);
         if (samples > 1) s.clock.pass("average", [&] { add_sample(s.tools, *s.targets, i); });
     }
     s.tools.set_frame(frame);

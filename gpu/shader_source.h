@@ -19,7 +19,7 @@ struct ProgramName {
 std::string_view shader_file(std::string_view name);
 
 // What the compiler is given for a file: version, defines, and the text with every file it includes
-// pasted once.
+// pasted once, where it is first named: what two branches of an #ifdef need is included before it.
 std::string shader_source(const std::string& file, const std::vector<std::string>& defines);
 
 } // namespace trivar::gpu

@@ -8,12 +8,25 @@
 
 namespace trivar::gpu {
 
+Quality quality_for(int samples, bool draft)
+{
+    if (draft) return {0, 0, 4};
+    if (samples >= 16) return {1, 5, 6};
+    if (samples >= 4) return {1, 8, 10};
+    return {};
+}
+
 std::vector<std::string> Quality::shadow_defines() const
 {
     std::vector<std::string> out{fmt::format("SHADOW_BLOCKERS {}", shadow_blockers),
                                  fmt::format("SHADOW_TAPS {}", shadow_taps)};
     if (shadow_blockers == 0) out.emplace_back("SHADOW_RADIUS 3.0"); // texels
     return out;
+}
+
+std::vector<std::string> Quality::occlusion_defines() const
+{
+    return {fmt::format("SLICES {}", occlusion_slices)};
 }
 
 void draw_surfaces(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
@@ -27,6 +40,7 @@ void draw_surfaces(Tools& tools, const Targets& targets, const Frame& frame, con
     glClear(GL_DEPTH_BUFFER_BIT);
     MeshPass pass;
     pass.fragment = "surfaces";
+    pass.plain_variant = true;
     if (clay) pass.defines.emplace_back("CLAY");
     pass.scene_to_clip = frame.view_clip;
     pass.wanted = solid;
@@ -36,13 +50,13 @@ void draw_surfaces(Tools& tools, const Targets& targets, const Frame& frame, con
     tools.draw(scene, pass);
 }
 
-void draw_occlusion(Tools& tools, const Targets& targets)
+void draw_occlusion(Tools& tools, const Targets& targets, const Quality& quality)
 {
     set_state({});
     targets.surfaces.bind(2);
     targets.ids_depths.bind(3);
     targets.to_occlusion_noisy.bind();
-    tools.use(full_screen_program("occlusion"));
+    tools.use(full_screen_program("occlusion", quality.occlusion_defines()));
     tools.full_screen();
     targets.to_occlusion.bind();
     tools.use(full_screen_program("occlusion_blur"));
@@ -57,7 +71,7 @@ void draw_light(Tools& tools, const Targets& targets, const Quality& quality)
     // skips the rest in blocks.
     set_state({.depth = DepthTest::greater});
     std::vector<std::string> defines = quality.shadow_defines();
-    if (quality.occlusion) defines.emplace_back("OCCLUSION");
+    if (quality.occlusion_slices > 0) defines.emplace_back("OCCLUSION");
     tools.use(full_screen_program("shade", defines));
     targets.occlusion.bind(1);
     targets.surfaces.bind(2);
@@ -65,11 +79,13 @@ void draw_light(Tools& tools, const Targets& targets, const Quality& quality)
     tools.full_screen();
 }
 
-void draw_backdrop(Tools& tools, const Targets& targets, const Quality& quality)
+void draw_backdrop(Tools& tools, const Targets& targets, const Quality& quality, bool grid)
 {
     targets.to_color.bind();
     set_state({.depth = DepthTest::less_equal});
-    tools.use(full_screen_program("backdrop", quality.shadow_defines()));
+    std::vector<std::string> defines = quality.shadow_defines();
+    if (grid) defines.emplace_back("GRID");
+    tools.use(full_screen_program("backdrop", defines));
     tools.full_screen();
 }
 

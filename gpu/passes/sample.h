@@ -8,18 +8,21 @@ namespace trivar::gpu {
 
 // How much is spent on a sample.
 struct Quality {
-    bool occlusion = true;
+    int occlusion_slices = 2;                  // 0: no ambient occlusion
     int shadow_blockers = 8, shadow_taps = 12; // no blockers: shadows of one softness
     std::vector<std::string> shadow_defines() const;
+    std::vector<std::string> occlusion_defines() const;
 };
+// Noise averages over samples, so many samples need little each.
+Quality quality_for(int samples, bool draft);
 
 // The passes of one sample of a picture, in order. Each reads what the ones before left in the
 // targets; contact and shadow map are bound.
 void draw_surfaces(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
                    bool clay);
-void draw_occlusion(Tools& tools, const Targets& targets);
+void draw_occlusion(Tools& tools, const Targets& targets, const Quality& quality);
 void draw_light(Tools& tools, const Targets& targets, const Quality& quality);
-void draw_backdrop(Tools& tools, const Targets& targets, const Quality& quality);
+void draw_backdrop(Tools& tools, const Targets& targets, const Quality& quality, bool grid);
 void draw_ghosts(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
                  const Quality& quality);
 // Mixes the sample into the average of those before; `index` counts from 0.

@@ -124,7 +124,10 @@ void Tools::draw(const SceneItem& item, const MirroredMesh::Part& part, const Me
     const bool mask = material.alpha == Material::Alpha::mask;
     const bool reads = pass.reads_material || mask;
     ProgramName name{"mesh", pass.fragment, pass.defines};
-    if (reads && textured(material)) name.defines.emplace_back("TEXTURED");
+    if (reads && textured(material))
+        name.defines.emplace_back("TEXTURED");
+    else if (pass.plain_variant && !mask && !item.mesh->colored)
+        name.defines.emplace_back("PLAIN");
     if (mask) name.defines.emplace_back("MASKED");
     const Program& program = programs_.use(name);
     program.set("to_scene", item.to_scene);

@@ -25,7 +25,8 @@ layout(std140, binding = 0) uniform Frame {
     vec4 shadow_map;   // 1/resolution, width, depth range (world), tangent of the light's half angle
     vec4 scene;        // radius (world), exposure factor, occlusion radius (world), noise seed
     vec4 backdrop[3];  // rgb display-linear: top, middle, bottom
-    vec4 centre;       // xyz centre of the ground's fade, w 1: grid
+    vec4 centre;       // xyz centre of the ground's fade
+    vec4 ground_share; // share of the ambient light in all that reaches the open ground, rgb
 } frame;
 
 float saturate(float x) { return clamp(x, 0.0, 1.0); }
@@ -59,9 +60,10 @@ vec3 dithered(vec3 linear, vec2 p_px, float seed)
     return saturate(linear + 2.0 * sqrt(max(linear, 0.0)) * (n / 255.0));
 }
 
-// The i-th of n points of a sunflower disk turned by phi (Vogel 1979).
-vec2 sunflower(int i, int n, float phi)
+// The i-th of n points of a sunflower disk turned by phi (Vogel 1979); `out_by`, 0 to 1, moves the
+// points outwards by a part of their spacing.
+vec2 sunflower(int i, int n, float phi, float out_by)
 {
-    float r = sqrt((float(i) + 0.5) / float(n)), a = float(i) * 2.39996323 + phi;
+    float r = sqrt((float(i) + out_by) / float(n)), a = float(i) * 2.39996323 + phi;
     return r * vec2(cos(a), sin(a));
 }

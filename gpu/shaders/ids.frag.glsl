@@ -13,5 +13,5 @@ void main()
 #ifdef MASKED
     surface_here();
 #endif
-    out_id_depth = uvec2(id, floatBitsToUint(-(frame.view * vec4(at_scene, 1.0)).z));
+    out_id_depth = uvec2(id, floatBitsToUint(distance_here()));
 }

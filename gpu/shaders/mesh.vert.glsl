@@ -1,5 +1,11 @@
 // Every pass that draws meshes.
 #include "frame.glsl"
+#ifdef PLAIN
+#define READS_MATERIAL
+#include "material.glsl"
+#include "pack.glsl"
+flat out uvec3 at_material;
+#endif
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec4 tangent; // w 0: none given
@@ -26,6 +32,13 @@ void main()
     // A mirroring matrix turns the bitangent's sense round.
     at_tangent = vec4(mat3(to_scene) * tangent.xyz, tangent.w * sign(determinant(mat3(to_scene))));
     at_uv = vec4(uv_first, uv_second);
+#endif
+#ifdef PLAIN
+    Surface s = plain_surface(normal, vec4(1.0));
+#ifdef CLAY
+    s = as_clay(s);
+#endif
+    at_material = packed_material(s);
 #endif
     gl_Position = scene_to_clip * vec4(at_scene, 1.0);
 }

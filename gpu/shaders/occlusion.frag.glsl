@@ -2,13 +2,13 @@
 // slices of GTAO (Jimenez et al. 2016). The 32 sectors are uniform in sin(angle), so their free
 // share is cosine weighted; surfaces have a thickness, so thin parts throw no dark halo.
 #include "frame.glsl"
-#include "surface.glsl"
+#include "material.glsl"
 #include "pack.glsl"
 layout(location = 0) out vec4 out_open;
 layout(binding = 2) uniform usampler2D surfaces;
 layout(binding = 3) uniform usampler2D ids_depths; // full size
 
-const int SLICES = 2, STEPS = 3;
+const int STEPS = 3; // to each side of each of SLICES slices
 
 float quick_acos(float x)
 {

@@ -30,10 +30,12 @@ vec3 unpacked_light(uint word)
     return c.rgb * exp2(round(c.a * 255.0) - 128.0);
 }
 
-uvec4 packed_surface(Surface s)
+const uint BACK = 255u << 16; // in the last word
+
+// All but the normal.
+uvec3 packed_material(Surface s)
 {
-    return uvec4(packed_normal(s.normal), packUnorm4x8(vec4(sqrt(s.base), s.roughness)),
-                 packed_light(s.emissive),
+    return uvec3(packUnorm4x8(vec4(sqrt(s.base), s.roughness)), packed_light(s.emissive),
                  packUnorm4x8(vec4(s.metallic, s.occlusion, s.back ? 1.0 : 0.0, 1.0)));
 }
 Surface unpacked_surface(uvec4 words)

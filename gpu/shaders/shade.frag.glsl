@@ -3,7 +3,7 @@
 #include "studio.glsl"
 #include "tonemap.glsl"
 #include "shadow.glsl"
-#include "surface.glsl"
+#include "material.glsl"
 #include "pack.glsl"
 #include "shade.glsl"
 in vec2 uv;

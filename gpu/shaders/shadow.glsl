@@ -17,13 +17,15 @@ float key_visibility(vec3 p, vec3 n, vec2 p_px)
     vec3 in_light = (frame.key_clip * vec4(n, 0.0)).xyz * vec3(width, width, -range) * 0.5;
     vec2 slope = in_light.xy / max(in_light.z, 0.25) * (width / range);
     slope = clamp(slope, -6.0 * width / range, 6.0 * width / range);
-    float phi = 6.2831853 * noise_at(p_px, frame.scene.w), bias = 0.6 * texel * width / range;
+    float phi = 6.2831853 * noise_at(p_px, frame.scene.w);
+    float out_by = fract(0.5 + 0.754878 * frame.scene.w); // evenly over the samples
+    float bias = 0.6 * texel * width / range;
 #if SHADOW_BLOCKERS > 0
     float reach = min(frame.shadow_map.w * q.z * range / width, 0.12), sum = 0.0, count = 0.0;
     // Software GL runs both sides of a branch but leaves a loop when no lane is alive.
     int blockers = outside ? 0 : SHADOW_BLOCKERS;
     for (int i = 0; i < blockers; i++) {
-        vec2 o = sunflower(i, SHADOW_BLOCKERS, phi) * reach;
+        vec2 o = sunflower(i, SHADOW_BLOCKERS, phi, out_by) * reach;
         float z = textureLod(shadow_depth, q.xy + o, 0.0).r;
         float hit = step(z, min(q.z + dot(slope, o) - bias - 0.0015, FARTHEST));
         sum += z * hit;
@@ -38,7 +40,7 @@ float key_visibility(vec3 p, vec3 n, vec2 p_px)
 #endif
     float seen = 0.0;
     for (int i = 0; i < taps; i++) {
-        vec2 o = sunflower(i, SHADOW_TAPS, phi + 1.7) * radius;
+        vec2 o = sunflower(i, SHADOW_TAPS, phi + 1.7, out_by) * radius;
         float z = min(q.z + dot(slope, o) - bias, FARTHEST);
         seen += texture(shadow_compare, vec3(q.xy + o, z));
     }

@@ -1,16 +1,6 @@
-// What a material makes of one point of a mesh. TEXTURED variants read textures; without it the
-// material's numbers and the vertex colour are all there is.
-struct Surface {
-    vec3 normal; // scene, towards the eye's side
-    vec3 base, emissive;
-    float metallic, roughness, occlusion, alpha;
-    bool back; // the inside of a single-sided mesh
-};
-
-#ifdef READS_MATERIAL
-uniform vec4 base_color;     // linear, a opacity
-uniform vec4 emissive_color; // linear, a strength of the normal map
-uniform vec4 roughness_metallic; // roughness, metallic, 1: both sides alike, alpha cutoff (or -1)
+// What a material makes of the point of the mesh that this fragment shows. TEXTURED variants read
+// textures; without it the material's numbers and the vertex colour are all there is.
+#include "material.glsl"
 
 #ifdef TEXTURED
 layout(binding = 8) uniform sampler2D base_color_texture;
@@ -51,16 +41,14 @@ vec3 bumped(vec3 n)
 
 Surface surface_here()
 {
-    Surface s;
     bool away = !gl_FrontFacing;
-    s.normal = normalize(at_normal);
-    vec4 base = base_color * at_color;
-    s.emissive = emissive_color.rgb;
-    s.roughness = roughness_metallic.x;
-    s.metallic = roughness_metallic.y;
-    s.occlusion = 1.0;
+    Surface s = plain_surface(normalize(at_normal), at_color);
 #ifdef TEXTURED
-    if (has(0)) base *= texel(base_color_texture, 0);
+    if (has(0)) {
+        vec4 texel_color = texel(base_color_texture, 0);
+        s.base *= texel_color.rgb;
+        s.alpha *= texel_color.a;
+    }
     if (has(1)) {
         vec4 mr = texel(metallic_roughness_texture, 1);
         s.roughness *= mr.g;
@@ -70,13 +58,10 @@ Surface surface_here()
     if (has(3)) s.occlusion = texel(occlusion_texture, 3).r;
     if (has(4)) s.emissive *= texel(emissive_texture, 4).rgb;
 #endif
-    if (away) s.normal = -s.normal;
-    s.back = away && roughness_metallic.z < 0.5;
-    s.base = saturate(base.rgb);
-    s.alpha = base.a;
 #ifdef MASKED
-    if (base.a < roughness_metallic.w) discard;
+    if (s.alpha < roughness_metallic.w) discard;
 #endif
+    if (away) s.normal = -s.normal;
+    s.back = shows_back(away);
     return s;
 }
-#endif

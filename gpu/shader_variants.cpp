@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gpu/shader_variants.h"
+
+#include "gpu/passes/sample.h"
+
+#include <fmt/format.h>
+
+namespace trivar::gpu {
+namespace {
+
+using Defines = std::vector<std::string>;
+
+Defines with(Defines defines, const Defines& more)
+{
+    defines.insert(defines.end(), more.begin(), more.end());
+    return defines;
+}
+
+} // namespace
+
+std::vector<ProgramName> every_program()
+{
+    std::vector<ProgramName> out;
+    const std::vector<Defines> materials{{}, {"TEXTURED"}, {"MASKED"}, {"TEXTURED", "MASKED"}};
+    for (const Defines& material : materials) {
+        for (const char* fragment : {"depth", "ids", "mask"})
+            out.push_back({"mesh", fragment, material});
+        out.push_back({"mesh", "surfaces", material});
+        out.push_back({"mesh", "surfaces", with({"CLAY"}, material)});
+    }
+    out.push_back({"mesh", "surfaces", {"PLAIN"}});
+    out.push_back({"mesh", "surfaces", {"CLAY", "PLAIN"}});
+    for (const Quality& quality : {quality_for(1, true), quality_for(1, false),
+                                   quality_for(4, false), quality_for(16, false)}) {
+        const Defines shadow = quality.shadow_defines();
+        for (const Defines& material : materials)
+            out.push_back({"mesh", "ghost", with(shadow, material)});
+        for (const Defines& more : {Defines{}, Defines{"OCCLUSION"}})
+            out.push_back(full_screen_program("shade", with(shadow, more)));
+        for (const Defines& more : {Defines{}, Defines{"GRID"}})
+            out.push_back(full_screen_program("backdrop", with(shadow, more)));
+        if (quality.occlusion_slices > 0)
+            out.push_back(full_screen_program("occlusion", quality.occlusion_defines()));
+    }
+    for (const char* fragment : {"occlusion_blur", "contact", "contact_blur", "average", "outline"})
+        out.push_back(full_screen_program(fragment));
+    out.push_back({"line", "line", {}});
+    return out;
+}
+
+} // namespace trivar::gpu
