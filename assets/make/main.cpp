@@ -2,6 +2,7 @@
 // trivar-make FOLDER [NAME...]: writes FOLDER/NAME.glb for each model named, or for all of them;
 // "volumes" and "cages" are names too. --preview FOLDER adds four shaded views of each.
 #include "assets/make/check.h"
+#include "assets/make/models/cages.h"
 #include "assets/make/models/models.h"
 #include "assets/make/preview.h"
 #include "assets/make/write_model.h"

@@ -125,7 +125,7 @@ std::vector<vec3> normals(const Mesh& mesh)
 
 int Model::material(const std::string& label, vec3 color, float rough, float metal)
 {
-    materials.push_back({label, color, rough, metal});
+    materials.push_back({label, color, rough, metal, {}});
     return int(materials.size()) - 1;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -51,10 +52,16 @@ void orient_outward(Mesh& mesh); // turns every face round when the enclosed vol
 // #points unit normals, weighted by area so that flats stay flat beside bevels.
 std::vector<vec3> normals(const Mesh& mesh);
 
+struct Texture { // 3 bytes a texel, rows from v = 0
+    glm::ivec2 size_px{0};
+    std::vector<std::uint8_t> rgb;
+};
+
 struct Material {
     std::string name;
     vec3 color;
     float rough = .7f, metal = 0;
+    Texture texture = {}; // empty: none
 };
 
 struct Node {

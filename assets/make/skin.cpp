@@ -22,48 +22,46 @@ Mesh cone(vec3 base, vec3 tip, float r, int mat, int n)
     return m.mat(mat);
 }
 
-// cylindrical texture coordinates about the model's long axis, seam under the belly
-void wrap_about_x(Mesh& m, float yc)
+namespace {
+
+// u is the angle; the corners of a face across the seam stay together, beyond 0..1.
+void wrap(Mesh& mesh, const std::function<vec2(vec3)>& angle_and_height)
 {
-    m.uvs.clear();
-    for (auto& q : m.faces) {
-        std::array<vec2, 4> t{};
-        float a0 = 0;
-        for (int k = 0; k < 4; k++)
-            if (q[k] >= 0) {
-                vec3 p = m.points[q[k]];
-                float a = std::atan2(p.z, p.y - yc) / 6.2831853f + .5f;
-                if (!k) a0 = a;
-                if (a - a0 > .5f) a -= 1;
-                if (a - a0 < -.5f) a += 1;
-                t[k] = {a, p.x};
-            }
-        m.uvs.push_back(t);
+    mesh.uvs.clear();
+    for (const Face& q : mesh.faces) {
+        std::array<vec2, 4> uv{};
+        for (std::size_t k = 0; k < corner_count(q); ++k) {
+            uv[k] = angle_and_height(mesh.points[q[k]]);
+            uv[k].x = uv[k].x / (2 * pi) + .5f;
+            if (uv[k].x - uv[0].x > .5f) uv[k].x -= 1;
+            if (uv[k].x - uv[0].x < -.5f) uv[k].x += 1;
+        }
+        mesh.uvs.push_back(uv);
     }
 }
 
-void wrap_about_y(Mesh& m, vec2 axis)
-{ // cylindrical texture coordinates about +y, seam at the back
-    m.uvs.clear();
+} // namespace
+
+void wrap_about_x(Mesh& mesh, const std::function<float(float)>& center_y)
+{
+    wrap(mesh, [&](vec3 p) { return vec2(std::atan2(p.z, p.y - center_y(p.x)), p.x); });
+}
+
+void wrap_about_x(Mesh& mesh, float center_y)
+{
+    wrap_about_x(mesh, [=](float) { return center_y; });
+}
+
+void wrap_about_y(Mesh& mesh, vec2 axis_xz)
+{
     float lo = 1e9f, hi = -1e9f;
-    for (auto& q : m.points) {
-        lo = std::min(lo, q.y);
-        hi = std::max(hi, q.y);
+    for (const vec3& p : mesh.points) {
+        lo = std::min(lo, p.y);
+        hi = std::max(hi, p.y);
     }
-    for (auto& q : m.faces) {
-        std::array<vec2, 4> t{};
-        float a0 = 0;
-        for (int k = 0; k < 4; k++)
-            if (q[k] >= 0) {
-                vec3 p = m.points[q[k]];
-                float a = std::atan2(-(p.z - axis.y), p.x - axis.x) / (2 * pi) + .5f;
-                if (!k) a0 = a;
-                if (a - a0 > .5f) a -= 1;
-                if (a - a0 < -.5f) a += 1;
-                t[k] = {a, (p.y - lo) / (hi - lo)};
-            }
-        m.uvs.push_back(t);
-    }
+    wrap(mesh, [&](vec3 p) {
+        return vec2(std::atan2(axis_xz.y - p.z, p.x - axis_xz.x), (p.y - lo) / (hi - lo));
+    });
 }
 
 Mesh plain(Mesh m, int k)

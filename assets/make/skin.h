@@ -10,7 +10,8 @@ Mesh cone(vec3 base, vec3 tip, float radius, int material, int n = 8); // teeth 
 Mesh plain(Mesh mesh, int material);                                   // without vertex colours
 
 // Cylindrical texture coordinates: u about the axis in 0..1, v along it. The seam is under the
-// belly (about x, at height center_y) or at the back (about y, through axis_xz).
+// belly (about x, at the height center_y(x)) or at the back (about y, through axis_xz).
+void wrap_about_x(Mesh& mesh, const std::function<float(float)>& center_y);
 void wrap_about_x(Mesh& mesh, float center_y);
 void wrap_about_y(Mesh& mesh, vec2 axis_xz);
 

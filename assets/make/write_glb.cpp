@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "assets/make/write_model.h"
 
+#include "assets/make/texture.h"
+
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -51,16 +53,22 @@ struct Buffer {
     std::string bytes;
     List views, accessors;
 
+    int add_view(const char* data, std::size_t length, Target target)
+    {
+        const std::size_t begin = bytes.size();
+        bytes.append(data, length);
+        bytes.resize((bytes.size() + 3) / 4 * 4, '\0');
+        return views.add("{\"buffer\":0,\"byteOffset\":" + std::to_string(begin) +
+                         ",\"byteLength\":" + std::to_string(length) +
+                         (target ? ",\"target\":" + std::to_string(target) : "") + "}");
+    }
+
     template <class T>
     int add(const std::vector<T>& values, ComponentType component, const char* type, Target target,
             const std::string& more = "")
     {
-        const std::size_t length = values.size() * sizeof(T);
-        const int view = views.add("{\"buffer\":0,\"byteOffset\":" + std::to_string(bytes.size()) +
-                                   ",\"byteLength\":" + std::to_string(length) +
-                                   (target ? ",\"target\":" + std::to_string(target) : "") + "}");
-        bytes.append(reinterpret_cast<const char*>(values.data()), length);
-        bytes.resize((bytes.size() + 3) / 4 * 4, '\0');
+        const int view = add_view(reinterpret_cast<const char*>(values.data()),
+                                  values.size() * sizeof(T), target);
         return accessors.add("{\"bufferView\":" + std::to_string(view) +
                              ",\"componentType\":" + std::to_string(component) +
                              ",\"count\":" + std::to_string(values.size()) + ",\"type\":\"" + type +
@@ -215,13 +223,30 @@ std::string clip_json(const Clip& clip, Buffer& buffer)
            channels.text + "]}";
 }
 
-std::string material_json(const Material& m)
+std::string material_json(const Material& m, List& images, Buffer& buffer)
 {
     const vec3 k = linear_light(m.color);
+    std::string texture;
+    if (!m.texture.rgb.empty()) {
+        const std::string bytes = png(m.texture);
+        const int view = buffer.add_view(bytes.data(), bytes.size(), any);
+        const int image =
+            images.add("{\"name\":\"" + m.name + "\",\"bufferView\":" + std::to_string(view) +
+                       ",\"mimeType\":\"image/png\"}");
+        texture = ",\"baseColorTexture\":{\"index\":" + std::to_string(image) + "}";
+    }
     return "{\"name\":\"" + m.name +
            "\",\"pbrMetallicRoughness\":{\"baseColorFactor\":" + array({k.x, k.y, k.z, 1}) +
-           ",\"metallicFactor\":" + number(double(m.metal)) +
+           texture + ",\"metallicFactor\":" + number(double(m.metal)) +
            ",\"roughnessFactor\":" + number(double(m.rough)) + "}}";
+}
+
+// One texture an image, in the same order.
+std::string textures_json(const List& images)
+{
+    List textures;
+    for (int i = 0; i < images.count; ++i) textures.add("{\"source\":" + std::to_string(i) + "}");
+    return ",\"images\":[" + images.text + "],\"textures\":[" + textures.text + "]";
 }
 
 std::string little_endian(std::size_t value)
@@ -236,19 +261,20 @@ std::string little_endian(std::size_t value)
 void write_glb(const Model& model, const std::string& path)
 {
     Buffer buffer;
-    List meshes, nodes, materials, clips;
+    List meshes, nodes, materials, images, clips;
     for (std::size_t i = 0; i < model.nodes.size(); ++i) {
         const Node& node = model.nodes[i];
         const int mesh = node.parts.empty() ? -1 : meshes.add(mesh_json(node, buffer));
         nodes.add(node_json(model, int(i), mesh));
     }
-    for (const Material& m : model.materials) materials.add(material_json(m));
+    for (const Material& m : model.materials) materials.add(material_json(m, images, buffer));
     for (const Clip& c : model.clips) clips.add(clip_json(c, buffer));
 
     std::string json = "{\"asset\":{\"version\":\"2.0\",\"generator\":\"trivar-make\"},\"scene\":0,"
                        "\"scenes\":[{\"nodes\":[" +
                        children(model, -1) + "]}],\"nodes\":[" + nodes.text + "],\"meshes\":[" +
                        meshes.text + "],\"materials\":[" + materials.text + "]";
+    if (images.count) json += textures_json(images);
     if (clips.count) json += ",\"animations\":[" + clips.text + "]";
     json += ",\"accessors\":[" + buffer.accessors.text + "],\"bufferViews\":[" + buffer.views.text +
             "],\"buffers\":[{\"byteLength\":" + std::to_string(buffer.bytes.size()) + "}]}";

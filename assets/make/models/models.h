@@ -15,7 +15,6 @@ std::vector<Entry> catalogue();
 Model build(const Entry& entry); // named
 
 void write_volumes(const std::string& folder); // NRRD, bytes, x fastest
-void write_cages(const std::string& folder);   // quad OBJ with creases
 
 Model snake();
 Model crocodile();

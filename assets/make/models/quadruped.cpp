@@ -89,6 +89,7 @@ Model quadruped(const Steed& z)
         return s;
     };
     Mesh bd = surface(f, {-.03f, 0, -.22f}, {1.06f, 1.12f, .22f}, {.0105f, true, 10});
+    wrap_about_x(bd, z.trunk[z.trunk.size() / 2].y);
     auto& P = m.root().parts;
     P.push_back(bd.mat(skin));
     vec3 e = head(.315f, .36f, .66f);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 
@@ -32,6 +33,7 @@ void nrrd(const std::string& path, glm::ivec3 n, vec3 lo, vec3 hi,
 
 void write_volumes(const std::string& dir)
 {
+    std::filesystem::create_directories(dir);
     auto grain = [](vec3 p) { return 3.f * noise(p * 140.f); };
     nrrd(dir + "/hand.nrrd", {96, 160, 40}, {-.30f, -.03f, -.085f}, {.23f, .80f, .115f},
          [&](vec3 p) {
