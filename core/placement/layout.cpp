@@ -106,11 +106,11 @@ public:
         begin(out, curve);
         check_misses(out);
         for (int round = 0; round < rounds; ++round) {
-            relax(out);
+            relax(out, 30, 1e-3);
             if (!measure(out)) break;
             cast(out, curve);
         }
-        if (out.s.size() != out.grid.rays.size() || !relaxed_) relax(out);
+        relax(out, 4000, 1e-5);
         for (const double a : a_)
             out.narrowed += out.strip.narrowed[static_cast<std::size_t>(
                                 std::lround(a * static_cast<double>(profile_steps - 1)))] != 0;
@@ -180,7 +180,6 @@ private:
             missed_ = out.grid.missed_share();
             if (missed_ < 1) out.grid = filled(std::move(out.grid), parameters_.misses);
         });
-        relaxed_ = false;
     }
 
     void check_misses(const Layout&) const
@@ -191,7 +190,8 @@ private:
                                        100 * missed_));
     }
 
-    void relax(Layout& out)
+    // The nodes' rest, from where they rested before; the tolerance is a share of the height.
+    void relax(Layout& out, int most_sweeps, double tolerance)
     {
         timed(timings_, "springs", [&] {
             const RayGrid& grid = out.grid;
@@ -208,20 +208,22 @@ private:
                 sheet.lo.push_back(grid.hit[k] ? 0 : -10 * out.height);
                 sheet.hi.push_back(infinite);
             }
-            out.s.assign(grid.rays.size(), 0);
+            out.s.resize(grid.rays.size(), 0);
+            for (std::size_t k = 0; k < out.s.size(); ++k)
+                out.s[k] = std::max(out.s[k], sheet.lo[k]);
             out.loose.assign(grid.rays.size(), 0);
             if (parameters_.springs) {
                 RestShape rest = rest_shape(sheet, out.s,
                                             {.roughness_deg = parameters_.roughness_deg,
                                              .neighborhood = parameters_.neighborhood,
                                              .free_ends = parameters_.free_ends,
-                                             .tolerance = 1e-5 * out.height});
+                                             .tolerance = tolerance * out.height,
+                                             .most_sweeps = most_sweeps});
                 out.s = std::move(rest.s);
                 out.loose = std::move(rest.loose);
                 out.spring_iterations += rest.sweeps;
             }
         });
-        relaxed_ = true;
     }
 
     // New parameters that put the nodes at equal lengths on the surface as it is; false when they
@@ -284,7 +286,6 @@ private:
     std::vector<double> a_, v_;           // where on the strip that is
     std::vector<double> scale_, half_px_; // of the half width, at profile_steps
     double missed_ = 1;
-    bool relaxed_ = false;
 };
 
 } // namespace

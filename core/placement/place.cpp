@@ -4,6 +4,7 @@
 #include "core/base/rejected.h"
 #include "core/placement/contact.h"
 #include "core/placement/layout.h"
+#include "core/placement/lift.h"
 #include "core/placement/sketch.h"
 #include "core/placement/volume.h"
 
@@ -91,7 +92,13 @@ Placement place(const Sketch& sketch, const PlacementParameters& parameters, con
     const View view(camera);
     std::vector<glm::dvec3> points = layout.points();
     const bool through_nodes = !jumps(layout.axes, points, layout.sheet.direction);
-    const Surface<glm::dvec3> contact = contact_surface(layout.axes, points, through_nodes);
+    const Lifted lift = timed(timings, "lift", [&] {
+        return lifted(contact_surface(layout.axes, points, through_nodes), camera, scene,
+                      {.tolerance = parameters.lift_tolerance * layout.height,
+                       .clearance = parameters.clearance,
+                       .skip_back_faces = parameters.skip_back_faces});
+    });
+    const Surface<glm::dvec3>& contact = lift.contact;
     return timed(timings, "volume", [&] {
         const Extrusion e =
             extrusion(contact, view, layout.height, parameters.offset, through_nodes);
@@ -108,6 +115,8 @@ Placement place(const Sketch& sketch, const PlacementParameters& parameters, con
         r.width_world = layout.width;
         r.height_world = layout.height;
         r.missed_share = layout.grid.missed_share();
+        r.largest_gap = lift.largest_gap;
+        r.penetration = lift.penetration / layout.height;
         r.spring_iterations = layout.spring_iterations;
         r.narrowed = layout.narrowed;
         r.smallest_jacobian =

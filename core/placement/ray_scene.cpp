@@ -56,19 +56,23 @@ struct Query {
 
 void filter(const RTCFilterFunctionNArguments* args)
 {
-    assert(args->N == 1);
     auto* query = reinterpret_cast<Query*>(args->context);
-    const auto* ray = reinterpret_cast<const RTCRay*>(args->ray);
-    const auto* hit = reinterpret_cast<const RTCHit*>(args->hit);
-    const float toward = hit->Ng_x * ray->dir_x + hit->Ng_y * ray->dir_y + hit->Ng_z * ray->dir_z;
-    if (query->skip_back_faces && toward > 0) {
-        args->valid[0] = 0;
-        return;
+    for (unsigned i = 0; i < args->N; ++i) {
+        if (args->valid[i] != -1) continue;
+        const glm::vec3 normal(RTCHitN_Ng_x(args->hit, args->N, i),
+                               RTCHitN_Ng_y(args->hit, args->N, i),
+                               RTCHitN_Ng_z(args->hit, args->N, i));
+        const glm::vec3 direction(RTCRayN_dir_x(args->ray, args->N, i),
+                                  RTCRayN_dir_y(args->ray, args->N, i),
+                                  RTCRayN_dir_z(args->ray, args->N, i));
+        const bool back = glm::dot(normal, direction) > 0;
+        if (query->collect || (query->skip_back_faces && back)) args->valid[i] = 0;
+        if (!query->collect || (query->skip_back_faces && back)) continue;
+        if (query->count < query->found.size())
+            query->found[query->count++] = {query->context.instID[0],
+                                            RTCHitN_primID(args->hit, args->N, i),
+                                            RTCRayN_tfar(args->ray, args->N, i)};
     }
-    if (!query->collect) return;
-    args->valid[0] = 0;
-    if (query->count < query->found.size())
-        query->found[query->count++] = {query->context.instID[0], hit->primID, ray->tfar};
 }
 
 RTCRayHit embree_ray(const Ray& ray, double from, double to)
@@ -87,6 +91,21 @@ RTCRayHit embree_ray(const Ray& ray, double from, double to)
     out.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     out.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     return out;
+}
+
+void set_lane(RTCRayHit8& packet, std::size_t i, const RTCRayHit& one)
+{
+    packet.ray.org_x[i] = one.ray.org_x;
+    packet.ray.org_y[i] = one.ray.org_y;
+    packet.ray.org_z[i] = one.ray.org_z;
+    packet.ray.dir_x[i] = one.ray.dir_x;
+    packet.ray.dir_y[i] = one.ray.dir_y;
+    packet.ray.dir_z[i] = one.ray.dir_z;
+    packet.ray.tnear[i] = one.ray.tnear;
+    packet.ray.tfar[i] = one.ray.tfar;
+    packet.ray.mask[i] = one.ray.mask;
+    packet.hit.geomID[i] = one.hit.geomID;
+    packet.hit.instID[0][i] = one.hit.instID[0];
 }
 
 void intersect(RTCScene scene, Query& query, RTCRayHit& ray)
@@ -182,6 +201,9 @@ struct RayScene::State {
         return out;
     }
 
+    Hit resolve(const Ray& ray, double from, double to, bool skip_back_faces, Candidate best,
+                float u, float v) const;
+
     bool shared_by_entries(const glm::dvec3& p, double slack) const
     {
         int inside = 0;
@@ -226,33 +248,30 @@ RayScene::~RayScene() = default;
 RayScene::RayScene(RayScene&&) noexcept = default;
 RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 
-std::optional<Hit> RayScene::hit(const Ray& ray, double from, double to, bool skip_back_faces) const
+// The hit of a ray on what Embree found nearest; u and v are its barycentric coordinates there.
+Hit RayScene::State::resolve(const Ray& ray, double from, double to, bool skip_back_faces,
+                             Candidate best, float u, float v) const
 {
-    const State& s = *state_;
-    Query query;
-    query.skip_back_faces = skip_back_faces;
-    RTCRayHit found = embree_ray(ray, from, to);
-    intersect(s.handle.scene, query, found);
-    if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-
-    Candidate best{found.hit.instID[0], found.hit.primID, found.ray.tfar};
-    PlaneHit plane = meet(ray, s.corners(best.entry, best.triangle));
+    const float nearest = best.distance;
+    PlaneHit plane = meet(ray, corners(best.entry, best.triangle));
 
     // Near an edge, or where objects touch, several triangles compete, and which of them Embree
     // names depends on single precision and on the order in which its tree was built. So all of
     // them are asked for, and the choice is made in double.
-    const float nearest_edge = std::min({found.hit.u, found.hit.v, 1 - found.hit.u - found.hit.v});
-    const double slack = 1e-5 * (std::abs(double{found.ray.tfar}) + glm::length(ray.origin));
+    const float nearest_edge = std::min({u, v, 1 - u - v});
+    const double slack = 1e-5 * (std::abs(double{nearest}) + glm::length(ray.origin));
     if (nearest_edge < 0.01f || plane.outside < 0 ||
-        s.shared_by_entries(ray.origin + double{found.ray.tfar} * ray.direction, slack)) {
+        shared_by_entries(ray.origin + double{nearest} * ray.direction, slack)) {
+        Query query;
+        query.skip_back_faces = skip_back_faces;
         query.collect = true;
-        RTCRayHit again = embree_ray(ray, std::max(from, found.ray.tfar - slack),
-                                     std::min(to, found.ray.tfar + slack));
-        intersect(s.handle.scene, query, again);
+        RTCRayHit again =
+            embree_ray(ray, std::max(from, nearest - slack), std::min(to, nearest + slack));
+        intersect(handle.scene, query, again);
         const double tie = 1e-9 * slack / 1e-5;
         for (std::size_t i = 0; i < query.count; ++i) {
             const Candidate& c = query.found[i];
-            const PlaneHit p = meet(ray, s.corners(c.entry, c.triangle));
+            const PlaneHit p = meet(ray, corners(c.entry, c.triangle));
             const bool inside = p.outside > -1e-9, best_inside = plane.outside > -1e-9;
             const bool nearer = p.distance < plane.distance - tie;
             const bool tied = std::abs(p.distance - plane.distance) <= tie;
@@ -267,13 +286,13 @@ std::optional<Hit> RayScene::hit(const Ray& ray, double from, double to, bool sk
 
     Hit hit;
     // Far outside the triangle the plane says nothing; Embree's own distance is the better one.
-    hit.distance = plane.outside > -1e-3 ? plane.distance : double{best.distance};
+    hit.distance = plane.outside > -1e-3 ? plane.distance : double{nearest};
     hit.p_world = ray.origin + hit.distance * ray.direction;
-    const Entry& e = s.entries[best.entry];
+    const Entry& e = entries[best.entry];
     const glm::uvec3 t = e.mesh->triangles()[best.triangle];
     const auto& p = e.mesh->mesh().positions;
     const glm::dvec3 a(p[t.x]), b(p[t.y]), c(p[t.z]);
-    glm::dvec3 n = s.normal_to_world[best.entry] * glm::cross(b - a, c - a);
+    glm::dvec3 n = normal_to_world[best.entry] * glm::cross(b - a, c - a);
     if (!(glm::length(n) > 0)) n = plane.normal;
     hit.normal = glm::length(n) > 0 ? glm::normalize(n) : -ray.direction;
     hit.object = e.object;
@@ -282,12 +301,47 @@ std::optional<Hit> RayScene::hit(const Ray& ray, double from, double to, bool sk
     return hit;
 }
 
+std::optional<Hit> RayScene::hit(const Ray& ray, double from, double to, bool skip_back_faces) const
+{
+    Query query;
+    query.skip_back_faces = skip_back_faces;
+    RTCRayHit found = embree_ray(ray, from, to);
+    intersect(state_->handle.scene, query, found);
+    if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+    return state_->resolve(ray, from, to, skip_back_faces,
+                           {found.hit.instID[0], found.hit.primID, found.ray.tfar}, found.hit.u,
+                           found.hit.v);
+}
+
 std::vector<std::optional<Hit>> RayScene::hits(std::span<const Ray> rays,
                                                bool skip_back_faces) const
 {
+    constexpr std::size_t wide = 8;
     std::vector<std::optional<Hit>> out(rays.size());
-    parallel_blocks(rays.size(), 128, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) out[i] = hit(rays[i], 0, 1e300, skip_back_faces);
+    parallel_blocks(rays.size(), 16 * wide, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t first = begin; first < end; first += wide) {
+            const std::size_t count = std::min(wide, end - first);
+            RTCRayHit8 packet{};
+            alignas(32) std::array<int, wide> valid{};
+            for (std::size_t i = 0; i < count; ++i) {
+                const RTCRayHit one = embree_ray(rays[first + i], 0, 1e300);
+                set_lane(packet, i, one);
+                valid[i] = -1;
+            }
+            Query query;
+            query.skip_back_faces = skip_back_faces;
+            rtcInitIntersectContext(&query.context);
+            query.context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+            if (skip_back_faces) query.context.filter = filter;
+            rtcIntersect8(valid.data(), state_->handle.scene, &query.context, &packet);
+            for (std::size_t i = 0; i < count; ++i) {
+                if (packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
+                out[first + i] = state_->resolve(
+                    rays[first + i], 0, 1e300, skip_back_faces,
+                    {packet.hit.instID[0][i], packet.hit.primID[i], packet.ray.tfar[i]},
+                    packet.hit.u[i], packet.hit.v[i]);
+            }
+        }
     });
     return out;
 }

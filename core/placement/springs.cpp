@@ -206,12 +206,22 @@ std::vector<char> rough_nodes(const SpringSheet& sheet, const std::vector<double
 
 RestShape rest_shape(const SpringSheet& sheet, std::vector<double> s, const RestOptions& options)
 {
+    // While loose nodes are still being added a rough idea of their shape does.
+    constexpr int growing_sweeps = 20;
     ObstacleProblem problem = spring_problem(sheet);
     RestShape out;
     out.loose.assign(s.size(), 0);
     const std::vector<int> order = red_black(sheet.rows, sheet.columns);
     const double omega = over_relaxation(sheet.rows, sheet.columns);
-    while (out.sweeps < options.most_sweeps) {
+    const auto solve = [&](int sweeps) {
+        problem.free = out.loose;
+        ObstacleSolution solved =
+            projected_sor(problem, std::move(s), order, omega, options.tolerance, sweeps);
+        s = std::move(solved.s);
+        out.sweeps += solved.sweeps;
+        out.residual = solved.residual;
+    };
+    for (bool settled = false; out.sweeps < options.most_sweeps;) {
         std::vector<char> loose = dilated(rough_nodes(sheet, s, options.roughness_deg), sheet.rows,
                                           sheet.columns, options.neighborhood);
         if (!options.free_ends)
@@ -222,14 +232,9 @@ RestShape rest_shape(const SpringSheet& sheet, std::vector<double> s, const Rest
             grown = grown || (loose[k] && !out.loose[k]);
             out.loose[k] = out.loose[k] || loose[k];
         }
-        if (!grown) break;
-        problem.free = out.loose;
-        ObstacleSolution solved =
-            projected_sor(problem, std::move(s), order, omega, options.tolerance,
-                          options.most_sweeps - out.sweeps);
-        s = std::move(solved.s);
-        out.sweeps += solved.sweeps;
-        out.residual = solved.residual;
+        if (!grown && (settled || std::count(out.loose.begin(), out.loose.end(), 1) == 0)) break;
+        solve(grown ? growing_sweeps : options.most_sweeps - out.sweeps);
+        settled = !grown;
     }
     out.s = std::move(s);
     return out;

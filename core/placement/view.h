@@ -35,6 +35,7 @@ public:
         return perspective_ ? glm::normalize(eye_ - p_world) : -forward_;
     }
     const glm::dvec3& forward() const { return forward_; }
+    bool perspective() const { return perspective_; }
 
 private:
     glm::dmat4 world_to_view_;

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/placement/lift.h"
+
+#include "core/base/parallel.h"
+#include "core/placement/scene_samples.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trivar {
+namespace {
+
+constexpr int rays_a_cell = 4; // along each axis
+constexpr int judging_rays_a_cell = 5;
+constexpr int most_rounds = 12; // of lifting; lines of sight that are parallel need one
+constexpr int most_judgements = 6;
+// Shares of the tolerance: what is let be, how far in front a lift ends, what the judges pass.
+constexpr double let_be_share = 0.25, margin_share = 0.3, pass_share = 0.6;
+// Samples further in front than this share of the deepest penetration, or of the tolerance, are
+// not looked at again: lifting only moves the surface away from them.
+constexpr double far_in_front = 4;
+
+// How far the surface is in front of the sample (negative: behind), and where.
+struct Gap {
+    glm::dvec2 uv;
+    double gap = 0;
+    bool inside = false; // the strip covers the sample
+};
+
+// One step toward S(uv) = p - gap d, d the line of sight: exact to second order in the step.
+Gap gap_at(const Surface<glm::dvec3>& s, const View& view, const SceneSample& sample)
+{
+    const auto jet = evaluate(s, sample.uv, 1);
+    const glm::dvec3 toward = view.toward_eye(sample.p_world);
+    const glm::dvec3 r = sample.p_world - jet.value;
+    const double det = glm::dot(glm::cross(jet.u, jet.v), toward);
+    if (!(det > 0)) return {sample.uv, 0, false}; // turned away: nothing to see
+    const glm::dvec2 step(glm::dot(glm::cross(r, jet.v), toward) / det,
+                          glm::dot(glm::cross(jet.u, r), toward) / det);
+    const double gap = -glm::dot(glm::cross(jet.u, jet.v), r) / det;
+    const glm::dvec2 uv = sample.uv + step;
+    // The index finds the rim by chords; a bit outside, the tangent plane stands in.
+    constexpr double rim = 2e-3;
+    return {glm::clamp(uv, 0.0, 1.0), gap,
+            glm::all(glm::greaterThanEqual(uv, glm::dvec2(-rim))) &&
+                glm::all(glm::lessThanEqual(uv, glm::dvec2(1 + rim)))};
+}
+
+std::vector<Gap> gaps(const Surface<glm::dvec3>& s, const View& view,
+                      std::vector<SceneSample>& samples)
+{
+    std::vector<Gap> out(samples.size());
+    parallel_blocks(samples.size(), 512, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            out[i] = gap_at(s, view, samples[i]);
+            samples[i].uv = out[i].uv;
+        }
+    });
+    return out;
+}
+
+// What the camera sees behind points of the surface. Where it sees nothing there is no sample.
+struct Seen {
+    std::vector<SceneSample> samples;
+    std::vector<std::size_t> point; // index of each sample's point
+};
+
+Seen seen_behind(const Surface<glm::dvec3>& s, const std::vector<glm::dvec2>& uv, const View& view,
+                 const Camera& camera, const RayScene& scene, bool skip_back_faces)
+{
+    std::vector<Ray> rays(uv.size());
+    parallel_blocks(uv.size(), 256, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k)
+            rays[k] = ray_through(camera, view.project(evaluate(s, uv[k]).value).p_px);
+    });
+    const auto hits = scene.hits(rays, skip_back_faces);
+    Seen out;
+    for (std::size_t k = 0; k < uv.size(); ++k) {
+        if (!hits[k]) continue;
+        out.samples.push_back({hits[k]->p_world, uv[k]});
+        out.point.push_back(k);
+    }
+    return out;
+}
+
+// Both ends and, between them, `steps` points at equal distances, the first `shift` of it from 0.
+std::vector<double> ticks(int steps, double shift)
+{
+    std::vector<double> out;
+    for (int i = 0; i <= steps + 1; ++i)
+        out.push_back(std::clamp((i - 1 + shift) / steps, 0.0, 1.0));
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    return out;
+}
+
+std::vector<glm::dvec2> pairs(const std::vector<double>& us, const std::vector<double>& vs)
+{
+    std::vector<glm::dvec2> out;
+    for (const double u : us)
+        for (const double v : vs) out.emplace_back(u, v);
+    return out;
+}
+
+// Lifts the control points until every sample that is too far behind is the margin in front.
+void lift_once(Surface<glm::dvec3>& s, const View& view, const std::vector<SceneSample>& samples,
+               const std::vector<Gap>& at, double clearance, double let_be, double margin)
+{
+    std::vector<std::size_t> behind;
+    for (std::size_t i = 0; i < at.size(); ++i)
+        if (at[i].inside && at[i].gap < clearance - let_be) behind.push_back(i);
+    std::sort(behind.begin(), behind.end(), [&](std::size_t a, std::size_t b) {
+        return at[a].gap != at[b].gap ? at[a].gap < at[b].gap : a < b;
+    });
+    std::vector<double> lift(s.points.size(), 0);
+    for (const std::size_t i : behind) {
+        const Basis a = basis(s.axes[0], samples[i].uv.x), b = basis(s.axes[1], samples[i].uv.y);
+        double done = 0, squares = 0;
+        const auto each = [&](const auto& visit) {
+            for (int k = 0; k < s.axes[0].order(); ++k)
+                for (int l = 0; l < s.axes[1].order(); ++l)
+                    visit(lift[s.index(a.first + k, b.first + l)],
+                          a.value[static_cast<std::size_t>(k)] *
+                              b.value[static_cast<std::size_t>(l)]);
+        };
+        each([&](double delta, double weight) {
+            done += weight * delta;
+            squares += weight * weight;
+        });
+        const double missing = clearance + margin - at[i].gap - done;
+        if (missing > 0)
+            each([&](double& delta, double weight) { delta += missing * weight / squares; });
+    }
+    for (std::size_t k = 0; k < s.points.size(); ++k)
+        if (lift[k] > 0) s.points[k] += lift[k] * view.toward_eye(s.points[k]);
+}
+
+double most_behind(const std::vector<Gap>& at, double clearance)
+{
+    double worst = 0;
+    for (const Gap& g : at)
+        if (g.inside) worst = std::max(worst, clearance - g.gap);
+    return worst;
+}
+
+// The samples that the surface covers and that are not far behind it.
+std::vector<SceneSample> near_ones(const std::vector<SceneSample>& samples,
+                                   const std::vector<Gap>& at, double margin)
+{
+    std::vector<SceneSample> out;
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        if (at[i].inside && at[i].gap < margin) out.push_back(samples[i]);
+    return out;
+}
+
+// Finer points inside those quads of a grid where the surface may sag behind the scene though it
+// is in front of it at the corners: as many as bring the sag below the tolerance.
+std::vector<glm::dvec2> suspicious(const Surface<glm::dvec3>& s, const View& view,
+                                   const std::vector<double>& us, const std::vector<double>& vs,
+                                   const std::vector<double>& gap, double tolerance)
+{
+    std::vector<glm::dvec3> points;
+    for (const glm::dvec2& uv : pairs(us, vs)) points.push_back(evaluate(s, uv).value);
+    const std::vector<double> sag =
+        sags(points, static_cast<int>(us.size()), static_cast<int>(vs.size()), view);
+    std::vector<glm::dvec2> out;
+    for (std::size_t i = 0; i + 1 < us.size(); ++i)
+        for (std::size_t j = 0; j + 1 < vs.size(); ++j) {
+            double deepest = 0, least = 1e300;
+            const std::size_t k = i * vs.size() + j;
+            for (const std::size_t c : {k, k + 1, k + vs.size(), k + vs.size() + 1}) {
+                deepest = std::max(deepest, sag[c]);
+                least = std::min(least, gap[c]);
+            }
+            if (least - deepest >= -tolerance) continue;
+            const double finer = std::clamp(std::sqrt(deepest / tolerance) + 1, 2.0, 16.0);
+            const int n = static_cast<int>(finer);
+            const glm::dvec2 lo(us[i], vs[j]), size(us[i + 1] - us[i], vs[j + 1] - vs[j]);
+            for (int a = 0; a < n; ++a)
+                for (int b = 0; b < n; ++b)
+                    out.push_back(lo + size * (glm::dvec2(a, b) + 0.5) / static_cast<double>(n));
+        }
+    return out;
+}
+
+} // namespace
+
+Lifted lifted(Surface<glm::dvec3> contact, const Camera& camera, const RayScene& scene,
+              const LiftOptions& options)
+{
+    const View view(camera);
+    const glm::ivec2 cells(contact.axes[0].count() - 1, contact.axes[1].count() - 1);
+    const double let_be = let_be_share * options.tolerance, enough = options.clearance;
+    Lifted out{std::move(contact)};
+    const auto see = [&](const std::vector<glm::dvec2>& uv) {
+        return seen_behind(out.contact, uv, view, camera, scene, options.skip_back_faces);
+    };
+
+    StripIndex strip(out.contact, view, rays_a_cell * cells);
+    const NearScene near_scene(scene, view, strip, options.skip_back_faces);
+    const auto vertices_and_edges = [&] {
+        std::vector<SceneSample> samples = near_scene.samples(strip, let_be);
+        // The index guesses the parameters within a part of a quad; the gap wants them closer.
+        gaps(out.contact, view, samples);
+        return samples;
+    };
+
+    std::vector<SceneSample> samples = vertices_and_edges();
+    Seen rays = see(pairs(ticks(rays_a_cell * cells.x, 0), ticks(rays_a_cell * cells.y, 0)));
+    for (const Gap& g : gaps(out.contact, view, rays.samples))
+        out.largest_gap = std::max(out.largest_gap, g.gap);
+    samples.insert(samples.end(), rays.samples.begin(), rays.samples.end());
+
+    for (int judgement = 0;; ++judgement) {
+        std::vector<Gap> at = gaps(out.contact, view, samples);
+        const double margin = far_in_front * std::max(most_behind(at, enough), options.tolerance);
+        samples = near_ones(samples, at, enough + margin);
+        const int rounds_before = out.rounds;
+        for (int round = 0; round < most_rounds; ++round) {
+            at = gaps(out.contact, view, samples);
+            if (most_behind(at, enough) <= let_be) break;
+            lift_once(out.contact, view, samples, at, enough, let_be,
+                      margin_share * options.tolerance);
+            ++out.rounds;
+        }
+
+        // Elsewhere each time: a second look at the same places would find nothing.
+        const double shift = 0.37 + 0.19 * judgement;
+        const std::vector<double> us = ticks(judging_rays_a_cell * cells.x, shift),
+                                  vs = ticks(judging_rays_a_cell * cells.y, shift);
+        Seen judging = see(pairs(us, vs));
+        std::vector<Gap> judged = gaps(out.contact, view, judging.samples);
+        std::vector<double> gap(us.size() * vs.size(), 1e300);
+        for (std::size_t i = 0; i < judged.size(); ++i)
+            gap[judging.point[i]] = judged[i].gap - enough;
+        Seen finer = see(suspicious(out.contact, view, us, vs, gap, let_be));
+        const std::vector<Gap> finer_judged = gaps(out.contact, view, finer.samples);
+
+        judged.insert(judged.end(), finer_judged.begin(), finer_judged.end());
+        judging.samples.insert(judging.samples.end(), finer.samples.begin(), finer.samples.end());
+        if (out.rounds > rounds_before) {
+            // Where it was lifted it bends otherwise, and edges want points in other places.
+            strip = StripIndex(out.contact, view, rays_a_cell * cells);
+            std::vector<SceneSample> again = vertices_and_edges();
+            const std::vector<Gap> again_judged = gaps(out.contact, view, again);
+            judged.insert(judged.end(), again_judged.begin(), again_judged.end());
+            judging.samples.insert(judging.samples.end(), again.begin(), again.end());
+        }
+        out.penetration = most_behind(judged, enough);
+        if (out.penetration <= pass_share * options.tolerance || judgement == most_judgements)
+            return out;
+        const std::vector<SceneSample> found =
+            near_ones(judging.samples, judged, enough + options.tolerance);
+        samples.insert(samples.end(), found.begin(), found.end());
+    }
+}
+
+} // namespace trivar

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/placement/placement.h"
+
+namespace trivar {
+
+struct LiftOptions {
+    double tolerance = 1e-3; // metres that may stay behind the scene
+    double clearance = 0;    // metres to keep in front of it
+    bool skip_back_faces = false;
+};
+
+struct Lifted {
+    Surface<glm::dvec3> contact;
+    double penetration = 0; // largest left, metres, by rays that the lift did not use
+    double largest_gap = 0; // metres between contact surface and scene, along the rays
+    int rounds = 0;
+};
+
+// Moves control points toward the camera until the surface lies in front of everything the camera
+// sees, within the tolerance. It is measured both ways: at four by four rays a cell of control
+// points against the scene, and at the scene's vertices and edges against the surface. Control
+// points only ever move outward, each constraint by the shortest step that satisfies it
+// (Kaczmarz 1937), the worst first. Then denser rays elsewhere judge, and what they find joins.
+Lifted lifted(Surface<glm::dvec3> contact, const Camera& camera, const RayScene& scene,
+              const LiftOptions& options);
+
+} // namespace trivar
