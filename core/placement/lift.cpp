@@ -14,6 +14,7 @@ constexpr int rays_a_cell = 4; // along each axis
 constexpr int judging_rays_a_cell = 5;
 constexpr int most_rounds = 12; // of lifting; lines of sight that are parallel need one
 constexpr int most_judgements = 6;
+constexpr double steep_scene = 2; // 1 / cosine to the ray from which sideways bends count
 // Shares of the tolerance: what is let be, how far in front a lift ends, what the judges pass.
 constexpr double let_be_share = 0.25, margin_share = 0.3, pass_share = 0.6;
 // Samples further in front than this share of the deepest penetration, or of the tolerance, are
@@ -60,13 +61,10 @@ std::vector<Gap> gaps(const Surface<glm::dvec3>& s, const View& view,
 }
 
 // What the camera sees behind points of the surface. Where it sees nothing there is no sample.
-struct Seen {
-    std::vector<SceneSample> samples;
-    std::vector<std::size_t> point; // index of each sample's point
-};
-
-Seen seen_behind(const Surface<glm::dvec3>& s, const std::vector<glm::dvec2>& uv, const View& view,
-                 const Camera& camera, const RayScene& scene, bool skip_back_faces)
+std::vector<SceneSample> seen_behind(const Surface<glm::dvec3>& s,
+                                     const std::vector<glm::dvec2>& uv, const View& view,
+                                     const Camera& camera, const RayScene& scene,
+                                     bool skip_back_faces)
 {
     std::vector<Ray> rays(uv.size());
     parallel_blocks(uv.size(), 256, [&](std::size_t begin, std::size_t end) {
@@ -74,12 +72,9 @@ Seen seen_behind(const Surface<glm::dvec3>& s, const std::vector<glm::dvec2>& uv
             rays[k] = ray_through(camera, view.project(evaluate(s, uv[k]).value).p_px);
     });
     const auto hits = scene.hits(rays, skip_back_faces);
-    Seen out;
-    for (std::size_t k = 0; k < uv.size(); ++k) {
-        if (!hits[k]) continue;
-        out.samples.push_back({hits[k]->p_world, uv[k]});
-        out.point.push_back(k);
-    }
+    std::vector<SceneSample> out;
+    for (std::size_t k = 0; k < uv.size(); ++k)
+        if (hits[k]) out.push_back({hits[k]->p_world, uv[k], hits[k]->normal});
     return out;
 }
 
@@ -152,26 +147,63 @@ std::vector<SceneSample> near_ones(const std::vector<SceneSample>& samples,
     return out;
 }
 
-// Finer points inside those quads of a grid where the surface may sag behind the scene though it
-// is in front of it at the corners: as many as bring the sag below the tolerance.
+// The grid of the judging rays, and the least gap known in each of its quads.
+struct Judges {
+    std::vector<double> us, vs;
+    std::vector<double> least; // (us - 1) x (vs - 1)
+    std::vector<double> steep; // of each quad: the largest slope of the scene along the rays
+
+    void note(const Gap& g, const glm::dvec3& normal, const View& view, const glm::dvec3& p_world,
+              double enough)
+    {
+        if (!g.inside) return;
+        // A scene that the rays graze turns a step of the surface sideways into a deep one.
+        const double facing = std::abs(glm::dot(normal, view.toward_eye(p_world)));
+        const double slope = normal == glm::dvec3(0) ? 0 : 1 / std::max(facing, 0.02);
+        const auto cell = [](const std::vector<double>& x, double t) {
+            const auto above = std::upper_bound(x.begin() + 1, x.end() - 1, t);
+            return static_cast<std::size_t>(above - x.begin()) - 1;
+        };
+        // A point on the line between two quads counts in both.
+        for (const double du : {-1e-9, 1e-9})
+            for (const double dv : {-1e-9, 1e-9}) {
+                const std::size_t quad =
+                    cell(us, g.uv.x + du) * (vs.size() - 1) + cell(vs, g.uv.y + dv);
+                least[quad] = std::min(least[quad], g.gap - enough);
+                steep[quad] = std::max(steep[quad], slope);
+            }
+    }
+};
+
+// Finer points inside those quads where the surface may sag behind the scene between places where
+// it is in front: as many as bring the sag below the tolerance.
 std::vector<glm::dvec2> suspicious(const Surface<glm::dvec3>& s, const View& view,
-                                   const std::vector<double>& us, const std::vector<double>& vs,
-                                   const std::vector<double>& gap, double tolerance)
+                                   const Judges& judges, double tolerance)
 {
+    const std::vector<double>&us = judges.us, &vs = judges.vs;
     std::vector<glm::dvec3> points;
     for (const glm::dvec2& uv : pairs(us, vs)) points.push_back(evaluate(s, uv).value);
     const std::vector<double> sag =
         sags(points, static_cast<int>(us.size()), static_cast<int>(vs.size()), view);
+    // How far the surface is off its chords in any direction, within a quad.
+    const auto bend = [&](std::size_t i, std::size_t j) {
+        i = std::clamp<std::size_t>(i, 1, us.size() - 2);
+        j = std::clamp<std::size_t>(j, 1, vs.size() - 2);
+        const std::size_t k = i * vs.size() + j;
+        return (glm::length(points[k - 1] + points[k + 1] - 2.0 * points[k]) +
+                glm::length(points[k - vs.size()] + points[k + vs.size()] - 2.0 * points[k])) /
+               8;
+    };
     std::vector<glm::dvec2> out;
     for (std::size_t i = 0; i + 1 < us.size(); ++i)
         for (std::size_t j = 0; j + 1 < vs.size(); ++j) {
-            double deepest = 0, least = 1e300;
+            double deepest = 0;
             const std::size_t k = i * vs.size() + j;
-            for (const std::size_t c : {k, k + 1, k + vs.size(), k + vs.size() + 1}) {
+            for (const std::size_t c : {k, k + 1, k + vs.size(), k + vs.size() + 1})
                 deepest = std::max(deepest, sag[c]);
-                least = std::min(least, gap[c]);
-            }
-            if (least - deepest >= -tolerance) continue;
+            const std::size_t quad = i * (vs.size() - 1) + j;
+            if (judges.steep[quad] > steep_scene) deepest += judges.steep[quad] * bend(i, j);
+            if (judges.least[quad] - deepest >= -tolerance) continue;
             const double finer = std::clamp(std::sqrt(deepest / tolerance) + 1, 2.0, 16.0);
             const int n = static_cast<int>(finer);
             const glm::dvec2 lo(us[i], vs[j]), size(us[i + 1] - us[i], vs[j + 1] - vs[j]);
@@ -205,10 +237,11 @@ Lifted lifted(Surface<glm::dvec3> contact, const Camera& camera, const RayScene&
     };
 
     std::vector<SceneSample> samples = vertices_and_edges();
-    Seen rays = see(pairs(ticks(rays_a_cell * cells.x, 0), ticks(rays_a_cell * cells.y, 0)));
-    for (const Gap& g : gaps(out.contact, view, rays.samples))
+    std::vector<SceneSample> rays =
+        see(pairs(ticks(rays_a_cell * cells.x, 0), ticks(rays_a_cell * cells.y, 0)));
+    for (const Gap& g : gaps(out.contact, view, rays))
         out.largest_gap = std::max(out.largest_gap, g.gap);
-    samples.insert(samples.end(), rays.samples.begin(), rays.samples.end());
+    samples.insert(samples.end(), rays.begin(), rays.end());
 
     for (int judgement = 0;; ++judgement) {
         std::vector<Gap> at = gaps(out.contact, view, samples);
@@ -225,31 +258,31 @@ Lifted lifted(Surface<glm::dvec3> contact, const Camera& camera, const RayScene&
 
         // Elsewhere each time: a second look at the same places would find nothing.
         const double shift = 0.37 + 0.19 * judgement;
-        const std::vector<double> us = ticks(judging_rays_a_cell * cells.x, shift),
-                                  vs = ticks(judging_rays_a_cell * cells.y, shift);
-        Seen judging = see(pairs(us, vs));
-        std::vector<Gap> judged = gaps(out.contact, view, judging.samples);
-        std::vector<double> gap(us.size() * vs.size(), 1e300);
-        for (std::size_t i = 0; i < judged.size(); ++i)
-            gap[judging.point[i]] = judged[i].gap - enough;
-        Seen finer = see(suspicious(out.contact, view, us, vs, gap, let_be));
-        const std::vector<Gap> finer_judged = gaps(out.contact, view, finer.samples);
-
-        judged.insert(judged.end(), finer_judged.begin(), finer_judged.end());
-        judging.samples.insert(judging.samples.end(), finer.samples.begin(), finer.samples.end());
-        if (out.rounds > rounds_before) {
-            // Where it was lifted it bends otherwise, and edges want points in other places.
-            strip = StripIndex(out.contact, view, rays_a_cell * cells);
-            std::vector<SceneSample> again = vertices_and_edges();
-            const std::vector<Gap> again_judged = gaps(out.contact, view, again);
-            judged.insert(judged.end(), again_judged.begin(), again_judged.end());
-            judging.samples.insert(judging.samples.end(), again.begin(), again.end());
-        }
+        Judges judges{ticks(judging_rays_a_cell * cells.x, shift),
+                      ticks(judging_rays_a_cell * cells.y, shift),
+                      {},
+                      {}};
+        judges.least.assign((judges.us.size() - 1) * (judges.vs.size() - 1), 1e300);
+        judges.steep.assign(judges.least.size(), 0);
+        std::vector<SceneSample> judging;
+        std::vector<Gap> judged;
+        const auto judge = [&](std::vector<SceneSample> more) {
+            const std::vector<Gap> found = gaps(out.contact, view, more);
+            for (std::size_t i = 0; i < found.size(); ++i)
+                judges.note(found[i], more[i].normal, view, more[i].p_world, enough);
+            judged.insert(judged.end(), found.begin(), found.end());
+            judging.insert(judging.end(), more.begin(), more.end());
+        };
+        judge(see(pairs(judges.us, judges.vs)));
+        // Where it was lifted it bends otherwise, and edges want points in other places.
+        if (out.rounds > rounds_before) strip = StripIndex(out.contact, view, rays_a_cell * cells);
+        judge(vertices_and_edges());
+        judge(see(suspicious(out.contact, view, judges, let_be)));
         out.penetration = most_behind(judged, enough);
         if (out.penetration <= pass_share * options.tolerance || judgement == most_judgements)
             return out;
         const std::vector<SceneSample> found =
-            near_ones(judging.samples, judged, enough + options.tolerance);
+            near_ones(judging, judged, enough + options.tolerance);
         samples.insert(samples.end(), found.begin(), found.end());
     }
 }

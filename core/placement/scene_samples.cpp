@@ -75,14 +75,7 @@ public:
         const bool is_short = std::max(std::abs(pb.x - pa.x), std::abs(pb.y - pa.y)) <= 4 * step_px;
         if (is_short && a_covered == b_covered) return;
         if (is_short) {
-            Span cut;
-            for (int halving = 0; halving < 14; ++halving) {
-                const double middle = (cut.from + cut.to) / 2;
-                const bool covered = !strip_.find(glm::mix(pa, pb, middle)).empty();
-                (covered == a_covered ? cut.from : cut.to) = middle;
-            }
-            const double t = a_covered ? cut.from : cut.to;
-            visit(glm::mix(pa, pb, t), at(a, b, t));
+            at_rim(a, b, {0, 1}, a_covered, visit);
             return;
         }
         const Span span = clipped(pa, pb, strip_.lo_px(), strip_.hi_px());
@@ -90,10 +83,15 @@ public:
         const double length = (span.to - span.from) * glm::length(pb - pa);
         const int steps = static_cast<int>(std::min(1e5, std::ceil(length / step_px))) + 1;
         const double stride = (span.to - span.from) / steps;
+        bool was_covered = false;
         for (int i = 0; i <= steps; ++i) {
             const double begin = span.from + stride * i;
             const glm::dvec2 p_px = glm::mix(pa, pb, begin);
-            if (!strip_.may_cover(p_px)) continue;
+            const bool covered = !strip_.find(p_px).empty();
+            if (i > 0 && covered != was_covered)
+                at_rim(a, b, {begin - stride, begin}, was_covered, visit);
+            was_covered = covered;
+            if (!covered) continue;
             // What a surface sags between two points falls with the square of their distance.
             const int parts = static_cast<int>(
                 std::clamp(std::sqrt(strip_.sag(p_px) / tolerance_), 1.0, most_parts));
@@ -105,6 +103,19 @@ public:
     }
 
 private:
+    // The point between two of an edge where the rim of the strip cuts it.
+    template <class Visit>
+    void at_rim(const Vertex& a, const Vertex& b, Span cut, bool first_covered,
+                const Visit& visit) const
+    {
+        for (int halving = 0; halving < 14; ++halving) {
+            const double middle = (cut.from + cut.to) / 2;
+            const bool covered = !strip_.find(glm::mix(a.at.p_px, b.at.p_px, middle)).empty();
+            (covered == first_covered ? cut.from : cut.to) = middle;
+        }
+        const double t = first_covered ? cut.from : cut.to;
+        visit(glm::mix(a.at.p_px, b.at.p_px, t), at(a, b, t));
+    }
     // Equal steps in the picture are not equal steps in space.
     glm::dvec3 at(const Vertex& a, const Vertex& b, double t) const
     {

@@ -14,6 +14,7 @@ namespace trivar {
 struct SceneSample {
     glm::dvec3 p_world;
     glm::dvec2 uv;
+    glm::dvec3 normal{0}; // of the surface there, if a ray found it
 };
 
 // The part of the scene that the strip may cover, projected once: vertices, and the edges of the
