@@ -37,10 +37,12 @@ Sparse collocation(const Knots& knots, std::span<const double> parameters, int d
     for (int sheet = 0; sheet < sheets(knots); ++sheet)
         for (int s = 0; s < m; ++s)
             for (int k = 0; k < once.width; ++k) {
-                const int column =
-                    (once.first[static_cast<std::size_t>(s)] + k + sheet * knots.count()) % n;
-                entries.emplace_back(sheet * m + s, column,
-                                     once.weights[static_cast<std::size_t>(s * once.width + k)]);
+                const auto entry =
+                    static_cast<std::size_t>(s) * static_cast<std::size_t>(once.width) +
+                    static_cast<std::size_t>(k);
+                const int first = once.first[static_cast<std::size_t>(s)];
+                entries.emplace_back(sheet * m + s, (first + k + sheet * knots.count()) % n,
+                                     once.weights[entry]);
             }
     Sparse out(m * sheets(knots), n);
     out.setFromTriplets(entries.begin(), entries.end());
@@ -115,6 +117,7 @@ void pin(Sparse& a, Eigen::MatrixXd& right, int i, int column)
 std::vector<double> greville_sites(const Knots& knots)
 {
     std::vector<double> sites;
+    sites.reserve(static_cast<std::size_t>(knots.count()));
     for (int i = 0; i < knots.count(); ++i) sites.push_back(knots.into_domain(knots.greville(i)).t);
     return sites;
 }

@@ -111,6 +111,7 @@ Knots Knots::periodic(int order, int count, double begin, double end, Closure cl
 {
     check_size(order, count);
     std::vector<double> one_period;
+    one_period.reserve(at(count));
     for (int i = 0; i < count; ++i) one_period.push_back(begin + (end - begin) * i / count);
     return closed(order, one_period, end, closure);
 }
@@ -155,12 +156,6 @@ double Knots::greville(int i) const
     double sum = 0;
     for (int k = 1; k < order_; ++k) sum += knots_[at(i + k)];
     return sum / (order_ - 1);
-}
-
-Knots::Wrapped Knots::wrapped(int i) const
-{
-    if (closure_ == Closure::open) return {i, false};
-    return {i % count_, closure_ == Closure::twisted && (i / count_) % 2 == 1};
 }
 
 int Knots::multiplicity(double t) const

@@ -60,7 +60,11 @@ public:
         int index;
         bool mirrored;
     };
-    Wrapped wrapped(int i) const;
+    Wrapped wrapped(int i) const
+    {
+        if (closure_ == Closure::open) return {i, false};
+        return {i % count_, closure_ == Closure::twisted && (i / count_) % 2 == 1};
+    }
 
     // How many times t stands in values().
     int multiplicity(double t) const;

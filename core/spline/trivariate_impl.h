@@ -28,30 +28,49 @@ template <class T> Jet<T> evaluate(const Trivariate<T>& f, glm::dvec3 uvw, int d
     const std::array<Basis, 3> b{basis(f.axes[0], t.x, derivatives),
                                  basis(f.axes[1], t.y, derivatives),
                                  basis(f.axes[2], t.z, derivatives)};
+    // Contracted over w, then v, then u; what is not asked for costs nothing.
     Jet<T> jet;
-    for (int i = 0; i < f.axes[0].order(); ++i)
-        for (int j = 0; j < f.axes[1].order(); ++j)
+    for (int i = 0; i < f.axes[0].order(); ++i) {
+        T plane{}, plane_v{}, plane_w{}, plane_vv{}, plane_ww{}, plane_vw{};
+        for (int j = 0; j < f.axes[1].order(); ++j) {
+            T line{}, line_w{}, line_ww{};
             for (int k = 0; k < f.axes[2].order(); ++k) {
+                const auto K = static_cast<std::size_t>(k);
                 const T& p = f.point(b[0].first + i, b[1].first + j, b[2].first + k);
-                const auto I = static_cast<std::size_t>(i), J = static_cast<std::size_t>(j),
-                           K = static_cast<std::size_t>(k);
-                const double u = b[0].value[I], v = b[1].value[J], w = b[2].value[K];
-                jet.value = jet.value + p * (u * v * w);
-                if (derivatives < 1) continue;
-                const double u1 = sign.x * b[0].first_derivative[I],
-                             v1 = sign.y * b[1].first_derivative[J],
-                             w1 = sign.z * b[2].first_derivative[K];
-                jet.first[0] = jet.first[0] + p * (u1 * v * w);
-                jet.first[1] = jet.first[1] + p * (u * v1 * w);
-                jet.first[2] = jet.first[2] + p * (u * v * w1);
-                if (derivatives < 2) continue;
-                jet.second[0] = jet.second[0] + p * (b[0].second_derivative[I] * v * w);
-                jet.second[1] = jet.second[1] + p * (u * b[1].second_derivative[J] * w);
-                jet.second[2] = jet.second[2] + p * (u * v * b[2].second_derivative[K]);
-                jet.second[3] = jet.second[3] + p * (u1 * v1 * w);
-                jet.second[4] = jet.second[4] + p * (u * v1 * w1);
-                jet.second[5] = jet.second[5] + p * (u1 * v * w1);
+                line = line + p * b[2].value[K];
+                if (derivatives > 0) line_w = line_w + p * b[2].first_derivative[K];
+                if (derivatives > 1) line_ww = line_ww + p * b[2].second_derivative[K];
             }
+            const auto J = static_cast<std::size_t>(j);
+            const double v = b[1].value[J], v1 = b[1].first_derivative[J];
+            plane = plane + line * v;
+            if (derivatives > 0) {
+                plane_v = plane_v + line * v1;
+                plane_w = plane_w + line_w * v;
+            }
+            if (derivatives > 1) {
+                plane_vv = plane_vv + line * b[1].second_derivative[J];
+                plane_vw = plane_vw + line_w * v1;
+                plane_ww = plane_ww + line_ww * v;
+            }
+        }
+        const auto I = static_cast<std::size_t>(i);
+        const double u = b[0].value[I], u1 = b[0].first_derivative[I];
+        jet.value = jet.value + plane * u;
+        if (derivatives > 0) {
+            jet.first[0] = jet.first[0] + plane * (sign.x * u1);
+            jet.first[1] = jet.first[1] + plane_v * (sign.y * u);
+            jet.first[2] = jet.first[2] + plane_w * (sign.z * u);
+        }
+        if (derivatives > 1) {
+            jet.second[0] = jet.second[0] + plane * b[0].second_derivative[I];
+            jet.second[1] = jet.second[1] + plane_vv * u;
+            jet.second[2] = jet.second[2] + plane_ww * u;
+            jet.second[3] = jet.second[3] + plane_v * (sign.x * sign.y * u1);
+            jet.second[4] = jet.second[4] + plane_vw * (sign.y * sign.z * u);
+            jet.second[5] = jet.second[5] + plane_w * (sign.z * sign.x * u1);
+        }
+    }
     return jet;
 }
 
