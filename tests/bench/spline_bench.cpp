@@ -6,6 +6,7 @@
 #include "core/spline/invert.h"
 
 #include <benchmark/benchmark.h>
+#include <cmath>
 #include <random>
 
 namespace trivar {
