@@ -20,7 +20,7 @@ if(TRIVAR_SANITIZE)
   add_compile_options(-fsanitize=${TRIVAR_SANITIZE} -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${TRIVAR_SANITIZE})
   # The sanitizers' extra branches make g++ 12 see paths that do not exist.
-  add_compile_options(-Wno-maybe-uninitialized)
+  add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endif()
 
 find_program(CCACHE ccache)

@@ -13,6 +13,10 @@ namespace trivar {
 Image read_image(const std::string& path);
 Image read_image_bytes(std::string_view bytes, const std::string& name);
 
+// The bytes of a picture file of the kind that the extension (.png, .jpg, .exr, ...) names. Throws
+// Rejected.
+std::string encoded_image(const Image& image, const std::string& extension);
+
 // Writes by extension (png, jpg, exr, ...), through a temporary file. Throws Rejected.
 void write_image(const Image& image, const std::string& path);
 

@@ -7,10 +7,11 @@
 
 namespace trivar {
 
-// Writes .glb, .obj (with .mtl), .ply, .stl or .off by extension, through a temporary file beside
-// it that is renamed at the end: a failure leaves the previous file as it was. glTF and OBJ are
-// written Y up, the others Z up. Formats keep what they can hold: GLB everything, OBJ normals, one
-// UV set, materials and groups, PLY normals, one UV set and colours, STL and OFF positions. Throws
+// Writes .glb, .obj (with .mtl and pictures), .ply, .stl or .off by extension, through a temporary
+// file beside it that is renamed at the end: a failure leaves the previous file as it was. glTF and
+// OBJ are written Y up, the others Z up. Formats keep what they can hold: GLB the nodes and every
+// attribute and material, its faces cut to triangles; OBJ polygons, normals, one UV set, materials
+// and groups; PLY polygons, normals, one UV set and colours; OFF polygons; STL triangles. Throws
 // Rejected.
 void write_model(const Model& model, const std::string& path);
 

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/files/file_bytes.h"
+
+#include "core/base/digest.h"
+#include "core/base/rejected.h"
+#include "core/files/read_model.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace trivar {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::ifstream open_file(const std::string& path)
+{
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (!fs::exists(status)) throw Rejected(path + ": there is no such file");
+    if (!fs::is_regular_file(status)) throw Rejected(path + ": this is not a regular file");
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw Rejected(fmt::format("{}: cannot be opened ({})", path, std::strerror(errno)));
+    return file;
+}
+
+[[noreturn]] void fail_writing(const std::string& path, const std::string& temporary, int reason)
+{
+    if (!temporary.empty()) ::unlink(temporary.c_str());
+    throw Rejected(fmt::format("{}: cannot be written ({})", path, std::strerror(reason)));
+}
+
+} // namespace
+
+std::string read_bytes(const std::string& path, std::uintmax_t max_bytes)
+{
+    std::ifstream file = open_file(path);
+    std::error_code error;
+    const std::uintmax_t size = fs::file_size(path, error);
+    if (error) throw Rejected(fmt::format("{}: cannot be read ({})", path, error.message()));
+    if (size > max_bytes)
+        throw Rejected(
+            fmt::format("{}: has {} bytes, more than the {} allowed", path, size, max_bytes));
+    std::string bytes(size, '\0');
+    file.read(bytes.data(), static_cast<std::streamsize>(size));
+    if (static_cast<std::uintmax_t>(file.gcount()) != size)
+        throw Rejected(path + ": cannot be read to its end");
+    return bytes;
+}
+
+void write_bytes(const std::string& path, std::string_view bytes)
+{
+    std::string temporary = path + ".XXXXXX";
+    const int file = ::mkstemp(temporary.data());
+    if (file < 0) fail_writing(path, "", errno);
+    std::size_t written = 0;
+    while (written < bytes.size()) {
+        const ssize_t count = ::write(file, bytes.data() + written, bytes.size() - written);
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) {
+            const int reason = count == 0 ? ENOSPC : errno;
+            ::close(file);
+            fail_writing(path, temporary, reason);
+        }
+        written += static_cast<std::size_t>(count);
+    }
+    // mkstemp makes files for the owner only; a model is an ordinary file.
+    const bool made = ::fchmod(file, 0644) == 0 && ::fsync(file) == 0;
+    const int reason = errno;
+    if (::close(file) != 0 || !made) fail_writing(path, temporary, made ? errno : reason);
+    if (::rename(temporary.c_str(), path.c_str()) != 0) fail_writing(path, temporary, errno);
+}
+
+std::optional<std::string> file_inside(const std::string& folder, const std::string& name)
+{
+    if (folder.empty() || name.empty() || name.find('\0') != std::string::npos) return {};
+    std::string slashed = name;
+    std::replace(slashed.begin(), slashed.end(), '\\', '/'); // from other systems
+    const fs::path relative(slashed);
+    if (relative.is_absolute() || slashed.find("://") != std::string::npos) return {};
+    std::error_code error;
+    const fs::path root = fs::canonical(folder, error);
+    if (error) return {};
+    const fs::path file = fs::canonical(root / relative, error);
+    if (error || !fs::is_regular_file(file, error)) return {};
+    const auto [end, ignored] = std::mismatch(root.begin(), root.end(), file.begin(), file.end());
+    if (end != root.end()) return {};
+    return file.string();
+}
+
+std::string extension_of(const std::string& path)
+{
+    std::string extension = fs::path(path).extension().string();
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return extension;
+}
+
+std::string file_hash(const std::string& path)
+{
+    std::ifstream file = open_file(path);
+    Digest digest;
+    std::array<char, 1 << 16> block;
+    while (file.read(block.data(), block.size()), file.gcount() > 0)
+        digest.add_bytes(
+            std::as_bytes(std::span(block.data(), static_cast<std::size_t>(file.gcount()))));
+    if (file.bad()) throw Rejected(path + ": cannot be read to its end");
+    return digest.hex();
+}
+
+} // namespace trivar

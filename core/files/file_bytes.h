@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace trivar {
+
+// A file's bytes. Throws Rejected for what is no readable file or has more than `max_bytes`.
+std::string read_bytes(const std::string& path, std::uintmax_t max_bytes);
+
+// Writes beside `path` and renames at the end, so that any failure leaves the previous file as it
+// was. Throws Rejected with the system's reason.
+void write_bytes(const std::string& path, std::string_view bytes);
+
+// The path of `name` in `folder`, if it is a file that really lies there: absolute names, schemes,
+// `..` and links that lead out give nothing, and so does an empty folder.
+std::optional<std::string> file_inside(const std::string& folder, const std::string& name);
+
+// Lower case, with the dot; empty if there is none.
+std::string extension_of(const std::string& path);
+
+} // namespace trivar

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/mesh/model.h"
+
+#include <string>
+#include <string_view>
+
+namespace trivar {
+
+// What every reader gets: the whole file, and how to name it to the user.
+struct FileText {
+    std::string_view bytes;
+    std::string name;
+    std::string folder; // where other files may be read from; empty: nowhere
+};
+
+// One reader a format. Each gives positions, faces and attributes as the file has them, in the
+// file's units and axes, every index checked; repairs and missing normals come after.
+// A face has at most this many corners: cutting concave ones is quadratic.
+inline constexpr std::size_t max_face_corners = 8192;
+
+Model read_obj(const FileText& file, const Progress& progress);
+Model read_ply(const FileText& file, const Progress& progress);
+Model read_stl(const FileText& file, const Progress& progress);
+Model read_off(const FileText& file, const Progress& progress);
+Model read_gltf(const FileText& file, bool binary, const Progress& progress);
+
+// The materials of a Wavefront material library, in the order of the file, with a sentence for
+// everything that could not be taken over.
+struct Mtl {
+    std::vector<Material> materials;
+    std::vector<std::string> notices;
+};
+Mtl read_mtl(const FileText& file);
+
+// The bytes of one file of each format.
+std::string write_glb(const Model& model);
+struct ObjFiles {
+    std::string obj, mtl;
+    std::vector<std::pair<std::string, Ref<Image>>> images; // file name to picture
+};
+ObjFiles write_obj(const Model& model, const std::string& stem);
+std::string write_ply(const Model& model);
+std::string write_stl(const Model& model);
+std::string write_off(const Model& model);
+
+} // namespace trivar

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace trivar {
+
+// Indices from 0. Below 0: none. A relative index is kept as its distance from the first element
+// of its block plus `relative`, since the elements before the block are not counted yet.
+struct ObjCorner {
+    std::int32_t v, vt, vn;
+    static constexpr std::int32_t relative = 3 << 29;
+    static constexpr std::int32_t limit = 1 << 30; // more lines than the largest file has
+};
+
+// A statement that sets something for the faces after it.
+struct ObjEvent {
+    enum class Kind { object, group, material, library, tag } kind;
+    std::uint32_t face; // the number of faces of the block before it
+    std::string_view text;
+};
+
+// What one stretch of whole lines says.
+struct ObjBlock {
+    std::vector<glm::vec3> v, vn, colors; // colors as many as v, or none
+    std::vector<glm::vec2> vt;
+    std::vector<ObjCorner> corners;
+    std::vector<std::uint32_t> face_end; // into corners
+    std::vector<ObjEvent> events;
+    std::size_t lines_and_points = 0, free_forms = 0; // elements left out
+    std::string error;                                // of the first wrong line
+    const char* error_at = nullptr;
+};
+
+// Reads whole lines up to the first wrong one. Throws nothing.
+ObjBlock read_obj_block(std::string_view text);
+
+} // namespace trivar

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/files/formats.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+#include <set>
+
+namespace trivar {
+namespace {
+
+// A name that a line of the format can carry.
+std::string plain_name(std::string name, const std::string& otherwise)
+{
+    for (char& c : name)
+        if (static_cast<unsigned char>(c) <= ' ') c = '_';
+    return name.empty() ? otherwise : name;
+}
+
+class ObjWriter {
+public:
+    ObjWriter(const Model& model, const std::string& stem) : model_(model), stem_(stem) {}
+
+    ObjFiles write()
+    {
+        write_materials();
+        fmt::format_to(to(), "# Trivar\nmtllib {}.mtl\n", plain_name(stem_, "model"));
+        for (std::size_t n = 0; n < model_.nodes.size(); ++n) {
+            const Node& node = model_.nodes[n];
+            if (node.mesh < 0) continue;
+            const glm::dmat4 z_to_y({1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1});
+            const glm::dmat4 matrix = z_to_y * node_to_model(model_, static_cast<int>(n));
+            fmt::format_to(to(), "o {}\n", plain_name(node.name, fmt::format("object_{}", n)));
+            write_mesh(transformed(*model_.meshes.at(static_cast<std::size_t>(node.mesh)), matrix));
+        }
+        files_.obj = fmt::to_string(out_);
+        return std::move(files_);
+    }
+
+private:
+    std::back_insert_iterator<fmt::memory_buffer> to() { return std::back_inserter(out_); }
+
+    void write_mesh(const Mesh& mesh)
+    {
+        // One v a point, so that seams are closed when it is read again.
+        std::vector<std::uint32_t> v_of_point(mesh.vertex_count() ? point_count(mesh) : 0, none);
+        std::vector<std::uint32_t> v_of(mesh.vertex_count());
+        std::uint32_t v_count = 0;
+        std::vector<glm::vec3> written;
+        for (std::uint32_t i = 0; i < mesh.vertex_count(); ++i) {
+            const glm::vec3& p = mesh.positions[i];
+            std::uint32_t& known = v_of_point[mesh.point(i)];
+            if (known == none || written[known] != p) {
+                known = v_count++;
+                written.push_back(p);
+                fmt::format_to(to(), "v {} {} {}\n", p.x, p.y, p.z);
+            }
+            v_of[i] = known;
+        }
+        if (!mesh.uvs.empty())
+            for (const glm::vec2& uv : mesh.uvs[0]) fmt::format_to(to(), "vt {} {}\n", uv.x, uv.y);
+        for (const glm::vec3& n : mesh.normals)
+            fmt::format_to(to(), "vn {} {} {}\n", n.x, n.y, n.z);
+        write_faces(mesh, v_of);
+        v_base_ += v_count;
+        vt_base_ += mesh.uvs.empty() ? 0 : mesh.vertex_count();
+        vn_base_ += mesh.normals.size();
+    }
+
+    void write_faces(const Mesh& mesh, const std::vector<std::uint32_t>& v_of)
+    {
+        std::uint32_t material = none, group = none;
+        for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+            const std::uint32_t m = mesh.face_material.empty() ? 0 : mesh.face_material[f];
+            if (m != material && m < material_names_.size())
+                fmt::format_to(to(), "usemtl {}\n", material_names_[m]);
+            material = m;
+            if (!mesh.face_group.empty() && mesh.face_group[f] != group) {
+                group = mesh.face_group[f];
+                fmt::format_to(to(), "g {}\n",
+                               plain_name(mesh.group_names[group], fmt::format("g{}", group)));
+            }
+            fmt::format_to(to(), "f");
+            for (std::uint32_t c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
+                const std::uint32_t i = mesh.corners[c];
+                fmt::format_to(to(), " {}", v_base_ + v_of[i] + 1);
+                if (!mesh.uvs.empty())
+                    fmt::format_to(to(), "/{}", vt_base_ + i + 1);
+                else if (!mesh.normals.empty())
+                    fmt::format_to(to(), "/");
+                if (!mesh.normals.empty()) fmt::format_to(to(), "/{}", vn_base_ + i + 1);
+            }
+            fmt::format_to(to(), "\n");
+        }
+    }
+
+    void write_materials()
+    {
+        std::set<std::string> taken;
+        for (std::size_t i = 0; i < model_.materials.size(); ++i) {
+            const Material& m = model_.materials[i];
+            std::string name = plain_name(m.name, fmt::format("material_{}", i));
+            if (!taken.insert(name).second) {
+                name += fmt::format("_{}", i);
+                taken.insert(name);
+            }
+            material_names_.push_back(name);
+            const glm::vec4& kd = m.base_color;
+            // Ns is for readers that know no Pr; see the reader for its relation.
+            const double r4 = std::pow(std::max(m.roughness, 0.05f), 4);
+            files_.mtl +=
+                fmt::format("newmtl {}\nKd {} {} {}\nd {}\nKe {} {} {}\nNs {}\nPr {}\n"
+                            "Pm {}\n",
+                            name, kd.x, kd.y, kd.z, kd.w, m.emissive.x, m.emissive.y, m.emissive.z,
+                            static_cast<float>(2 / r4 - 2), m.roughness, m.metallic);
+            write_texture("map_Kd", m.base_color_texture);
+            write_texture("map_Ke", m.emissive_texture);
+            write_texture("norm", m.normal_texture);
+            files_.mtl += '\n';
+        }
+    }
+
+    void write_texture(const char* keyword, const Texture& texture)
+    {
+        if (!texture.image) return;
+        const auto [at, added] = image_names_.emplace(texture.image.get(), "");
+        if (added) {
+            const bool jpeg = texture.image->mime == "image/jpeg";
+            at->second = fmt::format("{}_{}.{}", plain_name(stem_, "model"), files_.images.size(),
+                                     jpeg ? "jpg" : "png");
+            files_.images.emplace_back(at->second, texture.image);
+        }
+        files_.mtl += fmt::format("{} {}\n", keyword, at->second);
+    }
+
+    static constexpr std::uint32_t none = ~0u;
+    const Model& model_;
+    const std::string& stem_;
+    ObjFiles files_;
+    fmt::memory_buffer out_;
+    std::vector<std::string> material_names_;
+    std::map<const Image*, std::string> image_names_; // looked up only, never walked
+    std::size_t v_base_ = 0, vt_base_ = 0, vn_base_ = 0;
+};
+
+} // namespace
+
+ObjFiles write_obj(const Model& model, const std::string& stem)
+{
+    return ObjWriter(model, stem).write();
+}
+
+} // namespace trivar

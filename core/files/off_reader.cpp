@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/rejected.h"
+#include "core/files/formats.h"
+#include "core/files/text_scan.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+class OffReader {
+public:
+    OffReader(const FileText& file, const Progress& progress)
+        : file_(file),
+          progress_(progress),
+          scan_(file.bytes)
+    {
+    }
+
+    Model read()
+    {
+        read_header();
+        const std::size_t vertices = count("vertices"), faces = count("faces");
+        count("edges");
+        // A number and a blank are two bytes, so this many cannot be there.
+        if (vertices * 6 + faces * 2 > file_.bytes.size() + 2)
+            fail(fmt::format("{} vertices and {} faces are declared, more than {} bytes can hold",
+                             vertices, faces, file_.bytes.size()));
+        read_vertices(vertices);
+        for (std::size_t f = 0; f < faces; ++f) {
+            if (f % (1 << 16) == 0)
+                report(progress_, 0.3 + 0.6 * double(f) / double(faces), "Reading faces");
+            read_face();
+        }
+        // Seams and vertices written twice look alike here, and both are closed.
+        mesh_.points = points_by_position(mesh_.positions);
+        Model model = single_mesh_model("", std::move(mesh_));
+        if (face_colors_)
+            model.notices.push_back(file_.name + ": the colours of faces were left out");
+        return model;
+    }
+
+private:
+    void read_header()
+    {
+        skip();
+        std::string_view keyword = scan_.word();
+        if (keyword.starts_with("ST")) uvs_ = true, keyword.remove_prefix(2);
+        if (keyword.starts_with("C")) colors_ = true, keyword.remove_prefix(1);
+        if (keyword.starts_with("N")) normals_ = true, keyword.remove_prefix(1);
+        if (keyword != "OFF") fail("the file does not begin with OFF, COFF, NOFF, CNOFF or STOFF");
+        scan_.skip_blanks();
+        TextScan ahead = scan_;
+        if (ahead.word() == "BINARY") fail("binary OFF cannot be read, save it as text");
+        if (uvs_) mesh_.uvs.emplace_back();
+    }
+
+    void read_vertices(std::size_t vertices)
+    {
+        for (std::size_t v = 0; v < vertices; ++v) {
+            if (v % (1 << 16) == 0)
+                report(progress_, 0.3 * double(v) / double(vertices), "Reading vertices");
+            mesh_.positions.push_back(vector<glm::vec3>(v));
+            if (normals_) mesh_.normals.push_back(vector<glm::vec3>(v));
+            if (colors_) mesh_.colors.push_back(color(v));
+            if (uvs_) mesh_.uvs[0].push_back(vector<glm::vec2>(v));
+        }
+    }
+
+    // Three or four numbers to the end of the line, of 0 to 1 or of 0 to 255.
+    glm::vec4 color(std::size_t vertex)
+    {
+        glm::vec4 result(vector<glm::vec3>(vertex), 1);
+        scan_.skip_blanks();
+        if (!scan_.done() && *scan_.at != '\n' && *scan_.at != '#')
+            if (const auto alpha = scan_.number()) result.w = static_cast<float>(*alpha);
+        if (std::max({result.x, result.y, result.z}) > 1) result /= glm::vec4(255);
+        return glm::clamp(result, 0.0f, 1.0f);
+    }
+
+    void read_face()
+    {
+        const std::size_t corners = count("corners of a face");
+        if (corners * 2 > static_cast<std::size_t>(scan_.end - scan_.at) + 1)
+            fail(fmt::format("a face with {} corners is declared, more than the rest of the file "
+                             "can hold",
+                             corners));
+        for (std::size_t c = 0; c < corners; ++c) {
+            const std::size_t vertex = count("corner");
+            if (vertex >= mesh_.vertex_count())
+                fail(fmt::format("a face asks for vertex {}, there are {}", vertex,
+                                 mesh_.vertex_count()));
+            mesh_.corners.push_back(static_cast<std::uint32_t>(vertex));
+        }
+        mesh_.face_begin.push_back(static_cast<std::uint32_t>(mesh_.corners.size()));
+        const std::string_view rest = scan_.line();
+        const std::size_t something = rest.find_first_not_of(" \t\r");
+        face_colors_ |= something != rest.npos && rest[something] != '#';
+    }
+
+    std::size_t count(const char* what)
+    {
+        skip();
+        const auto value = scan_.integer();
+        if (!value || *value < 0 || (!scan_.done() && !is_blank(*scan_.at) && *scan_.at != '\n'))
+            fail(fmt::format("the number of {} is missing or is none of 0 to 999999999", what));
+        return static_cast<std::size_t>(*value);
+    }
+
+    template <class T> T vector(std::size_t vertex)
+    {
+        T result;
+        for (int i = 0; i < T::length(); ++i) {
+            skip();
+            const auto value = scan_.number();
+            if (!value)
+                fail(fmt::format("vertex {} lacks a number or has one that is not finite", vertex));
+            result[i] = static_cast<float>(*value);
+        }
+        return result;
+    }
+
+    // To the next word, over line ends and comments.
+    void skip()
+    {
+        for (;;) {
+            scan_.skip_blanks();
+            if (scan_.done()) return;
+            if (*scan_.at == '\n')
+                ++scan_.at;
+            else if (*scan_.at == '#')
+                scan_.line();
+            else
+                return;
+        }
+    }
+
+    [[noreturn]] void fail(const std::string& what) const
+    {
+        const auto line = 1 + std::count(file_.bytes.data(), scan_.at, '\n');
+        throw Rejected(fmt::format("{}: line {}: {}", file_.name, line, what));
+    }
+
+    const FileText& file_;
+    const Progress& progress_;
+    TextScan scan_;
+    Mesh mesh_;
+    bool normals_ = false, colors_ = false, uvs_ = false, face_colors_ = false;
+};
+
+} // namespace
+
+Model read_off(const FileText& file, const Progress& progress)
+{
+    return OffReader(file, progress).read();
+}
+
+} // namespace trivar

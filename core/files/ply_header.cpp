@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/files/ply_header.h"
+
+#include "core/base/rejected.h"
+#include "core/files/text_scan.h"
+
+#include <fmt/format.h>
+#include <map>
+#include <optional>
+
+namespace trivar {
+namespace {
+
+std::optional<PlyType> type_named(std::string_view name)
+{
+    static const std::map<std::string_view, PlyType> types{
+        {"char", PlyType::i8},    {"int8", PlyType::i8},     {"uchar", PlyType::u8},
+        {"uint8", PlyType::u8},   {"short", PlyType::i16},   {"int16", PlyType::i16},
+        {"ushort", PlyType::u16}, {"uint16", PlyType::u16},  {"int", PlyType::i32},
+        {"int32", PlyType::i32},  {"uint", PlyType::u32},    {"uint32", PlyType::u32},
+        {"float", PlyType::f32},  {"float32", PlyType::f32}, {"double", PlyType::f64},
+        {"float64", PlyType::f64}};
+    const auto at = types.find(name);
+    return at == types.end() ? std::nullopt : std::optional(at->second);
+}
+
+} // namespace
+
+std::size_t size_of(PlyType type)
+{
+    static constexpr std::size_t sizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
+    return sizes[static_cast<std::size_t>(type)];
+}
+
+PlyHeader read_ply_header(std::string_view bytes, const std::string& name)
+{
+    PlyHeader header{};
+    TextScan scan(bytes);
+    int line = 0;
+    bool format_said = false;
+    const auto fail = [&](const std::string& what) {
+        throw Rejected(fmt::format("{}: line {}: {}", name, line, what));
+    };
+    for (;;) {
+        ++line;
+        if (scan.done()) fail("the header has no end");
+        TextScan words(scan.line());
+        const std::string_view keyword = words.word();
+        if (line == 1) {
+            if (keyword != "ply") fail("the file does not begin with 'ply'");
+        } else if (keyword == "format") {
+            const std::string_view format = words.word();
+            using Format = PlyHeader::Format;
+            if (format == "ascii")
+                header.format = Format::ascii;
+            else if (format == "binary_little_endian")
+                header.format = Format::little_endian;
+            else if (format == "binary_big_endian")
+                header.format = Format::big_endian;
+            else
+                fail(fmt::format("'{}' is no PLY format", format));
+            format_said = true;
+        } else if (keyword == "element") {
+            PlyElement element;
+            element.name = words.word();
+            words.skip_blanks();
+            const auto count = words.integer();
+            if (!count || *count < 0) fail("an element's count is none of 0 to 999999999");
+            element.count = static_cast<std::size_t>(*count);
+            header.elements.push_back(std::move(element));
+        } else if (keyword == "property") {
+            if (header.elements.empty()) fail("a property comes before any element");
+            PlyProperty property;
+            std::string_view type = words.word();
+            if (type == "list") {
+                const auto count_type = type_named(words.word());
+                if (!count_type || *count_type == PlyType::f32 || *count_type == PlyType::f64)
+                    fail("a list's length has no whole-number type");
+                property.list = true;
+                property.count_type = *count_type;
+                type = words.word();
+            }
+            const auto known = type_named(type);
+            if (!known) fail(fmt::format("'{}' is no PLY type", type));
+            property.type = *known;
+            property.name = words.word();
+            header.elements.back().properties.push_back(std::move(property));
+        } else if (keyword == "end_header") {
+            break;
+        } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
+            fail(fmt::format("'{}' does not belong in a PLY header", keyword));
+        }
+    }
+    if (!format_said) fail("the header names no format");
+    header.size = static_cast<std::size_t>(scan.at - bytes.data());
+    return header;
+}
+
+} // namespace trivar

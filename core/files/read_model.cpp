@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/files/read_model.h"
+
+#include "core/base/rejected.h"
+#include "core/files/file_bytes.h"
+#include "core/files/formats.h"
+#include "core/mesh/repair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+constexpr std::size_t max_notices = 20;
+
+Model read_format(const FileText& file, const std::string& extension, const Progress& progress)
+{
+    if (extension == ".obj") return read_obj(file, progress);
+    if (extension == ".ply") return read_ply(file, progress);
+    if (extension == ".stl") return read_stl(file, progress);
+    if (extension == ".off") return read_off(file, progress);
+    if (extension == ".gltf") return read_gltf(file, false, progress);
+    if (extension == ".glb") return read_gltf(file, true, progress);
+    throw Rejected(
+        fmt::format("{}: models are read from .obj, .ply, .stl, .off, .gltf and .glb", file.name));
+}
+
+// Unit length everywhere: what the file gives as zero or as no number comes from the faces.
+void complete_normals(Mesh& mesh)
+{
+    const std::vector<glm::vec3> smooth = smooth_normals(mesh);
+    if (mesh.normals.empty()) {
+        mesh.normals = smooth;
+        return;
+    }
+    for (std::size_t v = 0; v < mesh.normals.size(); ++v) {
+        const glm::dvec3 given(mesh.normals[v]);
+        const double length = glm::length(given);
+        mesh.normals[v] =
+            length > 0 && std::isfinite(length) ? glm::vec3(given / length) : smooth[v];
+    }
+    for (std::size_t v = 0; v < mesh.tangents.size(); ++v) {
+        glm::vec4& t = mesh.tangents[v];
+        const float length = glm::length(glm::vec3(t));
+        t = length > 0 && std::isfinite(length) ? glm::vec4(glm::vec3(t) / length, t.w < 0 ? -1 : 1)
+                                                : glm::vec4(1, 0, 0, 1);
+    }
+}
+
+Mesh finished(Mesh mesh, const FileText& file, std::vector<std::string>& notices)
+{
+    for (std::size_t f = 0; f < mesh.face_count(); ++f)
+        if (mesh.face_begin[f + 1] - mesh.face_begin[f] > max_face_corners)
+            throw Rejected(fmt::format("{}: face {} has more than {} corners", file.name, f,
+                                       max_face_corners));
+    Repaired result = repaired(std::move(mesh));
+    for (const std::string& notice : result.notices)
+        notices.push_back(fmt::format("{}: {}", file.name, notice));
+    complete_normals(result.mesh);
+    validate(result.mesh, file.name);
+    return std::move(result.mesh);
+}
+
+glm::dmat4 to_world(const ReadOptions& options, bool y_up_format)
+{
+    const bool y_up = options.up == UpAxis::y || (options.up == UpAxis::automatic && y_up_format);
+    glm::dmat4 matrix(1);
+    if (y_up) matrix = glm::dmat4({1, 0, 0, 0}, {0, 0, 1, 0}, {0, -1, 0, 0}, {0, 0, 0, 1});
+    for (int i = 0; i < 3; ++i) matrix[i] *= options.scale;
+    return matrix;
+}
+
+} // namespace
+
+Model read_model_bytes(std::string_view bytes, const std::string& name, const std::string& folder,
+                       const ReadOptions& options, const Progress& progress)
+{
+    if (!(options.scale >= 1e-9 && options.scale <= 1e9))
+        throw Rejected(
+            fmt::format("{}: the scale must be between 1e-9 and 1e9, not {}", name, options.scale));
+    if (bytes.size() > options.max_bytes)
+        throw Rejected(fmt::format("{}: has {} bytes, more than the {} allowed", name, bytes.size(),
+                                   options.max_bytes));
+    if (bytes.empty()) throw Rejected(name + ": the file is empty");
+    const std::string extension = extension_of(name);
+    const bool gltf = extension == ".gltf" || extension == ".glb";
+    const FileText file{bytes, std::filesystem::path(name).filename().string(), folder};
+    Model model = read_format(file, extension, progress);
+
+    report(progress, 0.9, "Checking");
+    const glm::dmat4 matrix = to_world(options, gltf || extension == ".obj");
+    std::size_t faces = 0;
+    for (Ref<Mesh>& ref : model.meshes) {
+        Mesh mesh = finished(*ref, file, model.notices);
+        faces += mesh.face_count();
+        if (!gltf && matrix != glm::dmat4(1)) mesh = transformed(mesh, matrix);
+        ref = make_ref(std::move(mesh));
+    }
+    if (faces == 0) throw Rejected(file.name + ": there are no faces in it");
+    if (model.materials.empty()) model.materials.emplace_back();
+    for (Node& node : model.nodes) {
+        if (node.parent < 0 && gltf) node.to_parent = matrix * node.to_parent;
+        if (node.name.empty()) node.name = std::filesystem::path(file.name).stem().string();
+        if (node.mesh >= 0 && model.meshes[static_cast<std::size_t>(node.mesh)]->face_count() == 0)
+            node.mesh = -1;
+    }
+    if (model.notices.size() > max_notices) {
+        const std::size_t more = model.notices.size() - max_notices;
+        model.notices.resize(max_notices);
+        model.notices.push_back(fmt::format("{}: and {} more of the kind", file.name, more));
+    }
+    report(progress, 1, "Done");
+    return model;
+}
+
+Model read_model(const std::string& path, const ReadOptions& options, const Progress& progress)
+{
+    report(progress, 0, "Opening");
+    const std::string bytes = read_bytes(path, options.max_bytes);
+    const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+    return read_model_bytes(bytes, path, folder.string(), options, progress);
+}
+
+} // namespace trivar
