@@ -78,7 +78,11 @@ AxisCells::Cell end_cell(const Knots& knots, double end)
 
 } // namespace
 
-AxisCells::AxisCells(const Knots& knots) : knots_(knots), breaks_(knots.breaks())
+AxisCells::AxisCells(const Knots& knots)
+    : breaks_(knots.breaks()),
+      spans_per_unit_(static_cast<double>(breaks_.size() - 1) / (knots.end() - knots.begin())),
+      least_(reach(knots).least),
+      most_(reach(knots).most)
 {
     cells_.push_back(end_cell(knots, knots.begin()));
     for (std::size_t i = 0; i + 1 < breaks_.size(); ++i)
@@ -88,22 +92,19 @@ AxisCells::AxisCells(const Knots& knots) : knots_(knots), breaks_(knots.breaks()
 
 AxisCells::Place AxisCells::place(double u) const
 {
-    if (beyond(knots_, u)) return {u < knots_.begin() ? 0 : count() - 1, 0.0f};
+    if (u < least_) return {0, 0.0f};
+    if (u > most_) return {count() - 1, 0.0f};
     // Equally spaced knots, the usual case, are found without a search.
-    const std::size_t spans = breaks_.size() - 1;
-    const double guess = (u - breaks_.front()) / (breaks_.back() - breaks_.front());
-    const double scaled =
-        std::clamp(guess * static_cast<double>(spans), 0.0, static_cast<double>(spans - 1));
-    std::size_t span = scaled >= 0 ? static_cast<std::size_t>(scaled) : 0;
+    const auto last = static_cast<double>(breaks_.size() - 2);
+    const double guess = std::clamp((u - breaks_.front()) * spans_per_unit_, 0.0, last);
+    std::size_t span = guess >= 0 ? static_cast<std::size_t>(guess) : 0; // false if u is a NaN
     if (!(breaks_[span] <= u && u < breaks_[span + 1])) {
         const auto above = std::upper_bound(breaks_.begin() + 1, breaks_.end() - 1, u);
         span = static_cast<std::size_t>(above - breaks_.begin()) - 1;
     }
     const Cell& cell = cells_[span + 1];
     const double t = (u - cell.center) * cell.per_unit;
-    return {static_cast<std::uint32_t>(span + 1), static_cast<float>(t < -0.5  ? -0.5
-                                                                     : t > 0.5 ? 0.5
-                                                                               : t)};
+    return {static_cast<std::uint32_t>(span + 1), static_cast<float>(std::clamp(t, -0.5, 0.5))};
 }
 
 } // namespace trivar

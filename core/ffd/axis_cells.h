@@ -33,8 +33,9 @@ public:
     const Cell& operator[](std::uint32_t cell) const { return cells_[cell]; }
 
 private:
-    Knots knots_;
     std::vector<double> breaks_;
+    double spans_per_unit_;
+    double least_, most_; // beyond these a parameter lies in the cells at the ends
     std::vector<Cell> cells_;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/ffd/lattice.h"
 
+#include <limits>
+
 namespace trivar {
 namespace {
 
@@ -11,12 +13,13 @@ glm::dvec3 greville(const std::array<Knots, 3>& axes, int i, int j, int k)
 
 } // namespace
 
-bool beyond(const Knots& knots, double t)
+Reach reach(const Knots& knots)
 {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (knots.closure() != Closure::open) return {-infinity, infinity};
     // A box fitted to a model has vertices on its faces, give or take a rounding: those are inside.
     const double slack = 1e-6 * (knots.end() - knots.begin());
-    return knots.closure() == Closure::open &&
-           (t < knots.begin() - slack || t > knots.end() + slack);
+    return {knots.begin() - slack, knots.end() + slack};
 }
 
 Lattice lattice_at_rest(const std::array<Knots, 3>& axes, const glm::dmat4& rest)
@@ -51,7 +54,8 @@ Jet<glm::dvec3> evaluate(const Lattice& lattice, glm::dvec3 uvw, int derivatives
 {
     Jet<glm::dvec3> jet = evaluate(lattice.displacement, uvw, derivatives);
     for (std::size_t axis = 0; axis < 3; ++axis)
-        if (beyond(lattice.displacement.axes[axis], uvw[static_cast<int>(axis)]))
+        if (const Reach r = reach(lattice.displacement.axes[axis]);
+            uvw[static_cast<int>(axis)] < r.least || uvw[static_cast<int>(axis)] > r.most)
             jet.first[axis] = glm::dvec3(0);
     jet.value += glm::dvec3(lattice.rest * glm::dvec4(uvw, 1));
     for (std::size_t axis = 0; axis < 3 && derivatives > 0; ++axis)

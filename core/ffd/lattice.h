@@ -25,9 +25,12 @@ Lattice lattice_at_rest(const std::array<Knots, 3>& axes, const glm::dmat4& rest
 glm::dvec3 control_point(const Lattice& lattice, int i, int j, int k);
 Lattice lattice_through(const Trivariate<glm::dvec3>& control_points_world);
 
-// Whether t lies before or after the domain of an open axis. There the displacement is that of the
-// nearest end, so it does not change along this axis.
-bool beyond(const Knots& knots, double t);
+// Parameters outside this interval lie before or after the domain of an open axis. There the
+// displacement is that of the nearest end, so it does not change along this axis.
+struct Reach {
+    double least, most;
+};
+Reach reach(const Knots& knots);
 
 // F, with F_u, F_v, F_w in `first` where derivatives >= 1. In double; the reference of deform().
 Jet<glm::dvec3> evaluate(const Lattice& lattice, glm::dvec3 uvw, int derivatives = 0);
