@@ -29,13 +29,29 @@ Trivariate<T> interpolate(const std::array<Knots, 3>& axes, const std::vector<T>
                                       values)};
 }
 
-// The curve nearest to values at parameters; see least_squares_map.
+// The curve nearest to values at parameters; see least_squares_map. O(m x order^2) for m samples
+// and O(count^2 x order).
 template <class T>
 Curve<T> fit(const Knots& knots, std::span<const double> parameters, const std::vector<T>& values,
              const FitOptions& options = {})
 {
-    return {knots,
-            fitted_points<T, 1>({knots}, {least_squares_map(knots, parameters, options)}, values)};
+    check_value_count(values.size(), std::array{static_cast<int>(parameters.size())});
+    const AxisMap inverse = normal_inverse(knots, parameters, options);
+    const AxisMap basis_at = sampling_map(knots, parameters);
+    const auto width = static_cast<std::size_t>(basis_at.width);
+    std::vector<T> right(static_cast<std::size_t>(knots.count()));
+    for (std::size_t s = 0; s < values.size(); ++s)
+        for (std::size_t k = 0; k < width; ++k) {
+            const int i = knots.wrapped(basis_at.first[s] + static_cast<int>(k)).index;
+            const double weight = options.weights.empty() ? 1 : options.weights[s];
+            T& sum = right[static_cast<std::size_t>(i)];
+            sum = sum + values[s] * (weight * basis_at.weights[s * width + k]);
+        }
+    if (options.ends) {
+        right.front() = values.front();
+        right.back() = values.back();
+    }
+    return {knots, applied(inverse, extent(knots), std::span<const T>(right), 1)};
 }
 
 // The surface or trivariate function nearest to values on the grid of parameters, the last axis

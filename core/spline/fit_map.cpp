@@ -112,6 +112,33 @@ void pin(Sparse& a, Eigen::MatrixXd& right, int i, int column)
     right(i, column) = 1;
 }
 
+Eigen::VectorXd weights_of(const Sparse& collocation, const FitOptions& options)
+{
+    Eigen::VectorXd w = Eigen::VectorXd::Ones(collocation.rows());
+    for (int s = 0; s < w.size() && !options.weights.empty(); ++s)
+        w[s] = options.weights[static_cast<std::size_t>(s) % options.weights.size()];
+    return w;
+}
+
+// The control points that solve the normal equations with the given right sides.
+AxisMap solution(const Knots& knots, Sparse a, Eigen::MatrixXd right, const FitOptions& options)
+{
+    if (options.smoothing > 0) a += options.smoothing * roughness(knots);
+    if (options.ends) {
+        pin(a, right, 0, 0);
+        pin(a, right, static_cast<int>(a.rows()) - 1, static_cast<int>(right.cols()) - 1);
+    }
+    const Eigen::SimplicialLDLT<Sparse> ldlt(a);
+    // A pivot this far below the largest is what rounding leaves of a zero.
+    const bool determined =
+        ldlt.info() == Eigen::Success &&
+        ldlt.vectorD().minCoeff() > 1e-13 * ldlt.vectorD().cwiseAbs().maxCoeff();
+    if (!determined)
+        throw Rejected("the samples do not determine every control point: there are too few of "
+                       "them, or none near some knots");
+    return map_of(ldlt.solve(right), knots.count());
+}
+
 } // namespace
 
 std::vector<double> greville_sites(const Knots& knots)
@@ -136,36 +163,26 @@ AxisMap interpolation_map(const Knots& knots)
     return map_of(inverse, knots.count());
 }
 
+AxisMap normal_inverse(const Knots& knots, std::span<const double> parameters,
+                       const FitOptions& options)
+{
+    check_samples(knots, parameters, options);
+    const int n = knots.count() * sheets(knots);
+    check_size(n, n);
+    const Sparse b = collocation(knots, parameters);
+    return solution(knots, b.transpose() * weights_of(b, options).asDiagonal() * b,
+                    Eigen::MatrixXd::Identity(n, n), options);
+}
+
 AxisMap least_squares_map(const Knots& knots, std::span<const double> parameters,
                           const FitOptions& options)
 {
     check_samples(knots, parameters, options);
-    const int m = static_cast<int>(parameters.size()) * sheets(knots);
-    const int n = knots.count() * sheets(knots);
-    check_size(n, static_cast<long long>(parameters.size()) * sheets(knots));
-
+    check_size(knots.count() * sheets(knots),
+               static_cast<long long>(parameters.size()) * sheets(knots));
     const Sparse b = collocation(knots, parameters);
-    Eigen::VectorXd w = Eigen::VectorXd::Ones(m);
-    for (int s = 0; s < m && !options.weights.empty(); ++s)
-        w[s] = options.weights[static_cast<std::size_t>(s) % options.weights.size()];
-    const Sparse weighted = b.transpose() * w.asDiagonal();
-    Sparse a = weighted * b;
-    if (options.smoothing > 0) a += options.smoothing * roughness(knots);
-    Eigen::MatrixXd right(weighted);
-    if (options.ends) {
-        pin(a, right, 0, 0);
-        pin(a, right, n - 1, m - 1);
-    }
-
-    const Eigen::SimplicialLDLT<Sparse> ldlt(a);
-    // A pivot this far below the largest is what rounding leaves of a zero.
-    const bool determined =
-        ldlt.info() == Eigen::Success &&
-        ldlt.vectorD().minCoeff() > 1e-13 * ldlt.vectorD().cwiseAbs().maxCoeff();
-    if (!determined)
-        throw Rejected("the samples do not determine every control point: there are too few of "
-                       "them, or none near some knots");
-    return map_of(ldlt.solve(right), knots.count());
+    const Sparse weighted = b.transpose() * weights_of(b, options).asDiagonal();
+    return solution(knots, weighted * b, Eigen::MatrixXd(weighted), options);
 }
 
 int sample_count(const Knots& knots, const AxisMap& map)

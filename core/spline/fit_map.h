@@ -26,6 +26,12 @@ AxisMap interpolation_map(const Knots& knots);
 AxisMap least_squares_map(const Knots& knots, std::span<const double> parameters,
                           const FitOptions& options = {});
 
+// The same for one set of values: control points from the right sides of the normal equations,
+// sum_s w_s N_i(t_s) q_s for each i, where with `ends` the first and the last right side are the
+// first and the last value. O(m x order^2 + count^2 x order), which no table of m makes dearer.
+AxisMap normal_inverse(const Knots& knots, std::span<const double> parameters,
+                       const FitOptions& options = {});
+
 // How many samples a map of this file takes, once round the axis.
 int sample_count(const Knots& knots, const AxisMap& map);
 void check_value_count(std::size_t values, std::span<const int> counts);

@@ -28,6 +28,18 @@ template <class T> Jet<T> evaluate(const Trivariate<T>& f, glm::dvec3 uvw, int d
     const std::array<Basis, 3> b{basis(f.axes[0], t.x, derivatives),
                                  basis(f.axes[1], t.y, derivatives),
                                  basis(f.axes[2], t.z, derivatives)};
+    // Stored positions once an axis; only a twisted axis makes them depend on each other.
+    std::array<std::array<std::size_t, max_order>, 3> offset{};
+    bool twisted = false;
+    for (std::size_t axis = 3, stride = 1; axis-- > 0;) {
+        const Knots& knots = f.axes[axis];
+        for (int i = 0; i < knots.order(); ++i)
+            offset[axis][static_cast<std::size_t>(i)] =
+                static_cast<std::size_t>(knots.wrapped(b[axis].first + i).index) * stride;
+        stride *= static_cast<std::size_t>(knots.count());
+        twisted = twisted || knots.closure() == Closure::twisted;
+    }
+
     // Contracted over w, then v, then u; what is not asked for costs nothing.
     Jet<T> jet;
     for (int i = 0; i < f.axes[0].order(); ++i) {
@@ -36,7 +48,10 @@ template <class T> Jet<T> evaluate(const Trivariate<T>& f, glm::dvec3 uvw, int d
             T line{}, line_w{}, line_ww{};
             for (int k = 0; k < f.axes[2].order(); ++k) {
                 const auto K = static_cast<std::size_t>(k);
-                const T& p = f.point(b[0].first + i, b[1].first + j, b[2].first + k);
+                const T& p = twisted
+                                 ? f.point(b[0].first + i, b[1].first + j, b[2].first + k)
+                                 : f.points[offset[0][static_cast<std::size_t>(i)] +
+                                            offset[1][static_cast<std::size_t>(j)] + offset[2][K]];
                 line = line + p * b[2].value[K];
                 if (derivatives > 0) line_w = line_w + p * b[2].first_derivative[K];
                 if (derivatives > 1) line_ww = line_ww + p * b[2].second_derivative[K];

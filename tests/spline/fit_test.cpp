@@ -168,6 +168,26 @@ TEST(Fit, SmoothingDeterminesWhatSamplesDoNot)
     EXPECT_NEAR(evaluate(c, 0.3).value, 3, 1e-2);
 }
 
+TEST(Fit, OfACurveIsWhatTheTableOfAllItsSamplesGives)
+{
+    Noise noise;
+    for (const Knots& knots : all_axes()) {
+        const auto t = inside(knots, 50);
+        std::vector<double> weights;
+        std::vector<glm::dvec2> q;
+        for (std::size_t s = 0; s < t.size(); ++s) {
+            weights.push_back(noise.between(0.5, 2));
+            q.push_back(noise.vec2());
+        }
+        const bool clamped = knots.closure() == Closure::open && knots.values()[0] == knots.begin();
+        const FitOptions options{.smoothing = 1e-5, .ends = clamped, .weights = weights};
+        const AxisMap table = least_squares_map(knots, t, options);
+        const auto points =
+            applied(table, {50, knots.closure()}, std::span<const glm::dvec2>(q), 1);
+        EXPECT_LT(largest_distance(fit(knots, t, q, options).points, points), 1e-9);
+    }
+}
+
 TEST(Fit, OfAGridFindsTheTensorItCameFrom)
 {
     Noise noise;
