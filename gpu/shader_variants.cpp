@@ -21,7 +21,8 @@ Defines with(Defines defines, const Defines& more)
 std::vector<ProgramName> every_program()
 {
     std::vector<ProgramName> out;
-    const std::vector<Defines> materials{{}, {"TEXTURED"}, {"MASKED"}, {"TEXTURED", "MASKED"}};
+    const std::vector<Defines> materials{
+        {}, {"MASKED"}, {"TEXTURES 1", "MASKED"}, {"TEXTURES 1"}, {"TEXTURES 14"}, {"TEXTURES 31"}};
     for (const Defines& material : materials) {
         for (const char* fragment : {"depth", "ids", "mask"})
             out.push_back({"mesh", fragment, material});

@@ -34,7 +34,8 @@ private:
 class Sampler {
 public:
     enum class Edge { repeat, clamp, white_border };
-    // `smooth`: linear between texels and levels, anisotropic; `compare`: depth comparison (<=).
+    // `smooth`: linear between texels and levels, anisotropic on a GPU; `compare`: depth comparison
+    // (<=).
     Sampler(Edge u, Edge v, bool smooth, bool compare = false);
     Sampler(Sampler&& other) noexcept;
     Sampler& operator=(Sampler&& other) noexcept;

@@ -10,8 +10,8 @@ namespace trivar {
 struct RenderSettings {
     std::string look = "studio"; // a named look of the renderer: studio, clay, dark
     double exposure = 0;         // stops
-    double sun_azimuth = -0.7;   // radians round Z, 0 along +X
-    double sun_elevation = 0.9;  // radians above the horizon
+    double sun_azimuth = -1.7;   // radians round Z, 0 along +X
+    double sun_elevation = 0.84; // radians above the horizon
     bool shadows = true;
     bool ambient_occlusion = true;
     bool ground = true; // a shadow-catching ground under the scene

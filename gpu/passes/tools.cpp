@@ -3,6 +3,7 @@
 
 #include <array>
 #include <epoxy/gl.h>
+#include <fmt/format.h>
 
 namespace trivar::gpu {
 namespace {
@@ -32,11 +33,12 @@ bool usable(const Texture& texture)
            texture.image->rgba.size() == static_cast<std::size_t>(size.x) * size.y * 4;
 }
 
-bool textured(const Material& material)
+// A bit for each texture that the material has, in the order of slots_of().
+int textures_of(const Material& material)
 {
-    for (const Slot& slot : slots_of(material))
-        if (usable(*slot.texture)) return true;
-    return false;
+    int bits = 0, slot = 0;
+    for (const Slot& s : slots_of(material)) bits |= (usable(*s.texture) ? 1 : 0) << slot++;
+    return bits;
 }
 
 } // namespace
@@ -91,17 +93,17 @@ void Tools::full_screen() const
 
 int Tools::bind_textures(const Material& material)
 {
-    int use = 0;
+    int second_uv = 0;
     unsigned slot = 0;
     for (const auto& [texture, srgb] : slots_of(material)) {
         if (usable(*texture)) {
             mirror_.texture(texture->image, srgb).bind(first_material_unit + slot);
             samplers_[2 * texture->repeat_u + texture->repeat_v].bind(first_material_unit + slot);
-            use |= (texture->uv_set == 1 ? 3 : 1) << (2 * slot);
+            if (texture->uv_set == 1) second_uv |= 1 << slot;
         }
         ++slot;
     }
-    return use;
+    return second_uv;
 }
 
 void Tools::set_material(const Program& program, const Material& material)
@@ -115,7 +117,7 @@ void Tools::set_material(const Program& program, const Material& material)
     program.set("roughness_metallic",
                 glm::vec4(material.roughness, material.metallic, material.double_sided ? 1 : 0,
                           mask ? material.alpha_cutoff : -1));
-    program.set("texture_use", bind_textures(material));
+    program.set("second_uv", bind_textures(material));
 }
 
 void Tools::draw(const SceneItem& item, const MirroredMesh::Part& part, const MeshPass& pass)
@@ -124,8 +126,8 @@ void Tools::draw(const SceneItem& item, const MirroredMesh::Part& part, const Me
     const bool mask = material.alpha == Material::Alpha::mask;
     const bool reads = pass.reads_material || mask;
     ProgramName name{"mesh", pass.fragment, pass.defines};
-    if (reads && textured(material))
-        name.defines.emplace_back("TEXTURED");
+    if (reads && textures_of(material))
+        name.defines.push_back(fmt::format("TEXTURES {}", textures_of(material)));
     else if (pass.plain_variant && !mask && !item.mesh->colored)
         name.defines.emplace_back("PLAIN");
     if (mask) name.defines.emplace_back("MASKED");

@@ -47,8 +47,8 @@ private:
     Mirror mirror_;
     VertexArray nothing_;
     Buffer frame_;
-    std::vector<Sampler> samplers_; // by 2 repeat_u + repeat_v
-    int bind_textures(const Material& material);
+    std::vector<Sampler> samplers_;              // by 2 repeat_u + repeat_v
+    int bind_textures(const Material& material); // returns a bit for each that reads the second uv
     void set_material(const Program& program, const Material& material);
 };
 

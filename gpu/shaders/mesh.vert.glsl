@@ -18,7 +18,7 @@ uniform mat4 scene_to_clip;
 out vec3 at_scene;
 out vec3 at_normal;
 out vec4 at_color;
-#ifdef TEXTURED
+#ifdef TEXTURES
 out vec4 at_tangent;
 out vec4 at_uv;
 #endif
@@ -28,7 +28,7 @@ void main()
     at_scene = (to_scene * vec4(position, 1.0)).xyz;
     at_normal = normal_to_scene * normal;
     at_color = color;
-#ifdef TEXTURED
+#ifdef TEXTURES
     // A mirroring matrix turns the bitangent's sense round.
     at_tangent = vec4(mat3(to_scene) * tangent.xyz, tangent.w * sign(determinant(mat3(to_scene))));
     at_uv = vec4(uv_first, uv_second);

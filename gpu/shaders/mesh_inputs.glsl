@@ -2,7 +2,7 @@
 in vec3 at_scene;
 in vec3 at_normal;
 in vec4 at_color;
-#ifdef TEXTURED
+#ifdef TEXTURES
 in vec4 at_tangent;
 in vec4 at_uv; // both sets
 #endif
