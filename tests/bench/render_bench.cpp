@@ -4,6 +4,7 @@
 #include "gpu/renderer.h"
 
 #include <benchmark/benchmark.h>
+#include <cmath>
 #include <epoxy/gl.h>
 
 namespace trivar::gpu {
