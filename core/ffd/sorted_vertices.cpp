@@ -80,7 +80,7 @@ std::size_t chunk_length(const std::array<AxisCells, 3>& cells)
 {
     double count = 1;
     for (const AxisCells& axis : cells) count *= axis.count() - 2;
-    return std::bit_ceil(static_cast<std::size_t>(std::clamp(64 * count, 16384.0, 65536.0)));
+    return std::bit_ceil(static_cast<std::size_t>(std::clamp(32 * count, 16384.0, 32768.0)));
 }
 
 template <class T> void resize(std::array<std::vector<T>, 3>& arrays, std::size_t count)
