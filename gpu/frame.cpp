@@ -30,14 +30,18 @@ DepthRange depth_range(const Picture& picture, const Camera& camera, const Scene
             add(scene.origin_world + glm::dvec3((k & 1 ? item.hi : item.lo).x,
                                                 (k & 2 ? item.hi : item.lo).y,
                                                 (k & 4 ? item.hi : item.lo).z));
-    for (const Line& line : picture.lines)
-        for (const glm::vec3& p : line.points) add(p);
     const double target = glm::length(camera.target - camera.eye);
+    const double reach = 100 * (target + scene.radius); // a line that leaves it may be cut
+    for (const Line& line : picture.lines)
+        for (const glm::vec3& p : line.points)
+            if (glm::distance(glm::dvec3(p), camera.eye) < reach) add(p);
     if (lo > hi) lo = target * 0.5, hi = target * 2;
     const double air = 0.01 * (hi - lo) + 1e-4 * target;
     if (!camera.perspective) return {lo - air, hi + air};
     hi = std::max(hi + air, target * 1e-2);
-    return {std::clamp(lo - air, hi * 1e-4, hi * 0.99), hi};
+    // Depth wants a near plane not too near, but never so far that it cuts what is looked at.
+    const double nearest = std::min(hi * 1e-4, target * 0.02);
+    return {std::clamp(lo - air, nearest, hi * 0.99), hi};
 }
 
 // The largest 1, 2 or 5 times a power of ten that is not above x.

@@ -34,15 +34,20 @@ LightBox casters_in_light(const Scene& scene, const glm::mat3& axes)
     return box;
 }
 
-// What the picture can show of the scene, along the light: the view's frustum.
-LightBox view_in_light(const Frame& frame, const glm::mat3& axes)
+// What the picture can show, ground before and behind the scene included, along the light.
+LightBox view_in_light(const Frame& frame, const Scene& scene, const glm::mat3& axes)
 {
     LightBox box;
     const glm::mat4 from_clip = glm::inverse(frame.view_clip);
-    for (int k = 0; k < 8; ++k) {
-        const glm::vec4 p =
-            from_clip * glm::vec4(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1, 1);
-        box.add(axes * (glm::vec3(p) / p.w));
+    for (int k = 0; k < 4; ++k) {
+        const auto at = [&](float depth) {
+            const glm::vec4 p = from_clip * glm::vec4(k & 1 ? 1 : -1, k & 2 ? 1 : -1, depth, 1);
+            return glm::vec3(p) / p.w;
+        };
+        const glm::vec3 near = at(-1), far = at(1);
+        const glm::vec3 further = glm::normalize(far - near) * (2 * scene.radius);
+        box.add(axes * (far + further));
+        box.add(axes * (frame.eye.w > 0.5f ? glm::vec3(frame.eye) : near - further));
     }
     return box;
 }
@@ -72,7 +77,7 @@ void ShadowMap::fit(Frame& frame, const Scene& scene, int resolution_px)
     }
     // A small model on a large terrain would get no texels: then fit to what is seen of it. Else
     // the fit is left alone, so that turning the view does not draw the map again.
-    const LightBox view = view_in_light(frame, axes);
+    const LightBox view = view_in_light(frame, scene, axes);
     const glm::vec2 lo = glm::max(glm::vec2(box.lo), glm::vec2(view.lo) - frame.scene.x);
     const glm::vec2 hi = glm::min(glm::vec2(box.hi), glm::vec2(view.hi) + frame.scene.x);
     const auto side_of = [](glm::vec2 extent) { return std::max(extent.x, extent.y); };

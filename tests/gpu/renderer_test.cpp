@@ -98,6 +98,31 @@ TEST_F(TheRenderer, RefusesACameraThatLooksNowhere)
     EXPECT_THROW(renderer.draw(picture, {32, 32}), Rejected);
 }
 
+TEST_F(TheRenderer, ShowsWhatIsNearHoweverFarTheSceneReaches)
+{
+    Picture picture;
+    picture.camera = looking_at_origin(4);
+    picture.instances = {instance_of(sphere_mesh(1, 16, 8)),
+                         instance_of(sphere_mesh(1, 16, 8), moved(0, 1e6, 0))};
+    picture.instances[0].id = 1;
+    picture.lines = {{.points = {{0, 0, 0}, {0, 1e30f, 0}}}};
+    renderer.draw(picture, {32, 32});
+    EXPECT_EQ(renderer.pick({16, 16}), 1);
+}
+
+TEST_F(TheRenderer, DrawsFarFromTheOriginAsItDoesThere)
+{
+    Picture picture;
+    picture.camera = looking_at_origin(4);
+    picture.instances = {instance_of(torus_mesh(0.8, 0.3, {48, 24}))};
+    const Image here = renderer.render(picture, {96, 64});
+    const glm::dvec3 away(0, 0, 1 << 20); // exact in both
+    picture.camera.eye += away;
+    picture.camera.target += away;
+    picture.instances[0].to_world = moved(away.x, away.y, away.z);
+    EXPECT_EQ(renderer.render(picture, {96, 64}).rgba, here.rgba);
+}
+
 TEST_F(TheRenderer, LeavesOutInstancesThatAreNowhere)
 {
     Picture picture;
