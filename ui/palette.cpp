@@ -113,15 +113,27 @@ Palette light_palette()
     return c;
 }
 
+namespace {
+
+double linear_channel(Color color, int shift)
+{
+    const double c = ((color >> shift) & 255u) / 255.0;
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+}
+
+} // namespace
+
+glm::vec4 linear_light(Color color)
+{
+    return {linear_channel(color, 0), linear_channel(color, 8), linear_channel(color, 16),
+            static_cast<float>(color >> 24) / 255.0f};
+}
+
 double contrast(Color a, Color b)
 {
     const auto luminance = [](Color color) {
-        const auto linear = [](unsigned byte) {
-            const double c = byte / 255.0;
-            return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-        };
-        return 0.2126 * linear(color & 255u) + 0.7152 * linear((color >> 8) & 255u) +
-               0.0722 * linear((color >> 16) & 255u);
+        return 0.2126 * linear_channel(color, 0) + 0.7152 * linear_channel(color, 8) +
+               0.0722 * linear_channel(color, 16);
     };
     const double x = luminance(a) + 0.05, y = luminance(b) + 0.05;
     return std::max(x, y) / std::min(x, y);

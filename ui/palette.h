@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/glm.hpp>
 
 namespace trivar::ui {
 
@@ -41,6 +42,9 @@ struct Palette {
 
 Palette dark_palette();
 Palette light_palette();
+
+// Linear light with straight alpha, for what the renderer draws.
+glm::vec4 linear_light(Color color);
 
 // Contrast of two opaque colours, 1..21 (WCAG 2.1, relative luminance).
 double contrast(Color a, Color b);

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/actions.h"
+
+#include "editor/editor.h"
+#include "ui/camera_control.h"
+
+#include <cassert>
+#include <imgui.h>
+
+namespace trivar {
+namespace {
+
+using ui::Chord;
+
+constexpr Chord ctrl(int key, bool shift = false)
+{
+    return {.key = key, .ctrl = true, .shift = shift};
+}
+constexpr Chord alt(int key)
+{
+    return {.key = key, .alt = true};
+}
+
+bool something_selected(const Editor& e)
+{
+    return e.session.selected != 0;
+}
+bool something_there(const Editor& e)
+{
+    return !e.session.document().objects.empty();
+}
+
+void file_actions(std::vector<Action>& a)
+{
+    a.push_back({"File", "New scene", {ctrl('N')}, [](Editor& e) { e.files.new_scene(); }});
+    a.push_back({"File", "Open...", {ctrl('O')}, [](Editor& e) { e.files.ask_open(); }});
+    a.push_back({"File", "Save", {ctrl('S')}, [](Editor& e) { e.files.save(); }, {}, true});
+    a.push_back(
+        {"File", "Save as...", {ctrl('S', true)}, [](Editor& e) { e.files.ask_save_as(); }});
+    a.push_back({"File", "Save compact...", {}, [](Editor& e) { e.files.ask_save_compact(); }});
+    a.push_back({"File",
+                 "Import model...",
+                 {ctrl('I', true), ctrl('I')},
+                 [](Editor& e) { e.files.ask_import(); },
+                 {},
+                 true});
+    a.push_back({"File",
+                 "Export...",
+                 {ctrl('E')},
+                 [](Editor& e) { e.files.ask_export(); },
+                 something_there});
+    a.push_back({"File", "Quit", {ctrl('Q')}, [](Editor& e) { e.files.ask_close(); }, {}, true});
+}
+
+void edit_actions(std::vector<Action>& a)
+{
+    a.push_back({"Edit",
+                 "Undo",
+                 {ctrl('Z')},
+                 [](Editor& e) { e.session.undo(); },
+                 [](const Editor& e) { return e.session.scene().history().position() > 0; }});
+    a.push_back({"Edit",
+                 "Redo",
+                 {ctrl('Z', true), ctrl('Y')},
+                 [](Editor& e) { e.session.redo(); },
+                 [](const Editor& e) {
+                     const History& h = e.session.scene().history();
+                     return h.position() < h.steps().size();
+                 }});
+    a.push_back({"Edit",
+                 "Duplicate",
+                 {{.key = 'D', .shift = true}},
+                 [](Editor& e) {
+                     const Id copy = e.session.committed().next_id;
+                     if (e.session.run(Duplicate{{e.session.selected}, {0, 0, 0}}))
+                         e.session.selected = copy;
+                 },
+                 something_selected,
+                 true});
+    a.push_back({"Edit",
+                 "Rename",
+                 {{ui::key_f1 + 1}},
+                 [](Editor& e) {
+                     e.renaming = e.session.selected;
+                     e.new_name = name_of(e.session.document(), e.renaming);
+                 },
+                 something_selected});
+    a.push_back({"Edit",
+                 "Group",
+                 {ctrl('G')},
+                 [](Editor& e) {
+                     const Id group = e.session.committed().next_id;
+                     if (e.session.run(Group{{e.session.selected}})) e.session.selected = group;
+                 },
+                 something_selected});
+    a.push_back({"Edit",
+                 "Take off the stroke",
+                 {},
+                 [](Editor& e) { e.session.run(Unplace{e.session.selected}); },
+                 [](const Editor& e) {
+                     const auto& objects = e.session.document().objects;
+                     const auto found = objects.find(e.session.selected);
+                     return found != objects.end() && found->second->placement.has_value();
+                 }});
+    a.push_back({"Edit",
+                 "Hide or show",
+                 {{'H'}},
+                 [](Editor& e) {
+                     const Id id = e.session.selected;
+                     if (object(e.session.document(), id).hidden)
+                         e.session.run(Show{{id}});
+                     else
+                         e.session.run(Hide{{id}});
+                 },
+                 something_selected});
+    a.push_back({"Edit",
+                 "Delete",
+                 {{ui::key_delete}, {'X'}},
+                 [](Editor& e) { e.session.run(Delete{{e.session.selected}}); },
+                 something_selected});
+}
+
+template <class Add> Action add_action(const std::string& name)
+{
+    return {"Add", name, {}, [](Editor& e) {
+                const Id id = e.session.committed().next_id;
+                const bool first = e.session.committed().objects.empty();
+                if (!e.session.run(Add{})) return;
+                e.session.selected = id;
+                e.session.frame_all_when_evaluated = first;
+            }};
+}
+
+void look_from(Editor& e, const glm::dvec3& direction)
+{
+    e.session.camera = ui::seen_from(e.session.camera, direction);
+}
+
+void view_actions(std::vector<Action>& a)
+{
+    a.push_back({"View",
+                 "Frame selection",
+                 {{ui::key_period}, {'F'}},
+                 [](Editor& e) {
+                     e.session.camera =
+                         ui::framed(e.session.camera, bounds_of(e.session, e.session.selected));
+                 },
+                 something_there});
+    a.push_back({"View",
+                 "Frame all",
+                 {{ui::key_home}},
+                 [](Editor& e) {
+                     e.session.camera = ui::framed(e.session.camera, bounds_of(e.session, 0));
+                 },
+                 something_there});
+    a.push_back({"View",
+                 "Front",
+                 {alt('1')},
+                 [](Editor& e) {
+                     look_from(e, {0, -1, 0});
+                 },
+                 {},
+                 true});
+    a.push_back({"View", "Right", {alt('3')}, [](Editor& e) { look_from(e, {1, 0, 0}); }});
+    a.push_back({"View", "Top", {alt('7')}, [](Editor& e) { look_from(e, {0, 0, 1}); }});
+    a.push_back({"View", "Perspective", {alt('5')}, [](Editor& e) {
+                     Camera& camera = e.session.camera;
+                     camera = ui::with_perspective(camera, !camera.perspective);
+                 }});
+    a.push_back({"View",
+                 "Keep this view",
+                 {},
+                 [](Editor& e) {
+                     std::string name;
+                     int n = 1;
+                     do name = "View " + std::to_string(n++);
+                     while (e.session.document().bookmarks.contains(name));
+                     if (e.session.run(SaveCamera{name, e.session.camera}))
+                         e.session.notices.say(ui::NoticeKind::good, name + " is kept",
+                                               "It is in the View menu.");
+                 },
+                 {},
+                 true});
+    a.push_back({"View", "Use this view for pictures", {}, [](Editor& e) {
+                     if (e.session.run(SaveCamera{"picture", e.session.camera}))
+                         e.session.notices.say(ui::NoticeKind::good, "This view is kept",
+                                               "Replayed pictures and this scene open in it.");
+                 }});
+    a.push_back({"View",
+                 "Timing",
+                 {{ui::key_f1 + 9}},
+                 [](Editor& e) { e.timing_open = !e.timing_open; },
+                 {},
+                 true});
+    a.push_back({"View", "Side panels", {{'N'}}, [](Editor& e) { e.show_dock = !e.show_dock; }});
+}
+
+} // namespace
+
+std::vector<Action> all_actions(const Editor& editor)
+{
+    std::vector<Action> a;
+    file_actions(a);
+    edit_actions(a);
+    a.push_back(add_action<AddPlane>("Plane"));
+    a.push_back(add_action<AddBox>("Box"));
+    a.push_back(add_action<AddSphere>("Sphere"));
+    a.push_back(add_action<AddCylinder>("Cylinder"));
+    a.push_back(add_action<AddTorus>("Torus"));
+    a.push_back(add_action<AddMoebius>("Moebius band"));
+    a.push_back(add_action<AddTeapot>("Teapot"));
+    view_actions(a);
+    for (std::size_t i = 0; i < editor.tools.size(); ++i)
+        a.push_back({"Tools", editor.tools[i]->name(), editor.tools[i]->keys(),
+                     [i](Editor& e) { e.choose_tool(i); }});
+    a.push_back(
+        {"Help", "Keys and mouse", {{ui::key_f1}}, [](Editor& e) { e.help_open = !e.help_open; }});
+    return a;
+}
+
+const Action& action(const Editor& editor, const std::string& name)
+{
+    for (const Action& each : editor.actions)
+        if (each.name == name) return each;
+    assert(false && "no action of this name");
+    return editor.actions.front();
+}
+
+bool is_enabled(const Editor& editor, const Action& action)
+{
+    return !action.enabled || action.enabled(editor);
+}
+
+std::string key_text(const Action& action)
+{
+    return action.keys.empty() ? std::string() : ui::text_of(action.keys.front());
+}
+
+void run_keys(Editor& editor)
+{
+    const auto escape = [] { return ui::struck({ui::key_escape}); };
+    Tool& tool = editor.active_tool();
+    if (tool.busy()) { // a gesture has the keyboard: only it and the camera go on
+        if (escape() || ImGui::IsMouseClicked(ImGuiMouseButton_Right)) tool.cancel(editor.session);
+        return;
+    }
+    if (editor.files.asking() || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId)) return;
+    if (ImGui::IsAnyItemActive()) return; // a field is being dragged
+    if (escape()) {
+        if (editor.session.committing())
+            editor.session.cancel();
+        else if (editor.help_open)
+            editor.help_open = false;
+        else
+            editor.choose_tool(0);
+    }
+    for (const Action& each : editor.actions) {
+        bool hit = false;
+        for (const ui::Chord& chord : each.keys) hit = hit || ui::struck(chord);
+        if (!hit || !is_enabled(editor, each)) continue;
+        each.run(editor);
+        return; // one press, one action
+    }
+}
+
+} // namespace trivar

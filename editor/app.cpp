@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/app.h"
+
+#include "core/base/rejected.h"
+#include "editor/actions.h"
+#include "editor/editor.h"
+#include "ui/window.h"
+
+#include <cstdio>
+#include <filesystem>
+
+namespace trivar {
+namespace {
+
+std::string title_of(const Editor& editor)
+{
+    const std::string& path = editor.session.scene().path();
+    return (path.empty() ? "Untitled" : std::filesystem::path(path).filename().string()) +
+           " - Trivar";
+}
+
+} // namespace
+
+int run_editor(const EditorOptions& options)
+{
+    try {
+        ui::Window window({.scale = options.scale, .light = options.light});
+        Editor editor(window.waker());
+        editor.samples = options.samples;
+        editor.files.take_dropped(options.files);
+        std::string title;
+        window.run([&](ui::Frame& frame) {
+            draw_editor(editor, frame);
+            if (title_of(editor) == title) return;
+            title = title_of(editor);
+            window.set_title(title);
+        });
+        return 0;
+    } catch (const Rejected& why) {
+        std::fprintf(stderr, "trivar: %s\n", why.what());
+        return 1;
+    }
+}
+
+} // namespace trivar

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace trivar {
+
+struct EditorOptions {
+    std::vector<std::string> files;   // a scene opens, models are imported
+    std::vector<std::string> samples; // scenes offered where nothing is open yet
+    double scale = 0;                 // of the interface; 0: TRIVAR_SCALE or the monitor's
+    bool light = false;
+};
+
+// The editor in a window, till it is closed. Exit status 0, or 1 with a sentence on stderr where
+// no window can be opened.
+int run_editor(const EditorOptions& options);
+
+} // namespace trivar

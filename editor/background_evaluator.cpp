@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/background_evaluator.h"
+
+#include "core/base/rejected.h"
+
+#include <chrono>
+
+namespace trivar {
+
+double now_s()
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
+BackgroundEvaluator::BackgroundEvaluator(Ref<AssetStore> assets, std::function<void()> wake)
+    : evaluator_(std::move(assets)),
+      wake_(std::move(wake)),
+      thread_([this](const std::stop_token& stop) { work(stop); })
+{
+}
+
+BackgroundEvaluator::~BackgroundEvaluator()
+{
+    thread_.request_stop();
+    thread_.join();
+}
+
+long BackgroundEvaluator::submit(Document document)
+{
+    const std::lock_guard lock(mutex_);
+    waiting_ = std::move(document);
+    something_new_.notify_one();
+    return ++submitted_;
+}
+
+std::optional<BackgroundEvaluator::Result> BackgroundEvaluator::poll()
+{
+    const std::lock_guard lock(mutex_);
+    return std::exchange(finished_, std::nullopt);
+}
+
+BackgroundEvaluator::Status BackgroundEvaluator::status() const
+{
+    const std::lock_guard lock(mutex_);
+    Status status = status_;
+    status.busy = status.busy || waiting_.has_value();
+    if (status_.busy) status.seconds = now_s() - started_s_;
+    return status;
+}
+
+void BackgroundEvaluator::cancel()
+{
+    const std::lock_guard lock(mutex_);
+    cancelled_ = status_.busy;
+    waiting_.reset();
+}
+
+void BackgroundEvaluator::work(const std::stop_token& stop)
+{
+    std::unique_lock lock(mutex_);
+    while (something_new_.wait(lock, stop, [this] { return waiting_.has_value(); })) {
+        const Document document = std::move(*waiting_);
+        waiting_.reset();
+        Result result;
+        result.ticket = submitted_;
+        status_ = {true, 0, -1, {}};
+        started_s_ = now_s();
+        cancelled_ = false;
+        lock.unlock();
+        double last_wake_s = 0;
+        const Progress progress = [&](double fraction, std::string_view stage) {
+            const std::lock_guard inside(mutex_);
+            if (stop.stop_requested() || cancelled_) throw Cancelled();
+            status_.fraction = fraction;
+            status_.stage = stage;
+            constexpr double wake_every_s = 0.1; // a bar need not move more smoothly
+            if (now_s() - last_wake_s < wake_every_s) return;
+            last_wake_s = now_s();
+            wake_();
+        };
+        try {
+            result.evaluated = evaluator_(document, progress);
+        } catch (const Cancelled&) {
+            result.problem = "The evaluation was stopped.";
+        } catch (const std::exception& trouble) {
+            result.problem = trouble.what();
+        }
+        lock.lock();
+        status_ = {};
+        finished_ = std::move(result);
+        wake_();
+    }
+}
+
+} // namespace trivar

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/evaluate.h"
+
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace trivar {
+
+// Evaluates documents on a thread of its own, so that the window never waits. A document that
+// comes while another is being worked on replaces the one that waits: only the latest counts, and
+// the one being worked on is finished first, so that a drag always shows something new.
+class BackgroundEvaluator {
+public:
+    // `wake` is called on the other thread when a result is there or progress was made.
+    BackgroundEvaluator(Ref<AssetStore> assets, std::function<void()> wake);
+    ~BackgroundEvaluator(); // stops the work
+    BackgroundEvaluator(const BackgroundEvaluator&) = delete;
+    BackgroundEvaluator& operator=(const BackgroundEvaluator&) = delete;
+
+    long submit(Document document); // its ticket: 1, 2, ...
+
+    struct Result {
+        long ticket = 0;
+        Evaluated evaluated;
+        std::string problem; // why there is no result; empty: there is one
+    };
+    std::optional<Result> poll(); // what was finished since the last call
+
+    struct Status {
+        bool busy = false;
+        double seconds = 0; // since the present evaluation began
+        double fraction = -1;
+        std::string stage;
+    };
+    Status status() const;
+    void cancel(); // the present evaluation; its result is a problem
+
+private:
+    void work(const std::stop_token& stop);
+
+    Evaluator evaluator_; // touched by the thread only
+    std::function<void()> wake_;
+    mutable std::mutex mutex_;
+    std::condition_variable_any something_new_;
+    std::optional<Document> waiting_;
+    std::optional<Result> finished_;
+    Status status_;
+    double started_s_ = 0;
+    long submitted_ = 0;
+    bool cancelled_ = false;
+    std::jthread thread_; // last: it stops before the rest goes
+};
+
+// Seconds on a steady clock.
+double now_s();
+
+} // namespace trivar

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/editor.h"
+
+#include "editor/actions.h"
+#include "editor/panels/inspect.h"
+#include "editor/panels/panels.h"
+#include <imgui.h>
+
+namespace trivar {
+namespace {
+
+// Behind all panels, so that the gaps between them are lines.
+void paint_ground(const ui::Theme& theme, glm::vec2 size_px)
+{
+    ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, {size_px.x, size_px.y}, theme.color.gap);
+}
+
+} // namespace
+
+Editor::Editor(std::function<void()> wake) : session(std::move(wake))
+{
+    actions = all_actions(*this);
+}
+
+void Editor::choose_tool(std::size_t index)
+{
+    if (index == tool) return;
+    active_tool().cancel(session);
+    tool = index;
+}
+
+void draw_editor(Editor& editor, ui::Frame& frame)
+{
+    const ui::Theme& theme = frame.theme;
+    editor.session.poll();
+    for (const ui::Event& event : frame.events) {
+        if (event.kind == ui::Event::Kind::drop) editor.files.take_dropped(event.paths);
+        // Somewhere else has the keyboard now: a gesture would go on without its end.
+        if (event.kind == ui::Event::Kind::focus && !event.down)
+            editor.active_tool().cancel(editor.session);
+    }
+    if (frame.close_asked) editor.files.ask_close();
+    run_keys(editor);
+
+    const Layout layout = layout_of(theme, frame.size_px, editor.show_dock);
+    paint_ground(theme, frame.size_px);
+    draw_top_bar(editor, theme, layout);
+    draw_tool_strip(editor, theme, layout);
+    draw_options_bar(editor, theme, layout);
+    if (layout.dock) {
+        draw_outliner(editor, theme, layout);
+        draw_tabs(editor, theme, layout);
+        if (editor.tab == Editor::Tab::inspector)
+            draw_inspector(editor, theme, layout);
+        else
+            draw_history(editor, theme, layout);
+    }
+    finish_edit(editor);
+    draw_viewport(editor, frame, layout); // last of the panels: it shows what they changed
+    draw_status_line(editor, theme, layout);
+    editor.files.draw(theme);
+    draw_help(editor, theme);
+    frame.close = editor.files.close_agreed();
+}
+
+} // namespace trivar

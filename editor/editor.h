@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "editor/files.h"
+#include "editor/tools/tool.h"
+#include "editor/viewport.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace trivar {
+
+struct Action;
+
+// The whole editor between two frames. Panels read and change it; nothing else holds state.
+struct Editor {
+    explicit Editor(std::function<void()> wake);
+    Editor(const Editor&) = delete;
+    Editor& operator=(const Editor&) = delete;
+
+    Session session;
+    Files files{session};
+    Viewport viewport;
+    std::vector<std::unique_ptr<Tool>> tools = all_tools();
+    std::size_t tool = 0; // index of the active one
+    std::vector<Action> actions;
+
+    // Layout, and what panels remember.
+    bool show_dock = true, timing_open = false;
+    enum class Tab { inspector, history } tab = Tab::inspector;
+    std::string filter;      // of the outliner
+    Id renaming = 0;         // in the outliner
+    std::string new_name;    // of it, as typed so far
+    bool inspecting = false; // a proposal of the inspector is pending
+    bool help_open = false, hints_off = false;
+    std::vector<std::string> samples; // scenes to try, offered over an empty viewport
+
+    Tool& active_tool() { return *tools[tool]; }
+    void choose_tool(std::size_t index);
+};
+
+// Draws the whole window: takes input, runs keys, shows every panel.
+void draw_editor(Editor& editor, ui::Frame& frame);
+
+} // namespace trivar

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/files.h"
+
+#include "core/base/rejected.h"
+#include "core/files/write_model.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+namespace trivar {
+namespace fs = std::filesystem;
+namespace {
+
+std::string file_name(const std::string& path)
+{
+    return fs::path(path).filename().string();
+}
+
+std::string extension_of(const std::string& path)
+{
+    std::string extension = fs::path(path).extension().string();
+    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return extension;
+}
+
+bool is_model(const std::string& path)
+{
+    const auto& known = model_extensions();
+    return std::find(known.begin(), known.end(), extension_of(path)) != known.end();
+}
+
+std::string stem_of(const std::string& path)
+{
+    return path.empty() ? "untitled" : fs::path(path).stem().string();
+}
+
+} // namespace
+
+const std::vector<std::string>& model_extensions()
+{
+    static const std::vector<std::string> extensions{".glb", ".gltf", ".obj",
+                                                     ".ply", ".stl",  ".off"};
+    return extensions;
+}
+
+const std::vector<std::string>& export_extensions()
+{
+    static const std::vector<std::string> extensions{".glb", ".obj", ".ply", ".stl", ".off"};
+    return extensions;
+}
+
+void Files::keep_or(std::function<void()> go_on)
+{
+    const Session& s = *session_;
+    const bool kept = !s.scene().path().empty() || s.scene().history().steps().empty();
+    if (kept) return go_on();
+    question_ = Asked{{"Keep this scene?",
+                       "It has no name yet, so nothing of it is on disk. A scene with a name is "
+                       "written as you work.",
+                       {{"Discard", ui::ButtonKind::danger},
+                        {"Cancel", ui::ButtonKind::plain},
+                        {"Name it...", ui::ButtonKind::primary}},
+                       2},
+                      [this, go_on = std::move(go_on)](int answer) {
+                          if (answer == 0) go_on();
+                          if (answer != 2) return;
+                          ask_save_as();
+                          after_save_ = go_on;
+                      }};
+}
+
+void Files::new_scene()
+{
+    keep_or([this] { session_->replace_scene(SceneFile()); });
+}
+
+void Files::ask_for_file(Purpose purpose, ui::FileRequest request)
+{
+    purpose_ = purpose;
+    after_save_ = nullptr;
+    dialog_.open(std::move(request), session_->scene().path().empty()
+                                         ? fs::path()
+                                         : fs::path(session_->scene().folder()));
+}
+
+void Files::ask_open()
+{
+    ask_for_file(
+        Purpose::open,
+        {.title = "Open a scene", .action = "Open", .extensions = {scene_extension}, .name = {}});
+}
+
+void Files::ask_import()
+{
+    ask_for_file(Purpose::import, {.title = "Import a model",
+                                   .action = "Import",
+                                   .extensions = model_extensions(),
+                                   .name = {}});
+}
+
+void Files::ask_export()
+{
+    ask_for_file(Purpose::write_model,
+                 {.title = "Export what is visible",
+                  .action = "Export",
+                  .extensions = export_extensions(),
+                  .saving = true,
+                  .name = stem_of(session_->scene().path()) + export_extensions().front()});
+}
+
+void Files::save()
+{
+    if (session_->scene().path().empty()) return ask_save_as();
+    if (session_->scene().trouble().empty()) {
+        session_->notices.say(ui::NoticeKind::good, "Everything is on disk",
+                              "A scene with a name is written as you work.");
+        return;
+    }
+    const std::string path = session_->scene().path();
+    write_scene(path); // tries again with all that is missing
+}
+
+void Files::ask_save_as()
+{
+    ask_for_file(Purpose::save_as, {.title = "Save the scene as",
+                                    .action = "Save",
+                                    .extensions = {scene_extension},
+                                    .saving = true,
+                                    .name = stem_of(session_->scene().path()) + scene_extension});
+}
+
+void Files::ask_save_compact()
+{
+    question_ =
+        Asked{{"Forget the undone steps?",
+               "A compact scene holds only the steps that are in force. It is smaller, "
+               "and what was undone cannot be redone from it.",
+               {{"Cancel", ui::ButtonKind::plain}, {"Save compact...", ui::ButtonKind::primary}},
+               0},
+              [this](int answer) {
+                  if (answer != 1) return;
+                  ask_for_file(Purpose::save_compact, {.title = "Save a compact scene as",
+                                                       .action = "Save",
+                                                       .extensions = {scene_extension},
+                                                       .saving = true,
+                                                       .name = stem_of(session_->scene().path()) +
+                                                               "_compact" + scene_extension});
+              }};
+}
+
+void Files::open_scene(const std::string& path)
+{
+    keep_or([this, path] {
+        session_->jobs().start({"Opening " + file_name(path),
+                                [this, path](const Progress&) -> Jobs::Finish {
+                                    // Shared, for a function that is copied cannot hold what is
+                                    // only moved.
+                                    auto scene = std::make_shared<SceneFile>(path);
+                                    return [this, scene] {
+                                        session_->replace_scene(std::move(*scene));
+                                    };
+                                },
+                                [this, path](const std::string& why) {
+                                    session_->notices.say(ui::NoticeKind::error,
+                                                          file_name(path) + " was not opened", why);
+                                }});
+    });
+}
+
+void Files::import(const std::string& path)
+{
+    session_->jobs().start(
+        {"Reading " + file_name(path),
+         [this, path, store = session_->assets()](const Progress& progress) -> Jobs::Finish {
+             ImportModel import;
+             import.file.path = fs::absolute(path).string();
+             const Command command = prepare(import, *store, progress);
+             const auto& ready = std::get<ImportModel>(command);
+             const AssetStore::Loaded loaded = store->load(ready.file, progress);
+             if (!loaded.model)
+                 throw Rejected(loaded.notices.empty() ? "It cannot be read."
+                                                       : loaded.notices.front());
+             return [this, command, said = loaded.notices] {
+                 const Id id = session_->committed().next_id;
+                 const bool first = session_->committed().objects.empty();
+                 session_->cancel();
+                 if (!session_->run(command)) return;
+                 session_->selected = id;
+                 session_->frame_all_when_evaluated = first;
+                 for (const std::string& notice : said)
+                     session_->notices.say(ui::NoticeKind::warning, notice);
+             };
+         },
+         [this, path](const std::string& why) {
+             session_->notices.say(ui::NoticeKind::error, file_name(path) + " was not imported",
+                                   why);
+         }});
+}
+
+void Files::take_dropped(const std::vector<std::string>& paths)
+{
+    std::string scene;
+    for (const std::string& path : paths) {
+        if (extension_of(path) == scene_extension)
+            scene = path;
+        else if (is_model(path))
+            import(path);
+        else
+            session_->notices.say(ui::NoticeKind::warning, file_name(path) + " cannot be used here",
+                                  "Drop a scene (.trivar) or a model: glTF, OBJ, PLY, STL, OFF.");
+    }
+    if (!scene.empty()) open_scene(scene);
+}
+
+void Files::ask_close()
+{
+    keep_or([this] { close_agreed_ = true; });
+}
+
+void Files::write_scene(const std::string& path)
+{
+    try {
+        if (purpose_ == Purpose::save_compact)
+            session_->save_compact(path);
+        else
+            session_->save_as(path);
+    } catch (const Rejected& why) {
+        session_->notices.say(ui::NoticeKind::error, file_name(path) + " was not saved",
+                              why.what());
+        return;
+    }
+    session_->notices.say(ui::NoticeKind::good, "Saved as " + file_name(path),
+                          "From now on it is written as you work.");
+    if (const auto go_on = std::exchange(after_save_, nullptr)) go_on();
+}
+
+void Files::write_model_to(const std::string& path)
+{
+    session_->jobs().start(
+        {"Writing " + file_name(path),
+         [this, path, document = session_->document(),
+          evaluated = session_->evaluated()](const Progress& progress) -> Jobs::Finish {
+             report(progress, 0.1, "gathering");
+             const Model model = model_of(evaluated, document);
+             report(progress, 0.3, "writing");
+             write_model(model, path);
+             return [this, path] {
+                 session_->notices.say(ui::NoticeKind::good, "Exported " + file_name(path));
+             };
+         },
+         [this, path](const std::string& why) {
+             session_->notices.say(ui::NoticeKind::error, file_name(path) + " was not written",
+                                   why);
+         }});
+}
+
+void Files::use_file(const std::string& path)
+{
+    switch (purpose_) {
+    case Purpose::open: return open_scene(path);
+    case Purpose::import: return import(path);
+    case Purpose::write_model: return write_model_to(path);
+    case Purpose::save_as:
+    case Purpose::save_compact: return write_scene(path);
+    }
+}
+
+void Files::draw(const ui::Theme& theme)
+{
+    if (question_) {
+        const std::optional<int> answer = ui::ask(theme, question_->question);
+        if (!answer) return;
+        const auto reply = std::exchange(question_, std::nullopt)->answer;
+        reply(*answer); // may ask the next thing
+        return;
+    }
+    if (const std::optional<std::string> path = dialog_.draw(theme)) use_file(*path);
+}
+
+} // namespace trivar

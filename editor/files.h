@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "editor/session.h"
+#include "ui/dialog.h"
+#include "ui/file_dialog.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace trivar {
+
+const std::vector<std::string>& model_extensions(); // that can be imported
+const std::vector<std::string>& export_extensions();
+inline constexpr const char* scene_extension = ".trivar";
+
+// Everything that goes in and out of files by hand: dialogs, drops, questions. Reading and writing
+// run as jobs; a file that is not understood changes nothing.
+class Files {
+public:
+    explicit Files(Session& session) : session_(&session) {}
+
+    void new_scene();
+    void ask_open();
+    void ask_import();
+    void ask_export();
+    void save(); // a scene with a name is on disk already: says so; else asks for one
+    void ask_save_as();
+    void ask_save_compact();
+    void open_scene(const std::string& path); // asks first if the present one has no name
+    void import(const std::string& path);
+    void take_dropped(const std::vector<std::string>& paths); // scenes open, models are imported
+    void ask_close();
+
+    void draw(const ui::Theme& theme); // whatever is asked at present
+    bool asking() const { return dialog_.is_open() || question_.has_value(); }
+    bool close_agreed() const { return close_agreed_; }
+
+private:
+    enum class Purpose { open, import, write_model, save_as, save_compact };
+    struct Asked {
+        ui::Question question;
+        std::function<void(int)> answer;
+    };
+    void ask_for_file(Purpose purpose, ui::FileRequest request);
+    void use_file(const std::string& path);
+    void write_scene(const std::string& path);
+    void write_model_to(const std::string& path);
+    void keep_or(std::function<void()> go_on); // asks what becomes of a scene without a name
+
+    Session* session_;
+    ui::FileDialog dialog_;
+    Purpose purpose_ = Purpose::open;
+    std::optional<Asked> question_;
+    std::function<void()> after_save_;
+    bool close_agreed_ = false;
+};
+
+} // namespace trivar

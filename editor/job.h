@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/progress.h"
+
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+namespace trivar {
+
+// Long work that is done once: reading a model, writing a file. Jobs run one after another on a
+// thread of their own; what a job returns is called on the frame thread when it is done.
+class Jobs {
+public:
+    explicit Jobs(std::function<void()> wake);
+    ~Jobs(); // cancels the running job and forgets the others
+    Jobs(const Jobs&) = delete;
+    Jobs& operator=(const Jobs&) = delete;
+
+    using Finish = std::function<void()>;
+    struct Job {
+        std::string what;                                  // "Reading snake.glb"
+        std::function<Finish(const Progress&)> work;       // on the other thread
+        std::function<void(const std::string&)> when_lost; // its exception's words, frame thread
+    };
+    void start(Job job);
+    void poll(); // calls what is due; once a frame
+
+    struct Status {
+        std::string what, stage;
+        double fraction = -1, seconds = 0;
+    };
+    std::optional<Status> status() const; // of the running job
+    void cancel();                        // the running job
+
+private:
+    void run(Job job);
+    void next();
+
+    std::function<void()> wake_;
+    mutable std::mutex mutex_;
+    std::deque<Job> queue_; // frame thread only
+    Status status_;
+    double started_s_ = 0;
+    bool running_ = false, cancelled_ = false;
+    std::optional<Finish> finish_; // there when the running job is over
+    std::jthread thread_;
+};
+
+} // namespace trivar

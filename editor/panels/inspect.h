@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "editor/editor.h"
+#include "ui/widgets.h"
+
+#include <functional>
+
+namespace trivar {
+
+// What the parts of the inspector share: a change is proposed while the hand is on it and becomes
+// one step when the hand lets go.
+
+// Proposes the command if the edit changed something, or cancels what was proposed before.
+void propose_edit(Editor& editor, ui::Edit edit, const std::function<Command()>& command);
+
+// Commits what was proposed once no field is held any more; every frame, after all panels.
+void finish_edit(Editor& editor);
+
+} // namespace trivar

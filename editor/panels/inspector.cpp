@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/panels/inspect.h"
+
+#include "editor/panels/panels.h"
+#include "ui/icons.h"
+
+#include <array>
+#include <filesystem>
+#include <fmt/format.h>
+#include <imgui.h>
+
+namespace trivar {
+namespace {
+
+ui::Edit vector_row(const ui::Theme& theme, const std::string& label, glm::dvec3& value,
+                    const glm::dvec3& rest, ui::NumberStyle style)
+{
+    const ui::Row row = ui::label_row(theme, label, value != rest);
+    if (row.reset) {
+        value = rest;
+        return ui::Edit::changed;
+    }
+    const float gap = theme.px(4), width = std::floor((row.width - 2 * gap) / 3);
+    const ui::Palette& c = theme.color;
+    const std::array<ui::Color, 3> colors{c.axis_x, c.axis_y, c.axis_z};
+    const std::array<const char*, 3> names{"X", "Y", "Z"};
+    ui::Edit edit = ui::Edit::none;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    for (int i = 0; i < 3; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        ImGui::SetCursorScreenPos({at.x + static_cast<float>(i) * (width + gap), at.y});
+        style.axis = names[k];
+        style.axis_color = colors[k];
+        const ui::Edit one = ui::number_field(theme, label + names[k], value[i], style, width);
+        if (one != ui::Edit::none) edit = one;
+    }
+    return edit;
+}
+
+void object_card(const ui::Theme& theme, const Object& each)
+{
+    const ui::Palette& c = theme.color;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float left = ImGui::GetWindowPos().x + theme.size.padding;
+    const float width = ImGui::GetWindowWidth() - 2 * theme.size.padding;
+    const ui::Rect r = ui::rect_at({left, at.y}, {width, theme.px(32)});
+    ui::paint_box(r, c.field, theme.size.rounding);
+    const ui::Rect in = {r.lo + glm::vec2(theme.px(10), 0), r.hi - glm::vec2(theme.px(10), 0)};
+    ui::paint_text(theme.font.body, in, c.accent_text, icon_of(each));
+    const float type = ui::text_width(theme.font.small, type_of(each));
+    ui::paint_text(theme.font.strong, {in.lo + glm::vec2(theme.px(24), 0), in.hi}, c.text,
+                   ui::elided(theme.font.strong, each.name, in.width() - type - theme.px(36)));
+    ui::paint_text(theme.font.small, in, c.text_2, type_of(each), ui::Align::right);
+    ImGui::Dummy({1, theme.px(32)});
+    ui::gap(theme, 8);
+}
+
+void notices_of(const ui::Theme& theme, const EvaluatedObject& effects)
+{
+    const float left = ImGui::GetWindowPos().x + theme.size.padding;
+    const float width = ImGui::GetWindowWidth() - theme.px(52);
+    for (const std::string& notice : effects.notices) {
+        const auto lines = ui::wrapped(theme.font.body, notice, width);
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        float y = at.y;
+        ui::paint_text(theme.font.body, ui::rect_at({left, y}, {width, theme.px(20)}),
+                       theme.color.warn, ui::icon::warning);
+        for (const std::string& words : lines) {
+            ui::paint_text(theme.font.body,
+                           ui::rect_at({left + theme.px(24), y}, {width, theme.px(20)}),
+                           theme.color.text_2, words);
+            y += theme.px(20);
+        }
+        ImGui::Dummy({1, y - at.y});
+        ui::gap(theme, 4);
+    }
+}
+
+void facts(Editor& editor, const ui::Theme& theme, const Object& each, Id id)
+{
+    if (!ui::section(theme, "Shape")) return;
+    if (const auto* file = std::get_if<ImportedFile>(&each.source))
+        ui::fact_row(theme, "File", std::filesystem::path(file->path).filename().string());
+    const auto found = editor.session.evaluated().objects.find(id);
+    if (found == editor.session.evaluated().objects.end()) {
+        ui::fact_row(theme, "Size", each.hidden ? "hidden" : "not there yet");
+        return;
+    }
+    const glm::dvec3 size = found->second->bounds.size();
+    std::size_t faces = 0, vertices = 0;
+    for (const Part& part : found->second->parts) {
+        faces += part.mesh->face_count();
+        vertices += part.mesh->vertex_count();
+    }
+    ui::fact_row(theme, "Size",
+                 fmt::format("{} x {} x {} m", ui::short_number(size.x), ui::short_number(size.y),
+                             ui::short_number(size.z)));
+    ui::fact_row(theme, "Faces", std::to_string(faces));
+    ui::fact_row(theme, "Vertices", std::to_string(vertices));
+    ui::gap(theme, 8);
+}
+
+} // namespace
+
+void propose_edit(Editor& editor, ui::Edit edit, const std::function<Command()>& command)
+{
+    if (edit == ui::Edit::none || editor.session.committing()) return;
+    if (edit == ui::Edit::cancelled) {
+        editor.session.cancel();
+        editor.inspecting = false;
+    } else if (editor.session.propose(command())) {
+        editor.inspecting = true;
+    }
+}
+
+void finish_edit(Editor& editor)
+{
+    if (!editor.inspecting || ImGui::IsAnyItemActive()) return;
+    editor.inspecting = false;
+    const auto& now = editor.session.document();
+    const auto& before = editor.session.committed();
+    // A drag that came back to where it began is no step.
+    bool changed = *now.render != *before.render || now.objects.size() != before.objects.size();
+    for (const auto& [id, each] : now.objects) {
+        if (changed) break;
+        const auto found = before.objects.find(id);
+        changed =
+            found == before.objects.end() || (each != found->second && !(*each == *found->second));
+    }
+    if (changed)
+        editor.session.commit();
+    else
+        editor.session.cancel();
+}
+
+void draw_transform(Editor& editor, const ui::Theme& theme, Id id)
+{
+    const Object& each = object(editor.session.document(), id);
+    if (!ui::section(theme, "Transform", !each.placement)) return;
+    Transform t = each.transform;
+    const Transform rest;
+    ui::Edit edit = ui::Edit::none;
+    const auto take = [&edit](ui::Edit one) {
+        if (one != ui::Edit::none) edit = one;
+    };
+    if (!each.placement) { // the stroke says where a placed object is
+        take(vector_row(theme, "Position", t.translation, rest.translation, {.unit = "m"}));
+        take(vector_row(theme, "Rotation", t.rotation_deg, rest.rotation_deg,
+                        {.lo = -36000, .hi = 36000, .step = 1}));
+    }
+    take(vector_row(theme, "Scale", t.scale, rest.scale, {.lo = -1e6, .hi = 1e6}));
+    const ui::Row row = ui::label_row(theme, "All alike");
+    double uniform = t.scale.x;
+    const ui::Edit one =
+        ui::number_field(theme, "uniform", uniform, {.lo = 1e-6, .hi = 1e6}, row.width);
+    if (one == ui::Edit::changed) t.scale = glm::dvec3(uniform);
+    take(one);
+    ui::gap(theme, 8);
+    propose_edit(editor, edit, [&] { return SetTransform{id, t}; });
+}
+
+void draw_material(Editor& editor, const ui::Theme& theme, Id id)
+{
+    const Object& each = object(editor.session.document(), id);
+    if (std::holds_alternative<GroupShape>(each.source)) return;
+    if (!ui::section(theme, "Material")) return;
+    bool own = !each.surfacing.has_value();
+    ui::label_row(theme, "Use");
+    if (ui::check_box(theme, "own", own, "the model's own") == ui::Edit::changed) {
+        if (own)
+            editor.session.run(ClearMaterial{{id}});
+        else
+            editor.session.run(SetMaterial{{id}, Surfacing{}});
+        return;
+    }
+    if (own) {
+        ui::gap(theme, 8);
+        return;
+    }
+    Surfacing s = *each.surfacing;
+    ui::Edit edit =
+        ui::color_field(theme, "color", s.base_color, ui::label_row(theme, "Colour").width);
+    const auto share = [&](const char* label, float& value) {
+        double number = value;
+        const ui::Row row = ui::label_row(theme, label);
+        const ui::Edit one =
+            ui::number_field(theme, label, number, {.lo = 0, .hi = 1, .bar_hi = 1}, row.width);
+        value = static_cast<float>(number);
+        if (one != ui::Edit::none) edit = one;
+    };
+    share("Metallic", s.metallic);
+    share("Roughness", s.roughness);
+    ui::gap(theme, 8);
+    propose_edit(editor, edit, [&] { return SetMaterial{{id}, s}; });
+}
+
+void draw_picture_settings(Editor& editor, const ui::Theme& theme)
+{
+    constexpr double degrees = 57.29577951308232;
+    RenderSettings s = *editor.session.document().render;
+    const std::vector<std::string> looks{"studio", "clay", "dark"};
+    ui::Edit edit = ui::Edit::none;
+    const auto take = [&edit](ui::Edit one) {
+        if (one != ui::Edit::none) edit = one;
+    };
+    if (!ui::section(theme, "Picture")) return;
+    int look = 0;
+    for (std::size_t i = 0; i < looks.size(); ++i)
+        if (looks[i] == s.look) look = static_cast<int>(i);
+    take(ui::segments(theme, "look", look, {"Studio", "Clay", "Dark"},
+                      ui::label_row(theme, "Look").width));
+    s.look = looks[static_cast<std::size_t>(look)];
+    const auto number = [&](const char* label, double& value, double factor,
+                            const ui::NumberStyle& style) {
+        double shown = value * factor;
+        const ui::Row row = ui::label_row(theme, label);
+        const ui::Edit one = ui::number_field(theme, label, shown, style, row.width);
+        if (one == ui::Edit::changed) value = shown / factor;
+        take(one);
+    };
+    number("Exposure", s.exposure, 1, {.lo = -4, .hi = 4, .bar_hi = 4});
+    number("Sun round", s.sun_azimuth, degrees, {.lo = -360, .hi = 360, .step = 1, .unit = "deg"});
+    number("Sun height", s.sun_elevation, degrees,
+           {.lo = 0, .hi = 90, .bar_hi = 90, .unit = "deg"});
+    ui::label_row(theme, "Shadows");
+    take(ui::check_box(theme, "shadows", s.shadows, "cast by the sun"));
+    ui::label_row(theme, "Corners");
+    take(ui::check_box(theme, "corners", s.ambient_occlusion, "darker"));
+    ui::label_row(theme, "Ground");
+    take(ui::check_box(theme, "ground", s.ground, "catches shadows"));
+    ui::gap(theme, 8);
+    propose_edit(editor, edit, [&] { return SetRender{s}; });
+}
+
+void draw_inspector(Editor& editor, const ui::Theme& theme, const Layout& layout)
+{
+    begin_panel("inspector", layout.inspector, theme.color.panel, true);
+    const Id id = editor.session.selected;
+    const auto& objects = editor.session.document().objects;
+    const auto found = objects.find(id);
+    if (found == objects.end()) {
+        const ui::Rect& r = layout.inspector;
+        const bool nothing = objects.empty();
+        if (!nothing) draw_picture_settings(editor, theme);
+        const float top = nothing ? r.lo.y : ImGui::GetCursorScreenPos().y;
+        ui::empty_state(theme, {{r.lo.x, top}, {r.hi.x, std::min(r.hi.y, top + theme.px(220))}},
+                        ui::icon::sliders, "Nothing selected",
+                        "Click an object, or a row of the outliner, to see what can be changed.");
+        if (!nothing) ImGui::Dummy({1, theme.px(200)});
+        ImGui::End();
+        return;
+    }
+    const Ref<Object> each = found->second; // edits replace it while we read
+    ImGui::PushID(id);
+    object_card(theme, *each);
+    const auto effects = editor.session.evaluated().objects.find(id);
+    if (effects != editor.session.evaluated().objects.end()) notices_of(theme, *effects->second);
+    const auto part = [&](void (*draw)(Editor&, const ui::Theme&, Id)) {
+        if (editor.session.document().objects.contains(id)) draw(editor, theme, id);
+    };
+    if (each->placement) part(draw_placement);
+    part(draw_transform);
+    part(draw_material);
+    facts(editor, theme, *each, id);
+    ImGui::PopID();
+    ImGui::End();
+}
+
+} // namespace trivar

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/panels/panels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <imgui.h>
+
+namespace trivar {
+
+Layout layout_of(const ui::Theme& theme, glm::vec2 size_px, bool wants_dock)
+{
+    const ui::Metrics& m = theme.size;
+    const float line = m.hairline, width = size_px.x, height = size_px.y;
+    const float dock = std::round(std::min(m.dock, std::max(theme.px(256), width * 0.34f)));
+    Layout l;
+    l.dock = wants_dock && width > dock + m.tool_strip + theme.px(160);
+    const float right = l.dock ? width - dock : width;
+    const float y0 = m.top_bar + line, y1 = height - m.status_bar - line;
+    l.top = {{0, 0}, {width, m.top_bar}};
+    l.status = {{0, height - m.status_bar}, {width, height}};
+    l.strip = {{0, y0}, {m.tool_strip, y1}};
+    const float left = m.tool_strip + line, view_right = l.dock ? right - line : right;
+    l.options = {{left, y0}, {view_right, y0 + m.options_bar}};
+    l.view = {{left, l.options.hi.y + line}, {view_right, y1}};
+    const float outliner = std::round(std::min(m.outliner, (y1 - y0) * 0.38f));
+    l.outliner = {{right, y0}, {width, y0 + outliner}};
+    l.tabs = {{right, l.outliner.hi.y + line}, {width, l.outliner.hi.y + line + theme.px(40)}};
+    l.inspector = {{right, l.tabs.hi.y}, {width, y1}};
+    return l;
+}
+
+void begin_panel(const char* name, const ui::Rect& rect, ui::Color color, bool scrolls)
+{
+    ImGui::SetNextWindowPos({rect.lo.x, rect.lo.y});
+    ImGui::SetNextWindowSize({std::max(1.0f, rect.width()), std::max(1.0f, rect.height())});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, color);
+    ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+                             ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+                             ImGuiWindowFlags_NoSavedSettings |
+                             ImGuiWindowFlags_NoBringToFrontOnFocus;
+    if (!scrolls) flags |= ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
+    ImGui::Begin(name, nullptr, flags);
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(3);
+}
+
+} // namespace trivar

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "editor/actions.h"
+#include "editor/editor.h"
+#include "ui/paint.h"
+
+// The panels of the window, each in a file of its own. A panel draws itself into its place and
+// changes the editor by commands, proposals and actions.
+
+namespace trivar {
+
+struct Layout {
+    ui::Rect top, strip, options, view, outliner, tabs, inspector, status;
+    bool dock = true; // whether the right column is there
+};
+Layout layout_of(const ui::Theme& theme, glm::vec2 size_px, bool wants_dock);
+
+// An undecorated window of a place; `scrolls` up and down. End with ImGui::End().
+void begin_panel(const char* name, const ui::Rect& rect, ui::Color color, bool scrolls = false);
+
+void draw_top_bar(Editor& editor, const ui::Theme& theme, const Layout& layout);
+void draw_tool_strip(Editor& editor, const ui::Theme& theme, const Layout& layout);
+void draw_options_bar(Editor& editor, const ui::Theme& theme, const Layout& layout);
+void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout);
+void draw_outliner(Editor& editor, const ui::Theme& theme, const Layout& layout);
+void draw_tabs(Editor& editor, const ui::Theme& theme, const Layout& layout);
+void draw_inspector(Editor& editor, const ui::Theme& theme, const Layout& layout);
+void draw_history(Editor& editor, const ui::Theme& theme, const Layout& layout);
+void draw_status_line(Editor& editor, const ui::Theme& theme, const Layout& layout);
+void draw_help(Editor& editor, const ui::Theme& theme);
+
+// Parts of the viewport, drawn inside its window.
+void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
+void draw_welcome(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
+void draw_first_steps(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
+
+// Parts of the inspector. Each proposes what is being changed.
+void draw_transform(Editor& editor, const ui::Theme& theme, Id id);
+void draw_material(Editor& editor, const ui::Theme& theme, Id id);
+void draw_placement(Editor& editor, const ui::Theme& theme, Id id);
+void draw_picture_settings(Editor& editor, const ui::Theme& theme);
+
+const char* icon_of(const Object& object);
+std::string type_of(const Object& object);
+
+} // namespace trivar

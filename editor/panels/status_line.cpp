@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/panels/panels.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+namespace trivar {
+namespace {
+
+std::string with_commas(std::size_t number)
+{
+    std::string digits = std::to_string(number);
+    for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, 1, ',');
+    return digits;
+}
+
+std::string facts(const Session& session)
+{
+    if (session.document().objects.empty()) return "Empty scene  ·  m";
+    std::size_t vertices = 0;
+    for (const auto& [id, object] : session.evaluated().objects)
+        if (session.selected == 0 || id == session.selected)
+            for (const Part& part : object->parts) vertices += part.mesh->vertex_count();
+    const std::size_t count = session.document().objects.size();
+    const std::string what = session.selected != 0
+                                 ? "1 selected"
+                                 : fmt::format("{} object{}", count, count == 1 ? "" : "s");
+    return fmt::format("{}  ·  {} vertices  ·  m", what, with_commas(vertices));
+}
+
+float input_width(const ui::Theme& theme, const std::string& input)
+{
+    if (input == "left" || input == "middle" || input == "right") return theme.px(12);
+    if (input == "wheel") return theme.px(20);
+    if (input == "/") return ui::text_width(theme.font.small, input);
+    return std::max(theme.px(20), ui::text_width(theme.font.small, input) + theme.px(10));
+}
+
+void paint_input(const ui::Theme& theme, glm::vec2 at, float height, const std::string& input)
+{
+    if (input == "left")
+        ui::paint_mouse(theme, at, height, ui::MouseGlyph::left);
+    else if (input == "middle")
+        ui::paint_mouse(theme, at, height, ui::MouseGlyph::middle);
+    else if (input == "right")
+        ui::paint_mouse(theme, at, height, ui::MouseGlyph::right);
+    else if (input == "wheel")
+        ui::paint_mouse(theme, at, height, ui::MouseGlyph::wheel);
+    else if (input == "/")
+        ui::paint_text(theme.font.small, ui::rect_at(at, {height, height}), theme.color.text_3,
+                       "/");
+    else
+        ui::paint_keycap(theme, at, height, input);
+}
+
+} // namespace
+
+void draw_status_line(Editor& editor, const ui::Theme& theme, const Layout& layout)
+{
+    const ui::Palette& c = theme.color;
+    const ui::Rect& r = layout.status;
+    begin_panel("status line", r, c.base);
+    const std::string right = facts(editor.session);
+    const float room = r.hi.x - theme.px(36) - ui::text_width(theme.font.small, right);
+    ui::paint_text(theme.font.small, {r.lo, r.hi - glm::vec2(theme.px(12), 0)}, c.text_2, right,
+                   ui::Align::right);
+    float x = r.lo.x + theme.px(12);
+    for (const Hint& hint : editor.active_tool().hints(editor.session)) {
+        float width = ui::text_width(theme.font.small, hint.verb) + theme.px(2);
+        for (const std::string& input : hint.inputs)
+            width += input_width(theme, input) + theme.px(4);
+        if (x + width > room) break; // hints drop from the right, facts never
+        for (const std::string& input : hint.inputs) {
+            paint_input(theme, {x, r.lo.y}, r.height(), input);
+            x += input_width(theme, input) + theme.px(4);
+        }
+        x += theme.px(2);
+        ui::paint_text(theme.font.small, {{x, r.lo.y}, r.hi}, c.text_2, hint.verb);
+        x += ui::text_width(theme.font.small, hint.verb) + theme.px(18);
+    }
+    ImGui::End();
+}
+
+} // namespace trivar

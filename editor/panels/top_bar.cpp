@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/panels/panels.h"
+
+#include "ui/icons.h"
+#include "ui/widgets.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <imgui.h>
+
+namespace trivar {
+namespace {
+
+// The mark: three planes of a lattice.
+void paint_mark(const ui::Theme& theme, glm::vec2 at)
+{
+    for (int k = 0; k < 3; ++k) {
+        const auto n = static_cast<float>(k);
+        const auto p = [&](float x, float y) {
+            return at + glm::vec2(2.5f * n + x, 4 * n + y) * theme.scale;
+        };
+        ui::paint_path({p(8, 0), p(16, 4), p(8, 8), p(0, 4)},
+                       ui::faded(theme.color.lattice, k == 0   ? 1
+                                                      : k == 1 ? 0.65f
+                                                               : 0.4f),
+                       1.4f * theme.scale, true);
+    }
+}
+
+void menu_item(Editor& editor, const Action& each)
+{
+    if (each.group_begins) ImGui::Separator();
+    const bool on = (each.name == "Perspective" && editor.session.camera.perspective) ||
+                    (each.name == "Timing" && editor.timing_open) ||
+                    (each.name == "Side panels" && editor.show_dock);
+    if (ImGui::MenuItem(each.name.c_str(), key_text(each).c_str(), on, is_enabled(editor, each)))
+        each.run(editor);
+}
+
+void bookmarks(Editor& editor)
+{
+    if (editor.session.document().bookmarks.empty()) return;
+    ImGui::Separator();
+    std::string forget;
+    for (const auto& [name, camera] : editor.session.document().bookmarks) {
+        if (!ImGui::BeginMenu(name.c_str())) continue;
+        if (ImGui::MenuItem("Go there")) {
+            const glm::dvec2 size_px = editor.session.camera.size_px;
+            editor.session.camera = camera;
+            editor.session.camera.size_px = size_px;
+        }
+        if (ImGui::MenuItem("Forget")) forget = name;
+        ImGui::EndMenu();
+    }
+    if (!forget.empty()) editor.session.run(DeleteCamera{forget});
+}
+
+void menus(Editor& editor, const ui::Theme& theme)
+{
+    for (const char* menu : {"File", "Edit", "Add", "View", "Tools", "Help"}) {
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.px(8), theme.px(8)});
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {theme.px(10), theme.px(8)});
+        ImGui::SetNextWindowSizeConstraints({theme.px(216), 0}, {1e6f, 1e6f});
+        if (ImGui::BeginMenu(menu)) {
+            for (std::size_t i = 0; i < editor.actions.size(); ++i)
+                if (editor.actions[i].menu == menu) menu_item(editor, editor.actions[i]);
+            if (std::string_view(menu) == "View") bookmarks(editor);
+            ImGui::EndMenu();
+        }
+        ImGui::PopStyleVar(2);
+    }
+}
+
+struct State {
+    std::string name, words;
+    ui::Color color;
+};
+State state_of(const Editor& editor, const ui::Palette& c)
+{
+    const SceneFile& scene = editor.session.scene();
+    if (!scene.trouble().empty())
+        return {std::filesystem::path(scene.path()).filename().string(), "Not saved", c.bad};
+    if (!scene.path().empty())
+        return {std::filesystem::path(scene.path()).filename().string(), "All changes saved",
+                c.text_3};
+    const bool empty = scene.history().steps().empty();
+    return {"Untitled", empty ? "Nothing to save" : "Not kept yet", empty ? c.text_3 : c.warn};
+}
+
+} // namespace
+
+void draw_top_bar(Editor& editor, const ui::Theme& theme, const Layout& layout)
+{
+    const ui::Palette& c = theme.color;
+    const ui::Rect& r = layout.top;
+    begin_panel("top bar", r, c.header);
+    paint_mark(theme, {theme.px(13), theme.px(12)});
+    ImGui::SetCursorScreenPos({r.lo.x + theme.px(44), r.lo.y});
+    ImGui::BeginGroup();
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {theme.px(8), theme.px(12)});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {theme.px(18), 0});
+    ImGui::PushStyleColor(ImGuiCol_MenuBarBg, 0);
+    // ImGui keeps a menu bar inside a window of its own kind; a child gives it one.
+    ImGui::BeginChild("menus", {theme.px(330), r.height()}, false,
+                      ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoScrollbar);
+    float menus_end = 0;
+    if (ImGui::BeginMenuBar()) {
+        menus(editor, theme);
+        menus_end = ImGui::GetCursorScreenPos().x;
+        ImGui::EndMenuBar();
+    }
+    ImGui::EndChild();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(2);
+    ImGui::EndGroup();
+
+    const State state = state_of(editor, c);
+    const glm::vec2 square(theme.size.icon_button);
+    const float buttons = r.hi.x - theme.px(12) - 2 * square.x - theme.px(4);
+    const float left = menus_end + theme.px(16);
+    const float words = ui::text_width(theme.font.small, state.words);
+    const float room = buttons - left - words - theme.px(28);
+    const std::string name =
+        ui::elided(theme.font.strong, state.name, std::max(room, theme.px(40)));
+    const float total = ui::text_width(theme.font.strong, name) + theme.px(12) + words;
+    const float x = std::max(left, std::round((layout.view.lo.x + layout.view.hi.x - total) / 2));
+    ui::paint_text(theme.font.strong, {{x, r.lo.y}, r.hi}, c.text, name);
+    if (room > theme.px(40))
+        ui::paint_text(theme.font.small, {{x + total - words, r.lo.y}, r.hi}, state.color,
+                       state.words);
+    float at = buttons;
+    for (const char* what : {"Undo", "Redo"}) {
+        ImGui::SetCursorScreenPos({at, r.lo.y + theme.px(8)});
+        const Action& each = action(editor, what);
+        const char* icon = each.name == "Undo" ? ui::icon::undo : ui::icon::redo;
+        if (ui::icon_button(theme, what, icon, square, each.name, key_text(each),
+                            {.enabled = is_enabled(editor, each)}))
+            each.run(editor);
+        at += square.x + theme.px(4);
+    }
+    ImGui::End();
+}
+
+} // namespace trivar

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/panels/panels.h"
+
+#include "ui/icons.h"
+#include "ui/timing_overlay.h"
+#include "ui/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <imgui.h>
+
+namespace trivar {
+namespace {
+
+// The lines that go with the selection, and those of the tool at work.
+std::vector<gpu::Line> lines_of(Editor& editor, const ui::Theme& theme)
+{
+    std::vector<gpu::Line> lines = editor.active_tool().lines(editor.session, theme);
+    const auto& objects = editor.session.evaluated().objects;
+    const auto found = objects.find(editor.session.selected);
+    if (found == objects.end() || !found->second->placement || editor.active_tool().busy())
+        return lines;
+    for (gpu::Line& line : placement_lines(*found->second->placement, theme))
+        lines.push_back(std::move(line));
+    return lines;
+}
+
+void labels(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
+{
+    const Session& session = editor.session;
+    const std::string name = name_of(session.document(), session.selected);
+    const std::string label =
+        std::string(session.camera.perspective ? "Perspective" : "Orthographic") +
+        (name.empty() ? "" : "  ·  " + name);
+    glm::vec2 at = view.lo + theme.px(12);
+    ui::paint_chip(theme, at, {label});
+    at.y += theme.px(28);
+    const bool evaluated = !session.evaluated().timings.stages.empty();
+    std::vector<ui::TimingGroup> groups;
+    if (evaluated) groups.push_back({"Evaluation", &session.evaluated().timings, theme.color.cpu});
+    if (!editor.viewport.timings().stages.empty())
+        groups.push_back({"Picture", &editor.viewport.timings(), theme.color.gpu});
+    if (!groups.empty())
+        ui::draw_timing(theme, at, view.hi.y - at.y - theme.px(40), groups, editor.timing_open);
+}
+
+// Long work is said after a moment, so that quick work does not flicker.
+void progress(Editor& editor, ui::Frame& frame, const ui::Rect& view)
+{
+    constexpr double patience_s = 0.25, bar_s = 0.6;
+    if (const auto job = editor.session.jobs().status()) {
+        frame.again_in(patience_s);
+        if (job->seconds > patience_s &&
+            ui::draw_progress(frame.theme, view, job->what, job->stage, job->fraction))
+            editor.session.jobs().cancel();
+        return;
+    }
+    const BackgroundEvaluator::Status status = editor.session.evaluator().status();
+    if (!status.busy) return;
+    frame.again_in(patience_s);
+    if (status.seconds > bar_s && !editor.active_tool().busy() &&
+        ui::draw_progress(frame.theme, view, "Working on the scene", status.stage, status.fraction))
+        editor.session.evaluator().cancel();
+}
+
+} // namespace
+
+void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
+{
+    const ui::Theme& theme = frame.theme;
+    const ui::Rect& view = layout.view;
+    Session& session = editor.session;
+    begin_panel("viewport", view, theme.color.sky_bottom);
+    const glm::ivec2 size_px = glm::max(glm::ivec2(view.size()), 1);
+    const ImVec2 lo{view.lo.x, view.lo.y}, hi{view.hi.x, view.hi.y};
+
+    ImGui::SetCursorScreenPos(lo);
+    ImGui::SetItemAllowOverlap();
+    ImGui::InvisibleButton("picture", {view.width(), view.height()},
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
+                               ImGuiButtonFlags_MouseButtonRight);
+    ImGui::SetItemAllowOverlap();
+    Tool& tool = editor.active_tool();
+    const ViewportInput input = editor.viewport.take_input(session, frame, view, tool.busy());
+    if (!editor.files.asking()) tool.use(session, input);
+    if (input.hovered && tool.crosshair()) ImGui::SetMouseCursor(ImGuiMouseCursor_NotAllowed);
+    // A small window's picture must not jump: the picture is drawn after the camera moved.
+    const bool moving = tool.busy() || editor.inspecting || !session.up_to_date();
+    const int state = static_cast<int>(editor.tool) * 2 + (tool.busy() ? 1 : 0);
+    const unsigned texture = editor.viewport.draw(session, frame, size_px, moving, state,
+                                                  [&] { return lines_of(editor, theme); });
+    const auto name = static_cast<std::uintptr_t>(texture);
+    ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(name), lo, hi, {0, 1},
+                                         {1, 0});
+    tool.overlay(session, theme, input);
+    labels(editor, theme, view);
+    draw_navigation(editor, theme, view);
+    if (session.document().objects.empty() && !session.jobs().status())
+        draw_welcome(editor, theme, view);
+    else
+        draw_first_steps(editor, theme, view);
+    ImGui::End();
+    progress(editor, frame, view);
+    session.notices.draw(frame, view);
+}
+
+} // namespace trivar

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/session.h"
+
+#include "core/base/rejected.h"
+#include "ui/camera_control.h"
+
+namespace trivar {
+
+Session::Session(std::function<void()> wake) : wake_(std::move(wake)), jobs_(wake_)
+{
+    meet_document();
+}
+
+void Session::meet_document()
+{
+    evaluator_.reset(); // before the store it reads from
+    assets_ = std::make_shared<const AssetStore>(scene_.folder());
+    evaluator_ = std::make_unique<BackgroundEvaluator>(assets_, wake_);
+    check_.reset();
+    asked_ticket_ = evaluated_ticket_ = 0;
+    refresh();
+}
+
+void Session::refresh()
+{
+    asked_ticket_ = evaluator_->submit(scene_.document());
+    if (selected != 0 && !scene_.document().objects.contains(selected)) selected = 0;
+    if (scene_.trouble() == told_trouble_) return;
+    told_trouble_ = scene_.trouble();
+    if (!told_trouble_.empty()) notices.say(ui::NoticeKind::error, "Not saved", told_trouble_);
+}
+
+template <class Change> bool Session::attempt(Change&& change, bool quietly)
+{
+    try {
+        change();
+    } catch (const Rejected& why) {
+        if (!quietly) notices.say(ui::NoticeKind::warning, why.what());
+        return false;
+    }
+    refresh();
+    return true;
+}
+
+bool Session::propose(Command command)
+{
+    check_.reset();
+    return attempt([&] { scene_.propose(std::move(command)); });
+}
+
+bool Session::propose_quietly(Command command)
+{
+    check_.reset();
+    return attempt([&] { scene_.propose(std::move(command)); }, true);
+}
+
+bool Session::commit()
+{
+    check_.reset();
+    return attempt([&] { scene_.commit(); });
+}
+
+void Session::commit_if_placed(Id object)
+{
+    if (!proposing()) return;
+    check_ = Check{asked_ticket_, object};
+    finish_check();
+}
+
+void Session::finish_check()
+{
+    if (!check_ || evaluated_ticket_ < check_->ticket) return;
+    const Check check = *check_;
+    check_.reset();
+    const auto found = evaluated_.objects.find(check.object);
+    if (found == evaluated_.objects.end() || !found->second->placement) {
+        std::string why = "The stroke could not be used.";
+        if (found != evaluated_.objects.end() && !found->second->notices.empty())
+            why = found->second->notices.front();
+        cancel();
+        notices.say(ui::NoticeKind::warning, "Nothing was placed", why);
+        return;
+    }
+    if (!commit()) return;
+    for (const std::string& notice : found->second->placement->report.notices)
+        notices.say(ui::NoticeKind::warning, notice);
+}
+
+void Session::cancel()
+{
+    check_.reset();
+    if (!proposing()) return;
+    scene_.cancel();
+    refresh();
+}
+
+bool Session::run(Command command)
+{
+    check_.reset();
+    return attempt([&] { scene_.run(std::move(command)); });
+}
+
+void Session::undo()
+{
+    check_.reset();
+    attempt([&] { scene_.undo(); });
+}
+
+void Session::redo()
+{
+    check_.reset();
+    attempt([&] { scene_.redo(); });
+}
+
+void Session::go_to_step(std::size_t position)
+{
+    check_.reset();
+    attempt([&] {
+        while (scene_.history().position() > position && scene_.undo()) {
+        }
+        while (scene_.history().position() < position && scene_.redo()) {
+        }
+    });
+}
+
+void Session::replace_scene(SceneFile scene)
+{
+    scene_ = std::move(scene);
+    selected = 0;
+    evaluated_ = {};
+    ++evaluation_;
+    told_trouble_.clear();
+    meet_document();
+    const auto& bookmarks = document().bookmarks;
+    const auto picture = bookmarks.find("picture");
+    frame_all_when_evaluated = picture == bookmarks.end();
+    if (picture != bookmarks.end()) {
+        const glm::dvec2 size_px = camera.size_px; // the window's, not the picture's
+        camera = picture->second;
+        camera.size_px = size_px;
+    }
+    for (const std::string& notice : scene_.notices()) notices.say(ui::NoticeKind::warning, notice);
+}
+
+void Session::save_as(const std::string& path)
+{
+    scene_.cancel();
+    scene_.save_as(path);
+    meet_document(); // imports are read from the new folder now
+}
+
+void Session::save_compact(const std::string& path)
+{
+    scene_.cancel();
+    scene_.save_compact(path);
+    meet_document();
+}
+
+void Session::poll()
+{
+    jobs_.poll();
+    if (auto result = evaluator_->poll()) {
+        evaluated_ticket_ = result->ticket;
+        if (result->problem.empty()) {
+            evaluated_ = std::move(result->evaluated);
+            ++evaluation_;
+        } else {
+            check_.reset();
+            notices.say(ui::NoticeKind::error, "The scene could not be evaluated", result->problem);
+        }
+        if (frame_all_when_evaluated && up_to_date() && !evaluated_.objects.empty()) {
+            frame_all_when_evaluated = false;
+            camera = ui::framed(camera, bounds_of(*this, 0));
+        }
+    }
+    finish_check();
+}
+
+Box bounds_of(const Session& session, Id id)
+{
+    Box box;
+    for (const auto& [each, object] : session.evaluated().objects) {
+        Id ancestor = each;
+        const auto& objects = session.document().objects;
+        while (id != 0 && ancestor != id && ancestor != 0) {
+            const auto found = objects.find(ancestor);
+            ancestor = found == objects.end() ? 0 : found->second->parent;
+        }
+        if ((id == 0 || ancestor == id) && !object->bounds.empty()) box.add(object->bounds);
+    }
+    return box;
+}
+
+std::string name_of(const Document& document, Id id)
+{
+    const auto found = document.objects.find(id);
+    return found == document.objects.end() ? std::string() : found->second->name;
+}
+
+} // namespace trivar

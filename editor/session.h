@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/scene_file.h"
+#include "editor/background_evaluator.h"
+#include "editor/job.h"
+#include "ui/notices.h"
+
+#include <memory>
+#include <string>
+
+namespace trivar {
+
+// What is open and what the person is doing with it: the scene with its proposal, what it looks
+// like by the latest evaluation, the selection and the point of view. Frame thread only.
+class Session {
+public:
+    explicit Session(std::function<void()> wake);
+
+    const SceneFile& scene() const { return scene_; }
+    const Document& document() const { return scene_.document(); } // the proposal's if there is one
+    const Document& committed() const { return scene_.history().committed(); }
+    const Evaluated& evaluated() const { return evaluated_; } // may be a moment behind
+    // Counts up with every new evaluation; equal numbers mean equal effects.
+    long evaluation() const { return evaluation_; }
+    bool up_to_date() const { return evaluated_ticket_ == asked_ticket_; }
+
+    // Gestures. A command that is Rejected becomes a notice and the return value is false.
+    bool propose(Command command);
+    bool propose_quietly(Command command); // without the notice: more of the gesture is to come
+    bool commit();
+    // Commits when the proposal was evaluated and the object could be placed; else cancels it and
+    // says why. A stroke is checked this way, for only its evaluation knows what it hits.
+    void commit_if_placed(Id object);
+    void cancel();
+    bool run(Command command); // propose and commit
+    void undo();
+    void redo();
+    void go_to_step(std::size_t position); // by undo and redo
+    bool proposing() const { return scene_.history().proposal().has_value(); }
+    bool committing() const { return check_.has_value(); }
+
+    // Another scene, or an empty one. Selection and effects start anew.
+    void replace_scene(SceneFile scene);
+    void save_as(const std::string& path);      // may throw Rejected
+    void save_compact(const std::string& path); // may throw Rejected
+    Ref<AssetStore> assets() const { return assets_; }
+
+    // Takes in what other threads finished; once a frame.
+    void poll();
+    Jobs& jobs() { return jobs_; }
+    const Jobs& jobs() const { return jobs_; }
+    BackgroundEvaluator& evaluator() { return *evaluator_; }
+    const BackgroundEvaluator& evaluator() const { return *evaluator_; }
+
+    // The person's own; not part of the document and of no undo step.
+    Id selected = 0;
+    Camera camera;
+    bool frame_all_when_evaluated = false;
+    ui::Notices notices;
+
+private:
+    struct Check {
+        long ticket = 0;
+        Id object = 0;
+    };
+    void refresh();
+    void finish_check();
+    void meet_document(); // the scene changed as a whole
+    template <class Change> bool attempt(Change&& change, bool quietly = false);
+
+    std::function<void()> wake_;
+    SceneFile scene_;
+    std::string told_trouble_;
+    Ref<AssetStore> assets_;
+    std::unique_ptr<BackgroundEvaluator> evaluator_;
+    Jobs jobs_;
+    Evaluated evaluated_;
+    long evaluation_ = 0, evaluated_ticket_ = 0, asked_ticket_ = 0;
+    std::optional<Check> check_;
+};
+
+// The box round an object, with what is in it if it is a group, or round everything for id 0.
+Box bounds_of(const Session& session, Id id);
+// The name in the outliner, or nothing for an id that is gone.
+std::string name_of(const Document& document, Id id);
+
+} // namespace trivar

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "editor/tools/tool.h"
+
+namespace trivar {
+
+// Draw one stroke across the scene and a model lies along it. While the mouse is held every new
+// piece of the stroke is proposed, so what is seen is the real result; letting go commits it.
+class PlaceTool : public Tool {
+public:
+    std::string name() const override { return "Place"; }
+    const char* icon() const override;
+    std::string help() const override
+    {
+        return "Draw a stroke across the scene; the model lies along it.";
+    }
+    std::vector<ui::Chord> keys() const override { return {{'D'}, {'P'}, {'2'}}; }
+    bool crosshair() const override { return true; }
+    void use(Session& session, const ViewportInput& input) override;
+    bool busy() const override { return drawing_; }
+    void cancel(Session& session) override;
+    std::vector<gpu::Line> lines(const Session& session, const ui::Theme& theme) const override;
+    void overlay(const Session& session, const ui::Theme& theme,
+                 const ViewportInput& input) const override;
+    void options(Session& session, const ui::Theme& theme, float width) override;
+    std::vector<Hint> hints(const Session& session) const override;
+
+private:
+    Command command(const Session& session) const;
+
+    Id chosen_ = 0; // in the options bar; 0: by itself
+    Id model_ = 0;  // of the stroke that is being drawn
+    bool drawing_ = false;
+    Sketch sketch_;
+    double began_s_ = 0;
+    PlacementParameters parameters_; // for the next new placement
+};
+
+// What a stroke would lay down: the chosen object, else the selected one, else the newest one that
+// is not placed yet; 0 where there is none. Groups cannot be laid.
+Id model_to_place(const Session& session, Id chosen);
+
+} // namespace trivar

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "editor/session.h"
+#include "gpu/picture.h"
+#include "ui/frame.h"
+#include "ui/keys.h"
+#include "ui/paint.h"
+
+#include <string>
+#include <vector>
+
+namespace trivar {
+
+// One hint of the status line: "left", "middle", "right", "wheel" are drawn as mice, anything else
+// as a key.
+struct Hint {
+    std::vector<std::string> inputs;
+    std::string verb;
+};
+
+// What a tool sees of the viewport in one frame.
+struct ViewportInput {
+    ui::Rect rect;         // of the picture in the window
+    glm::dvec2 mouse{0};   // in the picture, pixels
+    bool hovered = false;  // the mouse is over the picture and nothing lies above it
+    bool pressed = false;  // the left button went down over the picture in this frame
+    bool down = false;     // it went down over the picture and still is
+    bool released = false; // it was let go in this frame
+    bool double_clicked = false;
+    std::vector<StrokeSample> moves; // since the last frame, while down
+    Id under = 0;                    // the object under the mouse, where `pressed` or hovered
+};
+
+// A way of working in the viewport. A gesture shows its result as a proposal, commits at most once
+// and leaves no trace when it is cancelled. A tool is one file in this folder and one line in
+// all_tools().
+class Tool {
+public:
+    virtual ~Tool() = default;
+    virtual std::string name() const = 0;
+    virtual const char* icon() const = 0;
+    virtual std::string help() const = 0;            // one sentence
+    virtual std::vector<ui::Chord> keys() const = 0; // the first is shown
+    virtual bool crosshair() const { return false; }
+
+    virtual void use(Session& session, const ViewportInput& input) = 0;
+    virtual bool busy() const { return false; }              // a gesture is going on
+    virtual void cancel(Session& session) { (void)session; } // the gesture
+
+    // What it draws: in the scene, over the picture, and its settings in the options bar.
+    virtual std::vector<gpu::Line> lines(const Session&, const ui::Theme&) const { return {}; }
+    virtual void overlay(const Session&, const ui::Theme&, const ViewportInput&) const {}
+    virtual void options(Session&, const ui::Theme&, float width) { (void)width; }
+    virtual std::vector<Hint> hints(const Session& session) const = 0;
+};
+
+std::vector<std::unique_ptr<Tool>> all_tools();
+
+} // namespace trivar

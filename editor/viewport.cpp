@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/viewport.h"
+
+#include "ui/camera_control.h"
+
+#include <algorithm>
+#include <cmath>
+#include <imgui.h>
+
+namespace trivar {
+namespace {
+
+glm::dvec3 world(const Part& part, std::uint32_t vertex)
+{
+    return glm::dvec3(part.to_world * glm::dvec4(part.mesh->positions[vertex], 1));
+}
+
+// Distance along the ray to the triangle, or nothing (Moeller and Trumbore 1997, both sides).
+std::optional<double> meet(const Ray& ray, const glm::dvec3& a, const glm::dvec3& b,
+                           const glm::dvec3& c)
+{
+    const glm::dvec3 ab = b - a, ac = c - a, p = glm::cross(ray.direction, ac);
+    const double det = glm::dot(ab, p);
+    if (std::abs(det) < 1e-300) return std::nullopt;
+    const glm::dvec3 s = ray.origin - a, q = glm::cross(s, ab);
+    const double u = glm::dot(s, p) / det, v = glm::dot(ray.direction, q) / det;
+    const double t = glm::dot(ac, q) / det;
+    if (u < 0 || v < 0 || u + v > 1 || t <= 0) return std::nullopt;
+    return t;
+}
+
+glm::dvec2 mouse_in(const ui::Rect& rect)
+{
+    const ImVec2 p = ImGui::GetIO().MousePos;
+    return glm::dvec2(p.x, p.y) - glm::dvec2(rect.lo);
+}
+
+gpu::Picture picture_of(const Session& session, bool draft)
+{
+    gpu::Picture picture;
+    picture.camera = session.camera;
+    picture.settings = *session.document().render;
+    picture.draft = draft;
+    for (const auto& [id, object] : session.evaluated().objects)
+        for (const Part& part : object->parts)
+            picture.instances.push_back({.mesh = part.mesh,
+                                         .to_world = part.to_world,
+                                         .materials = object->materials,
+                                         .id = id,
+                                         .highlighted = id == session.selected});
+    return picture;
+}
+
+} // namespace
+
+std::optional<glm::dvec3> first_hit(const EvaluatedObject& object, const Ray& ray)
+{
+    double nearest = 1e300;
+    for (const Part& part : object.parts) {
+        const Mesh& mesh = *part.mesh;
+        for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+            const std::uint32_t begin = mesh.face_begin[f], end = mesh.face_begin[f + 1];
+            const glm::dvec3 a = world(part, mesh.corners[begin]);
+            for (std::uint32_t c = begin + 1; c + 1 < end; ++c) // a fan is near enough here
+                if (const auto t = meet(ray, a, world(part, mesh.corners[c]),
+                                        world(part, mesh.corners[c + 1])))
+                    nearest = std::min(nearest, *t);
+        }
+    }
+    if (nearest > 1e299) return std::nullopt;
+    return ray.origin + ray.direction * nearest;
+}
+
+std::optional<glm::dvec3> Viewport::anchor_under(const Session& session, glm::dvec2 p_px)
+{
+    if (!renderer_ || !shown_) return std::nullopt;
+    const auto found = session.evaluated().objects.find(renderer_->pick(glm::ivec2(p_px)));
+    if (found == session.evaluated().objects.end()) return std::nullopt;
+    return first_hit(*found->second, ray_through(session.camera, p_px));
+}
+
+void Viewport::navigate(Session& session, const ViewportInput& input, glm::dvec2 drag_px)
+{
+    const ImGuiIO& io = ImGui::GetIO();
+    Camera& camera = session.camera;
+    const bool middle = ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Middle);
+    const bool alt_left = io.KeyAlt && ImGui::IsItemActive() &&
+                          ImGui::IsMouseDown(ImGuiMouseButton_Left) && !left_down_;
+    if (!middle && !alt_left) {
+        move_ = Move::none;
+    } else if (move_ == Move::none) {
+        move_ = io.KeyShift ? Move::pan : io.KeyCtrl ? Move::zoom : Move::orbit;
+        anchor_ = anchor_under(session, input.mouse)
+                      .value_or(ui::point_at_target_depth(camera, input.mouse));
+    } else if (drag_px != glm::dvec2(0)) {
+        if (move_ == Move::orbit) camera = ui::orbited(camera, anchor_, drag_px);
+        if (move_ == Move::pan) camera = ui::panned(camera, anchor_, drag_px);
+        if (move_ == Move::zoom) camera = ui::zoomed(camera, anchor_, std::exp2(drag_px.y / 120));
+    }
+    if (input.hovered && io.MouseWheel != 0) {
+        const glm::dvec3 anchor = anchor_under(session, input.mouse)
+                                      .value_or(ui::point_at_target_depth(camera, input.mouse));
+        camera = ui::zoomed(camera, anchor, std::pow(0.86, static_cast<double>(io.MouseWheel)));
+        // Zooming on something far off the target would leave the target's depth behind: keep the
+        // target at the depth of what is looked at.
+        const double depth = project(camera, anchor).depth_world;
+        if (depth > 1e-4 && camera.perspective)
+            camera.target = camera.eye + glm::normalize(camera.target - camera.eye) * depth;
+    }
+}
+
+ViewportInput Viewport::take_input(Session& session, const ui::Frame& frame, const ui::Rect& rect,
+                                   bool tool_is_busy)
+{
+    ViewportInput input;
+    input.rect = rect;
+    input.mouse = mouse_in(rect);
+    input.hovered = ImGui::IsItemHovered();
+    const glm::dvec2 drag = input.mouse - last_mouse_;
+    last_mouse_ = input.mouse;
+    session.camera.size_px = glm::max(glm::dvec2(rect.size()), 1.0);
+
+    const bool alt = ImGui::GetIO().KeyAlt && !tool_is_busy;
+    if (ImGui::IsItemActive() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !alt) {
+        left_down_ = input.pressed = true;
+        if (renderer_ && shown_) input.under = renderer_->pick(glm::ivec2(input.mouse));
+    }
+    const bool was_down = left_down_;
+    if (left_down_ && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        left_down_ = false;
+        input.released = true;
+    }
+    input.down = left_down_;
+    input.double_clicked = input.pressed && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+    double time_s = frame.time_s;
+    for (const ui::Event& event : frame.events)
+        if (event.kind == ui::Event::Kind::move) {
+            time_s = event.time_s;
+            if (was_down && !input.pressed)
+                input.moves.push_back(
+                    {glm::dvec2(event.at) - glm::dvec2(rect.lo), event.time_s, 1});
+        }
+    if (input.pressed) input.moves.push_back({input.mouse, time_s, 1});
+    navigate(session, input, drag);
+    return input;
+}
+
+unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 size_px, bool moving,
+                        int state, const std::function<std::vector<gpu::Line>()>& lines)
+{
+    constexpr double rest_s = 0.2; // so long nothing moves before the picture is worth the time
+    Shown wanted{session.camera, session.evaluation(),           session.selected, size_px, state,
+                 false,          session.document().render.get()};
+    if (shown_) { // what was drawn as a draft is compared without that
+        Shown before = *shown_;
+        before.draft = false;
+        if (before != wanted && shown_->size_px == size_px) moving = true;
+    }
+    if (moving || move_ != Move::none) moved_s_ = frame.time_s;
+    wanted.draft = frame.time_s - moved_s_ < rest_s;
+    if (wanted.draft) frame.again_in(rest_s - (frame.time_s - moved_s_) + 0.01);
+    // A full picture of the same thing does for a draft.
+    Shown as_full = wanted;
+    as_full.draft = false;
+    if (shown_ && (*shown_ == wanted || *shown_ == as_full)) return texture_;
+
+    if (!renderer_) renderer_ = std::make_unique<gpu::Renderer>();
+    gpu::Picture picture = picture_of(session, wanted.draft);
+    picture.lines = lines();
+    texture_ = renderer_->draw(picture, size_px);
+    timings_ = renderer_->timings();
+    shown_ = wanted;
+    ++pictures_;
+    return texture_;
+}
+
+std::vector<gpu::Line> placement_lines(const Placement& placement, const ui::Theme& theme)
+{
+    std::vector<gpu::Line> lines;
+    // Along the twelve edges of the volume, and every tenth of the way round it.
+    const auto add = [&](glm::dvec3 from, glm::dvec3 to, int steps, float alpha, float width) {
+        gpu::Line line{
+            {}, ui::linear_light(ui::faded(theme.color.lattice, alpha)), width * theme.scale};
+        for (int i = 0; i <= steps; ++i) {
+            const glm::dvec3 uvw = glm::mix(from, to, static_cast<double>(i) / steps);
+            line.points.emplace_back(evaluate(placement.volume, uvw).value);
+        }
+        lines.push_back(std::move(line));
+    };
+    for (const glm::dvec2 vw : {glm::dvec2(0, 0), {1, 0}, {0, 1}, {1, 1}})
+        add({0, vw.x, vw.y}, {1, vw.x, vw.y}, 96, 0.95f, 1.6f);
+    constexpr int ribs = 10;
+    for (int i = 0; i <= ribs; ++i) {
+        const double u = static_cast<double>(i) / ribs;
+        const bool end = i == 0 || i == ribs;
+        const float alpha = end ? 0.95f : 0.32f, width = end ? 1.6f : 1.0f;
+        add({u, 0, 0}, {u, 1, 0}, 12, alpha, width);
+        add({u, 0, 1}, {u, 1, 1}, 12, alpha, width);
+        add({u, 0, 0}, {u, 0, 1}, 8, alpha, width);
+        add({u, 1, 0}, {u, 1, 1}, 8, alpha, width);
+    }
+    if (placement.strip.empty()) return lines;
+    gpu::Line stroke{{}, ui::linear_light(theme.color.stroke), 2 * theme.scale};
+    stroke.points.assign(placement.strip.front().begin(), placement.strip.front().end());
+    lines.push_back(std::move(stroke));
+    return lines;
+}
+
+} // namespace trivar

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "editor/tools/tool.h"
+#include "gpu/renderer.h"
+
+#include <memory>
+#include <optional>
+
+namespace trivar {
+
+// The picture in the middle: moves the camera, draws the scene when something changed, and tells
+// what lies under the mouse. Needs the window's OpenGL context.
+class Viewport {
+public:
+    // Takes the mouse over `rect` (ImGui's last item is the area): the camera's share is used, the
+    // rest is returned for the tool.
+    ViewportInput take_input(Session& session, const ui::Frame& frame, const ui::Rect& rect,
+                             bool tool_is_busy);
+
+    // The scene's picture as a texture, drawn anew only if it would differ. While things move it
+    // is a draft; a moment after they rest it is drawn in full, for which it asks for a frame.
+    unsigned draw(const Session& session, ui::Frame& frame, glm::ivec2 size_px, bool moving,
+                  int state, const std::function<std::vector<gpu::Line>()>& lines);
+    const Timings& timings() const { return timings_; }
+    long pictures() const { return pictures_; } // drawn so far
+
+private:
+    struct Shown { // what the present picture was drawn from
+        Camera camera;
+        long evaluation = 0;
+        Id selected = 0;
+        glm::ivec2 size_px{0};
+        int state = 0;
+        bool draft = false;
+        const RenderSettings* settings = nullptr;
+        bool operator==(const Shown&) const = default;
+    };
+    enum class Move { none, orbit, pan, zoom };
+    void navigate(Session& session, const ViewportInput& input, glm::dvec2 drag_px);
+    std::optional<glm::dvec3> anchor_under(const Session& session, glm::dvec2 p_px);
+
+    std::unique_ptr<gpu::Renderer> renderer_; // made at the first picture
+    unsigned texture_ = 0;
+    std::optional<Shown> shown_;
+    Timings timings_;
+    long pictures_ = 0;
+    double moved_s_ = -1e9;
+
+    Move move_ = Move::none;
+    glm::dvec3 anchor_{0};
+    glm::dvec2 last_mouse_{0};
+    bool left_down_ = false;
+};
+
+// Where a ray first meets an object, by trying its triangles one after another: for one click.
+std::optional<glm::dvec3> first_hit(const EvaluatedObject& object, const Ray& ray);
+
+// The lines that show how a placed object lies: its stroke, the strip's rims and the volume.
+std::vector<gpu::Line> placement_lines(const Placement& placement, const ui::Theme& theme);
+
+} // namespace trivar
