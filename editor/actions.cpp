@@ -127,7 +127,7 @@ template <class Add> Action add_action(const std::string& name)
                 const bool first = e.session.committed().objects.empty();
                 if (!e.session.run(Add{})) return;
                 e.session.selected = id;
-                e.session.frame_all_when_evaluated = first;
+                if (first) e.session.frame_all_when_evaluated = true;
             }};
 }
 

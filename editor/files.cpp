@@ -187,7 +187,7 @@ void Files::import(const std::string& path)
                  session_->cancel();
                  if (!session_->run(command)) return;
                  session_->selected = id;
-                 session_->frame_all_when_evaluated = first;
+                 if (first) session_->frame_all_when_evaluated = true;
                  for (const std::string& notice : said)
                      session_->notices.say(ui::NoticeKind::warning, notice);
              };

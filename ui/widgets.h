@@ -16,8 +16,9 @@ enum class Edit { none, changed, cancelled }; // cancelled: the value is as it w
 // or clicked and typed. Values out of range are cut to it.
 struct NumberStyle {
     double lo = -1e9, hi = 1e9;
-    double bar_hi = 0; // above lo: a bar is filled from lo to here, and drags follow this range
-    double step = 0;   // above 0: drags move by whole steps of this
+    double bar_hi =
+        -1e300;      // above lo: a bar is filled from lo to here, and drags follow this range
+    double step = 0; // above 0: drags move by whole steps of this
     std::string unit = {}, axis = {};
     Color axis_color = 0;
     std::string zero = {}; // what is shown in place of 0: "auto"
