@@ -79,7 +79,10 @@ void paint_number(const Theme& theme, const Rect& r, double value, const NumberS
         paint_text(theme.font.small, text, c.text_2, style.unit, Align::right);
         text.hi.x -= unit_width + theme.px(6);
     }
-    const std::string shown = word ? style.zero : short_number(value);
+    const bool whole = style.step >= 1 && value == std::round(value);
+    const std::string shown = word    ? style.zero
+                              : whole ? fmt::format("{:.0f}", value)
+                                      : short_number(value);
     paint_text(theme.font.body, text, word ? c.text_2 : c.text,
                elided(theme.font.body, shown, text.width()));
 }
