@@ -8,6 +8,7 @@
 #include <cassert>
 #include <cmath>
 #include <fmt/format.h>
+#include <tuple>
 
 namespace trivar {
 namespace {
@@ -46,6 +47,50 @@ void check_indices(const std::vector<std::uint32_t>& indices, std::size_t expect
                                        index, limit));
 }
 
+// The first vertex at each vertex's position, by sorting.
+std::vector<std::uint32_t> first_by_sorting(const std::vector<glm::vec3>& positions)
+{
+    std::vector<std::uint32_t> order(positions.size()), first(positions.size());
+    for (std::uint32_t v = 0; v < order.size(); ++v) order[v] = v;
+    const auto key = [&](std::uint32_t v) {
+        const glm::vec3& p = positions[v];
+        return std::tuple(p.x, p.y, p.z, v);
+    };
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const bool same = i > 0 && positions[order[i]] == positions[order[i - 1]];
+        first[order[i]] = same ? first[order[i - 1]] : order[i];
+    }
+    return first;
+}
+
+// The same by a hash with open addressing, or nothing where it takes too many probes: positions
+// may have been chosen to collide.
+std::vector<std::uint32_t> first_by_hash(const std::vector<glm::vec3>& positions)
+{
+    const std::uint32_t none = ~0u;
+    const std::size_t slots = std::bit_ceil(positions.size() * 2 + 1);
+    std::size_t probes_left = 64 * positions.size();
+    std::vector<std::uint32_t> first_at(slots, none), first(positions.size());
+    for (std::uint32_t v = 0; v < positions.size(); ++v) {
+        const glm::vec3 p = positions[v] + 0.0f; // -0 and 0 are one position
+        std::uint64_t hash = 0;
+        for (int i = 0; i < 3; ++i) {
+            hash = (hash ^ std::bit_cast<std::uint32_t>(p[i])) * 0x9e3779b97f4a7c15u;
+            hash ^= hash >> 29;
+        }
+        std::size_t slot = hash & (slots - 1);
+        while (first_at[slot] != none && positions[first_at[slot]] != positions[v]) {
+            if (probes_left-- == 0) return {};
+            slot = (slot + 1) & (slots - 1);
+        }
+        if (first_at[slot] == none) first_at[slot] = v;
+        first[v] = first_at[slot];
+    }
+    return first;
+}
+
 template <class T> void keep(std::vector<T>& values, const std::vector<std::uint32_t>& kept)
 {
     if (values.empty()) return;
@@ -81,29 +126,12 @@ glm::dvec3 area_normal(const Mesh& mesh, std::size_t face)
 
 std::vector<std::uint32_t> points_by_position(const std::vector<glm::vec3>& positions)
 {
-    // Open addressing with the first vertex of each point in the slots: no order of memory or of
-    // a library's hash reaches the numbers.
-    const std::uint32_t none = ~0u;
-    const std::size_t slots = std::bit_ceil(positions.size() * 2 + 1);
-    std::vector<std::uint32_t> first_at(slots, none), points(positions.size());
+    std::vector<std::uint32_t> first = first_by_hash(positions);
+    if (first.empty() && !positions.empty()) first = first_by_sorting(positions);
+    std::vector<std::uint32_t> points(positions.size());
     std::uint32_t count = 0;
-    for (std::uint32_t v = 0; v < positions.size(); ++v) {
-        const glm::vec3 p = positions[v] + 0.0f; // -0 and 0 are one position
-        std::uint64_t hash = 0;
-        for (int i = 0; i < 3; ++i) {
-            hash = (hash ^ std::bit_cast<std::uint32_t>(p[i])) * 0x9e3779b97f4a7c15u;
-            hash ^= hash >> 29;
-        }
-        std::size_t slot = hash & (slots - 1);
-        while (first_at[slot] != none && positions[first_at[slot]] != positions[v])
-            slot = (slot + 1) & (slots - 1);
-        if (first_at[slot] == none) {
-            first_at[slot] = v;
-            points[v] = count++;
-        } else {
-            points[v] = points[first_at[slot]];
-        }
-    }
+    for (std::uint32_t v = 0; v < points.size(); ++v)
+        points[v] = first[v] == v ? count++ : points[first[v]];
     return points;
 }
 

@@ -7,6 +7,7 @@
 #include "core/mesh/primitives.h"
 #include "tests/mesh/edges.h"
 
+#include <bit>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -148,6 +149,28 @@ TEST(PointsByPosition, JoinNothingThatIsNotEqual)
     const float next = std::nextafter(1.0f, 2.0f);
     const std::vector<glm::vec3> positions{{1, 0, 0}, {next, 0, 0}, {1, -0.0f, 0}, {1, 0, 0}};
     EXPECT_EQ(points_by_position(positions), (std::vector<std::uint32_t>{0, 1, 0, 0}));
+}
+
+// The hash multiplies by this number, so these land in few slots; sorting has to give the answer.
+TEST(PointsByPosition, AreRightForPositionsThatCollide)
+{
+    std::vector<glm::vec3> positions;
+    std::vector<std::uint32_t> expected;
+    std::uint64_t value = 1;
+    const auto hash = [](float z) {
+        // x = y = 0 leave the hash 0, so z alone decides.
+        const std::uint64_t h = std::bit_cast<std::uint32_t>(z) * 0x9e3779b97f4a7c15u;
+        return (h ^ h >> 29) & 0xffff;
+    };
+    for (std::uint32_t bits = 0x3f800000; positions.size() < 800; bits += 1) {
+        const float z = std::bit_cast<float>(bits);
+        if (hash(z) >= 4) continue;
+        positions.emplace_back(0, 0, z);
+        expected.push_back(static_cast<std::uint32_t>(value++ - 1));
+    }
+    positions.push_back(positions[5]);
+    expected.push_back(5);
+    EXPECT_EQ(points_by_position(positions), expected);
 }
 
 TEST(LooseVertices, AreDroppedAndTheRestKeepsItsValues)

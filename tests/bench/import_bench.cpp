@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A million triangles from an OBJ file with positions, normals and texture coordinates, against
+// OpenMesh's reader of the same file.
+#include "core/base/parallel.h"
+#include "core/files/read_model.h"
+#include "core/files/write_model.h"
+#include "core/mesh/primitives.h"
+#include "tests/support/fixtures.h"
+
+#include <OpenMesh/Core/IO/MeshIO.hh>
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <benchmark/benchmark.h>
+
+namespace {
+
+using namespace trivar;
+
+// Written once for all measurements: 1000 x 500 quads cut to a million triangles.
+struct MillionTriangles {
+    testing::TemporaryFolder folder;
+    std::string path = folder.file("million.obj");
+
+    MillionTriangles()
+    {
+        Mesh torus = torus_mesh(2, 0.7, {1000, 500});
+        const std::vector<glm::uvec3> cut = triangles(torus);
+        torus.corners.clear();
+        torus.face_begin = {0};
+        for (const glm::uvec3& t : cut) add_face(torus, std::array{t.x, t.y, t.z});
+        write_model(single_mesh_model("torus", std::move(torus)), path);
+    }
+};
+
+const MillionTriangles& million_triangles()
+{
+    static const MillionTriangles file;
+    return file;
+}
+
+void Import_MillionTriangleObj(benchmark::State& state)
+{
+    const std::string& path = million_triangles().path;
+    const ThreadLimit limit(static_cast<int>(state.range(0)));
+    std::size_t faces = 0;
+    for (auto _ : state) faces = read_model(path).meshes[0]->face_count();
+    state.counters["triangles"] = static_cast<double>(faces);
+}
+BENCHMARK(Import_MillionTriangleObj)
+    ->ArgName("threads")
+    ->Arg(1)
+    ->Arg(2)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
+void Import_MillionTriangleObj_OpenMesh(benchmark::State& state)
+{
+    const std::string& path = million_triangles().path;
+    std::size_t faces = 0;
+    for (auto _ : state) {
+        OpenMesh::TriMesh_ArrayKernelT<> mesh;
+        mesh.request_vertex_normals();
+        mesh.request_vertex_texcoords2D();
+        OpenMesh::IO::Options options(OpenMesh::IO::Options::VertexNormal |
+                                      OpenMesh::IO::Options::VertexTexCoord);
+        if (!OpenMesh::IO::read_mesh(mesh, path, options)) state.SkipWithError("not read");
+        faces = mesh.n_faces();
+    }
+    state.counters["triangles"] = static_cast<double>(faces);
+}
+BENCHMARK(Import_MillionTriangleObj_OpenMesh)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+} // namespace
