@@ -2,6 +2,7 @@
 #include "core/placement/layout.h"
 
 #include "core/base/rejected.h"
+#include "core/placement/check.h"
 #include "core/placement/contact.h"
 #include "core/placement/sketch.h"
 #include "core/placement/view.h"
@@ -111,6 +112,10 @@ public:
             cast(out, curve);
         }
         relax(out, 4000, 1e-5);
+        std::size_t contacts = 0;
+        for (std::size_t k = 0; k < out.s.size(); ++k)
+            contacts += out.grid.hit[k] && out.s[k] <= 1e-6 * out.height;
+        out.contact_share = static_cast<double>(contacts) / static_cast<double>(out.s.size());
         for (const double a : a_)
             out.narrowed += out.strip.narrowed[static_cast<std::size_t>(
                                 std::lround(a * static_cast<double>(profile_steps - 1)))] != 0;
@@ -201,16 +206,15 @@ private:
             sheet.columns = grid.columns;
             for (const double t : along_) sheet.along.push_back(t * out.length);
             for (const double t : across_) sheet.across.push_back(t * out.width);
-            const double infinite = std::numeric_limits<double>::infinity();
-            for (std::size_t k = 0; k < grid.rays.size(); ++k) {
-                sheet.direction.push_back(-grid.rays[k].direction);
+            sheet.pull = 1 / std::pow(parameters_.stiffness * out.length, 2);
+            sheet.bending = parameters_.bending;
+            sheet.direction = spring_directions(grid);
+            for (std::size_t k = 0; k < grid.rays.size(); ++k)
                 sheet.p0.push_back(grid.point(k) + parameters_.clearance * sheet.direction[k]);
-                sheet.lo.push_back(grid.hit[k] ? 0 : -10 * out.height);
-                sheet.hi.push_back(infinite);
-            }
+            set_bounds(sheet, grid, out.height);
             out.s.resize(grid.rays.size(), 0);
             for (std::size_t k = 0; k < out.s.size(); ++k)
-                out.s[k] = std::max(out.s[k], sheet.lo[k]);
+                out.s[k] = std::clamp(out.s[k], sheet.lo[k], sheet.hi[k]);
             out.loose.assign(grid.rays.size(), 0);
             if (parameters_.springs) {
                 RestShape rest = rest_shape(sheet, out.s,
@@ -224,6 +228,54 @@ private:
                 out.spring_iterations += rest.sweeps;
             }
         });
+    }
+
+    // The lines that nodes move on: toward the camera, toward the side the surface faces, or
+    // between.
+    std::vector<glm::dvec3> spring_directions(const RayGrid& grid) const
+    {
+        std::vector<glm::dvec3> out;
+        for (const Ray& ray : grid.rays) out.push_back(-ray.direction);
+        if (parameters_.offset == 0) return out;
+        for (int i = 0; i < grid.rows; ++i)
+            for (int j = 0; j < grid.columns; ++j) {
+                // Over three nodes, so that a crease does not send neighbours through each other.
+                const auto at = [&](int di, int dj) {
+                    return grid.point(grid.index(std::clamp(i + di, 0, grid.rows - 1),
+                                                 std::clamp(j + dj, 0, grid.columns - 1)));
+                };
+                const glm::dvec3 n = glm::cross(at(2, 0) - at(-2, 0), at(0, 2) - at(0, -2));
+                glm::dvec3& d = out[grid.index(i, j)];
+                if (!(glm::dot(n, d) > 0)) continue;
+                d = glm::normalize(glm::mix(d, glm::normalize(n), parameters_.offset));
+            }
+        return out;
+    }
+
+    // Toward the camera nothing is in the way of a node that was seen from there. Along other lines
+    // the next things on both sides are the bounds: two numbers a node, found once.
+    void set_bounds(SpringSheet& sheet, const RayGrid& grid, double height) const
+    {
+        const std::size_t n = sheet.p0.size();
+        sheet.lo.resize(n);
+        for (std::size_t k = 0; k < n; ++k) sheet.lo[k] = grid.hit[k] ? 0 : -10 * height;
+        sheet.hi.assign(n, std::numeric_limits<double>::infinity());
+        if (parameters_.offset == 0 || !parameters_.springs) return;
+        const double start = 1e-6 * (height + glm::length(sheet.p0.front()));
+        std::vector<Ray> up, down;
+        for (std::size_t k = 0; k < n; ++k) {
+            up.push_back({sheet.p0[k] + start * sheet.direction[k], sheet.direction[k]});
+            down.push_back({sheet.p0[k], -sheet.direction[k]});
+        }
+        const auto above = scene_.hits(up, parameters_.skip_back_faces);
+        const auto below = scene_.hits(down, parameters_.skip_back_faces);
+        for (std::size_t k = 0; k < n; ++k) {
+            if (above[k])
+                sheet.hi[k] = std::max(0.0, above[k]->distance + start - parameters_.clearance);
+            if (!grid.hit[k] && below[k])
+                sheet.lo[k] = std::max(sheet.lo[k],
+                                       std::min(0.0, parameters_.clearance - below[k]->distance));
+        }
     }
 
     // New parameters that put the nodes at equal lengths on the surface as it is; false when they
@@ -325,11 +377,15 @@ std::vector<double> half_width_px(const RayGrid& center, const Camera& camera, d
     return out;
 }
 
-Layout lay_out(Curve<glm::dvec2> center, const Camera& camera,
-               const PlacementParameters& parameters, const ModelFrame& frame,
+Layout lay_out(const Sketch& sketch, const PlacementParameters& parameters, const ModelFrame& frame,
                const RayScene& scene, Timings& timings)
 {
-    return Builder(camera, parameters, frame, scene, timings).build(std::move(center));
+    check(parameters);
+    Curve<glm::dvec2> center =
+        timed(timings, "sketch", [&] { return fit_sketch(stroke_points(sketch)); });
+    if (!parameters.skip_back_faces && sketch.camera.perspective)
+        check_enclosed(sketch.camera, scene);
+    return Builder(sketch.camera, parameters, frame, scene, timings).build(std::move(center));
 }
 
 } // namespace trivar

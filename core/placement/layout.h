@@ -17,6 +17,7 @@ struct Layout {
     std::vector<double> s{}; // the nodes' rest on the sheet; 0 without springs
     std::vector<char> loose{};
     double length = 0, width = 0, height = 0; // world, as far as the nodes tell
+    double contact_share = 0;                 // of the nodes: hit, and not lifted by the springs
     int spring_iterations = 0;
     int narrowed = 0;
 
@@ -24,8 +25,7 @@ struct Layout {
 };
 
 // Throws Rejected for a stroke that meets nothing, or too little, and sizes that do not fit.
-Layout lay_out(Curve<glm::dvec2> center, const Camera& camera,
-               const PlacementParameters& parameters, const ModelFrame& frame,
+Layout lay_out(const Sketch& sketch, const PlacementParameters& parameters, const ModelFrame& frame,
                const RayScene& scene, Timings& timings);
 
 // The middle line of the strip as rays see it, `count` points; misses filled by the membrane.

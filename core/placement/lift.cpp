@@ -14,6 +14,7 @@ constexpr int rays_a_cell = 4; // along each axis
 constexpr int judging_rays_a_cell = 5;
 constexpr int most_rounds = 12; // of lifting; lines of sight that are parallel need one
 constexpr int most_judgements = 6;
+constexpr double edge_on = 0.01; // cosine between surface and ray below which steps mean nothing
 constexpr double steep_scene = 2; // 1 / cosine to the ray from which sideways bends count
 // Shares of the tolerance: what is let be, how far in front a lift ends, what the judges pass.
 constexpr double let_be_share = 0.25, margin_share = 0.3, pass_share = 0.6;
@@ -35,7 +36,13 @@ Gap gap_at(const Surface<glm::dvec3>& s, const View& view, const SceneSample& sa
     const glm::dvec3 toward = view.toward_eye(sample.p_world);
     const glm::dvec3 r = sample.p_world - jet.value;
     const double det = glm::dot(glm::cross(jet.u, jet.v), toward);
-    if (!(det > 0)) return {sample.uv, 0, false}; // turned away: nothing to see
+    const double area = glm::length(glm::cross(jet.u, jet.v));
+    if (!(det > edge_on * area)) {
+        // Seen from the edge or from behind there is no step to take, but the ray that gave the
+        // sample went through this very point.
+        const double gap = -glm::dot(r, toward);
+        return {sample.uv, gap, glm::length(r + gap * toward) <= edge_on * std::abs(gap)};
+    }
     const glm::dvec2 step(glm::dot(glm::cross(r, jet.v), toward) / det,
                           glm::dot(glm::cross(jet.u, r), toward) / det);
     const double gap = -glm::dot(glm::cross(jet.u, jet.v), r) / det;

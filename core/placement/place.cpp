@@ -3,9 +3,9 @@
 
 #include "core/base/rejected.h"
 #include "core/placement/contact.h"
+#include "core/placement/finish.h"
 #include "core/placement/layout.h"
 #include "core/placement/lift.h"
-#include "core/placement/sketch.h"
 #include "core/placement/volume.h"
 
 #include <algorithm>
@@ -15,53 +15,49 @@
 namespace trivar {
 namespace {
 
-constexpr int most_control_points = 400; // along or across
-constexpr int most_layers = 64;
-
-void in_range(double value, double lo, double hi, const char* name)
+// In perspective a volume that reaches the camera turns inside out there.
+void check_reach(const Surface<glm::dvec3>& contact, const View& view, double height)
 {
-    if (!(value >= lo && value <= hi))
-        throw Rejected(
-            fmt::format("{} is {:.6g} and should be from {:.6g} to {:.6g}", name, value, lo, hi));
+    if (!view.perspective()) return;
+    for (const glm::dvec3& p : contact.points)
+        if (height > 0.9 * view.project(p).depth_world)
+            throw Rejected(fmt::format("a volume {:.3g} m high would reach the camera; step back "
+                                       "or choose a smaller height",
+                                       height));
 }
 
-void check(const PlacementParameters& p)
+double largest_stretch(const Surface<glm::dvec3>& contact, double length)
 {
-    constexpr double largest = 1e9; // metres
-    in_range(p.width, 0, largest, "the width");
-    in_range(p.height, 0, largest, "the height");
-    in_range(p.offset, 0, 1, "the offset");
-    in_range(p.stiffness, 1e-3, 1e3, "the stiffness");
-    in_range(p.bending, 0, 10, "the bending");
-    in_range(p.neighborhood, 0, most_control_points, "the neighbourhood");
-    in_range(p.roughness_deg, 1, 90, "the roughness angle");
-    in_range(p.start, 0, 1, "the start");
-    in_range(p.fill, 1e-6, 1, "the fill");
-    in_range(p.start + p.fill, 0, 1 + 1e-12, "start plus fill");
-    in_range(p.lift_tolerance, 1e-6, 1, "the lift tolerance");
-    in_range(p.clearance, 0, largest, "the clearance");
-    in_range(p.roll_deg, -1e6, 1e6, "the roll");
-    const std::array<const char*, 3> axis{"along", "across", "above"};
-    for (int a = 0; a < 3; ++a) {
-        const char* name = axis[static_cast<std::size_t>(a)];
-        in_range(p.orders[a], 2, max_order, fmt::format("the order {} the stroke", name).c_str());
-        in_range(p.grid[a], p.orders[a], a < 2 ? most_control_points : most_layers,
-                 fmt::format("the number of control points {} the stroke", name).c_str());
-    }
+    double worst = 0;
+    for (int i = 0; i < contact.axes[0].count(); ++i)
+        for (int j = 0; j < contact.axes[1].count(); ++j) {
+            const glm::dvec2 uv(contact.axes[0].greville(i), contact.axes[1].greville(j));
+            worst = std::max(worst, glm::length(evaluate(contact, uv, 1).u) / length);
+        }
+    return worst;
 }
 
-// A closed object round the camera is met from inside in every direction.
-void check_enclosed(const Camera& camera, const RayScene& scene)
+std::vector<std::string> notices(const PlacementReport& r, const Extrusion& e,
+                                 const PlacementParameters& p)
 {
-    int inside = 0;
-    const double r = std::sqrt(1.0 / 3);
-    std::vector<Ray> rays;
-    for (const double x : {-r, r})
-        for (const double y : {-r, r})
-            for (const double z : {-r, r}) rays.push_back({camera.eye, {x, y, z}});
-    for (const auto& hit : scene.hits(rays)) inside += hit && hit->back_face;
-    if (inside == 8)
-        throw Rejected("the camera is inside an object; move it out or skip back faces");
+    std::vector<std::string> out;
+    if (r.missed_share > 0)
+        out.push_back(fmt::format("{:.0f} % of the strip meets nothing and was bridged",
+                                  std::max(1.0, 100 * r.missed_share)));
+    if (r.narrowed > 0)
+        out.push_back(fmt::format("the stroke turns tighter than the strip is wide, so {} of its "
+                                  "columns are narrowed; draw a wider turn or reduce the width",
+                                  r.narrowed));
+    if (e.lowered > 0)
+        out.push_back(fmt::format("the volume is lowered in {} places where it would fold; reduce "
+                                  "the height or the offset",
+                                  e.lowered));
+    if (r.penetration > p.lift_tolerance)
+        out.push_back(fmt::format("{:.2g} of the height still penetrates; use more control points",
+                                  r.penetration));
+    if (!(r.smallest_jacobian > 0))
+        out.push_back("the volume folds; use fewer control points, a wider turn or less height");
+    return out;
 }
 
 std::vector<std::vector<glm::dvec3>> outline(const Surface<glm::dvec3>& contact)
@@ -78,19 +74,12 @@ std::vector<std::vector<glm::dvec3>> outline(const Surface<glm::dvec3>& contact)
 
 } // namespace
 
-Placement place(const Sketch& sketch, const PlacementParameters& parameters, const Box& model,
-                const RayScene& scene, Timings& timings)
+Placement finished(const Layout& layout, const std::vector<double>& s, const Camera& camera,
+                   const PlacementParameters& parameters, const ModelFrame& frame,
+                   const RayScene& scene, Timings& timings)
 {
-    check(parameters);
-    const ModelFrame frame = model_frame(parameters, model);
-    const Camera& camera = sketch.camera;
-    Curve<glm::dvec2> center =
-        timed(timings, "sketch", [&] { return fit_sketch(stroke_points(sketch)); });
-    if (!parameters.skip_back_faces && camera.perspective) check_enclosed(camera, scene);
-    const Layout layout = lay_out(std::move(center), camera, parameters, frame, scene, timings);
-
-    const View view(camera);
-    std::vector<glm::dvec3> points = layout.points();
+    std::vector<glm::dvec3> points(s.size());
+    for (std::size_t k = 0; k < s.size(); ++k) points[k] = layout.sheet.point(k, s);
     const bool through_nodes = !jumps(layout.axes, points, layout.sheet.direction);
     const Lifted lift = timed(timings, "lift", [&] {
         return lifted(contact_surface(layout.axes, points, through_nodes), camera, scene,
@@ -100,6 +89,8 @@ Placement place(const Sketch& sketch, const PlacementParameters& parameters, con
     });
     const Surface<glm::dvec3>& contact = lift.contact;
     return timed(timings, "volume", [&] {
+        const View view(camera);
+        check_reach(contact, view, layout.height);
         const Extrusion e =
             extrusion(contact, view, layout.height, parameters.offset, through_nodes);
         Placement out{
@@ -115,14 +106,25 @@ Placement place(const Sketch& sketch, const PlacementParameters& parameters, con
         r.width_world = layout.width;
         r.height_world = layout.height;
         r.missed_share = layout.grid.missed_share();
+        r.contact_share = layout.contact_share;
         r.largest_gap = lift.largest_gap;
         r.penetration = lift.penetration / layout.height;
+        r.largest_stretch = largest_stretch(contact, layout.length);
         r.spring_iterations = layout.spring_iterations;
         r.narrowed = layout.narrowed;
         r.smallest_jacobian =
             smallest_jacobian(contact, e.rise) / (layout.length * layout.width * layout.height);
+        r.notices = notices(r, e, parameters);
         return out;
     });
+}
+
+Placement place(const Sketch& sketch, const PlacementParameters& parameters, const Box& model,
+                const RayScene& scene, Timings& timings)
+{
+    const ModelFrame frame = model_frame(parameters, model);
+    const Layout layout = lay_out(sketch, parameters, frame, scene, timings);
+    return finished(layout, layout.s, sketch.camera, parameters, frame, scene, timings);
 }
 
 } // namespace trivar

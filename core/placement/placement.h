@@ -35,11 +35,11 @@ struct PlacementParameters {
     glm::ivec3 orders{3, 3, 3}; // 2..6 each
     double offset = 0;    // 0: F1, extrusion toward the camera; 1: F2, offset along the normals
     bool springs = true;  // bridge gaps by the obstacle problem
-    double stiffness = 1; // of the springs, relative to the pull toward the scene
+    double stiffness = 1; // a span of stiffness x length sags by a tenth of the gap, 0.001..1000
     double bending = 0;   // resistance to bending, relative to stiffness, 0..10
     int neighborhood = 3; // grid steps round a rough node that are let loose
     double roughness_deg = 20; // angle between neighbouring faces that counts as rough, 1..90
-    bool free_ends = false;    // nodes on the rim may move too
+    bool free_ends = false;    // the first and the last row of nodes may move too
     Misses misses = Misses::membrane;
     bool skip_back_faces = false;
     double start = 0;             // where along the stroke the model begins, 0..1

@@ -25,10 +25,13 @@ public:
     explicit Assembly(const SpringSheet& sheet)
         : sheet_(sheet),
           coupling_(sheet.p0.size()),
-          diagonal_(sheet.p0.size(), sheet.pull),
+          diagonal_(sheet.p0.size(), 0),
           right_(sheet.p0.size(), 0)
     {
     }
+
+    // Adds weight / 2 s^2.
+    void pull(std::size_t node, double weight) { diagonal_[node] += weight; }
 
     // Adds weight / 2 |sum_m c_m P_m|^2 over nodes a step of `stride` apart along one axis.
     template <std::size_t N>
@@ -119,6 +122,7 @@ ObstacleProblem spring_problem(const SpringSheet& sheet)
             const auto I = static_cast<std::size_t>(i), J = static_cast<std::size_t>(j);
             const int k = static_cast<int>(sheet.index(i, j));
             const int row = sheet.columns;
+            sum.pull(sheet.index(i, j), sheet.pull * along[I] * across[J]);
             if (i + 1 < sheet.rows)
                 sum.add(across[J] / (sheet.along[I + 1] - sheet.along[I]), k, row, 0,
                         std::array{-1.0, 1.0});

@@ -10,15 +10,15 @@ namespace trivar {
 
 // A grid of nodes, each free to move along a line: P = p0 + s direction, lo <= s <= hi. Springs of
 // rest length zero join neighbours, the sheet's energy is 1/2 sum k |P_a - P_b|^2
-// + bending / 2 sum |P_before - 2 P + P_after|^2 + pull / 2 sum s^2. The weights k make it that
-// of a membrane whatever the spacing of the nodes; they are 1 where it is square.
+// + bending / 2 sum |P_before - 2 P + P_after|^2 + pull / 2 sum area s^2. The weights k make it
+// that of a membrane whatever the spacing of the nodes; they are 1 where it is square.
 struct SpringSheet {
     int rows = 0, columns = 0;             // node (i, j) has index i * columns + j
     std::vector<double> along, across;     // #rows, #columns: ascending positions, metres
     std::vector<glm::dvec3> p0, direction; // #nodes; unit directions
     std::vector<double> lo, hi;            // #nodes; infinite where there is nothing
     double bending = 0;                    // relative to the springs, >= 0
-    double pull = 0;                       // toward s = 0, relative to the springs, >= 0
+    double pull = 0; // toward s = 0, 1/square metre: a span of length pull^(-1/2) sags by a tenth
 
     std::size_t index(int i, int j) const
     {
