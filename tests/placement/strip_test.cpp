@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/rejected.h"
+#include "core/placement/sketch.h"
+#include "core/placement/strip.h"
+#include "core/spline/fit.h"
+#include "tests/placement/scenes.h"
+
+#include <cmath>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <random>
+
+namespace trivar {
+namespace {
+
+using namespace testing;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+TEST(Sketch, AKnownCubicIsRecovered)
+{
+    const Curve<glm::dvec2> cubic{Knots::uniform(4, 4),
+                                  {{100, 500}, {500, 100}, {900, 700}, {1300, 400}}};
+    std::vector<glm::dvec2> points;
+    std::vector<double> t;
+    for (int i = 0; i <= 200; ++i) {
+        t.push_back(i / 200.0);
+        points.push_back(evaluate(cubic, t.back()).value);
+    }
+    const Curve<glm::dvec2> again = fit(cubic.knots, t, points, {.smoothing = 1e-13, .ends = true});
+    for (std::size_t i = 0; i < 4; ++i)
+        EXPECT_NEAR(glm::length(again.points[i] - cubic.points[i]), 0, 1e-6);
+    // From the points alone, whose parameters are not known, within the tolerance.
+    const Curve<glm::dvec2> fitted = fit_sketch(points, 0.01);
+    for (const glm::dvec2& p : points) {
+        double nearest = 1e9;
+        for (int i = 0; i <= 4000; ++i)
+            nearest = std::min(nearest, glm::length(evaluate(fitted, i / 4000.0).value - p));
+        EXPECT_LT(nearest, 0.2);
+    }
+}
+
+TEST(Sketch, NoiseIsSmoothedAndATighterToleranceNeverTakesFewerControlPoints)
+{
+    std::mt19937 random(1);
+    std::normal_distribution<double> noise(0, 1);
+    std::vector<glm::dvec2> clean, noisy;
+    for (int i = 0; i <= 300; ++i) {
+        clean.emplace_back(100 + 4 * i, 500 + 200 * std::sin(0.02 * i));
+        noisy.push_back(clean.back() + glm::dvec2(noise(random), noise(random)));
+    }
+    const Curve<glm::dvec2> curve = fit_sketch(noisy, 4);
+    double squares = 0;
+    for (const glm::dvec2& p : clean) {
+        double nearest = 1e9;
+        for (int i = 0; i <= 3000; ++i)
+            nearest = std::min(nearest, glm::length(evaluate(curve, i / 3000.0).value - p));
+        squares += nearest * nearest;
+    }
+    EXPECT_LT(std::sqrt(squares / 301), 1.5);
+    int before = 0;
+    for (const double tolerance : {16.0, 8.0, 4.0, 2.0, 1.0}) {
+        const int count = fit_sketch(noisy, tolerance).knots.count();
+        EXPECT_GE(count, before);
+        before = count;
+    }
+}
+
+TEST(Strip, LeftIsLeftAsTheUserSeesIt)
+{
+    const Strip strip = strip_round(fit_sketch({{100, 500}, {900, 500}}), {50, 50});
+    EXPECT_NEAR(strip.at(0.5, 1).y, 450, 1e-9);
+    EXPECT_NEAR(strip.at(0.5, 0).y, 550, 1e-9);
+}
+
+TEST(Strip, DoesNotFoldWhereTheStrokeTurnsTighterThanItIsWide)
+{
+    // Half an ellipse with a smallest radius of 50 pixels and a strip twice as wide as that.
+    std::vector<glm::dvec2> points;
+    for (int i = 0; i <= 200; ++i) {
+        const double t = 3.14159265 * i / 200;
+        points.emplace_back(500 - 200 * std::cos(t), 500 - 400 * std::sin(t));
+    }
+    const Strip strip = strip_round(fit_sketch(points, 0.5), std::vector<double>(200, 150));
+    EXPECT_GT(std::count(strip.narrowed.begin(), strip.narrowed.end(), 1), 0);
+    for (double a = 0.01; a < 0.99; a += 0.01)
+        for (const double v : {0.0, 0.5, 1.0}) {
+            const double e = 1e-4;
+            const glm::dvec2 u = strip.at(a + e, v) - strip.at(a - e, v);
+            const glm::dvec2 w = strip.at(a, 1) - strip.at(a, 0);
+            EXPECT_LT(u.x * w.y - u.y * w.x, 0) << a << " " << v; // y goes down
+        }
+}
+
+TEST(BadStroke, IsRejectedWithWhatToDo)
+{
+    const Camera camera = from_above();
+    const RayScene scene = scene_of(height_field(1, 4, [](double, double) { return 0; }));
+    const auto placing = [&](const std::vector<glm::dvec2>& px, const PlacementParameters& p = {}) {
+        return [&, px, p] {
+            Timings timings;
+            place(stroke(camera, px), p, snake_box(), scene, timings);
+        };
+    };
+    const auto says = [](const char* text) { return ThrowsMessage<Rejected>(HasSubstr(text)); };
+    const double nan = std::nan("");
+    EXPECT_THAT(placing({{700, 500}, {700, 500}}), says("click"));
+    EXPECT_THAT(placing({{700, 500}, {704, 500}}), says("too short"));
+    EXPECT_THAT(placing({{700, 500}, {1600, 500}}), says("leaves the picture"));
+    EXPECT_THAT(placing({{50, 50}, {300, 50}}), says("meets nothing"));
+    EXPECT_THAT(placing({{700, nan}, {900, 500}}), says("not a number"));
+    EXPECT_THAT(placing({{600, 500}, {900, 500}}, {.width = 100}), says("wider than the picture"));
+    EXPECT_THAT(placing({{600, 500}, {900, 500}}, {.width = nan}), says("width"));
+    EXPECT_THAT(placing({{600, 500}, {900, 500}}, {.height = -1}), says("height"));
+    EXPECT_THAT(placing({{600, 500}, {900, 500}}, {.grid = {2, 9, 4}}), says("control points"));
+    EXPECT_THAT(placing({{600, 500}, {900, 500}}, {.start = 0.5, .fill = 0.6}), says("fill"));
+    EXPECT_NO_THROW(placing({{600, 500}, {900, 500}})());
+}
+
+} // namespace
+} // namespace trivar
