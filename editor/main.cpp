@@ -1,2 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-int main() {}
+#include "editor/command_line/command_line.h"
+
+#include <iostream>
+#include <unistd.h>
+
+int main(int count, char** arguments)
+{
+    const trivar::Streams streams{std::cout, std::cerr, isatty(STDERR_FILENO) == 1};
+    const trivar::Status status = trivar::run_program({arguments + 1, arguments + count}, streams);
+    std::cout.flush();
+    // A full disk or a closed pipe swallowed results.
+    return static_cast<int>(std::cout.good() ? status : trivar::Status::rejected);
+}

@@ -41,7 +41,9 @@ std::string_view verb(const Command& command);
 // What the command did, for a list of steps: "Rename Snake". `before` is what it was applied to.
 std::string title(const Command& command, const Document& before);
 
-// The reference of all commands with their fields, defaults and ranges.
+// The reference of all commands with their fields, defaults and ranges; as text only what each
+// command does and takes.
+std::string commands_text();
 std::string commands_markdown();
 std::string commands_json();
 

@@ -107,6 +107,20 @@ void each_command(auto&& visit)
 
 } // namespace
 
+std::string commands_text()
+{
+    std::string text;
+    each_command([&](const auto& c) {
+        text += fmt::format("{}\n    {}\n", c.verb, c.summary);
+        each_field(c,
+                   [&](std::string_view name, const auto&, std::string_view help, Rule rule = {}) {
+                       text += fmt::format("    {:<14} {}{}\n", name, help,
+                                           rule.required ? " (required)" : "");
+                   });
+    });
+    return text;
+}
+
 std::string commands_markdown()
 {
     std::string text =

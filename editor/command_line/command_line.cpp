@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/command_line/command_line.h"
+
+#include "core/base/rejected.h"
+#include "core/document/command.h"
+#include "editor/command_line/info.h"
+#include "editor/command_line/replay.h"
+
+#include <CLI/CLI.hpp>
+#include <new>
+
+namespace trivar {
+namespace {
+
+struct Choices {
+    std::vector<std::string> files;
+    ReplayOptions replay;
+    InfoOptions info;
+    bool commands_json = false, commands_markdown = false;
+};
+
+CLI::App* add_replay(CLI::App& app, ReplayOptions& o)
+{
+    CLI::App* replay = app.add_subcommand("replay", "run a scene without a window");
+    replay->description(
+        "Runs a scene (NAME.trivar) from its first line to its last, without a window, and writes\n"
+        "what was asked for.");
+    replay->footer(
+        "Examples:\n"
+        "  trivar replay snake.trivar --image snake.png --size 1920x1080\n"
+        "  trivar replay snake.trivar --export snake.glb snake.obj\n"
+        "  trivar replay snake.trivar --set terrain.obj=/data/alps.obj --image alps.png\n"
+        "  trivar replay snake.trivar --check          # status 3 if a digest differs");
+    replay->add_option("LOG", o.log, "the scene")->required()->type_name("FILE");
+    replay->add_option("--to", o.to, "stop after line N of the file")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1 << 30));
+    replay->add_option("--set", o.relinked, "use FILE where the scene names the file NAME")
+        ->type_name("NAME=FILE")
+        ->allow_extra_args(false);
+    replay->add_option("--export", o.exports, "write the result as .glb, .obj, .ply, .stl or .off")
+        ->type_name("OUT");
+    replay->add_option("--image", o.image, "draw a picture (.png, .jpg, .exr ...)")
+        ->type_name("OUT");
+    replay->add_option("--size", o.size, "of the picture in pixels, 1280x720 if left out")
+        ->type_name("WxH");
+    replay
+        ->add_option("--camera", o.camera,
+                     "bookmark to look from; else the one named picture, else all is in view")
+        ->type_name("NAME");
+    replay->add_flag("--check", o.check,
+                     "compare with the digests in the file, and one thread with all of them");
+    replay->add_flag("--digest", o.digest, "print the digests as a line to append to the scene");
+    replay->add_option("--timings", o.timings, "write how long each stage took, as JSON")
+        ->type_name("OUT.json");
+    replay->add_option("--threads", o.threads, "use at most N threads")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1024));
+    return replay;
+}
+
+CLI::App* add_info(CLI::App& app, InfoOptions& o)
+{
+    CLI::App* info = app.add_subcommand("info", "say what is in a file");
+    info->description("Says what is in models, images and scenes.");
+    info->footer("Example:\n  trivar info bunny.obj photo.png snake.trivar --json");
+    info->add_option("FILE", o.files, "models, images, scenes")->required()->type_name("");
+    info->add_flag("--json", o.json, "as JSON, for programs");
+    return info;
+}
+
+CLI::App* add_commands(CLI::App& app, Choices& choices)
+{
+    CLI::App* commands = app.add_subcommand("commands", "list what a scene file may say");
+    commands->description("Lists every command of a scene file with its fields.");
+    auto* json = commands->add_flag("--json", choices.commands_json, "as JSON, for programs");
+    commands->add_flag("--markdown", choices.commands_markdown, "as docs/commands.md")
+        ->excludes(json);
+    return commands;
+}
+
+Status list_commands(const Choices& choices, const Streams& streams)
+{
+    if (choices.commands_json)
+        streams.out << commands_json();
+    else if (choices.commands_markdown)
+        streams.out << commands_markdown();
+    else
+        streams.out << commands_text();
+    return Status::done;
+}
+
+Status dispatch(const std::vector<std::string>& arguments, const Streams& streams)
+{
+    Choices choices;
+    CLI::App app("Trivar lays deformable models on any scene with one stroke.\n\n"
+                 "Without a command it opens the editor with the scenes and models given.",
+                 "trivar");
+    app.footer(
+        "Examples:\n"
+        "  trivar snake.trivar                                   open a scene\n"
+        "  trivar terrain.obj snake.glb                          a new scene with two models\n"
+        "  trivar replay snake.trivar --image snake.png          draw it without a window\n\n"
+        "trivar COMMAND --help says more. Exit status: 0 done, 1 rejected, 2 wrong usage,\n"
+        "3 a check failed.");
+    app.add_option("FILE", choices.files, "scenes (.trivar) and models to open")->type_name("");
+    app.require_subcommand(0, 1);
+    const CLI::App* replay = add_replay(app, choices.replay);
+    const CLI::App* info = add_info(app, choices.info);
+    const CLI::App* commands = add_commands(app, choices);
+    try {
+        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error, streams.out, streams.talk) == 0 ? Status::done : Status::usage;
+    }
+    if (replay->parsed()) return run_replay(choices.replay, streams);
+    if (info->parsed()) return run_info(choices.info, streams);
+    if (commands->parsed()) return list_commands(choices, streams);
+    streams.talk << "trivar: this build has no window yet; trivar replay draws scenes\n";
+    return Status::usage;
+}
+
+} // namespace
+
+Status run_program(const std::vector<std::string>& arguments, const Streams& streams)
+{
+    try {
+        return dispatch(arguments, streams);
+    } catch (const std::bad_alloc&) {
+        streams.talk << "trivar: there is not enough memory for this\n";
+    } catch (const std::exception& error) {
+        streams.talk << "trivar: " << error.what() << "\n";
+    }
+    return Status::rejected;
+}
+
+} // namespace trivar

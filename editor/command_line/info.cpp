@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/command_line/info.h"
+
+#include "core/base/rejected.h"
+#include "core/base/text.h"
+#include "core/document/log.h"
+#include "core/files/image.h"
+#include "core/files/read_model.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace trivar {
+namespace {
+
+using Facts = nlohmann::ordered_json; // name to value, in the order they are said
+
+Facts model_facts(const std::string& path)
+{
+    const Model model = read_model(path);
+    std::size_t vertices = 0, faces = 0, triangles = 0, uv_sets = 0, images = 0;
+    bool colors = false, creases = false;
+    for (const Ref<Mesh>& mesh : model.meshes) {
+        vertices += mesh->vertex_count();
+        faces += mesh->face_count();
+        triangles += mesh->corners.size() - 2 * mesh->face_count();
+        uv_sets = std::max(uv_sets, mesh->uvs.size());
+        colors = colors || !mesh->colors.empty();
+        creases = creases || !mesh->creases.empty();
+    }
+    for (const Material& m : model.materials)
+        for (const Texture* texture :
+             {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture,
+              &m.occlusion_texture, &m.emissive_texture})
+            images += texture->image ? 1 : 0;
+    const Box box = bounding_box(model);
+    const glm::dvec3 size = box.size();
+    Facts facts{{"kind", "model"},
+                {"meshes", model.meshes.size()},
+                {"nodes", model.nodes.size()},
+                {"vertices", vertices},
+                {"faces", faces},
+                {"triangles", triangles},
+                {"materials", model.materials.size()},
+                {"textures", images},
+                {"uv_sets", uv_sets},
+                {"vertex_colors", colors},
+                {"creases", creases},
+                {"size_m", {size.x, size.y, size.z}},
+                {"hash", file_hash(path)}};
+    if (!model.notices.empty()) facts["repaired"] = model.notices;
+    return facts;
+}
+
+Facts image_facts(const std::string& path)
+{
+    const Image image = read_image(path);
+    return {{"kind", "image"}, {"width_px", image.size_px.x}, {"height_px", image.size_px.y}};
+}
+
+Facts scene_facts(const std::string& path)
+{
+    const Log log = read_log(read_text_file(path), path);
+    const History history = replay(log);
+    const Document& document = history.document();
+    std::vector<std::string> files, bookmarks;
+    std::size_t placed = 0;
+    for (const auto& [id, ref] : document.objects) {
+        if (const auto* file = std::get_if<ImportedFile>(&ref->source)) files.push_back(file->path);
+        placed += ref->placement ? 1 : 0;
+    }
+    for (const auto& [name, camera] : document.bookmarks) bookmarks.push_back(name);
+    Facts facts{{"kind", "scene"},
+                {"steps", history.position()},
+                {"undone_steps", history.steps().size() - history.position()},
+                {"objects", document.objects.size()},
+                {"placed", placed},
+                {"files", files},
+                {"points_of_view", bookmarks},
+                {"digest", digest(document)}};
+    if (!log.notice.empty()) facts["notice"] = log.notice;
+    return facts;
+}
+
+Facts facts_of(const std::string& path)
+{
+    std::error_code ignored;
+    if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored))
+        throw Rejected(path + ": this is no ordinary file");
+    std::string extension = std::filesystem::path(path).extension().string();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) {
+        return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    });
+    static constexpr std::array<std::string_view, 6> models{".obj", ".ply",  ".stl",
+                                                            ".off", ".gltf", ".glb"};
+    if (extension == ".trivar") return scene_facts(path);
+    return std::ranges::find(models, extension) != models.end() ? model_facts(path)
+                                                                : image_facts(path);
+}
+
+std::string plain(const Facts& value)
+{
+    if (value.is_string()) return value.get<std::string>();
+    if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+    if (!value.is_array()) return value.dump();
+    std::string text;
+    for (const Facts& entry : value) text += (text.empty() ? "" : ", ") + plain(entry);
+    return text.empty() ? "none" : text;
+}
+
+} // namespace
+
+Status run_info(const InfoOptions& options, const Streams& streams)
+{
+    Status status = Status::done;
+    Facts all = Facts::array();
+    for (const std::string& path : options.files) {
+        Facts facts{{"file", path}};
+        try {
+            facts.update(facts_of(path));
+        } catch (const Rejected& error) {
+            streams.talk << "trivar: " << error.what() << "\n";
+            status = Status::rejected;
+            continue;
+        }
+        if (!options.json)
+            for (const auto& [name, value] : facts.items()) {
+                std::string words = name;
+                std::ranges::replace(words, '_', ' ');
+                streams.out << fmt::format("{:<16} {}\n", words, plain(value));
+            }
+        if (!options.json && path != options.files.back()) streams.out << "\n";
+        all.push_back(std::move(facts));
+    }
+    if (options.json)
+        streams.out << all.dump(2, ' ', false, Facts::error_handler_t::replace) << "\n";
+    return status;
+}
+
+} // namespace trivar

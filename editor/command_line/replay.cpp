@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/command_line/replay.h"
+
+#include "core/base/parallel.h"
+#include "core/base/text.h"
+#include "core/document/evaluate.h"
+#include "core/document/log.h"
+#include "core/files/image.h"
+#include "core/files/write_model.h"
+#include "editor/picture.h"
+#include "gpu/context.h"
+#include "gpu/renderer.h"
+
+#include <charconv>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+namespace trivar {
+namespace {
+
+glm::ivec2 picture_size(const std::string& text)
+{
+    glm::ivec2 size{0};
+    const char* const end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, size.x);
+    if (width.ec == std::errc{} && width.ptr != end && *width.ptr == 'x') {
+        const auto height = std::from_chars(width.ptr + 1, end, size.y);
+        if (height.ec == std::errc{} && height.ptr == end && size.x >= 1 && size.y >= 1 &&
+            size.x <= 16384 && size.y <= 16384)
+            return size;
+    }
+    throw Rejected("--size " + text + ": must be WIDTHxHEIGHT, such as 1280x720, up to 16384");
+}
+
+std::map<std::string, std::string> relinked_files(const std::vector<std::string>& settings)
+{
+    std::map<std::string, std::string> files;
+    for (const std::string& setting : settings) {
+        const std::size_t equals = setting.find('=');
+        if (equals == 0 || equals == std::string::npos || equals + 1 == setting.size())
+            throw Rejected("--set " + setting + ": must be NAME=FILE");
+        files[setting.substr(0, equals)] = setting.substr(equals + 1);
+    }
+    return files;
+}
+
+Progress shown_progress(const Streams& streams)
+{
+    if (!streams.terminal) return {};
+    return [&talk = streams.talk](double fraction, std::string_view stage) {
+        talk << fmt::format("\r\x1b[K{:3.0f} % {}", 100 * fraction, stage) << std::flush;
+    };
+}
+
+Ref<AssetStore> asset_store(const ReplayOptions& options)
+{
+    return std::make_shared<const AssetStore>(
+        std::filesystem::absolute(options.log).lexically_normal().parent_path().string(),
+        relinked_files(options.relinked));
+}
+
+struct Replayed {
+    Document document;
+    Evaluated evaluated;
+    Timings timings;
+    bool same = true; // all that --check looked at
+};
+
+void differs(Replayed& replayed, const Streams& streams, const std::string& sentence)
+{
+    if (replayed.same) streams.talk << "trivar: " << sentence << "\n"; // the first one tells most
+    replayed.same = false;
+}
+
+void check_line(Replayed& replayed, const LogLine& line, const std::string& name,
+                const Document& document, Evaluator& evaluator, const Streams& streams)
+{
+    const auto compare = [&](const std::string& stored, const std::string& now,
+                             std::string_view what) {
+        if (stored != now)
+            differs(replayed, streams,
+                    fmt::format("{}:{}: the {} differs: the file says {}, it is {}", name,
+                                line.number, what, stored, now));
+    };
+    if (!line.digest.empty()) compare(line.digest, digest(document), "scene's digest");
+    if (!line.effects.empty())
+        compare(line.effects, digest(evaluator(document)), "result's digest");
+}
+
+// One thread must give the same bits as many, and nothing may be missing.
+void check_result(Replayed& replayed, const ReplayOptions& options, const Streams& streams)
+{
+    const ThreadLimit one_thread(1);
+    Evaluator again(asset_store(options));
+    if (digest(again(replayed.document)) != digest(replayed.evaluated))
+        differs(replayed, streams,
+                fmt::format("{}: one thread gives another result than all of them", options.log));
+    for (const auto& [id, ref] : replayed.evaluated.objects)
+        if (ref->parts.empty() || !ref->rejected.empty())
+            differs(replayed, streams,
+                    fmt::format("{}: {} is not as it was meant: {}", options.log,
+                                object(replayed.document, id).name,
+                                ref->notices.empty() ? "it has no shape" : ref->notices.front()));
+}
+
+Replayed replay(const ReplayOptions& options, const Streams& streams)
+{
+    Replayed result;
+    std::error_code ignored;
+    if (std::filesystem::exists(options.log, ignored) &&
+        !std::filesystem::is_regular_file(options.log, ignored))
+        throw Rejected(options.log + ": this is no ordinary file");
+    const Log log = timed(result.timings, "read log",
+                          [&] { return read_log(read_text_file(options.log), options.log); });
+    if (!log.notice.empty()) streams.talk << "trivar: " << log.notice << "\n";
+    Evaluator evaluator(asset_store(options));
+    History history;
+    for (const LogLine& line : log.lines) {
+        if (options.to > 0 && line.number > options.to) break;
+        timed(result.timings, "apply", [&] { apply(history, line, log.name); });
+        if (options.check)
+            check_line(result, line, log.name, history.document(), evaluator, streams);
+    }
+    result.document = history.document();
+    result.evaluated = evaluator(result.document, shown_progress(streams));
+    if (streams.terminal) streams.talk << "\r\x1b[K";
+    result.timings.add(result.evaluated.timings);
+    for (const auto& [id, ref] : result.evaluated.objects)
+        for (const std::string& notice : ref->notices)
+            streams.talk << "trivar: " << object(result.document, id).name << ": " << notice
+                         << "\n";
+    if (options.check) check_result(result, options, streams);
+    return result;
+}
+
+void draw(const ReplayOptions& options, Replayed& replayed)
+{
+    const glm::ivec2 size = picture_size(options.size);
+    Camera camera = picture_camera(replayed.evaluated, replayed.document, size);
+    if (!options.camera.empty()) {
+        const auto bookmark = replayed.document.bookmarks.find(options.camera);
+        if (bookmark == replayed.document.bookmarks.end())
+            throw Rejected(fmt::format("--camera {}: the scene has no point of view of that name",
+                                       options.camera));
+        camera = bookmark->second;
+    }
+    const gpu::HeadlessContext context;
+    gpu::Renderer renderer;
+    const Image image =
+        renderer.render(picture_of(replayed.evaluated, replayed.document, camera), size);
+    replayed.timings.add(renderer.timings());
+    timed(replayed.timings, "write image", [&] { write_image(image, options.image); });
+}
+
+void write_timings(const std::string& path, const Timings& timings)
+{
+    nlohmann::ordered_json stages = nlohmann::ordered_json::array();
+    for (const Timings::Stage& stage : timings.stages)
+        stages.push_back({{"name", stage.name}, {"time_ms", stage.time_ms}});
+    std::ofstream file(path);
+    file << nlohmann::ordered_json{{"stages", stages}}.dump(2) << "\n";
+    file.flush();
+    if (!file) throw Rejected(path + ": the timings cannot be written there");
+}
+
+} // namespace
+
+Status run_replay(const ReplayOptions& options, const Streams& streams)
+{
+    picture_size(options.size);
+    std::optional<ThreadLimit> limit;
+    if (options.threads > 0) limit.emplace(options.threads);
+    Replayed replayed = replay(options, streams);
+    if (!options.exports.empty()) {
+        const Model model = model_of(replayed.evaluated, replayed.document);
+        for (const std::string& path : options.exports)
+            timed(replayed.timings, "export", [&] { write_model(model, path); });
+    }
+    if (!options.image.empty()) draw(options, replayed);
+    if (!options.timings.empty()) write_timings(options.timings, replayed.timings);
+    if (options.digest)
+        streams.out << check_line(digest(replayed.document), digest(replayed.evaluated));
+    if (!replayed.same) return Status::check_failed;
+    if (options.check) streams.talk << "trivar: " << options.log << ": as it was meant\n";
+    return Status::done;
+}
+
+} // namespace trivar

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "editor/command_line/command_line.h"
+
+namespace trivar {
+
+struct ReplayOptions {
+    std::string log;
+    int to = 0; // line of the file; 0: all
+    std::vector<std::string> relinked, exports;
+    std::string image, size = "1280x720", camera;
+    bool check = false, digest = false;
+    std::string timings;
+    int threads = 0; // 0: as many as there are
+};
+
+// trivar replay. Throws Rejected.
+Status run_replay(const ReplayOptions& options, const Streams& streams);
+
+} // namespace trivar

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/evaluate.h"
+#include "gpu/picture.h"
+
+namespace trivar {
+
+// What the renderer draws of an evaluated document, seen from a camera. Objects can be picked by
+// their id.
+gpu::Picture picture_of(const Evaluated& evaluated, const Document& document, const Camera& camera);
+
+// The bookmark "picture" if there is one, else a view of everything from the front, somewhat from
+// the right and above. An empty scene gives the camera that a new document starts with.
+Camera picture_camera(const Evaluated& evaluated, const Document& document, glm::ivec2 size_px);
+
+} // namespace trivar

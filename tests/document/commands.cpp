@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/document/commands.h"
+
+#include <limits>
+
+namespace trivar::testing {
+namespace {
+
+template <class T> T pick(std::mt19937& random, std::initializer_list<T> values)
+{
+    return values.begin()[random() % values.size()];
+}
+
+double random_number(std::mt19937& random, const Rule& rule)
+{
+    constexpr double inf = std::numeric_limits<double>::infinity();
+    if (random() % 12 == 0)
+        return pick(random,
+                    {std::nan(""), inf, -inf, 1e308, -1e308, 5e-324, -0.0, 0.0, rule.lo, rule.hi});
+    const double lo = std::max(rule.lo, -10.0), hi = std::min(rule.hi, 10.0);
+    return lo + (hi - lo) * static_cast<double>(random()) / 4294967295.0;
+}
+
+template <class T> void randomize(std::mt19937& random, T& value, const Rule& rule)
+{
+    if constexpr (Nested<T>)
+        each_field(value, [&](std::string_view, auto& v, std::string_view, Rule inner = {}) {
+            if (random() % 2 == 0) randomize(random, v, inner);
+        });
+    else if constexpr (std::is_same_v<T, bool>)
+        value = random() % 2 == 0;
+    else if constexpr (std::is_same_v<T, int>)
+        value = random() % 12 == 0 ? pick(random, {std::numeric_limits<int>::min(), -1, 0,
+                                                   std::numeric_limits<int>::max()})
+                                   : static_cast<int>(random() % 8);
+    else if constexpr (std::is_floating_point_v<T>)
+        value = static_cast<T>(random_number(random, rule));
+    else if constexpr (std::is_enum_v<T>)
+        value = static_cast<T>(random() % choice_names<T>.size());
+    else if constexpr (std::is_same_v<T, std::string>)
+        value = pick<std::string>(random, {"", "front", "a \"quoted\"\\\n name",
+                                           "Schnecke \xC3\xA4", "\xFF\xFE", "studio",
+                                           std::string(5000, 'x'), std::string("a\0b", 3)});
+    else if constexpr (std::is_same_v<T, StrokeSample>) {
+        value.p_px = {random_number(random, {}) * 100, random_number(random, {}) * 100};
+        value.time_s = random_number(random, {});
+        value.pressure = random_number(random, between(0, 1));
+    } else if constexpr (is_optional<T>) {
+        value.reset();
+        if (random() % 2 == 0) randomize(random, value.emplace(), rule);
+    } else if constexpr (is_list<T>) {
+        value.resize(random() % 6);
+        for (auto& entry : value) randomize(random, entry, rule);
+    } else
+        for (int i = 0; i < T::length(); ++i) randomize(random, value[i], rule);
+}
+
+} // namespace
+
+Sketch small_sketch()
+{
+    Sketch sketch;
+    sketch.camera.eye = {0, -4, 4};
+    for (int i = 0; i < 9; ++i)
+        sketch.samples.push_back({{440 + 50 * i, 360 + 5 * (i % 3)}, 0.1 * i, 1});
+    return sketch;
+}
+
+Document small_document()
+{
+    Document document;
+    for (const Command& command : std::initializer_list<Command>{
+             AddBox{.name = "Table", .shape = {.size = {4, 4, 0.5}}, .transform = {}},
+             AddSphere{.name = "Ball", .shape = {.radius = 0.4}, .transform = {}},
+             AddTeapot{.name = "Pot", .shape = {.height = 0.2, .resolution = 4}, .transform = {}},
+             Group{.objects = {1}, .name = "Furniture"},
+             Place{.object = 3, .sketch = small_sketch(), .parameters = {}, .onto = {}},
+             SaveCamera{.name = "front", .camera = {}}})
+        document = after(document, command);
+    return document;
+}
+
+std::vector<Command> fitting_commands()
+{
+    ImportModel import;
+    import.file.path = "snail.obj";
+    PlacementParameters flat;
+    flat.offset = 1;
+    return {import,
+            AddPlane{},
+            AddBox{},
+            AddSphere{},
+            AddCylinder{},
+            AddTorus{},
+            AddMoebius{},
+            AddTeapot{},
+            SetTransform{.object = 2, .transform = {.translation = {0.1, 1.0 / 3, -2e-7}}},
+            SetMaterial{.objects = {1, 2}, .surfacing = {.base_color = {0.1f, 0.2f, 0.3f, 1}}},
+            ClearMaterial{.objects = {1}},
+            Rename{.object = 1, .name = "Desk"},
+            Hide{.objects = {1, 2}},
+            Show{.objects = {2}},
+            Delete{.objects = {2}},
+            Duplicate{.objects = {3, 4}, .offset = {1, 0, 0}},
+            Group{.objects = {2, 3}, .name = "Both"},
+            Ungroup{.object = 4},
+            Place{.object = 2, .sketch = small_sketch(), .parameters = {}, .onto = {1}},
+            EditPlacement{.object = 3, .parameters = flat, .sketch = {}, .onto = {}},
+            Unplace{.object = 3},
+            SaveCamera{.name = "side", .camera = {}},
+            DeleteCamera{.name = "front"},
+            SetRender{.settings = {.look = "clay"}}};
+}
+
+Command random_command(std::mt19937& random)
+{
+    const std::vector<Command> all = all_commands();
+    Command command = all[random() % all.size()];
+    std::visit(
+        [&](auto& c) {
+            each_field(c, [&](std::string_view, auto& value, std::string_view, Rule rule = {}) {
+                if (random() % 4 != 0) randomize(random, value, rule);
+            });
+        },
+        command);
+    return command;
+}
+
+} // namespace trivar::testing

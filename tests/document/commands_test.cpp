@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/rejected.h"
+#include "tests/document/commands.h"
+
+#include <gmock/gmock.h>
+
+namespace trivar {
+namespace {
+
+using ::testing::ElementsAre, ::testing::HasSubstr;
+using testing::small_document, testing::small_sketch;
+
+AddBox box_of_size(const glm::dvec3& size)
+{
+    AddBox box;
+    box.shape.size = size;
+    return box;
+}
+
+std::string rejection(const Document& document, const Command& command)
+{
+    try {
+        after(document, command);
+    } catch (const Rejected& error) {
+        return error.what();
+    }
+    return "";
+}
+
+Document with(Document document, std::initializer_list<Command> commands)
+{
+    for (const Command& command : commands) document = after(document, command);
+    return document;
+}
+
+TEST(Ids, AreNeverUsedTwice)
+{
+    const Document d = with({}, {AddBox{}, AddBox{}, Delete{{2}}, AddBox{}});
+    EXPECT_FALSE(d.objects.contains(2));
+    EXPECT_TRUE(d.objects.contains(3));
+}
+
+TEST(Commands, ChangeOnlyTheObjectsTheyName)
+{
+    const Document before = small_document();
+    const Document result = after(before, SetTransform{2, {.translation = {1, 2, 3}}});
+    EXPECT_EQ(result.objects.at(1), before.objects.at(1));
+    EXPECT_EQ(result.objects.at(3), before.objects.at(3));
+    EXPECT_NE(result.objects.at(2), before.objects.at(2));
+}
+
+TEST(Commands, NameTheFieldThatIsWrong)
+{
+    const Document d = small_document();
+    EXPECT_THAT(rejection(d, box_of_size({1, std::nan(""), 1})), HasSubstr("\"size[1]\""));
+    EXPECT_THAT(rejection(d, AddSphere{"Ball", {.radius = -1}, {}}), HasSubstr("\"radius\""));
+    EXPECT_THAT(rejection(d, Rename{.object = 99, .name = "x"}), HasSubstr("no object 99"));
+    EXPECT_THAT(rejection(d, Hide{}), HasSubstr("names no object"));
+    EXPECT_THAT(rejection(d, Hide{{1, 1}}), HasSubstr("twice"));
+    EXPECT_THAT(rejection(d, SetTransform{1, {.scale = {1, 0, 1}}}), HasSubstr("\"scale\""));
+    EXPECT_THAT(rejection(d, SetRender{{.look = "neon"}}), HasSubstr("studio|clay|dark"));
+    EXPECT_THAT(rejection(d, Rename{1, "\xC3"}), HasSubstr("UTF-8"));
+    EXPECT_THAT(rejection(d, DeleteCamera{"back"}), HasSubstr("\"back\""));
+}
+
+TEST(Place, FallsOnEveryVisibleObjectThatDoesNotLieOnIt)
+{
+    Document d = small_document();
+    EXPECT_THAT(object(d, 3).placement->onto, ElementsAre(1, 2));
+    d = with(d, {AddBox{}, Hide{{1}}, Place{2, small_sketch(), {}, {}}});
+    EXPECT_THAT(object(d, 2).placement->onto, ElementsAre(5)); // not the pot, which lies on 2
+}
+
+TEST(Place, RefusesToLieOnWhatLiesOnIt)
+{
+    const Document d = small_document();
+    EXPECT_THAT(rejection(d, Place{1, small_sketch(), {}, {3}}),
+                HasSubstr("object 3 (Pot) lies on object 1 (Table) already"));
+    EXPECT_THAT(rejection(d, Place{1, small_sketch(), {}, {1}}), HasSubstr("on itself"));
+    const Document stacked = with(d, {AddBox{}, Place{5, small_sketch(), {}, {3}}, Unplace{3}});
+    EXPECT_EQ(rejection(stacked, Place{1, small_sketch(), {}, {3}}), "");
+    EXPECT_THAT(rejection(with(d, {AddBox{}, Place{5, small_sketch(), {}, {3}}}),
+                          Place{1, small_sketch(), {}, {5}}),
+                HasSubstr("already"));
+}
+
+TEST(Place, OpensUpGroupsAndSaysWhenThereIsNothingToLieOn)
+{
+    const Document d = with(small_document(), {Place{2, small_sketch(), {}, {4}}});
+    EXPECT_THAT(object(d, 2).placement->onto, ElementsAre(1));
+    EXPECT_THAT(rejection(with({}, {AddBox{}}), Place{1, small_sketch(), {}, {}}),
+                HasSubstr("nothing visible"));
+}
+
+TEST(Place, SaysWhatIsWrongWithAClickAndWithParametersThatDoNotFit)
+{
+    const Document d = small_document();
+    Sketch click = small_sketch();
+    click.samples.resize(1);
+    EXPECT_THAT(rejection(d, Place{2, click, {}, {1}}), HasSubstr("draw a line"));
+    const auto with_parameters = [&](auto&& change) {
+        PlacementParameters p;
+        change(p);
+        return rejection(d, Place{2, small_sketch(), p, {1}});
+    };
+    EXPECT_THAT(with_parameters([](auto& p) { p.start = 0.6, p.fill = 0.5; }),
+                HasSubstr("more than 1"));
+    EXPECT_THAT(with_parameters([](auto& p) { p.grid = {1024, 1024, 4}; }), HasSubstr("\"grid\""));
+    EXPECT_THAT(with_parameters([](auto& p) { p.orders.z = 6; }), HasSubstr("order 6"));
+    EXPECT_THAT(with_parameters([](auto& p) { p.roll_deg = 45; }), HasSubstr("\"roll_deg\""));
+    EXPECT_THAT(with_parameters([](auto& p) { p.offset = 2; }), HasSubstr("\"parameters.offset\""));
+}
+
+TEST(EditPlacement, KeepsTheStrokeAndTheSupportsUnlessTheyAreGiven)
+{
+    const Document before = small_document();
+    PlacementParameters flat;
+    flat.offset = 1;
+    const Document d = after(before, EditPlacement{3, flat, {}, {}});
+    EXPECT_EQ(object(d, 3).placement->sketch, object(before, 3).placement->sketch);
+    EXPECT_EQ(object(d, 3).placement->onto, object(before, 3).placement->onto);
+    EXPECT_EQ(object(d, 3).placement->parameters, flat);
+    EXPECT_THAT(
+        object(after(before, EditPlacement{3, flat, {}, std::vector<Id>{2}}), 3).placement->onto,
+        ElementsAre(2));
+    EXPECT_THAT(rejection(before, EditPlacement{1, flat, {}, {}}), HasSubstr("not placed"));
+}
+
+TEST(Delete, TakesGroupsWithTheirContentsAndLeavesWhatLayOnThemOnTheRest)
+{
+    const Document d = after(small_document(), Delete{{4}});
+    EXPECT_FALSE(d.objects.contains(1));
+    EXPECT_FALSE(d.objects.contains(4));
+    EXPECT_THAT(object(d, 3).placement->onto, ElementsAre(2));
+}
+
+TEST(Duplicate, KeepsPlacementsAndLetsCopiesLieOnCopies)
+{
+    const Document d = after(small_document(), Duplicate{{3, 2}, {0, 0, 1}});
+    EXPECT_EQ(object(d, 5).name, "Pot 2");
+    EXPECT_EQ(object(d, 6).name, "Ball 2");
+    EXPECT_THAT(object(d, 5).placement->onto, ElementsAre(1, 6));
+    EXPECT_EQ(object(d, 6).transform.translation, glm::dvec3(0, 0, 1));
+    EXPECT_EQ(object(after(d, Duplicate{{5}, {}}), 7).name, "Pot 3");
+}
+
+TEST(Duplicate, CopiesGroupsWithTheirContents)
+{
+    const Document d = after(small_document(), Duplicate{{4}, {1, 0, 0}});
+    EXPECT_EQ(object(d, 6).parent, 5);
+    EXPECT_EQ(to_world(d, 6), glm::dmat4({1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {1, 0, 0, 1}));
+}
+
+TEST(Groups, LeaveTheirMembersWhereTheyAre)
+{
+    const Transform turned{{1, 2, 3}, {10, 20, 30}, {2, 2, 2}};
+    Document d = with({}, {AddBox{"Box", {}, turned}, Group{{1}}, SetTransform{2, turned}});
+    const glm::dmat4 before = to_world(d, 1);
+    for (const Command& command :
+         std::initializer_list<Command>{Group{{2}}, Ungroup{3}, Ungroup{2}}) {
+        d = after(d, command);
+        for (int column = 0; column < 4; ++column)
+            for (int row = 0; row < 4; ++row)
+                EXPECT_NEAR(to_world(d, 1)[column][row], before[column][row], 1e-12);
+    }
+    EXPECT_EQ(object(d, 1).parent, 0);
+}
+
+TEST(Groups, HideWhatIsInThem)
+{
+    const Document d = after(small_document(), Hide{{4}});
+    EXPECT_FALSE(visible(d, 1));
+    EXPECT_FALSE(object(d, 1).hidden);
+}
+
+TEST(Groups, DoNotNestWithoutEnd)
+{
+    Document d = with({}, {AddBox{}});
+    std::string refused;
+    for (Id top = 1; top < 200 && refused.empty(); ++top) {
+        refused = rejection(d, Group{{top}});
+        if (refused.empty()) d = after(d, Group{{top}});
+    }
+    EXPECT_THAT(refused, HasSubstr("64"));
+}
+
+TEST(Transform, TurnsByQuartersExactly)
+{
+    const Transform quarter{{0, 0, 0}, {0, 0, 90}, {1, 1, 1}};
+    EXPECT_EQ(quarter.matrix() * glm::dvec4(1, 2, 3, 1), glm::dvec4(-2, 1, 3, 1));
+}
+
+} // namespace
+} // namespace trivar

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/log.h"
+#include "tests/document/commands.h"
+
+#include <gmock/gmock.h>
+
+namespace trivar {
+namespace {
+
+using ::testing::HasSubstr, ::testing::StartsWith;
+
+std::string rejection(const std::string& text)
+{
+    try {
+        replay(read_log(text, "a.trivar"));
+    } catch (const Rejected& error) {
+        return error.what();
+    }
+    return "";
+}
+
+std::string line_rejection(const std::string& line)
+{
+    return rejection(log_header() + line + "\n");
+}
+
+TEST(Log, ReplaysUndoAndRedoLines)
+{
+    const History history =
+        replay(read_log(log_header() + command_line(AddBox{}) + command_line(AddSphere{}) +
+                            undo_line() + undo_line() + redo_line(),
+                        "a.trivar"));
+    EXPECT_EQ(history.steps().size(), 2u);
+    EXPECT_EQ(history.position(), 1u);
+    EXPECT_EQ(history.document().objects.size(), 1u);
+}
+
+TEST(Log, OfAHistoryGivesTheHistoryBackWithWhatIsUndone)
+{
+    History history;
+    history.run(AddBox{});
+    history.run(AddTorus{});
+    history.undo();
+    const History again = replay(read_log(log_text(history), "a.trivar"));
+    EXPECT_EQ(again.position(), 1u);
+    EXPECT_EQ(again.steps().size(), 2u);
+    EXPECT_EQ(replay(read_log(compact_log_text(history), "a.trivar")).steps().size(), 1u);
+}
+
+TEST(Log, WritesNumbersAsShortAsTheyReadBack)
+{
+    SetMaterial command{.objects = {1}, .surfacing = {.base_color = {0.1f, 0.2f, 0.7f, 1}}};
+    EXPECT_THAT(to_json_line(command), HasSubstr("\"base_color\":[0.1,0.2,0.7,1]"));
+    const Command negative_zero = SetTransform{1, {.translation = {-0.0, 0.1, 1e-300}}};
+    const auto back =
+        std::get<SetTransform>(command_from_json_line(to_json_line(negative_zero))).transform;
+    EXPECT_TRUE(std::signbit(back.translation.x));
+    EXPECT_EQ(back.translation.z, 1e-300);
+}
+
+TEST(Log, NamesLineAndFieldOfWhatItRefuses)
+{
+    EXPECT_THAT(line_rejection(R"({"do":"fly"})"),
+                StartsWith("a.trivar:2: there is no command \"fly\""));
+    EXPECT_THAT(line_rejection(R"({"do":"rename","object":1})"), HasSubstr("\"name\" is missing"));
+    EXPECT_THAT(line_rejection(R"({"do":"rename","object":"1","name":"a"})"),
+                HasSubstr("\"object\" must be a whole number, not \"1\""));
+    EXPECT_THAT(line_rejection(R"({"do":"rename","object":1.5,"name":"a"})"),
+                HasSubstr("whole number"));
+    EXPECT_THAT(line_rejection(R"({"do":"rename","object":99999999999999999999,"name":"a"})"),
+                HasSubstr("whole number"));
+    EXPECT_THAT(line_rejection(R"({"do":"rename","object":7,"name":"a"})"),
+                HasSubstr("no object 7"));
+    EXPECT_THAT(line_rejection(R"({"do":"add_box","size":[1,2]})"), HasSubstr("list of 3 numbers"));
+    EXPECT_THAT(line_rejection(R"({"do":"add_box","size":[1,2,NaN]})"), HasSubstr("no JSON"));
+    EXPECT_THAT(line_rejection(R"({"do":"add_box","size":[1,2,1e999]})"), HasSubstr("too large"));
+    EXPECT_THAT(line_rejection(R"({"do":"add_box","sise":[1,2,3]})"),
+                HasSubstr("\"sise\" is unknown"));
+    EXPECT_THAT(line_rejection(R"({"do":"add_box","name":"a","name":"b"})"), HasSubstr("twice"));
+    EXPECT_THAT(line_rejection(R"({"do":"add_box","transform":{"scale":1}})"),
+                HasSubstr("\"transform.scale\""));
+    EXPECT_THAT(line_rejection(R"({"do":"import","path":"a.obj","up":"x"})"),
+                HasSubstr("auto, y, z"));
+    EXPECT_THAT(line_rejection(R"({"undo":true})"), HasSubstr("nothing to undo"));
+    EXPECT_THAT(line_rejection(R"({"redo":true})"), HasSubstr("nothing to redo"));
+    EXPECT_THAT(line_rejection(R"({"undo":1})"), HasSubstr("must be a command"));
+    EXPECT_THAT(line_rejection(R"([1])"), HasSubstr("object in braces"));
+    EXPECT_THAT(line_rejection(R"({"digest":"12"})"), HasSubstr("32 hexadecimal digits"));
+    EXPECT_THAT(line_rejection(std::string(1000, '[')), HasSubstr("too deeply"));
+}
+
+TEST(Log, RefusesWhatIsNoSceneAndWhatIsNewer)
+{
+    EXPECT_THAT(rejection(""), HasSubstr("empty"));
+    EXPECT_THAT(rejection("v 1 2 3\n"), HasSubstr("a.trivar:1: no JSON"));
+    EXPECT_THAT(rejection("{\"a\":1}\n"), HasSubstr("no Trivar scene"));
+    EXPECT_THAT(rejection("{\"trivar\":2}\n"), HasSubstr("newer"));
+    EXPECT_THAT(rejection("{\"trivar\":1,\"units\":\"ft\"}\n"), HasSubstr("\"units\""));
+    EXPECT_THAT(rejection("{\"trivar\":1,\"wings\":2}\n"), HasSubstr("\"wings\""));
+}
+
+TEST(Log, DropsATornLastLineAtEveryLengthAndSaysSo)
+{
+    const std::string whole = log_header() + command_line(AddBox{});
+    const std::string last = command_line(Rename{1, "Table"});
+    for (std::size_t length = 1; length + 1 < last.size(); ++length) {
+        const Log log = read_log(whole + last.substr(0, length), "a.trivar");
+        EXPECT_EQ(log.lines.size(), 1u);
+        EXPECT_THAT(log.notice, HasSubstr("a.trivar:3:"));
+        EXPECT_EQ(log.good_bytes, whole.size());
+    }
+}
+
+TEST(Log, TakesAWholeLastLineWithoutItsBreakAndBlankLines)
+{
+    const std::string line = command_line(AddBox{});
+    const Log log = read_log(log_header() + "\n" + line.substr(0, line.size() - 1), "a.trivar");
+    EXPECT_EQ(log.lines.size(), 1u);
+    EXPECT_EQ(log.lines.front().number, 3);
+    EXPECT_EQ(log.notice, "");
+    EXPECT_FALSE(log.ends_with_break);
+}
+
+TEST(Log, CutAtAnyByteIsReadOrRefused)
+{
+    std::string text = log_header();
+    for (const Command& command : testing::fitting_commands()) text += command_line(command);
+    for (std::size_t length = 0; length < text.size(); ++length) {
+        try {
+            read_log(text.substr(0, length), "a.trivar");
+        } catch (const Rejected& error) {
+            EXPECT_THAT(error.what(), StartsWith("a.trivar:"));
+        }
+    }
+}
+
+TEST(Log, CarriesDigests)
+{
+    const std::string text = log_header() + check_line(std::string(32, 'a'), std::string(32, 'b'));
+    const Log log = read_log(text, "a.trivar");
+    EXPECT_EQ(log.lines.front().digest, std::string(32, 'a'));
+    EXPECT_EQ(log.lines.front().effects, std::string(32, 'b'));
+}
+
+} // namespace
+} // namespace trivar

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/scene_file.h"
+
+#include "core/base/rejected.h"
+#include "core/base/text.h"
+#include "core/document/log.h"
+#include "tests/support/fixtures.h"
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <sys/resource.h>
+
+namespace trivar {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::TemporaryFolder;
+
+void write(const std::string& path, const std::string& text)
+{
+    std::ofstream(path, std::ios::binary) << text;
+}
+
+// Files may not grow beyond `bytes` while it lives, as on a full disk.
+class FullDisk {
+public:
+    explicit FullDisk(rlim_t bytes)
+    {
+        std::signal(SIGXFSZ, SIG_IGN);
+        ::getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit limit{bytes, before_.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~FullDisk() { ::setrlimit(RLIMIT_FSIZE, &before_); }
+    FullDisk(const FullDisk&) = delete;
+    FullDisk& operator=(const FullDisk&) = delete;
+
+private:
+    rlimit before_{};
+};
+
+TEST(SceneFile, HoldsEachStepTheMomentItIsCommitted)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.trivar");
+    SceneFile scene;
+    scene.run(AddBox{});
+    scene.save_as(path);
+    scene.run(AddSphere{});
+    scene.undo();
+    EXPECT_EQ(scene.trouble(), "");
+    EXPECT_EQ(read_text_file(path),
+              log_header() + command_line(AddBox{}) + command_line(AddSphere{}) + undo_line());
+    scene.propose(AddTorus{});
+    EXPECT_THAT(read_text_file(path), ::testing::Not(HasSubstr("add_torus")));
+}
+
+TEST(SceneFile, OpensWithItsUndoneStepsStillThere)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.trivar");
+    {
+        SceneFile scene;
+        scene.save_as(path);
+        scene.run(AddBox{});
+        scene.run(AddSphere{});
+        scene.undo();
+    }
+    SceneFile scene(path);
+    EXPECT_EQ(scene.document().objects.size(), 1u);
+    EXPECT_TRUE(scene.redo());
+    EXPECT_EQ(scene.document().objects.size(), 2u);
+    EXPECT_TRUE(scene.notices().empty());
+}
+
+TEST(SceneFile, SavesCompactWithoutWhatIsUndone)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.trivar");
+    SceneFile scene;
+    scene.run(AddBox{});
+    scene.run(AddSphere{});
+    scene.undo();
+    const Ref<Object> box = scene.document().objects.at(1);
+    scene.save_as(path);
+    scene.save_compact(path);
+    EXPECT_EQ(read_text_file(path), log_header() + command_line(AddBox{}));
+    EXPECT_FALSE(scene.redo());
+    EXPECT_EQ(scene.document().objects.at(1), box);
+    scene.run(AddTorus{});
+    EXPECT_EQ(SceneFile(path).document().objects.size(), 2u);
+}
+
+TEST(SceneFile, OpenedTwiceIsACopyTheSecondTime)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.trivar");
+    SceneFile first;
+    first.run(AddBox{});
+    first.save_as(path);
+    const std::string before = read_text_file(path);
+    SceneFile second(path);
+    EXPECT_EQ(second.path(), "");
+    ASSERT_EQ(second.notices().size(), 1u);
+    EXPECT_THAT(second.notices().front(), HasSubstr("copy"));
+    second.run(AddSphere{});
+    EXPECT_EQ(read_text_file(path), before);
+    EXPECT_THROW(second.save_as(path), Rejected);
+    EXPECT_EQ(read_text_file(path), before);
+    first = SceneFile();
+    EXPECT_EQ(SceneFile(path).path(), path);
+}
+
+TEST(SceneFile, KeepsTheFileWithATornLineBesideBeforeItGoesOn)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.trivar");
+    const std::string whole = log_header() + command_line(AddBox{});
+    const std::string torn = whole + "{\"do\":\"rena";
+    write(path, torn);
+    SceneFile scene(path);
+    ASSERT_EQ(scene.notices().size(), 1u);
+    EXPECT_EQ(read_text_file(path), torn); // looking changes nothing
+    scene.run(AddSphere{});
+    EXPECT_EQ(scene.trouble(), "");
+    EXPECT_EQ(read_text_file(path), whole + command_line(AddSphere{}));
+    EXPECT_EQ(read_text_file(path + ".torn"), torn);
+}
+
+TEST(SceneFile, GoesOnAfterALastLineWithoutABreak)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.trivar");
+    const std::string whole = log_header() + command_line(AddBox{});
+    write(path, whole.substr(0, whole.size() - 1));
+    SceneFile(path).run(AddSphere{});
+    EXPECT_EQ(read_text_file(path), whole + command_line(AddSphere{}));
+}
+
+TEST(SceneFile, SaysThatTheDiskIsFullAndCatchesUpLater)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.trivar");
+    SceneFile scene;
+    scene.run(AddBox{});
+    scene.save_as(path);
+    const std::string before = read_text_file(path);
+    {
+        const FullDisk full(before.size() + 10);
+        scene.run(AddSphere{});
+        EXPECT_THAT(scene.trouble(), HasSubstr("cannot be written"));
+        EXPECT_EQ(read_text_file(path), before); // no half line
+        EXPECT_EQ(scene.document().objects.size(), 2u);
+    }
+    scene.undo();
+    EXPECT_EQ(scene.trouble(), "");
+    EXPECT_EQ(read_text_file(path), before + command_line(AddSphere{}) + undo_line());
+}
+
+TEST(SceneFile, LeavesThePreviousFileWhenSavingFails)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.trivar");
+    write(path, "precious");
+    SceneFile scene;
+    scene.run(AddBox{});
+    {
+        const FullDisk full(20);
+        EXPECT_THROW(scene.save_as(path), Rejected);
+    }
+    EXPECT_EQ(read_text_file(path), "precious");
+    EXPECT_EQ(scene.path(), "");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
+    EXPECT_THROW(scene.save_as(folder.file("missing/a.trivar")), Rejected);
+    EXPECT_THROW(scene.save_as(folder.path().string()), Rejected);
+    EXPECT_THROW(scene.save_as("/dev/null"), Rejected);
+}
+
+TEST(SceneFile, NoticesThatItsFileWasTakenAway)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.trivar");
+    SceneFile scene;
+    scene.save_as(path);
+    std::filesystem::remove(path);
+    scene.run(AddBox{});
+    EXPECT_THAT(scene.trouble(), HasSubstr("moved or deleted"));
+    scene.save_as(path);
+    EXPECT_EQ(scene.trouble(), "");
+    EXPECT_EQ(read_text_file(path), log_header() + command_line(AddBox{}));
+}
+
+TEST(SceneFile, RewritesPathsWhenItIsSavedInAnotherFolder)
+{
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder.path() / "scenes");
+    SceneFile scene;
+    scene.save_as(folder.file("a.trivar"));
+    ImportModel import;
+    import.file.path = "models/snail.obj";
+    scene.run(import);
+    scene.save_as(folder.file("scenes/a.trivar"));
+    EXPECT_EQ(std::get<ImportedFile>(object(scene.document(), 1).source).path,
+              "../models/snail.obj");
+    EXPECT_EQ(scene.folder(), (folder.path() / "scenes").string());
+}
+
+TEST(SceneFile, RefusesWhatIsNoSceneFileByName)
+{
+    const TemporaryFolder folder;
+    write(folder.file("a.trivar"), "no");
+    EXPECT_THROW(SceneFile(folder.file("a.trivar")), Rejected);
+    EXPECT_THROW(SceneFile(folder.file("missing.trivar")), Rejected);
+    EXPECT_THROW(SceneFile(folder.path().string()), Rejected);
+    EXPECT_THROW(SceneFile("/dev/zero"), Rejected);
+}
+
+} // namespace
+} // namespace trivar
