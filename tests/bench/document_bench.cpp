@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/log.h"
+#include "core/document/scene_file.h"
+#include "tests/support/fixtures.h"
+
+#include <benchmark/benchmark.h>
+#include <fstream>
+
+// A scene of 200 objects and 1,000 small edits, the sizes that docs/benchmarks.md speaks of.
+namespace trivar {
+namespace {
+
+History edited_scene(int objects, int edits)
+{
+    History history;
+    for (int i = 0; i < objects; ++i) history.run(AddBox{});
+    for (int i = objects; i < edits; ++i)
+        history.run(SetTransform{1 + i % objects, {.translation = {0.1 * i, 1.0 / (1 + i), 0}}});
+    return history;
+}
+
+void open_log_of_1000_edits(benchmark::State& state)
+{
+    const testing::TemporaryFolder folder;
+    const std::string path = folder.file("a.trivar");
+    std::ofstream(path) << log_text(edited_scene(200, 1000));
+    for (auto _ : state) benchmark::DoNotOptimize(SceneFile(path));
+}
+BENCHMARK(open_log_of_1000_edits)->Unit(benchmark::kMillisecond);
+
+void undo_and_redo_with_200_objects(benchmark::State& state)
+{
+    History history = edited_scene(200, 1000);
+    for (auto _ : state) {
+        history.undo();
+        history.redo();
+    }
+}
+BENCHMARK(undo_and_redo_with_200_objects);
+
+void undo_by_replaying_with_200_objects(benchmark::State& state) // the baseline: no kept documents
+{
+    const History history = edited_scene(200, 1000);
+    for (auto _ : state) {
+        History again;
+        for (std::size_t i = 0; i + 1 < history.steps().size(); ++i)
+            again.run(history.steps()[i].command);
+        benchmark::DoNotOptimize(again);
+    }
+}
+BENCHMARK(undo_by_replaying_with_200_objects)->Unit(benchmark::kMillisecond);
+
+void commit_to_file_with_200_objects(benchmark::State& state)
+{
+    const testing::TemporaryFolder folder;
+    SceneFile scene;
+    for (int i = 0; i < 200; ++i) scene.run(AddBox{});
+    scene.save_as(folder.file("a.trivar"));
+    double x = 0;
+    for (auto _ : state) scene.run(SetTransform{1, {.translation = {x += 0.1, 0, 0}}});
+}
+BENCHMARK(commit_to_file_with_200_objects)->Unit(benchmark::kMicrosecond);
+
+} // namespace
+} // namespace trivar

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/command_line/command_line.h"
+
+#include "core/base/text.h"
+#include "core/document/log.h"
+#include "tests/support/fixtures.h"
+
+#include <filesystem>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace trivar {
+namespace {
+
+using ::testing::AnyOf, ::testing::HasSubstr, ::testing::IsEmpty, ::testing::Not;
+using testing::TemporaryFolder;
+
+struct Ran {
+    Status status;
+    std::string out, talk;
+};
+
+Ran run(const std::vector<std::string>& arguments)
+{
+    std::ostringstream out, talk;
+    const Status status = run_program(arguments, {out, talk});
+    return {status, out.str(), talk.str()};
+}
+
+void write(const std::string& path, const std::string& text)
+{
+    std::ofstream(path, std::ios::binary) << text;
+}
+
+// A teapot laid over a table.
+std::string scene_text()
+{
+    AddBox table;
+    table.shape.size = {4, 4, 0.5};
+    AddTeapot pot;
+    pot.shape = {.height = 0.3, .resolution = 4};
+    Sketch sketch;
+    sketch.camera.eye = {0, -4, 4};
+    for (int i = 0; i < 9; ++i) sketch.samples.push_back({{440 + 50 * i, 360}, 0.1 * i, 1});
+    return log_header() + command_line(table) + command_line(pot) +
+           command_line(Place{2, sketch, {}, {1}});
+}
+
+TEST(CommandLine, HelpIsAResultAndSpeaksOfExitStatuses)
+{
+    for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+             {"--help"}, {"replay", "--help"}, {"info", "--help"}, {"commands", "--help"}}) {
+        const Ran ran = run(arguments);
+        EXPECT_EQ(ran.status, Status::done);
+        EXPECT_THAT(ran.out, HasSubstr("trivar"));
+        EXPECT_THAT(ran.talk, IsEmpty());
+    }
+    EXPECT_THAT(run({"--help"}).out, HasSubstr("3 a check failed"));
+}
+
+TEST(CommandLine, WrongUsageIsStatusTwoAndNoResult)
+{
+    for (const std::vector<std::string>& arguments :
+         std::vector<std::vector<std::string>>{{"replay"},
+                                               {"--wings"},
+                                               {"replay", "a", "--to", "x"},
+                                               {"commands", "--json", "--markdown"}}) {
+        const Ran ran = run(arguments);
+        EXPECT_EQ(ran.status, Status::usage);
+        EXPECT_THAT(ran.out, IsEmpty());
+        EXPECT_THAT(ran.talk, Not(IsEmpty()));
+    }
+}
+
+TEST(CommandLine, ListsCommands)
+{
+    EXPECT_THAT(run({"commands"}).out, HasSubstr("add_teapot"));
+    EXPECT_GT(nlohmann::json::parse(run({"commands", "--json"}).out).size(), 20u);
+    EXPECT_EQ(run({"commands", "--markdown"}).out, commands_markdown());
+}
+
+TEST(Replay, RejectsWithFileAndLine)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.trivar");
+    write(path, log_header() + "{\"do\":\"fly\"}\n");
+    const Ran ran = run({"replay", path});
+    EXPECT_EQ(ran.status, Status::rejected);
+    EXPECT_THAT(ran.talk, HasSubstr(path + ":2: there is no command"));
+    EXPECT_EQ(run({"replay", folder.file("missing.trivar")}).status, Status::rejected);
+    EXPECT_EQ(run({"replay", folder.path().string()}).status, Status::rejected);
+    EXPECT_EQ(run({"replay", "/dev/zero"}).status, Status::rejected);
+}
+
+TEST(Replay, ChecksItsOwnDigestsWithAnyNumberOfThreads)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.trivar");
+    write(path, scene_text());
+    const Ran printed = run({"replay", path, "--digest"});
+    ASSERT_EQ(printed.status, Status::done) << printed.talk;
+    write(path, scene_text() + printed.out);
+    for (const char* threads : {"1", "2"}) {
+        const Ran ran = run({"replay", path, "--check", "--threads", threads});
+        EXPECT_EQ(ran.status, Status::done) << ran.talk;
+    }
+}
+
+TEST(Replay, NamesTheFirstLineThatDiffers)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.trivar");
+    const std::string zeros(32, '0');
+    write(path, scene_text() + check_line(zeros, "") + check_line("", zeros));
+    const Ran ran = run({"replay", path, "--check"});
+    EXPECT_EQ(ran.status, Status::check_failed);
+    EXPECT_THAT(ran.talk, HasSubstr(path + ":5: the scene's digest differs"));
+    EXPECT_THAT(ran.talk, Not(HasSubstr(path + ":6:")));
+    EXPECT_EQ(run({"replay", path, "--check", "--to", "4"}).status, Status::done);
+}
+
+TEST(Replay, SaysWhatIsMissingAndFailsTheCheck)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.trivar");
+    ImportModel import;
+    import.file.path = "snail.obj";
+    write(path, log_header() + command_line(import));
+    const Ran ran = run({"replay", path});
+    EXPECT_EQ(ran.status, Status::done);
+    EXPECT_THAT(ran.talk, HasSubstr("snail.obj"));
+    EXPECT_EQ(run({"replay", path, "--check"}).status, Status::check_failed);
+}
+
+TEST(Replay, RelinksFilesByName)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.trivar");
+    ImportModel import;
+    import.file.path = "models/triangle.obj";
+    write(path, log_header() + command_line(import));
+    write(folder.file("other.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const Ran ran =
+        run({"replay", path, "--set", "triangle.obj=" + folder.file("other.obj"), "--check"});
+    EXPECT_EQ(ran.status, Status::done) << ran.talk;
+    EXPECT_EQ(run({"replay", path, "--set", "triangle.obj"}).status, Status::rejected);
+}
+
+TEST(Replay, ExportsTheResultAndItsTimings)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.trivar");
+    write(path, scene_text());
+    const Ran ran = run({"replay", path, "--export", folder.file("a.obj"), folder.file("a.glb"),
+                         "--timings", folder.file("t.json")});
+    ASSERT_EQ(ran.status, Status::done) << ran.talk;
+    EXPECT_THAT(ran.out, IsEmpty());
+    for (const char* name : {"a.obj", "a.glb"}) {
+        const Ran info = run({"info", folder.file(name), "--json"});
+        ASSERT_EQ(info.status, Status::done) << info.talk;
+        EXPECT_EQ(nlohmann::json::parse(info.out).at(0).at("kind"), "model");
+    }
+    const auto timings = nlohmann::json::parse(read_text_file(folder.file("t.json")));
+    std::set<std::string> names;
+    for (const auto& stage : timings.at("stages")) names.insert(stage.at("name"));
+    for (const char* name : {"import", "rays", "springs", "lift", "volume", "deform"})
+        EXPECT_TRUE(names.contains(name)) << name;
+}
+
+TEST(Replay, DrawsAPictureWithoutADisplay)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.trivar");
+    write(path, scene_text());
+    const Ran ran = run({"replay", path, "--image", folder.file("a.png"), "--size", "160x90"});
+    ASSERT_EQ(ran.status, Status::done) << ran.talk;
+    const auto facts = nlohmann::json::parse(run({"info", folder.file("a.png"), "--json"}).out);
+    EXPECT_EQ(facts.at(0).at("width_px"), 160);
+    EXPECT_EQ(run({"replay", path, "--size", "9x"}).status, Status::rejected);
+    EXPECT_EQ(run({"replay", path, "--image", folder.file("b.png"), "--camera", "moon"}).status,
+              Status::rejected);
+}
+
+TEST(Info, DescribesScenesAndGoesOnAfterAFileItCannotRead)
+{
+    const TemporaryFolder folder;
+    write(folder.file("a.trivar"), scene_text());
+    const Ran ran = run({"info", folder.file("missing.obj"), folder.file("a.trivar")});
+    EXPECT_EQ(ran.status, Status::rejected);
+    EXPECT_THAT(ran.talk, HasSubstr("missing.obj"));
+    EXPECT_THAT(ran.out, HasSubstr("scene"));
+}
+
+} // namespace
+} // namespace trivar
