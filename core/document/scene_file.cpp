@@ -5,6 +5,7 @@
 #include "core/document/locked_file.h"
 #include "core/document/log.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <optional>
@@ -18,17 +19,23 @@ std::string absolute_folder(const std::string& path)
     return std::filesystem::absolute(path).lexically_normal().parent_path().string();
 }
 
-// The steps of a history with the paths of imports as they are from another folder.
+bool imports_by_relative_path(const History::Step& step)
+{
+    const auto* import = std::get_if<ImportModel>(&step.command);
+    return import && std::filesystem::path(import->file.path).is_relative();
+}
+
+// The history with the paths of imports as they are from another folder.
 History moved(const History& history, const std::filesystem::path& from,
-              const std::filesystem::path& to, std::size_t count)
+              const std::filesystem::path& to)
 {
     History result;
-    for (std::size_t i = 0; i < count; ++i) {
-        Command command = history.steps()[i].command;
-        if (auto* import = std::get_if<ImportModel>(&command);
-            import && std::filesystem::path(import->file.path).is_relative())
-            import->file.path =
-                (from / import->file.path).lexically_normal().lexically_relative(to).string();
+    for (const History::Step& step : history.steps()) {
+        Command command = step.command;
+        if (imports_by_relative_path(step)) {
+            std::string& path = std::get<ImportModel>(command).file.path;
+            path = (from / path).lexically_normal().lexically_relative(to).string();
+        }
         result.run(std::move(command));
     }
     while (result.position() > history.position()) result.undo();
@@ -153,17 +160,16 @@ void SceneFile::save(const std::string& path, bool compact)
     if (!in_place && std::filesystem::is_regular_file(path, ignored) &&
         LockedFile(path).access() == LockedFile::Access::in_use)
         throw Rejected(path + ": is open in another Trivar; choose another name");
+    // Where no path changes the very documents stay, and with them what was computed from them.
     std::optional<History> other;
-    if (compact || folder != s.folder)
-        other = moved(s.history, s.folder, folder,
-                      compact ? s.history.position() : s.history.steps().size());
-    const std::string text = log_text(other ? *other : s.history);
+    if (folder != s.folder && std::ranges::any_of(s.history.steps(), imports_by_relative_path))
+        other = moved(s.history, s.folder, folder);
+    const History& kept = other ? *other : s.history;
+    const std::string text = compact ? compact_log_text(kept) : log_text(kept);
     if (in_place) keep_torn();
     LockedFile file(path, text);
-    if (other && folder == s.folder)
-        s.history.forget_undone(); // the very documents stay, and with them what was computed
-    else if (other)
-        s.history = std::move(*other);
+    if (other) s.history = std::move(*other);
+    if (compact) s.history.forget_undone();
     s.history.cancel();
     s.file.emplace(std::move(file));
     s.path = path;
