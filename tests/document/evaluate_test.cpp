@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/evaluate.h"
+
+#include "core/base/parallel.h"
+#include "core/base/rejected.h"
+#include "core/document/command.h"
+#include "tests/document/commands.h"
+
+#include <gmock/gmock.h>
+
+namespace trivar {
+namespace {
+
+using ::testing::HasSubstr, ::testing::IsEmpty;
+using testing::small_document, testing::small_sketch;
+
+Evaluator new_evaluator()
+{
+    return Evaluator(std::make_shared<const AssetStore>("."));
+}
+
+bool has_stage(const Evaluated& evaluated, const std::string& name)
+{
+    for (const Timings::Stage& stage : evaluated.timings.stages)
+        if (stage.name == name) return true;
+    return false;
+}
+
+// The teapot lies on table and ball; another lies on the teapot.
+Document stacked_document()
+{
+    AddTorus ring;
+    ring.shape = {.radius = 0.1, .tube = 0.03, .segments = {24, 12}};
+    Sketch sketch = small_sketch();
+    for (StrokeSample& sample : sketch.samples) sample.p_px.x = 540 + (sample.p_px.x - 440) / 2;
+    return after(after(small_document(), ring), Place{5, sketch, {}, {3}});
+}
+
+TEST(Evaluator, LaysWhatIsPlacedIntoTheWorldAndLeavesTheRestWhereItIs)
+{
+    Evaluator evaluate = new_evaluator();
+    const Evaluated result = evaluate(small_document());
+    ASSERT_EQ(result.objects.size(), 3u); // a group is nothing to see
+    const EvaluatedObject& pot = *result.objects.at(3);
+    ASSERT_THAT(pot.rejected, IsEmpty());
+    ASSERT_TRUE(pot.placement);
+    EXPECT_EQ(pot.parts.front().to_world, glm::dmat4(1));
+    EXPECT_GT(pot.bounds.hi.z, 0.2); // on the table, whose top is at 0.25
+    EXPECT_EQ(result.objects.at(2)->parts.front().to_world, glm::dmat4(1));
+    EXPECT_NEAR(result.objects.at(1)->bounds.hi.z, 0.25, 1e-6);
+}
+
+TEST(Evaluator, KeepsThePointersOfWhatDidNotChange)
+{
+    Evaluator evaluate = new_evaluator();
+    const Document document = small_document();
+    const Evaluated first = evaluate(document);
+    EXPECT_EQ(evaluate(document).objects, first.objects);
+    const Evaluated renamed = evaluate(after(document, Rename{3, "Kettle"}));
+    EXPECT_EQ(renamed.objects, first.objects);
+    const Evaluated painted = evaluate(after(document, SetMaterial{{3}, {}}));
+    EXPECT_EQ(painted.objects.at(1), first.objects.at(1));
+    EXPECT_NE(painted.objects.at(3), first.objects.at(3));
+    EXPECT_EQ(painted.objects.at(3)->parts, first.objects.at(3)->parts);
+    EXPECT_TRUE(painted.timings.stages.empty());
+}
+
+TEST(Evaluator, FindsTheResultOfTheStepBeforeOnUndo)
+{
+    Evaluator evaluate = new_evaluator();
+    const Document before = small_document();
+    const Evaluated first = evaluate(before);
+    evaluate(after(before, SetTransform{1, {.translation = {0, 0, 0.1}}}));
+    const Evaluated again = evaluate(before);
+    EXPECT_EQ(again.objects, first.objects);
+    EXPECT_TRUE(again.timings.stages.empty());
+}
+
+TEST(Evaluator, LaysTheUpperOneAgainWhenTheLowerOneChanges)
+{
+    Evaluator evaluate = new_evaluator();
+    const Document document = stacked_document();
+    const Evaluated first = evaluate(document);
+    ASSERT_THAT(first.objects.at(5)->rejected, IsEmpty());
+    PlacementParameters higher = object(document, 3).placement->parameters;
+    higher.height = 0.4;
+    const Evaluated result = evaluate(after(document, EditPlacement{3, higher, {}, {}}));
+    ASSERT_THAT(result.objects.at(5)->rejected, IsEmpty());
+    EXPECT_GT(result.objects.at(5)->bounds.hi.z, first.objects.at(5)->bounds.hi.z + 0.05);
+    EXPECT_EQ(result.objects.at(2), first.objects.at(2));
+}
+
+TEST(Evaluator, DoesNotTouchWhatLiesBelowWhenTheUpperOneChanges)
+{
+    Evaluator evaluate = new_evaluator();
+    const Document document = stacked_document();
+    const Evaluated first = evaluate(document);
+    PlacementParameters other = object(document, 5).placement->parameters;
+    other.height = 0.3;
+    const Evaluated result = evaluate(after(document, EditPlacement{5, other, {}, {}}));
+    EXPECT_EQ(result.objects.at(3), first.objects.at(3));
+    EXPECT_NE(result.objects.at(5), first.objects.at(5));
+    EXPECT_TRUE(has_stage(result, "deform"));
+    EXPECT_FALSE(has_stage(result, "import"));
+}
+
+TEST(Evaluator, HidesTheTableWithoutDroppingThePot)
+{
+    Evaluator evaluate = new_evaluator();
+    const Document document = small_document();
+    const Evaluated first = evaluate(document);
+    const Evaluated result = evaluate(after(document, Hide{{4}}));
+    EXPECT_FALSE(result.objects.contains(1));
+    EXPECT_EQ(result.objects.at(3), first.objects.at(3));
+    Evaluator fresh = new_evaluator();
+    EXPECT_EQ(fresh(after(document, Hide{{4}})).objects.at(3)->bounds.hi,
+              first.objects.at(3)->bounds.hi);
+}
+
+TEST(Evaluator, SaysWhenAStrokeGivesNothingAndStandsTheObjectStraight)
+{
+    Evaluator evaluate = new_evaluator();
+    Sketch sky = small_sketch();
+    for (StrokeSample& sample : sky.samples) sample.p_px.y = 5;
+    const Evaluated missed =
+        evaluate(after(small_document(), EditPlacement{3, {}, sky, std::nullopt}));
+    EXPECT_FALSE(missed.objects.at(3)->rejected.empty());
+    EXPECT_FALSE(missed.objects.at(3)->placement);
+    EXPECT_FALSE(missed.objects.at(3)->parts.empty());
+    const Evaluated alone = evaluate(after(small_document(), Delete{{2, 4}}));
+    EXPECT_THAT(alone.objects.at(3)->rejected, HasSubstr("is gone"));
+}
+
+TEST(Evaluator, GivesTheSameBitsForAnyNumberOfThreadsAndAnyWayThere)
+{
+    const Document document = stacked_document();
+    Evaluator evaluate = new_evaluator();
+    evaluate(small_document());
+    evaluate(after(document, Hide{{2}}));
+    const std::string expected = digest(evaluate(document));
+    for (const int threads : {1, 2, 4}) {
+        const ThreadLimit limit(threads);
+        Evaluator fresh = new_evaluator();
+        EXPECT_EQ(digest(fresh(document)), expected) << threads;
+    }
+}
+
+TEST(Evaluator, ScalesAndMirrorsBeforeItLaysDown)
+{
+    Evaluator evaluate = new_evaluator();
+    const Document document = small_document();
+    const Evaluated mirrored = evaluate(after(document, SetTransform{3, {.scale = {1, -1, 1}}}));
+    const EvaluatedObject& pot = *mirrored.objects.at(3);
+    ASSERT_THAT(pot.rejected, IsEmpty());
+    // Still turned inside in: the faces' volume is positive.
+    const Mesh& mesh = *pot.parts.front().mesh;
+    double volume = 0;
+    const glm::dvec3 middle = pot.bounds.center();
+    for (const glm::uvec3& t : triangles(mesh))
+        volume += glm::dot(glm::dvec3(mesh.positions[t.x]) - middle,
+                           glm::cross(glm::dvec3(mesh.positions[t.y]) - middle,
+                                      glm::dvec3(mesh.positions[t.z]) - middle));
+    EXPECT_GT(volume, 0);
+}
+
+TEST(Evaluator, CoversAnObjectWithOnePlainMaterial)
+{
+    Evaluator evaluate = new_evaluator();
+    const Surfacing red{{1, 0, 0, 0.5f}, 1, 0.2f};
+    const Evaluated result = evaluate(after(small_document(), SetMaterial{{2}, red}));
+    for (const Material& material : *result.objects.at(2)->materials) {
+        EXPECT_EQ(material.base_color, red.base_color);
+        EXPECT_EQ(material.metallic, 1);
+        EXPECT_EQ(material.alpha, Material::Alpha::blend);
+    }
+}
+
+TEST(Evaluator, LetsLongWorkBeStopped)
+{
+    Evaluator evaluate = new_evaluator();
+    const Progress stop = [](double, std::string_view) { throw Cancelled(); };
+    EXPECT_THROW(evaluate(small_document(), stop), Cancelled);
+    EXPECT_EQ(evaluate(small_document()).objects.size(), 3u);
+}
+
+TEST(ModelOf, HoldsEveryPartWithItsNameAndMaterials)
+{
+    Evaluator evaluate = new_evaluator();
+    const Document document = after(small_document(), SetMaterial{{2}, {}});
+    const Model model = model_of(evaluate(document), document);
+    ASSERT_EQ(model.nodes.size(), 3u);
+    EXPECT_EQ(model.nodes[1].name, "Ball");
+    for (const Ref<Mesh>& mesh : model.meshes)
+        for (const std::uint32_t material : mesh->face_material)
+            EXPECT_LT(material, model.materials.size());
+}
+
+} // namespace
+} // namespace trivar
