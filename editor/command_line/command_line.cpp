@@ -3,10 +3,13 @@
 
 #include "core/base/rejected.h"
 #include "core/document/command.h"
+#include "editor/app.h"
 #include "editor/command_line/info.h"
 #include "editor/command_line/replay.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
 #include <new>
 
 namespace trivar {
@@ -90,6 +93,19 @@ Status list_commands(const Choices& choices, const Streams& streams)
     return Status::done;
 }
 
+// Those of the checkout that the program was built in.
+std::vector<std::string> sample_scenes()
+{
+    std::vector<std::string> scenes;
+    std::error_code error;
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+    const std::filesystem::path folder = program.parent_path().parent_path() / "assets" / "scenes";
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error))
+        if (entry.path().extension() == ".trivar") scenes.push_back(entry.path().string());
+    std::ranges::sort(scenes);
+    return scenes;
+}
+
 Status dispatch(const std::vector<std::string>& arguments, const Streams& streams)
 {
     Choices choices;
@@ -116,8 +132,10 @@ Status dispatch(const std::vector<std::string>& arguments, const Streams& stream
     if (replay->parsed()) return run_replay(choices.replay, streams);
     if (info->parsed()) return run_info(choices.info, streams);
     if (commands->parsed()) return list_commands(choices, streams);
-    streams.talk << "trivar: this build has no window yet; trivar replay draws scenes\n";
-    return Status::usage;
+    EditorOptions options;
+    options.files = choices.files;
+    options.samples = sample_scenes();
+    return run_editor(options) == 0 ? Status::done : Status::rejected;
 }
 
 } // namespace
