@@ -2,6 +2,7 @@
 #include "editor/viewport.h"
 
 #include "ui/camera_control.h"
+#include "ui/timing_overlay.h"
 
 #include <algorithm>
 #include <cmath>
@@ -148,7 +149,9 @@ ViewportInput Viewport::take_input(Session& session, const ui::Frame& frame, con
 unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 size_px, bool moving,
                         int state, const std::function<std::vector<gpu::Line>()>& lines)
 {
-    constexpr double rest_s = 0.2; // so long nothing moves before the picture is worth the time
+    // So long nothing moves before a full picture is begun: longer where pictures are slow, for
+    // the window stands still while one is drawn.
+    const double rest_s = std::clamp(2e-3 * ui::total_ms(timings_), 0.2, 1.5);
     Shown wanted{session.camera, session.evaluation(),           session.selected, size_px, state,
                  false,          session.document().render.get()};
     if (shown_) { // what was drawn as a draft is compared without that

@@ -104,10 +104,8 @@ Edit type_number(const Theme& theme, const Memory& memory, double& value, const 
     paint_rim({{lo.x, lo.y}, {hi.x, hi.y}}, theme.color.focus, theme.size.rounding_small,
               1.5f * theme.scale);
     const std::optional<double> typed = parse_number(text.c_str());
-    if (ImGui::IsItemActive()) {
-        if (typed) memory.set(*typed);
-        return Edit::none;
-    }
+    if (typed) memory.set(*typed);
+    if (ImGui::IsItemActive()) return Edit::none;
     if (memory.travel() < 3) return Edit::none; // the keyboard arrives a frame later
     memory.set_mode(Memory::resting);
     const double result = std::clamp(memory.get(), style.lo, style.hi);

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/command.h"
+#include "editor/actions.h"
+#include "editor/editor.h"
+#include "editor/panels/panels.h"
+#include "tests/support/fixtures.h"
+#include "ui/camera_control.h"
+#include "ui/headless.h"
+
+#include <chrono>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <imgui.h>
+#include <thread>
+
+namespace trivar {
+namespace {
+
+using ui::Button;
+
+// The whole editor without a screen, driven by the mouse and keys of nobody.
+struct Rig {
+    ui::HeadlessFrames screen{{960, 640}};
+    Editor editor{[] {}};
+
+    ui::DrawFrame body()
+    {
+        return [this](ui::Frame& frame) { draw_editor(editor, frame); };
+    }
+    void frames(int count = 3) { screen.frames(count, body()); }
+    // Until nothing works in the background any more.
+    void wait()
+    {
+        using namespace std::chrono_literals;
+        for (int i = 0; i < 2000; ++i) {
+            frames(1);
+            if (editor.session.up_to_date() && !editor.session.jobs().status() &&
+                !editor.session.committing())
+                break;
+            std::this_thread::sleep_for(5ms);
+        }
+        frames(2);
+    }
+    void key(const ui::Chord& chord)
+    {
+        if (chord.ctrl) screen.input().push(ui::press_key(ui::key_left_control));
+        if (chord.shift) screen.input().push(ui::press_key(ui::key_left_shift));
+        screen.input().push(ui::press_key(chord.key));
+        screen.input().push(ui::press_key(chord.key, false));
+        if (chord.shift) screen.input().push(ui::press_key(ui::key_left_shift, false));
+        if (chord.ctrl) screen.input().push(ui::press_key(ui::key_left_control, false));
+        frames(8);
+    }
+    void click(glm::vec2 at)
+    {
+        screen.input().push(ui::move_to(at));
+        screen.input().push(ui::press(Button::left));
+        screen.input().push(ui::press(Button::left, false));
+        frames(4);
+    }
+    void draw(const std::vector<glm::vec2>& path, bool let_go = true)
+    {
+        screen.input().push(ui::move_to(path.front(), 0));
+        screen.input().push(ui::press(Button::left));
+        frames(3);
+        double time_s = 0;
+        for (std::size_t i = 1; i < path.size(); ++i)
+            for (int k = 1; k <= 8; ++k) {
+                const float t = static_cast<float>(k) / 8;
+                screen.input().push(ui::move_to(glm::mix(path[i - 1], path[i], t), time_s += 0.01));
+                frames(1);
+            }
+        if (let_go) screen.input().push(ui::press(Button::left, false));
+        frames(3);
+    }
+    Layout layout() const { return layout_of(screen.theme(), {960, 640}, true); }
+    std::size_t steps() const { return editor.session.scene().history().position(); }
+
+    // A wide plane and a small box above it, seen from the front and above.
+    void two_objects()
+    {
+        AddPlane plane;
+        plane.shape.size = {6, 6};
+        ASSERT_TRUE(editor.session.run(plane));
+        AddBox box;
+        box.shape.size = {1.2, 0.3, 0.3};
+        box.transform.translation = {0, 0, 1};
+        ASSERT_TRUE(editor.session.run(box));
+        editor.session.selected = 2;
+        editor.session.camera.eye = {0.5, -6, 4};
+        editor.session.camera.target = {0, 0, 0};
+        wait();
+    }
+    std::vector<glm::vec2> stroke() const
+    {
+        const glm::vec2 c = layout().view.center();
+        return {c + glm::vec2(-140, 40), c + glm::vec2(0, 10), c + glm::vec2(140, 40)};
+    }
+};
+
+TEST(EditorWindow, AnEmptyEditorSettlesAndThenDrawsNothing)
+{
+    Rig rig;
+    rig.wait();
+    EXPECT_LT(rig.screen.settle(rig.body(), 200), 60);
+    const long pictures = rig.editor.viewport.pictures();
+    rig.frames(20);
+    EXPECT_EQ(rig.editor.viewport.pictures(), pictures)
+        << "the scene is drawn only when it changes";
+}
+
+TEST(EditorWindow, AStrokeIsOneStepThatCanBeUndoneAndRedone)
+{
+    Rig rig;
+    rig.two_objects();
+    rig.key({'P'});
+    EXPECT_EQ(rig.editor.active_tool().name(), "Place");
+    rig.draw(rig.stroke());
+    rig.wait();
+    ASSERT_EQ(rig.steps(), 3u) << (rig.editor.session.notices.all().empty()
+                                       ? ""
+                                       : rig.editor.session.notices.all().back().body);
+    EXPECT_TRUE(rig.editor.session.evaluated().objects.at(2)->placement);
+
+    rig.key({.key = 'Z', .ctrl = true});
+    rig.wait();
+    EXPECT_EQ(rig.steps(), 2u);
+    EXPECT_FALSE(rig.editor.session.evaluated().objects.at(2)->placement);
+
+    rig.key({.key = 'Z', .ctrl = true, .shift = true});
+    rig.wait();
+    EXPECT_EQ(rig.steps(), 3u);
+    EXPECT_TRUE(rig.editor.session.evaluated().objects.at(2)->placement);
+}
+
+TEST(EditorWindow, AStrokeIsSeenBeforeTheButtonIsLetGoAndEscapeTakesItBack)
+{
+    Rig rig;
+    rig.two_objects();
+    rig.key({'D'});
+    rig.draw(rig.stroke(), false);
+    rig.wait();
+    EXPECT_TRUE(rig.editor.session.proposing());
+    EXPECT_TRUE(rig.editor.session.evaluated().objects.at(2)->placement);
+    rig.key({ui::key_escape});
+    rig.screen.input().push(ui::press(Button::left, false));
+    rig.wait();
+    EXPECT_FALSE(rig.editor.session.proposing());
+    EXPECT_EQ(rig.steps(), 2u);
+    EXPECT_EQ(rig.editor.session.scene().history().steps().size(), 2u);
+    EXPECT_FALSE(rig.editor.session.evaluated().objects.at(2)->placement);
+}
+
+TEST(EditorWindow, AClickOrAStrokeBesideTheSceneSaysWhatToDoAndChangesNothing)
+{
+    Rig rig;
+    rig.two_objects();
+    rig.key({'D'});
+    rig.click(rig.layout().view.center());
+    rig.wait();
+    EXPECT_EQ(rig.steps(), 2u);
+    EXPECT_FALSE(rig.editor.session.notices.all().empty());
+    rig.editor.session.notices.clear();
+    const glm::vec2 corner = rig.layout().view.lo + glm::vec2(200, 8);
+    rig.draw({corner, corner + glm::vec2(60, 0), corner + glm::vec2(120, 4)});
+    rig.wait();
+    EXPECT_EQ(rig.steps(), 2u);
+    EXPECT_FALSE(rig.editor.session.notices.all().empty());
+}
+
+// The first number field down the inspector, found by the cursor that it shows.
+std::optional<glm::vec2> find_field(Rig& rig)
+{
+    const ui::Rect panel = rig.layout().inspector;
+    for (float y = panel.lo.y + 4; y < panel.hi.y; y += 12) {
+        const glm::vec2 at{panel.lo.x + 140, y};
+        rig.screen.input().push(ui::move_to(at));
+        rig.frames(2);
+        if (ImGui::GetMouseCursor() == ImGuiMouseCursor_ResizeEW) return at;
+    }
+    return std::nullopt;
+}
+
+TEST(EditorWindow, DraggingAFieldOfTheInspectorIsOneStep)
+{
+    Rig rig;
+    rig.two_objects();
+    const auto field = find_field(rig);
+    ASSERT_TRUE(field);
+    rig.draw({*field, *field + glm::vec2(60, 0)});
+    rig.wait();
+    EXPECT_EQ(rig.steps(), 3u);
+    EXPECT_EQ(verb(rig.editor.session.scene().history().steps()[2].command), "transform");
+    EXPECT_GT(object(rig.editor.session.committed(), 2).transform.translation.x, 0);
+}
+
+TEST(EditorWindow, EscapeDuringADragInTheInspectorLeavesNoTrace)
+{
+    Rig rig;
+    rig.two_objects();
+    const auto field = find_field(rig);
+    ASSERT_TRUE(field);
+    rig.draw({*field, *field + glm::vec2(60, 0)}, false);
+    EXPECT_TRUE(rig.editor.session.proposing());
+    rig.key({ui::key_escape});
+    rig.screen.input().push(ui::press(Button::left, false));
+    rig.wait();
+    EXPECT_EQ(rig.steps(), 2u);
+    EXPECT_FALSE(rig.editor.session.proposing());
+    EXPECT_EQ(object(rig.editor.session.committed(), 2).transform.translation.x, 0);
+}
+
+TEST(EditorWindow, ADroppedModelIsImportedAndABrokenOneIsRefusedInASentence)
+{
+    const testing::TemporaryFolder folder;
+    std::ofstream(folder.file("good.obj")) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    std::ofstream(folder.file("bad.obj")) << "v 0 0 0\nf 1 2 99\n";
+    Rig rig;
+    rig.screen.input().push(ui::drop_files({folder.file("good.obj")}));
+    rig.wait();
+    ASSERT_EQ(rig.editor.session.document().objects.size(), 1u);
+    EXPECT_EQ(rig.editor.session.selected, 1);
+    rig.screen.input().push(ui::drop_files({folder.file("bad.obj")}));
+    rig.wait();
+    EXPECT_EQ(rig.editor.session.document().objects.size(), 1u);
+    ASSERT_FALSE(rig.editor.session.notices.all().empty());
+    EXPECT_EQ(rig.editor.session.notices.all().back().title, "bad.obj was not imported");
+}
+
+TEST(EditorWindow, ASavedSceneOpensAgainWithItsUndo)
+{
+    const testing::TemporaryFolder folder;
+    const std::string path = folder.file("scene.trivar");
+    {
+        Rig rig;
+        rig.two_objects();
+        rig.editor.session.save_as(path);
+        rig.editor.session.run(Rename{2, "Brick"});
+        rig.wait();
+    }
+    Rig rig;
+    rig.screen.input().push(ui::drop_files({path}));
+    rig.wait();
+    EXPECT_EQ(name_of(rig.editor.session.document(), 2), "Brick");
+    rig.key({.key = 'Z', .ctrl = true});
+    EXPECT_EQ(name_of(rig.editor.session.document(), 2), "Box");
+}
+
+TEST(EditorWindow, NoTwoActionsShareAKey)
+{
+    const Rig rig;
+    std::map<std::string, std::string> taken;
+    for (const Action& each : rig.editor.actions)
+        for (const ui::Chord& chord : each.keys) {
+            const auto [found, fresh] = taken.emplace(ui::text_of(chord), each.name);
+            EXPECT_TRUE(fresh) << ui::text_of(chord) << ": " << each.name << ", " << found->second;
+        }
+}
+
+} // namespace
+} // namespace trivar
