@@ -88,7 +88,8 @@ void ShadowMap::fit(Frame& frame, const Scene& scene, int resolution_px)
     }
     const float extent = std::max(side_of(glm::vec2(box.hi) - glm::vec2(box.lo)), 1e-6f);
     const auto texels = static_cast<float>(resolution_px);
-    const float width = extent * texels / (texels - 8);
+    // Penumbras reach out past the casters' outline; the margin keeps them whole.
+    const float width = extent * 1.16f;
     const glm::vec2 centre = (glm::vec2(box.lo) + glm::vec2(box.hi)) * 0.5f;
 
     // The range goes on to where the lowest shadow meets the ground.
