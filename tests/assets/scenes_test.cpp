@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assets/make/models/models.h"
+#include "core/base/text.h"
+#include "core/document/log.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <gtest/gtest.h>
+
+namespace {
+
+class EveryScene : public testing::TestWithParam<std::string> {
+protected:
+    trivar::History history() const
+    {
+        const std::string path = TRIVAR_SOURCE_DIR "/assets/scenes/" + GetParam() + ".trivar";
+        const trivar::Log log = trivar::read_log(trivar::read_text_file(path), path);
+        trivar::History result;
+        for (const trivar::LogLine& line : log.lines) trivar::apply(result, line, log.name);
+        return result;
+    }
+};
+
+TEST_P(EveryScene, UsesOnlyModelsThatAFreshBuildMakes)
+{
+    for (const auto& [id, object] : history().document().objects) {
+        const auto* file = std::get_if<trivar::ImportedFile>(&object->source);
+        if (!file) continue;
+        const std::filesystem::path path(file->path);
+        EXPECT_EQ(path.parent_path(), "../../build/assets/models");
+        EXPECT_TRUE(std::ranges::any_of(make::catalogue(), [&](const make::Entry& entry) {
+            return entry.name == path.stem();
+        })) << path;
+    }
+}
+
+TEST_P(EveryScene, LaysSomethingDownAndSaysWhereItsPictureIsTakenFrom)
+{
+    const trivar::Document document = history().document();
+    EXPECT_TRUE(document.bookmarks.contains("picture"));
+    EXPECT_TRUE(std::ranges::any_of(
+        document.objects, [](const auto& entry) { return entry.second->placement.has_value(); }));
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, EveryScene,
+                         testing::Values("first_placement", "snake_bridge", "crocodile_on_horse",
+                                         "stacked", "f1_f2"),
+                         [](const auto& scene) { return scene.param; });
+
+TEST(Stacked, PlacesSnakesOnWhatWasPlacedBefore)
+{
+    const std::string path = TRIVAR_SOURCE_DIR "/assets/scenes/stacked.trivar";
+    const trivar::Log log = trivar::read_log(trivar::read_text_file(path), path);
+    trivar::History history;
+    for (const trivar::LogLine& line : log.lines) trivar::apply(history, line, log.name);
+    const auto& objects = history.document().objects;
+    EXPECT_TRUE(std::ranges::any_of(objects, [&](const auto& entry) {
+        const auto& placed = entry.second->placement;
+        return placed && std::ranges::any_of(placed->onto, [&](trivar::Id below) {
+                   return objects.at(below)->placement.has_value();
+               });
+    }));
+}
+
+} // namespace
