@@ -14,6 +14,14 @@ bool is_modifier(const Event& event)
            event.code <= key_right_super;
 }
 
+// The key of a letter that goes into a text field: what counts is the text event beside it, and
+// several letters may come in one frame.
+bool is_typing(const Event& event)
+{
+    const ImGuiIO& io = ImGui::GetIO();
+    return io.WantTextInput && !io.KeyCtrl && !io.KeyAlt && event.code < key_escape;
+}
+
 } // namespace
 
 Event move_to(glm::vec2 p_px, double time_s)
@@ -53,7 +61,8 @@ void Input::begin_frame()
     bool pressed = false; // a press or release was taken: what follows it must wait a frame
     while (!waiting_.empty()) {
         const Event& next = waiting_.front();
-        const bool press = next.kind == Event::Kind::button || next.kind == Event::Kind::key;
+        const bool press =
+            next.kind == Event::Kind::button || (next.kind == Event::Kind::key && !is_typing(next));
         if (pressed && (press || next.kind == Event::Kind::move)) break;
         // Modifiers going down belong to the press that follows them.
         if (press && !(is_modifier(next) && next.down)) pressed = true;

@@ -79,7 +79,8 @@ TEST(NumberField, AClickOpensItForTyping)
     rig.screen.input().push(press(Button::left));
     rig.screen.input().push(press(Button::left, false)); // both before a frame could see either
     rig.screen.frames(6, rig.body());
-    for (const char c : std::string("7.25")) rig.screen.input().push(type_text(unsigned(c)));
+    for (const char c : std::string("7.25"))
+        rig.screen.input().push(type_text(static_cast<unsigned>(c)));
     rig.screen.input().push(press_key(key_enter));
     rig.screen.input().push(press_key(key_enter, false));
     rig.screen.frames(6, rig.body());
