@@ -23,7 +23,8 @@ protected:
 
 TEST_P(EveryScene, UsesOnlyModelsThatAFreshBuildMakes)
 {
-    for (const auto& [id, object] : history().document().objects) {
+    const trivar::History replayed = history();
+    for (const auto& [id, object] : replayed.document().objects) {
         const auto* file = std::get_if<trivar::ImportedFile>(&object->source);
         if (!file) continue;
         const std::filesystem::path path(file->path);
