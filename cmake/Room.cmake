@@ -32,9 +32,9 @@ function(trivar_tests name)
                                                   TRIVAR_BINARY_DIR="${CMAKE_BINARY_DIR}")
   # Suites named RealData... want the folder of real models; they skip with a message without it.
   gtest_discover_tests(${name}_test TEST_FILTER "-RealData*" TEST_LIST ${name}_cases
-                       DISCOVERY_TIMEOUT 60 WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}
+                       DISCOVERY_TIMEOUT 60 NO_PRETTY_VALUES WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}
                        PROPERTIES TIMEOUT 300)
   gtest_discover_tests(${name}_test TEST_FILTER "RealData*" TEST_LIST ${name}_realdata_cases
-                       DISCOVERY_TIMEOUT 60 WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}
+                       DISCOVERY_TIMEOUT 60 NO_PRETTY_VALUES WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}
                        PROPERTIES TIMEOUT 300 LABELS realdata)
 endfunction()
