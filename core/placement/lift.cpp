@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace trivar {
 namespace {
@@ -14,7 +15,7 @@ constexpr int rays_a_cell = 4; // along each axis
 constexpr int judging_rays_a_cell = 5;
 constexpr int most_rounds = 12; // of lifting; lines of sight that are parallel need one
 constexpr int most_judgements = 6;
-constexpr double edge_on = 0.01; // cosine between surface and ray below which steps mean nothing
+constexpr double edge_on = 0.01;  // cosine between surface and ray below which steps mean nothing
 constexpr double steep_scene = 2; // 1 / cosine to the ray from which sideways bends count
 // Shares of the tolerance: what is let be, how far in front a lift ends, what the judges pass.
 constexpr double let_be_share = 0.25, margin_share = 0.3, pass_share = 0.6;
@@ -103,34 +104,66 @@ std::vector<glm::dvec2> pairs(const std::vector<double>& us, const std::vector<d
     return out;
 }
 
+// A control point that carries the surface at a sample, and how far it may be lifted for it.
+struct Carrier {
+    std::size_t k;
+    double weight, room;
+};
+
+// Adds the least lifts, in squares, that raise the sample by `missing` within every room.
+void share_out(double missing, std::vector<Carrier>& carriers, std::vector<double>& lift)
+{
+    for (bool full = true; full;) {
+        full = false;
+        double squares = 0;
+        for (const Carrier& c : carriers) squares += c.weight * c.weight;
+        std::erase_if(carriers, [&, still = missing](const Carrier& c) {
+            if (still / squares * c.weight <= c.room) return false;
+            lift[c.k] += c.room;
+            missing -= c.weight * c.room;
+            return full = true;
+        });
+        if (full) continue;
+        for (const Carrier& c : carriers) lift[c.k] += missing / squares * c.weight;
+    }
+}
+
 // Lifts the control points until every sample that is too far behind is the margin in front.
 void lift_once(Surface<glm::dvec3>& s, const View& view, const std::vector<SceneSample>& samples,
-               const std::vector<Gap>& at, double clearance, double let_be, double margin)
+               const std::vector<Gap>& at, double let_be, double margin, const LiftOptions& options)
 {
+    const double enough = options.clearance;
     std::vector<std::size_t> behind;
     for (std::size_t i = 0; i < at.size(); ++i)
-        if (at[i].inside && at[i].gap < clearance - let_be) behind.push_back(i);
+        if (at[i].inside && at[i].gap < enough - let_be) behind.push_back(i);
     std::sort(behind.begin(), behind.end(), [&](std::size_t a, std::size_t b) {
         return at[a].gap != at[b].gap ? at[a].gap < at[b].gap : a < b;
     });
     std::vector<double> lift(s.points.size(), 0);
+    std::vector<Carrier> carriers;
     for (const std::size_t i : behind) {
         const Basis a = basis(s.axes[0], samples[i].uv.x), b = basis(s.axes[1], samples[i].uv.y);
-        double done = 0, squares = 0;
-        const auto each = [&](const auto& visit) {
-            for (int k = 0; k < s.axes[0].order(); ++k)
-                for (int l = 0; l < s.axes[1].order(); ++l)
-                    visit(lift[s.index(a.first + k, b.first + l)],
-                          a.value[static_cast<std::size_t>(k)] *
-                              b.value[static_cast<std::size_t>(l)]);
-        };
-        each([&](double delta, double weight) {
-            done += weight * delta;
-            squares += weight * weight;
-        });
-        const double missing = clearance + margin - at[i].gap - done;
-        if (missing > 0)
-            each([&](double& delta, double weight) { delta += missing * weight / squares; });
+        const glm::dvec3 p = samples[i].p_world;
+        const glm::dvec3 level = p + (enough + margin) * view.toward_eye(p);
+        double missing = enough + margin - at[i].gap;
+        carriers.clear();
+        for (int k = 0; k < s.axes[0].order(); ++k)
+            for (int l = 0; l < s.axes[1].order(); ++l) {
+                const std::size_t n = s.index(a.first + k, b.first + l);
+                const double weight =
+                    a.value[static_cast<std::size_t>(k)] * b.value[static_cast<std::size_t>(l)];
+                if (!(weight > 0)) continue;
+                missing -= weight * lift[n];
+                double room = std::numeric_limits<double>::infinity();
+                if (options.never_overshoot) {
+                    // Depth is linear in space, so convex sums of depths are those of points.
+                    const double depth = glm::dot(s.points[n] - level, view.forward());
+                    const double rise = -glm::dot(view.toward_eye(s.points[n]), view.forward());
+                    room = std::max(0.0, depth / rise - lift[n]);
+                }
+                carriers.push_back({n, weight, room});
+            }
+        if (missing > 0) share_out(missing, carriers, lift);
     }
     for (std::size_t k = 0; k < s.points.size(); ++k)
         if (lift[k] > 0) s.points[k] += lift[k] * view.toward_eye(s.points[k]);
@@ -258,8 +291,8 @@ Lifted lifted(Surface<glm::dvec3> contact, const Camera& camera, const RayScene&
         for (int round = 0; round < most_rounds; ++round) {
             at = gaps(out.contact, view, samples);
             if (most_behind(at, enough) <= let_be) break;
-            lift_once(out.contact, view, samples, at, enough, let_be,
-                      margin_share * options.tolerance);
+            lift_once(out.contact, view, samples, at, let_be, margin_share * options.tolerance,
+                      options);
             ++out.rounds;
         }
 

@@ -9,6 +9,9 @@ struct LiftOptions {
     double tolerance = 1e-3; // metres that may stay behind the scene
     double clearance = 0;    // metres to keep in front of it
     bool skip_back_faces = false;
+    // No control point rises above what it is lifted over: over a cliff the shortest steps would
+    // throw those on top of it as far up as those at its foot.
+    bool never_overshoot = false;
 };
 
 struct Lifted {
@@ -22,7 +25,9 @@ struct Lifted {
 // sees, within the tolerance. It is measured both ways: at four by four rays a cell of control
 // points against the scene, and at the scene's vertices and edges against the surface. Control
 // points only ever move outward, each constraint by the shortest step that satisfies it
-// (Kaczmarz 1937), the worst first. Then denser rays elsewhere judge, and what they find joins.
+// (Kaczmarz 1937), the worst first. One that never overshoots can be satisfied too: with all its
+// control points level with the sample, so is the surface. Then denser rays elsewhere judge, and
+// what they find joins.
 Lifted lifted(Surface<glm::dvec3> contact, const Camera& camera, const RayScene& scene,
               const LiftOptions& options);
 

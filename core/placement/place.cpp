@@ -85,7 +85,8 @@ Placement finished(const Layout& layout, const std::vector<double>& s, const Cam
         return lifted(contact_surface(layout.axes, points, through_nodes), camera, scene,
                       {.tolerance = parameters.lift_tolerance * layout.height,
                        .clearance = parameters.clearance,
-                       .skip_back_faces = parameters.skip_back_faces});
+                       .skip_back_faces = parameters.skip_back_faces,
+                       .never_overshoot = !through_nodes});
     });
     const Surface<glm::dvec3>& contact = lift.contact;
     return timed(timings, "volume", [&] {

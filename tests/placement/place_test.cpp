@@ -4,6 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
 #include "core/mesh/primitives.h"
+#include "core/placement/view.h"
 #include "tests/placement/scenes.h"
 
 #include <gmock/gmock.h>
@@ -41,6 +42,34 @@ TEST(Place, OnAPlaneTheContactIsPlanarAndEvenlySpread)
             EXPECT_NEAR(glm::length(s.u), length, 1e-9 * length);
             EXPECT_NEAR(glm::length(s.v), width, 1e-9 * width);
         }
+}
+
+TEST(Place, NeverOvershootsUpwardsWithoutSprings)
+{
+    // A cliff four times as high as a span of the grid is long, in the middle of the stroke.
+    const double top = 0.5;
+    glm::dmat4 raised(1);
+    raised[3] = {0, 0, top / 2, 1};
+    const auto mesh = [](Mesh m) {
+        return std::make_shared<const RayMesh>(make_ref(std::move(m)));
+    };
+    const RayScene scene({{mesh(plane_mesh({8, 8}, {2, 2})), glm::dmat4(1), 1},
+                          {mesh(box_mesh({0.9, 2, top}, {1, 1, 1})), raised, 2}});
+    for (const Camera& camera : {from_above(), from_above(3), from_the_side()}) {
+        const Placement out = placed(stroke_over(camera, {{-1, -0.2, 0}, {1.1, 0.1, 0}}), scene,
+                                     {.grid = {17, 5, 3}, .springs = false});
+        const double allowed = 1e-3 * out.report.height_world;
+        EXPECT_LE(out.report.penetration, 1e-3);
+        double highest = -1e300;
+        for (const glm::dvec3& p : out.contact.points)
+            highest = std::max(highest, -glm::dot(p, View(camera).forward()));
+        // What is seen highest toward the camera is a corner of the roof.
+        double roof = -1e300;
+        for (const double x : {-0.45, 0.45})
+            for (const double y : {-1.0, 1.0})
+                roof = std::max(roof, -glm::dot({x, y, top}, View(camera).forward()));
+        EXPECT_LE(highest, roof + allowed);
+    }
 }
 
 TEST(Place, IsDeterministicForAnyNumberOfThreads)
