@@ -99,7 +99,7 @@ struct Object {
     Id parent = 0;
     bool hidden = false;
     std::optional<PlacementStep>
-        placement; // placed objects ignore translation and rotation; scale holds
+        placement; // a placed object's translation waits; its rotation and scale turn it first
     bool operator==(const Object&) const = default;
 };
 

@@ -133,8 +133,9 @@ Evaluated Evaluator::operator()(const Document& document, const Progress& progre
             for (const Id lower : ref->placement->onto)
                 if (const auto found = done.find(lower); found != done.end())
                     for (const Part& part : found->second->parts) supports.push_back({lower, part});
-            causes.laid = kept.laying(kept.shape, ref->transform.scale, *ref->placement, supports,
-                                      cache_->ray_meshes, result.timings);
+            causes.laid =
+                kept.laying(kept.shape, glm::dmat3(ref->transform.matrix()), *ref->placement,
+                            supports, cache_->ray_meshes, result.timings);
         }
         auto& results = kept.results;
         const auto found =

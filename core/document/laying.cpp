@@ -11,12 +11,6 @@ namespace {
 // Enough for undo and redo of a step or two without computing anything.
 constexpr std::size_t kept_results = 3;
 
-glm::dmat4 scaling(const glm::dvec3& scale)
-{
-    return {glm::dvec4(scale.x, 0, 0, 0), glm::dvec4(0, scale.y, 0, 0),
-            glm::dvec4(0, 0, scale.z, 0), glm::dvec4(0, 0, 0, 1)};
-}
-
 } // namespace
 
 Ref<RayMesh> RayMeshes::operator()(const Ref<Mesh>& mesh, Timings& timings)
@@ -32,12 +26,12 @@ void RayMeshes::keep_only(const std::set<Ref<Mesh>>& meshes)
     std::erase_if(known_, [&](const auto& known) { return !meshes.contains(known.first); });
 }
 
-Ref<Laid> Laying::operator()(const Ref<Shape>& shape, const glm::dvec3& scale,
+Ref<Laid> Laying::operator()(const Ref<Shape>& shape, const glm::dmat3& turned,
                              const PlacementStep& step, const std::vector<Support>& supports,
                              RayMeshes& ray_meshes, Timings& timings)
 {
     const auto found = std::ranges::find_if(known_, [&](const Known& k) {
-        return k.shape == shape && k.scale == scale && k.supports == supports && k.step == step;
+        return k.shape == shape && k.turned == turned && k.supports == supports && k.step == step;
     });
     if (found != known_.end()) {
         std::rotate(known_.begin(), found, found + 1);
@@ -49,11 +43,11 @@ Ref<Laid> Laying::operator()(const Ref<Shape>& shape, const glm::dvec3& scale,
         if (supports.empty())
             throw Rejected("everything this object lay on is gone; place it anew or unplace it");
         const Ref<RayScene> scene = scene_of(supports, ray_meshes, timings);
-        laid = lay(*shape, scale, step, *scene, timings);
+        laid = lay(*shape, turned, step, *scene, timings);
     } catch (const Rejected& error) {
         laid.rejected = error.what();
     }
-    known_.insert(known_.begin(), {shape, scale, step, supports, make_ref(std::move(laid))});
+    known_.insert(known_.begin(), {shape, turned, step, supports, make_ref(std::move(laid))});
     if (known_.size() > kept_results) known_.pop_back();
     return known_.front().laid;
 }
@@ -73,17 +67,17 @@ Ref<RayScene> Laying::scene_of(const std::vector<Support>& supports, RayMeshes& 
     return scene_;
 }
 
-Laid Laying::lay(const Shape& shape, const glm::dvec3& scale, const PlacementStep& step,
+Laid Laying::lay(const Shape& shape, const glm::dmat3& turned, const PlacementStep& step,
                  const RayScene& scene, Timings& timings)
 {
     Box box;
     for (const Shape::Hung& hung : shape.meshes)
-        box.add(bounding_box(*hung.mesh, scaling(scale) * hung.to_model));
+        box.add(bounding_box(*hung.mesh, glm::dmat4(turned) * hung.to_model));
     Placement placement = place(step.sketch, step.parameters, box, scene, timings);
     Laid laid;
     std::vector<Sorted> used;
     for (const Shape::Hung& hung : shape.meshes) {
-        glm::dmat4 to_box = scaling(scale) * hung.to_model;
+        glm::dmat4 to_box = glm::dmat4(turned) * hung.to_model;
         Ref<Mesh> mesh = hung.mesh;
         if (glm::determinant(glm::dmat3(to_box)) < 0) { // turn the faces round once, before
             mesh = make_ref(transformed(*mesh, to_box));

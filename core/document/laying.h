@@ -36,8 +36,9 @@ private:
 // the last few results, the scene for rays, and how the meshes are sorted into the volume.
 class Laying {
 public:
-    // Stages: rays, springs, lift, volume (as place() names them) and deform.
-    Ref<Laid> operator()(const Ref<Shape>& shape, const glm::dvec3& scale,
+    // `turned` is the object's own turn and size, before it is laid. Stages: rays, springs, lift,
+    // volume (as place() names them) and deform.
+    Ref<Laid> operator()(const Ref<Shape>& shape, const glm::dmat3& turned,
                          const PlacementStep& step, const std::vector<Support>& supports,
                          RayMeshes& ray_meshes, Timings& timings);
     void add_meshes(std::set<Ref<Mesh>>& meshes) const; // that the kept results fell on
@@ -45,7 +46,7 @@ public:
 private:
     struct Known {
         Ref<Shape> shape;
-        glm::dvec3 scale;
+        glm::dmat3 turned;
         PlacementStep step;
         std::vector<Support> supports;
         Ref<Laid> laid;
@@ -58,7 +59,7 @@ private:
     };
     Ref<RayScene> scene_of(const std::vector<Support>& supports, RayMeshes& ray_meshes,
                            Timings& timings);
-    Laid lay(const Shape& shape, const glm::dvec3& scale, const PlacementStep& step,
+    Laid lay(const Shape& shape, const glm::dmat3& turned, const PlacementStep& step,
              const RayScene& scene, Timings& timings);
     Ref<Mesh> deformed(const Ref<Mesh>& mesh, const Embedding& embedding, const Lattice& volume,
                        std::vector<Sorted>& used);

@@ -163,6 +163,22 @@ TEST(Evaluator, ScalesAndMirrorsBeforeItLaysDown)
     EXPECT_GT(volume, 0);
 }
 
+// For models whose length is not their x axis: half a turn brings the spout where the handle was.
+TEST(Evaluator, TurnsAModelBeforeItLaysItDown)
+{
+    Evaluator evaluate = new_evaluator();
+    const Document document = small_document();
+    const Evaluated first = evaluate(document);
+    const auto& straight = first.objects.at(3)->parts.front().mesh->positions;
+    Transform half = object(document, 3).transform;
+    half.rotation_deg.z += 180;
+    const Evaluated second = evaluate(after(document, SetTransform{3, half}));
+    const auto& turned = second.objects.at(3)->parts.front().mesh->positions;
+    ASSERT_EQ(turned.size(), straight.size());
+    EXPECT_NE(turned, straight);
+    EXPECT_GT(second.objects.at(3)->bounds.hi.z, 0.2); // still on the table
+}
+
 TEST(Evaluator, CoversAnObjectWithOnePlainMaterial)
 {
     Evaluator evaluate = new_evaluator();
