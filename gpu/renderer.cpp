@@ -92,12 +92,11 @@ struct Renderer::State {
     {
         tools.set_frame(frame);
         clock.pass("surfaces", [&] { draw_surfaces(tools, *targets, frame, scene, look.clay); });
-        if (quality.occlusion_slices > 0)
-            clock.pass("occlusion", [&] { draw_occlusion(tools, *targets, quality); });
         shadow_map.bind();
+        clock.pass("occlusion", [&] { draw_occlusion(tools, *targets, quality); });
         contact_map.bind();
-        clock.pass("light", [&] { draw_light(tools, *targets, quality); });
-        clock.pass("backdrop", [&] { draw_backdrop(tools, *targets, quality, grid); });
+        clock.pass("light", [&] { draw_light(tools, *targets); });
+        clock.pass("backdrop", [&] { draw_backdrop(tools, *targets, grid); });
         if (any_see_through(scene))
             clock.pass("ghosts", [&] { draw_ghosts(tools, *targets, frame, scene, quality); });
     }

@@ -36,14 +36,15 @@ std::vector<ProgramName> every_program()
         const Defines shadow = quality.shadow_defines();
         for (const Defines& material : materials)
             out.push_back({"mesh", "ghost", with(shadow, material)});
-        for (const Defines& more : {Defines{}, Defines{"OCCLUSION"}})
-            out.push_back(full_screen_program("shade", with(shadow, more)));
-        for (const Defines& more : {Defines{}, Defines{"GRID"}})
-            out.push_back(full_screen_program("backdrop", with(shadow, more)));
-        if (quality.occlusion_slices > 0)
-            out.push_back(full_screen_program("occlusion", quality.occlusion_defines()));
+        for (const int slices : {0, quality.occlusion_slices}) {
+            Quality q = quality;
+            q.occlusion_slices = slices;
+            out.push_back(full_screen_program("occlusion", q.occlusion_defines()));
+        }
     }
-    for (const char* fragment : {"occlusion_blur", "contact", "contact_blur", "average", "outline"})
+    for (const Defines& more : {Defines{}, Defines{"GRID"}})
+        out.push_back(full_screen_program("backdrop", more));
+    for (const char* fragment : {"shade", "occlusion_blur", "contact", "contact_blur", "average", "outline"})
         out.push_back(full_screen_program(fragment));
     out.push_back({"line", "line", {}});
     return out;

@@ -11,8 +11,8 @@ namespace trivar::gpu {
 Quality quality_for(int samples, bool draft)
 {
     if (draft) return {0, 0, 4};
-    if (samples >= 16) return {1, 5, 6};
-    if (samples >= 4) return {1, 8, 10};
+    if (samples >= 16) return {1, 6, 6};
+    if (samples >= 4) return {1, 8, 8};
     return {};
 }
 
@@ -26,7 +26,9 @@ std::vector<std::string> Quality::shadow_defines() const
 
 std::vector<std::string> Quality::occlusion_defines() const
 {
-    return {fmt::format("SLICES {}", occlusion_slices)};
+    std::vector<std::string> out = shadow_defines();
+    out.push_back(fmt::format("SLICES {}", occlusion_slices));
+    return out;
 }
 
 void draw_surfaces(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
@@ -64,26 +66,25 @@ void draw_occlusion(Tools& tools, const Targets& targets, const Quality& quality
     tools.full_screen();
 }
 
-void draw_light(Tools& tools, const Targets& targets, const Quality& quality)
+void draw_light(Tools& tools, const Targets& targets)
 {
     targets.to_color.bind();
     // The triangle lies at the far plane, so "greater" passes where a surface is: software GL
     // skips the rest in blocks.
     set_state({.depth = DepthTest::greater});
-    std::vector<std::string> defines = quality.shadow_defines();
-    if (quality.occlusion_slices > 0) defines.emplace_back("OCCLUSION");
-    tools.use(full_screen_program("shade", defines));
+    tools.use(full_screen_program("shade"));
     targets.occlusion.bind(1);
     targets.surfaces.bind(2);
     targets.ids_depths.bind(3);
     tools.full_screen();
 }
 
-void draw_backdrop(Tools& tools, const Targets& targets, const Quality& quality, bool grid)
+void draw_backdrop(Tools& tools, const Targets& targets, bool grid)
 {
     targets.to_color.bind();
     set_state({.depth = DepthTest::less_equal});
-    std::vector<std::string> defines = quality.shadow_defines();
+    targets.occlusion.bind(1);
+    std::vector<std::string> defines;
     if (grid) defines.emplace_back("GRID");
     tools.use(full_screen_program("backdrop", defines));
     tools.full_screen();

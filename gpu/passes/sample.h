@@ -9,7 +9,7 @@ namespace trivar::gpu {
 // How much is spent on a sample.
 struct Quality {
     int occlusion_slices = 2;                  // 0: no ambient occlusion
-    int shadow_blockers = 8, shadow_taps = 12; // no blockers: shadows of one softness
+    int shadow_blockers = 12, shadow_taps = 16; // no blockers: shadows of one softness
     std::vector<std::string> shadow_defines() const;
     std::vector<std::string> occlusion_defines() const;
 };
@@ -21,8 +21,8 @@ Quality quality_for(int samples, bool draft);
 void draw_surfaces(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
                    bool clay);
 void draw_occlusion(Tools& tools, const Targets& targets, const Quality& quality);
-void draw_light(Tools& tools, const Targets& targets, const Quality& quality);
-void draw_backdrop(Tools& tools, const Targets& targets, const Quality& quality, bool grid);
+void draw_light(Tools& tools, const Targets& targets);
+void draw_backdrop(Tools& tools, const Targets& targets, bool grid);
 void draw_ghosts(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
                  const Quality& quality);
 // Mixes the sample into the average of those before; `index` counts from 0.

@@ -13,7 +13,7 @@ struct Targets {
     Texture2D depth;      // 32-bit float
     Texture2D surfaces;   // pack.glsl
     Texture2D ids_depths; // instance id, bits of the distance along the view direction
-    Texture2D occlusion_noisy, occlusion; // half size: open share, distance
+    Texture2D occlusion_noisy, occlusion; // half size: occlusion.frag
     Texture2D color;                      // sRGB
     Texture2D color_bytes;                // the same texels as plain bytes
     Texture2D sum;                        // average of the samples so far, linear

@@ -1,7 +1,8 @@
 // Backdrop, shadows on the ground and grid, where no surface is. The floor has the colour of the
 // backdrop behind it, an endless cyclorama: only what falls on it shows.
 #include "frame.glsl"
-#include "shadow.glsl"
+#include "ground.glsl"
+#include "open.glsl"
 in vec2 uv;
 layout(location = 0) out vec4 out_color;
 layout(binding = 0) uniform sampler2D contact_map;
@@ -23,26 +24,21 @@ void main()
     vec2 aside = (uv - vec2(0.5, 0.55)) * vec2(1.0, 0.7); // a light pool behind the subject
     color *= 1.0 - 0.55 * dot(aside, aside);
 
-    bool perspective = frame.eye.w > 0.5;
-    vec3 from = (frame.from_view * vec4(perspective ? vec3(0.0) : view_point(uv, 0.0), 1.0)).xyz;
-    vec3 d = normalize(mat3(frame.from_view) * (perspective ? view_point(uv, 1.0) : vec3(0.0, 0.0, -1.0)));
-    vec3 g = from + d * ((frame.ground.x - from.z) / (abs(d.z) > 1e-5 ? d.z : 1e-5));
-    float away = length(g.xy - frame.centre.xy) / frame.ground.z;
+    Ground g = ground_behind(uv);
 #ifdef GRID // derivatives stay outside branches
-    float fine = grid_line(g.xy, frame.ground.y, 1.0), coarse = grid_line(g.xy, frame.ground.y * 5.0, 1.35);
+    float fine = grid_line(g.at.xy, frame.ground.y, 1.0), coarse = grid_line(g.at.xy, frame.ground.y * 5.0, 1.35);
 #endif
-    bool seen = d.z < -1e-4 && from.z > frame.ground.x && frame.ground.w > 0.5;
-    if (seen && away < 1.0) {
-        float fade = 1.0 - smoothstep(0.35, 1.0, away);
-        vec2 at = (g.xy - frame.contact.xy) * frame.contact.z;
+    if (g.seen) {
+        float fade = 1.0 - smoothstep(0.35, 1.0, g.away);
+        vec2 at = (g.at.xy - frame.contact.xy) * frame.contact.z;
         vec2 inside = smoothstep(0.0, 0.06, at) * smoothstep(0.0, 0.06, 1.0 - at);
         float open = mix(1.0, textureLod(contact_map, at, 0.0).r, inside.x * inside.y);
-        float visible = key_visibility(vec3(g.xy, frame.ground.x), vec3(0.0, 0.0, 1.0), gl_FragCoord.xy);
+        float visible = open_share(-g.depth).y;
         // The ratio of light with and without the objects on a white floor.
         vec3 lit = mix(vec3(visible), vec3(open), frame.ground_share.rgb);
         color *= mix(vec3(1.0), lit, fade);
 #ifdef GRID
-        float grid = (1.0 - smoothstep(0.08, 0.80, away));
+        float grid = (1.0 - smoothstep(0.08, 0.80, g.away));
         color = mix(color, color * 0.82, fine * grid * 0.45);
         color = mix(color, color * 0.70, coarse * grid * 0.65);
 #endif

@@ -18,5 +18,6 @@ void main()
     // Glass mirrors more at grazing angles, whatever its opacity.
     float rim = 1.0 - abs(dot(s.normal, towards_eye(at_scene)));
     alpha = mix(alpha, 1.0, 0.5 * rim * rim * rim * rim * (1.0 - s.roughness));
-    out_color = vec4(shaded(s, at_scene, 1.0, gl_FragCoord.xy), alpha);
+    float visible = key_visibility(at_scene, s.normal, gl_FragCoord.xy);
+    out_color = vec4(shaded(s, at_scene, 1.0, visible), alpha);
 }

@@ -1,10 +1,14 @@
-// Ambient occlusion at half size: visibility bitmasks (Therrien, Levesque, Gilet 2023) in the
-// slices of GTAO (Jimenez et al. 2016). The 32 sectors are uniform in sin(angle), so their free
+// What reaches a surface or the ground, at half size: the share of the key that shadow.glsl finds,
+// and of the ambient light. That one by visibility bitmasks (Therrien, Levesque, Gilet 2023) in the
+// slices of GTAO (Jimenez et al. 2016): the 32 sectors are uniform in sin(angle), so their free
 // share is cosine weighted; surfaces have a thickness, so thin parts throw no dark halo.
 #include "frame.glsl"
 #include "material.glsl"
 #include "pack.glsl"
-layout(location = 0) out vec4 out_open;
+#include "shadow.glsl"
+#include "ground.glsl"
+#include "open.glsl"
+layout(location = 0) out vec4 out_open; // open share, distance, key's share, penumbra in pixels
 layout(binding = 2) uniform usampler2D surfaces;
 layout(binding = 3) uniform usampler2D ids_depths; // full size
 
@@ -17,26 +21,17 @@ float quick_acos(float x)
     return x < 0.0 ? PI - r : r;
 }
 
-void main()
+#if SLICES > 0
+// Of the ambient light, at the point p of view space with normal n.
+float ambient_reaching(vec3 p, vec3 n, vec2 uv, float turn, float push)
 {
-    ivec2 size = textureSize(ids_depths, 0), here = min(ivec2(gl_FragCoord.xy) * 2, size - 1);
-    uvec2 id_depth = texelFetch(ids_depths, here, 0).rg;
-    float depth = uintBitsToFloat(id_depth.g);
-    if (depth == 0.0) {
-        out_open = vec4(1.0, 1e9, 0.0, 0.0);
-        return;
-    }
-    vec2 uv = (vec2(here) + 0.5) / vec2(size);
+    ivec2 size = textureSize(ids_depths, 0);
     bool perspective = frame.eye.w > 0.5;
-    vec3 n = mat3(frame.view) * unpacked_normal(texelFetch(surfaces, here, 0).x);
-    vec3 p = view_point(uv, depth), v = perspective ? normalize(-p) : vec3(0.0, 0.0, 1.0);
+    vec3 v = perspective ? normalize(-p) : vec3(0.0, 0.0, 1.0);
     p += n * 0.002 * frame.scene.x;
     float radius = frame.scene.z, thickness = radius * 0.5;
-    float radius_px = radius * frame.clip[1][1] * 0.5 * float(size.y) / (perspective ? depth : 1.0);
+    float radius_px = radius * frame.clip[1][1] * 0.5 * float(size.y) / (perspective ? -p.z : 1.0);
     radius_px = min(radius_px, 0.25 * float(size.y));
-    ivec2 c = ivec2(gl_FragCoord.xy) & 3; // a 4 x 4 pattern, which the blur averages
-    float turn = fract((float((c.x ^ c.y) * 4 + c.y) + 0.5) / 16.0 + frame.scene.w * 0.618034);
-    float push = fract(float((c.y * 4 + c.x) * 7 % 16) / 16.0 + frame.scene.w * 0.754878);
     float open = 0.0, weights = 0.0;
     for (int s = 0; s < SLICES; s++) {
         float phi = (float(s) + turn) * PI / float(SLICES);
@@ -67,5 +62,36 @@ void main()
         open += len * (1.0 - float(bitCount(blocked)) / 32.0);
         weights += len;
     }
-    out_open = vec4(saturate(open / max(weights, 1e-4)), depth, 0.0, 0.0);
+    return saturate(open / max(weights, 1e-4));
+}
+#endif
+
+void main()
+{
+    ivec2 size = textureSize(ids_depths, 0);
+    ivec2 here = min(ivec2(gl_FragCoord.xy) * 2 + looked_at(), size - 1);
+    vec2 uv = (vec2(here) + 0.5) / vec2(size);
+    float depth = uintBitsToFloat(texelFetch(ids_depths, here, 0).g);
+    bool surface = depth > 0.0;
+    Ground ground = ground_behind(uv);
+    if (!surface && !ground.seen) {
+        out_open = vec4(1.0, -1e9, 1.0, 0.0);
+        return;
+    }
+    vec3 n = surface ? unpacked_normal(texelFetch(surfaces, here, 0).x) : vec3(0.0, 0.0, 1.0);
+    vec3 in_view = view_point(uv, depth);
+    vec3 p = surface ? (frame.from_view * vec4(in_view, 1.0)).xyz : ground.at;
+    depth = surface ? depth : ground.depth;
+    ivec2 c = ivec2(gl_FragCoord.xy) & 3; // a 4 x 4 pattern, which the blur averages
+    float turn = fract((float((c.x ^ c.y) * 4 + c.y) + 0.5) / 16.0 + frame.scene.w * 0.618034);
+    float push = fract(float((c.y * 4 + c.x) * 7 % 16) / 16.0 + frame.scene.w * 0.754878);
+
+    vec2 key = vec2(0.0); // nothing reaches what is turned away
+    if (dot(n, frame.key_dir.xyz) > -frame.key_dir.w) key = key_reaching(p, n, 2.0 * PI * turn, push);
+    float pixel_world = (frame.eye.w > 0.5 ? depth : 1.0) * 4.0 * frame.size_px.w / frame.clip[1][1];
+    float open = 1.0;
+#if SLICES > 0
+    if (surface) open = ambient_reaching(in_view, mat3(frame.view) * n, uv, turn, push);
+#endif
+    out_open = vec4(open, surface ? depth : -depth, key.x, key.y * frame.shadow_map.y / pixel_world);
 }

@@ -12,8 +12,8 @@ float floor_visibility(vec3 p, vec3 n)
 }
 
 // Display-linear colour of the surface at p, seen from the eye; `open` is the share of the
-// ambient light that reaches it.
-vec3 shaded(Surface s, vec3 p, float open, vec2 p_px)
+// ambient light that reaches it, `visible` that of the key.
+vec3 shaded(Surface s, vec3 p, float open, float visible)
 {
     vec3 v = towards_eye(p), n = s.normal;
     float nv = dot(n, v);
@@ -31,7 +31,6 @@ vec3 shaded(Surface s, vec3 p, float open, vec2 p_px)
     // The key is an area light: its diffuse horizon is quadratic, no hard terminator.
     float x = dot(n, frame.key_dir.xyz), soft = frame.key_dir.w * 0.9;
     float facing = x > soft ? x : x < -soft ? 0.0 : (x + soft) * (x + soft) / (4.0 * soft);
-    float visible = facing > 0.0 ? key_visibility(p, n, p_px) : 1.0;
 
     float rough = s.roughness, alpha = max(rough * rough, 0.002);
     vec3 f0 = mix(vec3(0.04), s.base, s.metallic), diffuse = s.base * (1.0 - s.metallic);

@@ -3,9 +3,11 @@
 layout(binding = 4) uniform sampler2DShadow shadow_compare; // compared and bilinear
 layout(binding = 5) uniform sampler2D shadow_depth;         // the same texture, plain
 
-float key_visibility(vec3 p, vec3 n, vec2 p_px)
+// x: the share of the key that reaches p; y: the radius of the penumbra there in the map's uv, 0
+// where none is. The disk of taps is turned by phi and moved outwards by out_by.
+vec2 key_reaching(vec3 p, vec3 n, float phi, float out_by)
 {
-    if (frame.key_light.w < 0.5) return 1.0;
+    if (frame.key_light.w < 0.5) return vec2(1.0, 0.0);
     float texel = frame.shadow_map.x, width = frame.shadow_map.y, range = frame.shadow_map.z;
     float facing = saturate(dot(n, frame.key_dir.xyz));
     // Leave the surface a little: one texel, and more where the light grazes, or the terminator speckles.
@@ -17,8 +19,6 @@ float key_visibility(vec3 p, vec3 n, vec2 p_px)
     vec3 in_light = (frame.key_clip * vec4(n, 0.0)).xyz * vec3(width, width, -range) * 0.5;
     vec2 slope = in_light.xy / max(in_light.z, 0.25) * (width / range);
     slope = clamp(slope, -6.0 * width / range, 6.0 * width / range);
-    float phi = 6.2831853 * noise_at(p_px, frame.scene.w);
-    float out_by = fract(0.5 + 0.754878 * frame.scene.w); // evenly over the samples
     float bias = 0.6 * texel * width / range;
 #if SHADOW_BLOCKERS > 0
     float reach = min(frame.shadow_map.w * q.z * range / width, 0.12), sum = 0.0, count = 0.0;
@@ -44,5 +44,12 @@ float key_visibility(vec3 p, vec3 n, vec2 p_px)
         float z = min(q.z + dot(slope, o) - bias, FARTHEST);
         seen += texture(shadow_compare, vec3(q.xy + o, z));
     }
-    return taps == 0 ? 1.0 : seen / float(SHADOW_TAPS);
+    return taps == 0 ? vec2(1.0, 0.0) : vec2(seen / float(SHADOW_TAPS), radius);
+}
+
+// For what is drawn straight into the picture, with noise that evens out over the samples.
+float key_visibility(vec3 p, vec3 n, vec2 p_px)
+{
+    float phi = 6.2831853 * noise_at(p_px, frame.scene.w);
+    return key_reaching(p, n, phi, fract(0.5 + 0.754878 * frame.scene.w)).x;
 }
