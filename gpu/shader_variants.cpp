@@ -44,7 +44,8 @@ std::vector<ProgramName> every_program()
     }
     for (const Defines& more : {Defines{}, Defines{"GRID"}})
         out.push_back(full_screen_program("backdrop", more));
-    for (const char* fragment : {"shade", "occlusion_blur", "contact", "contact_blur", "average", "outline"})
+    for (const char* fragment :
+         {"shade", "occlusion_blur", "contact", "contact_blur", "average", "outline"})
         out.push_back(full_screen_program(fragment));
     out.push_back({"line", "line", {}});
     return out;

@@ -49,7 +49,14 @@ void draw_surfaces(Tools& tools, const Targets& targets, const Frame& frame, con
     pass.prepare = [](const Program& program, const SceneItem& item) {
         program.set("id", static_cast<unsigned>(item.id));
     };
-    tools.draw(scene, pass);
+    // Front faces first: where they hide the back ones, and that is nearly everywhere, those cost
+    // no more than a depth test.
+    glEnable(GL_CULL_FACE);
+    for (const GLenum culled : {GL_BACK, GL_FRONT}) {
+        glCullFace(culled);
+        tools.draw(scene, pass);
+    }
+    glDisable(GL_CULL_FACE);
 }
 
 void draw_occlusion(Tools& tools, const Targets& targets, const Quality& quality)

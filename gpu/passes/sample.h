@@ -8,7 +8,7 @@ namespace trivar::gpu {
 
 // How much is spent on a sample.
 struct Quality {
-    int occlusion_slices = 2;                  // 0: no ambient occlusion
+    int occlusion_slices = 2;                   // 0: no ambient occlusion
     int shadow_blockers = 12, shadow_taps = 16; // no blockers: shadows of one softness
     std::vector<std::string> shadow_defines() const;
     std::vector<std::string> occlusion_defines() const;
