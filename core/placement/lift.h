@@ -16,18 +16,17 @@ struct LiftOptions {
 
 struct Lifted {
     Surface<glm::dvec3> contact;
-    double penetration = 0; // largest left, metres, by rays that the lift did not use
+    double penetration = 0; // largest left, metres
     double largest_gap = 0; // metres between contact surface and scene, along the rays
     int rounds = 0;
 };
 
 // Moves control points toward the camera until the surface lies in front of everything the camera
-// sees, within the tolerance. It is measured both ways: at four by four rays a cell of control
-// points against the scene, and at the scene's vertices and edges against the surface. Control
-// points only ever move outward, each constraint by the shortest step that satisfies it
-// (Kaczmarz 1937), the worst first. One that never overshoots can be satisfied too: with all its
-// control points level with the sample, so is the surface. Then denser rays elsewhere judge, and
-// what they find joins.
+// sees, within the tolerance. judge() finds the points of the scene that are not; their control
+// points move outward, each point's by the shortest step that satisfies it (Kaczmarz 1937), the
+// deepest first; and it is judged again. One that never overshoots can be satisfied too: with all
+// its control points level with the sample, so is the surface. Rays, one a cell, check that
+// independently.
 Lifted lifted(Surface<glm::dvec3> contact, const Camera& camera, const RayScene& scene,
               const LiftOptions& options);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/placement/strip_index.h"
 
+#include "core/base/parallel.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,23 +24,62 @@ glm::dvec2 shares(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 q)
     return glm::dvec2(cross(q - a, c - a), cross(b - a, q - a)) / area;
 }
 
+// How far the surface may sag away from the viewer below chords near each of the points of a grid
+// on it: metres for each square of the chord's length in pixels. From second differences, along the
+// normal first, for points unevenly spread on a slope are no bend.
+std::vector<double> bends(const std::vector<glm::dvec3>& points,
+                          const std::vector<glm::dvec2>& points_px, glm::ivec2 steps,
+                          double quad_px, const View& view)
+{
+    std::vector<double> out(points.size(), 0);
+    const auto columns = static_cast<std::size_t>(steps.y) + 1;
+    const double shortest = 0.01 * quad_px * quad_px; // of a squared step that is seen edge-on
+    parallel_blocks(
+        static_cast<std::size_t>(steps.x) + 1, 16, [&](std::size_t from, std::size_t to) {
+            for (std::size_t i = from; i < to; ++i)
+                for (std::size_t j = 0; j < columns; ++j) {
+                    // At the rim the bend of the next points inside has to do.
+                    const std::size_t ii =
+                        std::clamp<std::size_t>(i, 1, static_cast<std::size_t>(steps.x) - 1);
+                    const std::size_t k = ii * columns + std::clamp<std::size_t>(j, 1, columns - 2);
+                    const glm::dvec3 u = (points[k + columns] - points[k - columns]) / 2.0;
+                    const glm::dvec3 v = (points[k + 1] - points[k - 1]) / 2.0;
+                    const glm::dvec3 n = glm::cross(u, v), toward = view.toward_eye(points[k]);
+                    const double along = glm::dot(n, toward), least = 0.02 * glm::length(n);
+                    const double facing =
+                        along < 0 ? std::min(along, -least) : std::max(along, least);
+                    if (facing == 0) continue;
+                    const auto sag = [&](std::size_t step) {
+                        const glm::dvec3 off =
+                            (points[k - step] + points[k + step]) / 2.0 - points[k];
+                        const glm::dvec2 d = (points_px[k + step] - points_px[k - step]) / 2.0;
+                        return std::max(0.0, glm::dot(off, n) / facing) /
+                               std::max(glm::dot(d, d), shortest);
+                    };
+                    // Over a step a parabola is off its chord by a quarter of this; twice that is
+                    // for what is no parabola, and for chords across.
+                    out[i * columns + j] = (sag(1) + sag(columns)) / 2;
+                }
+        });
+    return out;
+}
+
 } // namespace
 
-StripIndex::StripIndex(const Surface<glm::dvec3>& surface, const View& view, glm::ivec2 steps)
+StripIndex::StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2 steps)
     : steps_(steps),
       lo_(1e300),
       hi_(-1e300)
 {
-    std::vector<glm::dvec3> corners;
-    for (int i = 0; i <= steps.x; ++i)
-        for (int j = 0; j <= steps.y; ++j) {
-            const glm::dvec2 uv(static_cast<double>(i) / steps.x, static_cast<double>(j) / steps.y);
-            corners.push_back(evaluate(surface, uv).value);
-            const glm::dvec2 p = view.project(corners.back()).p_px;
-            corners_px_.push_back(p);
-            lo_ = glm::min(lo_, p);
-            hi_ = glm::max(hi_, p);
-        }
+    const std::vector<glm::dvec3> corners = surface.grid(steps);
+    corners_px_.reserve(corners.size());
+    for (const glm::dvec3& corner : corners) corners_px_.push_back(view.project(corner).p_px);
+    const std::vector<glm::dvec2> seen_px = corners_px_;
+    widen_rim();
+    for (const glm::dvec2& p : corners_px_) {
+        lo_ = glm::min(lo_, p);
+        hi_ = glm::max(hi_, p);
+    }
     const glm::dvec2 size = glm::max(hi_ - lo_, glm::dvec2(1e-9));
     const double quads = static_cast<double>(steps.x) * steps.y;
     quad_px_ = std::sqrt(size.x * size.y / quads);
@@ -70,35 +111,34 @@ StripIndex::StripIndex(const Surface<glm::dvec3>& surface, const View& view, glm
     for (std::size_t b = 1; b < begin_.size(); ++b) begin_[b] += begin_[b - 1];
     quads_.resize(static_cast<std::size_t>(begin_.back()));
     std::vector<int> next(begin_.begin(), begin_.end() - 1);
-    const std::vector<double> sag = sags(corners, steps.x + 1, steps.y + 1, view);
-    sag_.assign(begin_.size() - 1, 0);
+    const std::vector<double> bend = bends(corners, seen_px, steps, quad_px_, view);
+    bend_.assign(begin_.size() - 1, 0);
     each([&](std::size_t b, int quad) {
         quads_[static_cast<std::size_t>(next[b]++)] = quad;
         const int corner = quad / steps.y * (steps.y + 1) + quad % steps.y;
         for (const int k : {corner, corner + 1, corner + steps.y + 1, corner + steps.y + 2})
-            sag_[b] = std::max(sag_[b], sag[static_cast<std::size_t>(k)]);
+            bend_[b] = std::max(bend_[b], bend[static_cast<std::size_t>(k)]);
     });
 }
 
-std::vector<double> sags(const std::vector<glm::dvec3>& points, int rows, int columns,
-                         const View& view)
+// A rim is curved and the quads along it have straight sides: they reach a bit further, so that
+// nothing which the strip covers is missed. Who asks finds the true rim in the parameters.
+void StripIndex::widen_rim()
 {
-    std::vector<double> out(points.size(), 0);
-    const auto at = [&](int i, int j) { return points[static_cast<std::size_t>(i * columns + j)]; };
-    for (int i = 0; i < rows; ++i)
-        for (int j = 0; j < columns; ++j) {
-            const glm::dvec3 p = at(i, j);
-            const glm::dvec3 toward = view.toward_eye(p);
-            double sum = 0;
-            // Half way to a neighbour a parabola is off its chord by a quarter of this; twice that
-            // is for what is no parabola.
-            if (i > 0 && i + 1 < rows)
-                sum += std::max(0.0, glm::dot((at(i - 1, j) + at(i + 1, j)) / 2.0 - p, toward));
-            if (j > 0 && j + 1 < columns)
-                sum += std::max(0.0, glm::dot((at(i, j - 1) + at(i, j + 1)) / 2.0 - p, toward));
-            out[static_cast<std::size_t>(i * columns + j)] = sum / 2;
-        }
-    return out;
+    constexpr double share = 0.15; // of a quad
+    const auto rows = static_cast<std::size_t>(steps_.x) + 1;
+    const auto columns = static_cast<std::size_t>(steps_.y) + 1;
+    const auto widen = [&](std::size_t rim, std::size_t inside) {
+        corners_px_[rim] += share * (corners_px_[rim] - corners_px_[inside]);
+    };
+    for (std::size_t j = 0; j < columns; ++j) {
+        widen(j, j + columns);
+        widen((rows - 1) * columns + j, (rows - 2) * columns + j);
+    }
+    for (std::size_t i = 0; i < rows; ++i) {
+        widen(i * columns, i * columns + 1);
+        widen(i * columns + columns - 1, i * columns + columns - 2);
+    }
 }
 
 std::size_t StripIndex::bucket(glm::dvec2 p_px) const
@@ -115,27 +155,36 @@ bool StripIndex::may_cover(glm::dvec2 p_px) const
     return begin_[b] < begin_[b + 1];
 }
 
-std::vector<glm::dvec2> StripIndex::find(glm::dvec2 p_px) const
+bool StripIndex::may_touch(glm::dvec2 lo_px, glm::dvec2 hi_px) const
 {
-    std::vector<glm::dvec2> out;
-    if (!may_cover(p_px)) return out;
-    constexpr double slack = 1e-6; // a pixel on the line between two quads is in both
-    const std::size_t b = bucket(p_px);
-    for (int e = begin_[b]; e < begin_[b + 1]; ++e) {
-        const int quad = quads_[static_cast<std::size_t>(e)];
-        const int i = quad / steps_.y, j = quad % steps_.y;
-        const auto corner = [&](int di, int dj) {
-            return corners_px_[static_cast<std::size_t>((i + di) * (steps_.y + 1) + j + dj)];
-        };
-        glm::dvec2 s = shares(corner(0, 0), corner(1, 0), corner(0, 1), p_px);
-        if (s.x < -slack || s.y < -slack || s.x + s.y > 1 + slack) {
-            s = shares(corner(1, 1), corner(0, 1), corner(1, 0), p_px);
-            if (s.x < -slack || s.y < -slack || s.x + s.y > 1 + slack) continue;
-            s = 1.0 - s;
-        }
-        out.emplace_back((i + s.x) / steps_.x, (j + s.y) / steps_.y);
+    if (!glm::all(glm::lessThanEqual(lo_px, hi_)) || !glm::all(glm::greaterThanEqual(hi_px, lo_)))
+        return false;
+    const glm::ivec2 most = buckets_ - 1;
+    const glm::dvec2 lo = (glm::max(lo_px, lo_) - lo_) * buckets_per_px_;
+    const glm::dvec2 hi = (glm::min(hi_px, hi_) - lo_) * buckets_per_px_;
+    const glm::ivec2 from = glm::min(glm::ivec2(lo), most), to = glm::min(glm::ivec2(hi), most);
+    for (int y = from.y; y <= to.y; ++y) {
+        const auto row = static_cast<std::size_t>(y * buckets_.x);
+        if (begin_[row + static_cast<std::size_t>(from.x)] <
+            begin_[row + static_cast<std::size_t>(to.x) + 1])
+            return true;
     }
-    return out;
+    return false;
+}
+
+std::optional<glm::dvec2> StripIndex::in_quad(int quad, glm::dvec2 p_px) const
+{
+    constexpr double slack = 1e-6; // a pixel on the line between two quads is in both
+    const int i = quad / steps_.y, j = quad % steps_.y;
+    const glm::dvec2* corner = corners_px_.data() + i * (steps_.y + 1) + j;
+    const glm::dvec2* next = corner + steps_.y + 1;
+    glm::dvec2 s = shares(corner[0], next[0], corner[1], p_px);
+    if (s.x < -slack || s.y < -slack || s.x + s.y > 1 + slack) {
+        s = shares(next[1], corner[1], next[0], p_px);
+        if (s.x < -slack || s.y < -slack || s.x + s.y > 1 + slack) return {};
+        s = 1.0 - s;
+    }
+    return glm::dvec2((i + s.x) / steps_.x, (j + s.y) / steps_.y);
 }
 
 } // namespace trivar

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/placement/surface_table.h"
 #include "core/placement/view.h"
-#include "core/spline/surface.h"
 
+#include <optional>
 #include <vector>
 
 namespace trivar {
@@ -12,16 +13,25 @@ namespace trivar {
 // The surface is cut into steps x steps quads, which a grid of buckets finds.
 class StripIndex {
 public:
-    StripIndex(const Surface<glm::dvec3>& surface, const View& view, glm::ivec2 steps);
+    StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2 steps);
 
-    // How far the surface may sag behind the corners of the quads near the pixel, metres.
-    double sag(glm::dvec2 p_px) const { return may_cover(p_px) ? sag_[bucket(p_px)] : 0; }
-
-    // False where the strip certainly is not. A few nanoseconds.
+    // False where the strip certainly is not; for a rectangle, where it meets no bucket of it.
     bool may_cover(glm::dvec2 p_px) const;
+    bool may_touch(glm::dvec2 lo_px, glm::dvec2 hi_px) const;
 
-    // Parameters near which the strip is seen at the pixel; several where it crosses itself.
-    std::vector<glm::dvec2> find(glm::dvec2 p_px) const;
+    // How far the surface near the pixel may sag behind chords of it, metres for each square of
+    // the chord's length in pixels.
+    double bend(glm::dvec2 p_px) const { return bend_[bucket(p_px)]; }
+
+    // Calls visit(uv) for parameters near which the strip is seen at the pixel: several where it
+    // crosses itself, and two on the line between two quads. A little outside the rim it does, too.
+    template <class Visit> void find(glm::dvec2 p_px, const Visit& visit) const
+    {
+        if (!may_cover(p_px)) return;
+        const std::size_t b = bucket(p_px);
+        for (int e = begin_[b]; e < begin_[b + 1]; ++e)
+            if (const auto uv = in_quad(quads_[static_cast<std::size_t>(e)], p_px)) visit(*uv);
+    }
 
     // The rectangle around the strip, and the typical size of a quad, pixels.
     glm::dvec2 lo_px() const { return lo_; }
@@ -29,7 +39,10 @@ public:
     double quad_px() const { return quad_px_; }
 
 private:
+    void widen_rim();
     std::size_t bucket(glm::dvec2 p_px) const;
+    std::optional<glm::dvec2> in_quad(int quad, glm::dvec2 p_px) const;
+
     glm::ivec2 steps_;
     std::vector<glm::dvec2> corners_px_; // (steps.x + 1) x (steps.y + 1)
     glm::dvec2 lo_, hi_;
@@ -37,12 +50,7 @@ private:
     glm::ivec2 buckets_{1};
     glm::dvec2 buckets_per_px_{1};
     std::vector<int> begin_, quads_; // of each bucket
-    std::vector<double> sag_;        // the largest of each bucket
+    std::vector<double> bend_;       // the largest of each bucket
 };
-
-// For (rows x columns) points of a surface: how far it may sag away from the viewer between each
-// point and its neighbours, estimated from second differences along the line of sight; metres.
-std::vector<double> sags(const std::vector<glm::dvec3>& points, int rows, int columns,
-                         const View& view);
 
 } // namespace trivar

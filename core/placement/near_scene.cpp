@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/placement/near_scene.h"
+
+#include "core/base/parallel.h"
+
+namespace trivar {
+namespace {
+
+constexpr std::size_t block = 8192;
+
+using Vertex = NearScene::Vertex;
+using Triangle = std::array<std::uint32_t, 3>;
+
+// On which sides of the rectangle a point lies; a triangle with a side in common misses it.
+// Of a point behind the camera only that is known.
+enum Side : std::uint8_t { left = 1, right = 2, above = 4, below = 8, behind = 16 };
+
+std::uint8_t sides(const Projected& at, glm::dvec2 lo, glm::dvec2 hi)
+{
+    if (!(at.depth_world > 0)) return behind;
+    return static_cast<std::uint8_t>(
+        (at.p_px.x < lo.x ? left : 0) | (at.p_px.x > hi.x ? right : 0) |
+        (at.p_px.y < lo.y ? above : 0) | (at.p_px.y > hi.y ? below : 0));
+}
+
+// A triangle that reaches behind the camera, cut in front of it: one or two triangles are left.
+void add_cut(NearScene& out, const View& view, const std::array<Vertex, 3>& corners)
+{
+    double deepest = 0;
+    for (const Vertex& v : corners) deepest = std::max(deepest, v.at.depth_world);
+    const double nearest = 1e-4 * deepest;
+    std::vector<std::uint32_t> rim;
+    const auto add = [&](const glm::dvec3& p) {
+        rim.push_back(static_cast<std::uint32_t>(out.vertices.size()));
+        out.vertices.push_back({p, view.project(p)});
+    };
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vertex &a = corners[k], &b = corners[(k + 1) % 3];
+        const double da = a.at.depth_world - nearest, db = b.at.depth_world - nearest;
+        if (da >= 0) add(a.p_world);
+        if ((da >= 0) != (db >= 0)) add(glm::mix(a.p_world, b.p_world, da / (da - db)));
+    }
+    for (std::size_t k = 2; k < rim.size(); ++k)
+        out.triangles.push_back({rim[0], rim[k - 1], rim[k]});
+}
+
+void add_entry(NearScene& out, const RayScene::Entry& entry, const View& view, glm::dvec2 lo,
+               glm::dvec2 hi, bool skip_back_faces)
+{
+    const auto& positions = entry.mesh->mesh().positions;
+    const auto& triangles = entry.mesh->triangles();
+    const auto vertex = [&](std::uint32_t i) {
+        const glm::dvec3 p(entry.to_world * glm::dvec4(positions[i], 1));
+        return Vertex{p, view.project(p)};
+    };
+    std::vector<std::uint8_t> side(positions.size());
+    parallel_blocks(positions.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            side[i] = sides(vertex(static_cast<std::uint32_t>(i)).at, lo, hi);
+    });
+
+    const bool mirrored = glm::determinant(glm::dmat3(entry.to_world)) < 0;
+    const auto front = [&](const glm::uvec3& t) {
+        const glm::dvec3 a = vertex(t.x).p_world;
+        const glm::dvec3 n = glm::cross(vertex(t.y).p_world - a, vertex(t.z).p_world - a);
+        return (glm::dot(n, view.toward_eye(a)) > 0) != mirrored;
+    };
+    // In fixed blocks, so that the order of the result does not depend on the threads.
+    std::vector<std::vector<glm::uvec3>> near((triangles.size() + block - 1) / block);
+    parallel_blocks(triangles.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const glm::uvec3& t = triangles[i];
+            if ((side[t.x] & side[t.y] & side[t.z]) != 0) continue;
+            if (!skip_back_faces || front(t)) near[begin / block].push_back(t);
+        }
+    });
+
+    std::vector<std::uint32_t> kept(positions.size(), 0); // one more than the new index
+    const auto index = [&](std::uint32_t i) {
+        if (kept[i] == 0) {
+            out.vertices.push_back(vertex(i));
+            kept[i] = static_cast<std::uint32_t>(out.vertices.size());
+        }
+        return kept[i] - 1;
+    };
+    for (const auto& part : near)
+        for (const glm::uvec3& t : part) {
+            if (((side[t.x] | side[t.y] | side[t.z]) & behind) != 0)
+                add_cut(out, view, {vertex(t.x), vertex(t.y), vertex(t.z)});
+            else
+                out.triangles.push_back({index(t.x), index(t.y), index(t.z)});
+        }
+}
+
+} // namespace
+
+NearScene near_scene(const RayScene& scene, const View& view, const StripIndex& strip,
+                     bool skip_back_faces)
+{
+    // A little larger: lifting in perspective moves the strip in the picture.
+    const glm::dvec2 border(4 * strip.quad_px());
+    NearScene out;
+    for (const RayScene::Entry& entry : scene.entries())
+        add_entry(out, entry, view, strip.lo_px() - border, strip.hi_px() + border,
+                  skip_back_faces);
+    return out;
+}
+
+} // namespace trivar

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/placement/strip_judge.h"
+
+#include "core/base/parallel.h"
+
+#include <algorithm>
+
+namespace trivar {
+namespace {
+
+// Sizes of pieces in quads of the index. Wider ones tell nothing of what is between their corners.
+constexpr double widest = 2, widest_at_rim = 1, widest_outside = 0.5;
+constexpr int most_halvings = 14; // of a piece that is not wider
+constexpr int rim_halvings = 12;
+
+struct Corner {
+    glm::dvec3 p_world;
+    glm::dvec2 p_px;
+    double depth_world = 0;
+    double gap = 1e300; // to the nearest layer of the strip
+    bool covered = false;
+};
+
+class Judge {
+public:
+    Judge(const SurfaceTable& surface, const View& view, const StripIndex& strip,
+          const JudgeOptions& options)
+        : surface_(surface),
+          view_(view),
+          strip_(strip),
+          options_(options)
+    {
+    }
+
+    Corner corner(const glm::dvec3& p_world, const Projected& at, Judgement& out) const
+    {
+        Corner c{p_world, at.p_px, at.depth_world};
+        strip_.find(at.p_px, [&](const glm::dvec2& uv) {
+            const Gap g = gap_at(surface_, view_, {p_world, uv});
+            if (!g.inside) return;
+            c.covered = true;
+            c.gap = std::min(c.gap, g.gap - options_.clearance);
+            if (g.gap - options_.clearance < -options_.let_be)
+                out.behind.push_back({p_world, g.uv});
+        });
+        out.worst = std::max(out.worst, -c.gap);
+        return c;
+    }
+
+    void look(const Corner& a, const Corner& b, const Corner& c, int halvings, Judgement& out) const
+    {
+        const int covered = a.covered + b.covered + c.covered;
+        if (covered == 0 && !strip_.may_touch(glm::min(glm::min(a.p_px, b.p_px), c.p_px),
+                                              glm::max(glm::max(a.p_px, b.p_px), c.p_px)))
+            return;
+        const double ab = squared(a, b), bc = squared(b, c), ca = squared(c, a);
+        const double longest = std::max({ab, bc, ca});
+        const double wide = covered == 3 ? widest : covered > 0 ? widest_at_rim : widest_outside;
+        const double limit = wide * strip_.quad_px() * wide * strip_.quad_px();
+        if (longest <= limit) {
+            if (covered == 0) return;
+            double least = std::min({a.gap, b.gap, c.gap});
+            if (covered < 3 && halvings == 0)
+                least = std::min({least, rim(a, b, out), rim(b, c, out), rim(c, a, out)});
+            double bend = 0;
+            for (const Corner* corner : {&a, &b, &c})
+                if (corner->covered) bend = std::max(bend, strip_.bend(corner->p_px));
+            const bool fine = least - bend * longest >= -options_.let_be;
+            if (fine || least < -options_.hopeless || halvings == most_halvings) return;
+            ++halvings;
+        }
+        if (ab == longest)
+            halve(a, b, c, halvings, out);
+        else if (bc == longest)
+            halve(b, c, a, halvings, out);
+        else
+            halve(c, a, b, halvings, out);
+    }
+
+private:
+    static double squared(const Corner& a, const Corner& b)
+    {
+        const glm::dvec2 d = b.p_px - a.p_px;
+        return glm::dot(d, d);
+    }
+
+    void halve(const Corner& a, const Corner& b, const Corner& apex, int halvings,
+               Judgement& out) const
+    {
+        const Corner middle = between(a, b, 0.5, out);
+        look(a, middle, apex, halvings, out);
+        look(middle, b, apex, halvings, out);
+    }
+
+    // At a share of the edge in the picture; equal steps there are not equal steps in space.
+    Corner between(const Corner& a, const Corner& b, double t, Judgement& out) const
+    {
+        const double za = a.depth_world, zb = b.depth_world;
+        const double s = view_.perspective() ? t * za / (t * za + (1 - t) * zb) : t;
+        return corner(glm::mix(a.p_world, b.p_world, s),
+                      {glm::mix(a.p_px, b.p_px, t), za + s * (zb - za)}, out);
+    }
+
+    // The least gap where the rim of the strip cuts the edge, if it does.
+    double rim(Corner a, Corner b, Judgement& out) const
+    {
+        if (a.covered == b.covered) return 1e300;
+        for (int halving = 0; halving < rim_halvings; ++halving) {
+            const Corner middle = between(a, b, 0.5, out);
+            (middle.covered == a.covered ? a : b) = middle;
+        }
+        return a.covered ? a.gap : b.gap;
+    }
+
+    const SurfaceTable& surface_;
+    const View& view_;
+    const StripIndex& strip_;
+    const JudgeOptions& options_;
+};
+
+// What the blocks found, one after the other: the same for any number of threads.
+template <class Body>
+void in_blocks(std::size_t count, std::size_t block, Judgement& to, const Body& body)
+{
+    std::vector<Judgement> parts((count + block - 1) / block);
+    parallel_blocks(count, block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) body(i, parts[begin / block]);
+    });
+    for (const Judgement& part : parts) {
+        to.behind.insert(to.behind.end(), part.behind.begin(), part.behind.end());
+        to.worst = std::max(to.worst, part.worst);
+    }
+}
+
+} // namespace
+
+Judgement judge(const SurfaceTable& surface, const View& view, const StripIndex& strip,
+                const NearScene& scene, const JudgeOptions& options)
+{
+    const Judge by(surface, view, strip, options);
+    Judgement out;
+    std::vector<Corner> corners(scene.vertices.size());
+    in_blocks(corners.size(), 512, out, [&](std::size_t i, Judgement& to) {
+        corners[i] = by.corner(scene.vertices[i].p_world, scene.vertices[i].at, to);
+    });
+    in_blocks(scene.triangles.size(), 512, out, [&](std::size_t i, Judgement& to) {
+        const auto [a, b, c] = scene.triangles[i];
+        by.look(corners[a], corners[b], corners[c], 0, to);
+    });
+    return out;
+}
+
+} // namespace trivar

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/placement/gap.h"
+#include "core/placement/near_scene.h"
+
+namespace trivar {
+
+struct JudgeOptions {
+    double clearance = 0;   // metres to keep in front of the scene
+    double let_be = 1e-4;   // metres behind that are as good as none
+    double hopeless = 1e-3; // metres behind from which finer looks are no use: it is lifted first
+};
+
+struct Judgement {
+    std::vector<SceneSample> behind; // by more than let_be
+    double worst = 0;                // metres behind, of all points looked at
+};
+
+// Measures the whole of the scene under the strip against the surface. A triangle is in front of
+// nothing when the surface is before its corners by more than it can sag between them; otherwise
+// the triangle is halved across its longest edge and looked at again. Where the rim of the strip
+// cuts it the cuts are corners, too. So a ridge is found however thin, a plane is sampled as
+// finely as the surface over it bends, and what lies hidden far behind costs next to nothing.
+// Hidden points do no harm, for what stays in front of the nearest surface stays in front of them.
+Judgement judge(const SurfaceTable& surface, const View& view, const StripIndex& strip,
+                const NearScene& scene, const JudgeOptions& options);
+
+} // namespace trivar

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/placement/surface_table.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace trivar {
+namespace {
+
+using Polynomial = std::array<double, max_order>; // of x, 0 at the span's begin and 1 at its end
+
+// The recursion of Cox and de Boor, carried out on polynomials instead of on values.
+std::array<Polynomial, max_order> span_polynomials(const std::vector<double>& t, int order, int s)
+{
+    const auto knot = [&](int i) { return t[static_cast<std::size_t>(i)]; };
+    const double begin = knot(s), length = knot(s + 1) - knot(s);
+    std::array<Polynomial, max_order> row{};
+    row[0][0] = 1;
+    for (int k = 2; k <= order; ++k) {
+        std::array<Polynomial, max_order> next{};
+        // Adds p times the line that is `at_begin` at 0 and rises by `rise` to 1.
+        const auto add = [&](Polynomial& to, const Polynomial& p, double at_begin, double rise) {
+            for (std::size_t c = 0; c < max_order; ++c)
+                to[c] += at_begin * p[c] + (c > 0 ? rise * p[c - 1] : 0.0);
+        };
+        for (int j = 0; j < k; ++j) {
+            const int i = s - k + 1 + j;
+            const auto J = static_cast<std::size_t>(j);
+            if (j > 0) {
+                const double support = knot(i + k - 1) - knot(i);
+                add(next[J], row[J - 1], (begin - knot(i)) / support, length / support);
+            }
+            if (j < k - 1) {
+                const double support = knot(i + k) - knot(i + 1);
+                add(next[J], row[J], (knot(i + k) - begin) / support, -length / support);
+            }
+        }
+        row = next;
+    }
+    return row;
+}
+
+} // namespace
+
+AxisTable::AxisTable(const Knots& knots) : order_(knots.order()), breaks_(knots.breaks())
+{
+    assert(knots.closure() == Closure::open);
+    for (std::size_t k = 0; k + 1 < breaks_.size(); ++k) {
+        const int s = knots.span(breaks_[k]);
+        first_.push_back(s - order_ + 1);
+        const auto polynomials = span_polynomials(knots.values(), order_, s);
+        for (int i = 0; i < order_; ++i)
+            for (int c = 0; c < order_; ++c)
+                coefficients_.push_back(
+                    polynomials[static_cast<std::size_t>(i)][static_cast<std::size_t>(c)]);
+    }
+}
+
+AxisTable::Row AxisTable::at(double t) const
+{
+    const double begin = breaks_.front(), end = breaks_.back();
+    t = std::clamp(t, begin, end);
+    const std::size_t last = first_.size() - 1;
+    // Right at once where the knots are uniform; elsewhere a start for the search.
+    std::size_t k = std::min(
+        static_cast<std::size_t>((t - begin) / (end - begin) * static_cast<double>(last + 1)),
+        last);
+    while (k > 0 && t < breaks_[k]) --k;
+    while (k < last && t >= breaks_[k + 1]) ++k;
+    const double length = breaks_[k + 1] - breaks_[k];
+    const double x = (t - breaks_[k]) / length;
+    Row out;
+    out.first = first_[k];
+    const auto order = static_cast<std::size_t>(order_);
+    const double* c = coefficients_.data() + k * order * order;
+    for (std::size_t i = 0; i < order; ++i, c += order) {
+        double value = c[order - 1], slope = 0;
+        for (std::size_t p = order - 1; p > 0; --p) {
+            slope = slope * x + value;
+            value = value * x + c[p - 1];
+        }
+        out.value[i] = value;
+        out.slope[i] = slope / length;
+    }
+    return out;
+}
+
+SurfaceTable::SurfaceTable(const Surface<glm::dvec3>& surface)
+    : surface_(surface),
+      axes_{AxisTable(surface.axes[0]), AxisTable(surface.axes[1])},
+      cells_(surface.axes[0].count() - 1, surface.axes[1].count() - 1)
+{
+}
+
+SurfaceTable::Jet SurfaceTable::jet(glm::dvec2 uv) const
+{
+    const AxisTable::Row a = axes_[0].at(uv.x), b = axes_[1].at(uv.y);
+    const auto rows = static_cast<std::size_t>(surface_.axes[0].order());
+    const auto columns = static_cast<std::size_t>(surface_.axes[1].order());
+    Jet out;
+    for (std::size_t i = 0; i < rows; ++i) {
+        const glm::dvec3* p =
+            &surface_.points[surface_.index(a.first + static_cast<int>(i), b.first)];
+        glm::dvec3 along(0), across(0);
+        for (std::size_t j = 0; j < columns; ++j) {
+            along += b.value[j] * p[j];
+            across += b.slope[j] * p[j];
+        }
+        out.value += a.value[i] * along;
+        out.u += a.slope[i] * along;
+        out.v += a.value[i] * across;
+    }
+    return out;
+}
+
+std::vector<glm::dvec3> SurfaceTable::grid(glm::ivec2 steps) const
+{
+    const auto columns = static_cast<std::size_t>(surface_.axes[1].count());
+    std::vector<AxisTable::Row> across;
+    for (int j = 0; j <= steps.y; ++j)
+        across.push_back(axes_[1].at(static_cast<double>(j) / steps.y));
+    std::vector<glm::dvec3> out, line(columns);
+    out.reserve(static_cast<std::size_t>(steps.x + 1) * across.size());
+    for (int i = 0; i <= steps.x; ++i) {
+        const AxisTable::Row a = axes_[0].at(static_cast<double>(i) / steps.x);
+        std::fill(line.begin(), line.end(), glm::dvec3(0));
+        for (int k = 0; k < surface_.axes[0].order(); ++k)
+            for (std::size_t j = 0; j < columns; ++j)
+                line[j] += a.value[static_cast<std::size_t>(k)] *
+                           surface_.points[surface_.index(a.first + k, static_cast<int>(j))];
+        for (const AxisTable::Row& b : across) {
+            glm::dvec3 p(0);
+            for (int k = 0; k < surface_.axes[1].order(); ++k)
+                p += b.value[static_cast<std::size_t>(k)] *
+                     line[static_cast<std::size_t>(b.first + k)];
+            out.push_back(p);
+        }
+    }
+    return out;
+}
+
+} // namespace trivar

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/spline/surface.h"
+
+#include <vector>
+
+namespace trivar {
+
+// The basis functions of an open axis as polynomials, one row of coefficients a span: their values
+// cost a few multiplications where basis() walks the triangle of de Boor.
+class AxisTable {
+public:
+    explicit AxisTable(const Knots& knots);
+
+    struct Row {
+        int first = 0; // control points first .. first + order - 1
+        std::array<double, max_order> value, slope;
+    };
+    Row at(double t) const; // t is clamped to the domain
+
+private:
+    int order_;
+    std::vector<double> breaks_;
+    std::vector<int> first_;
+    std::vector<double> coefficients_; // of each span: order x order, by function, lowest first
+};
+
+// A surface with open axes made ready for many evaluations. The surface must outlive it and keep
+// its axes; its control points may move.
+class SurfaceTable {
+public:
+    explicit SurfaceTable(const Surface<glm::dvec3>& surface);
+
+    struct Jet {
+        glm::dvec3 value{0}, u{0}, v{0};
+    };
+    Jet jet(glm::dvec2 uv) const;
+    const glm::dvec2& cells() const { return cells_; } // of control points, along both axes
+
+    // At (steps.x + 1) x (steps.y + 1) evenly spread parameters, v fastest: two matrix products.
+    std::vector<glm::dvec3> grid(glm::ivec2 steps) const;
+
+    // Calls visit(index of the control point, weight) for those that bear on the point.
+    template <class Visit> void each_weight(glm::dvec2 uv, const Visit& visit) const
+    {
+        const AxisTable::Row a = axes_[0].at(uv.x), b = axes_[1].at(uv.y);
+        for (int i = 0; i < surface_.axes[0].order(); ++i)
+            for (int j = 0; j < surface_.axes[1].order(); ++j)
+                visit(surface_.index(a.first + i, b.first + j),
+                      a.value[static_cast<std::size_t>(i)] * b.value[static_cast<std::size_t>(j)]);
+    }
+
+private:
+    const Surface<glm::dvec3>& surface_;
+    std::array<AxisTable, 2> axes_;
+    glm::dvec2 cells_;
+};
+
+} // namespace trivar
