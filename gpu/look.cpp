@@ -33,7 +33,7 @@ Look studio()
     look.zenith = glm::vec3(0.50f, 0.54f, 0.60f) * 0.52f;
     look.horizon = glm::vec3(0.22f, 0.215f, 0.21f) * 0.52f;
     look.floor = glm::vec3(0.66f, 0.63f, 0.60f) * 0.46f;
-    look.backdrop = {srgb(0x8C939B), srgb(0xD0D3D5), srgb(0xB3B5B7)};
+    look.backdrop = {srgb(0x98A1AB), srgb(0xE0E3E5), srgb(0xBFC1C3)};
     return look;
 }
 
