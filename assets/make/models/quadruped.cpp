@@ -26,7 +26,11 @@ Model quadruped(const Steed& z)
         vec3 p = mirror_z(p0);
         float shade = smooth_step(.30f, .62f, p.y + .03f * noise(p0 * 9.f));
         vec3 k = glm::mix(z.light, z.coat, shade);
-        if (!z.camel) k = glm::mix(k, z.dark, smooth_step(.30f, .16f, p.y));
+        if (!z.camel) {
+            const float pinto = noise(p0 * 5.5f + vec3(2, 0, 7)) + .12f * noise(p0 * 21.f);
+            k = glm::mix(k, srgb(0xf2ece2), smooth_step(.20f, .27f, pinto));
+            k = glm::mix(k, z.dark, smooth_step(.30f, .16f, p.y));
+        }
         Sample s{trunk(p), k};
         vec3 q = p * vec3(1, 1, z.neck_flatness);
         add(s, neck(q) * .9f, k, .07f);
