@@ -39,7 +39,8 @@ vec3 ground_color(vec3 p)
     const float hollow = (h(3 * e, 0) + h(-3 * e, 0) + h(0, 3 * e) + h(0, -3 * e)) / 4 - y;
     c = glm::mix(c, srgb(0xa89b88), smooth_step(.90f, .76f, n.y + .05f * patches)); // bare rock
     c *= 1 - 22.f * glm::clamp(hollow, -.004f, .006f);
-    return c * (1 + .05f * noise(q * 60.f) + .045f * noise(q * 170.f));
+    const float grain = .05f * noise(q * 60.f) + .06f * noise(q * 170.f) + .10f * noise(q * 430.f);
+    return c * (1 + grain);
 }
 
 } // namespace
@@ -84,7 +85,7 @@ Model terrain()
     }
     Model m;
     const int ground = m.material("ground", vec3(1), .95f);
-    m.materials[0].texture = bake(k, {768, 768}, ground_color);
+    m.materials[0].texture = bake(k, {1280, 1280}, ground_color);
     m.root().parts.push_back(k.mat(ground));
     return m;
 }
