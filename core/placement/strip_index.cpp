@@ -16,12 +16,19 @@ double cross(glm::dvec2 a, glm::dvec2 b)
 }
 
 // Barycentric coordinates of q in a triangle with the right angle of its parameters at a: the
-// shares of b and c. Far outside for a triangle without area.
-glm::dvec2 shares(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 q)
+// shares of b and c. None outside, or for a triangle without area.
+std::optional<glm::dvec2> shares(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 q)
 {
-    const double area = cross(b - a, c - a);
-    if (area == 0) return glm::dvec2(-1);
-    return glm::dvec2(cross(q - a, c - a), cross(b - a, q - a)) / area;
+    constexpr double slack = 1e-6; // a pixel on the line between two triangles is in both
+    double area = cross(b - a, c - a), of_b = cross(q - a, c - a), of_c = cross(b - a, q - a);
+    if (area < 0) {
+        area = -area;
+        of_b = -of_b;
+        of_c = -of_c;
+    }
+    const double out = -slack * area;
+    if (area == 0 || of_b < out || of_c < out || area - of_b - of_c < out) return {};
+    return glm::dvec2(of_b, of_c) / area;
 }
 
 // How far the surface may sag away from the viewer below chords near each of the points of a grid
@@ -81,8 +88,17 @@ StripIndex::StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2
         hi_ = glm::max(hi_, p);
     }
     const glm::dvec2 size = glm::max(hi_ - lo_, glm::dvec2(1e-9));
+    double area = 0;
+    for (int i = 0; i < steps.x; ++i)
+        for (int j = 0; j < steps.y; ++j) {
+            const glm::dvec2* corner = corners_px_.data() + i * (steps.y + 1) + j;
+            area +=
+                std::abs(cross(corner[steps.y + 2] - corner[0], corner[steps.y + 1] - corner[1])) /
+                2;
+        }
+    // In a strip that is seen edge-on quads have no area but still a size.
     const double quads = static_cast<double>(steps.x) * steps.y;
-    quad_px_ = std::sqrt(size.x * size.y / quads);
+    quad_px_ = std::max(std::sqrt(area / quads), 0.01 * glm::length(size) / std::sqrt(quads));
     buckets_ = glm::clamp(glm::ivec2(size / quad_px_), glm::ivec2(1), glm::ivec2(512));
     buckets_per_px_ = glm::dvec2(buckets_) / size;
 
@@ -103,7 +119,7 @@ StripIndex::StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2
                     glm::clamp(glm::ivec2((hi - lo_) * buckets_per_px_), glm::ivec2(0), most);
                 for (int y = from.y; y <= to.y; ++y)
                     for (int x = from.x; x <= to.x; ++x)
-                        visit(static_cast<std::size_t>(y * buckets_.x + x), i * steps.y + j);
+                        visit(static_cast<std::size_t>(y * buckets_.x + x), a);
             }
     };
     begin_.assign(static_cast<std::size_t>(buckets_.x * buckets_.y) + 1, 0);
@@ -113,9 +129,8 @@ StripIndex::StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2
     std::vector<int> next(begin_.begin(), begin_.end() - 1);
     const std::vector<double> bend = bends(corners, seen_px, steps, quad_px_, view);
     bend_.assign(begin_.size() - 1, 0);
-    each([&](std::size_t b, int quad) {
-        quads_[static_cast<std::size_t>(next[b]++)] = quad;
-        const int corner = quad / steps.y * (steps.y + 1) + quad % steps.y;
+    each([&](std::size_t b, int corner) {
+        quads_[static_cast<std::size_t>(next[b]++)] = corner;
         for (const int k : {corner, corner + 1, corner + steps.y + 1, corner + steps.y + 2})
             bend_[b] = std::max(bend_[b], bend[static_cast<std::size_t>(k)]);
     });
@@ -172,19 +187,18 @@ bool StripIndex::may_touch(glm::dvec2 lo_px, glm::dvec2 hi_px) const
     return false;
 }
 
-std::optional<glm::dvec2> StripIndex::in_quad(int quad, glm::dvec2 p_px) const
+std::optional<glm::dvec2> StripIndex::in_quad(int first_corner, glm::dvec2 p_px) const
 {
-    constexpr double slack = 1e-6; // a pixel on the line between two quads is in both
-    const int i = quad / steps_.y, j = quad % steps_.y;
-    const glm::dvec2* corner = corners_px_.data() + i * (steps_.y + 1) + j;
+    const glm::dvec2* corner = corners_px_.data() + first_corner;
     const glm::dvec2* next = corner + steps_.y + 1;
-    glm::dvec2 s = shares(corner[0], next[0], corner[1], p_px);
-    if (s.x < -slack || s.y < -slack || s.x + s.y > 1 + slack) {
+    auto s = shares(corner[0], next[0], corner[1], p_px);
+    if (!s) {
         s = shares(next[1], corner[1], next[0], p_px);
-        if (s.x < -slack || s.y < -slack || s.x + s.y > 1 + slack) return {};
-        s = 1.0 - s;
+        if (!s) return {};
+        s = 1.0 - *s;
     }
-    return glm::dvec2((i + s.x) / steps_.x, (j + s.y) / steps_.y);
+    const int i = first_corner / (steps_.y + 1), j = first_corner % (steps_.y + 1);
+    return (glm::dvec2(i, j) + *s) / glm::dvec2(steps_);
 }
 
 } // namespace trivar

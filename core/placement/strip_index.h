@@ -41,7 +41,7 @@ public:
 private:
     void widen_rim();
     std::size_t bucket(glm::dvec2 p_px) const;
-    std::optional<glm::dvec2> in_quad(int quad, glm::dvec2 p_px) const;
+    std::optional<glm::dvec2> in_quad(int first_corner, glm::dvec2 p_px) const;
 
     glm::ivec2 steps_;
     std::vector<glm::dvec2> corners_px_; // (steps.x + 1) x (steps.y + 1)
@@ -49,7 +49,7 @@ private:
     double quad_px_ = 1;
     glm::ivec2 buckets_{1};
     glm::dvec2 buckets_per_px_{1};
-    std::vector<int> begin_, quads_; // of each bucket
+    std::vector<int> begin_, quads_; // of each bucket: the first corners of quads
     std::vector<double> bend_;       // the largest of each bucket
 };
 

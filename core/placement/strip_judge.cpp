@@ -10,7 +10,7 @@ namespace {
 
 // Sizes of pieces in quads of the index. Wider ones tell nothing of what is between their corners.
 constexpr double widest = 2, widest_at_rim = 1, widest_outside = 0.5;
-constexpr int most_halvings = 14; // of a piece that is not wider
+constexpr int most_halvings = 9; // of a piece that is not wider
 constexpr int rim_halvings = 12;
 
 struct Corner {
