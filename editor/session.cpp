@@ -109,7 +109,10 @@ void Session::undo()
 void Session::redo()
 {
     check_.reset();
+    const Id next = committed().next_id;
     attempt([&] { scene_.redo(); });
+    // What came back is what was selected when it first came.
+    if (committed().next_id > next && committed().objects.contains(next)) selected = next;
 }
 
 void Session::go_to_step(std::size_t position)

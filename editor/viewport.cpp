@@ -2,7 +2,6 @@
 #include "editor/viewport.h"
 
 #include "ui/camera_control.h"
-#include "ui/timing_overlay.h"
 
 #include <algorithm>
 #include <cmath>
@@ -149,32 +148,46 @@ ViewportInput Viewport::take_input(Session& session, const ui::Frame& frame, con
 unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 size_px, bool moving,
                         int state, const std::function<std::vector<gpu::Line>()>& lines)
 {
-    // So long nothing moves before a full picture is begun: longer where pictures are slow, for
-    // the window stands still while one is drawn.
-    const double rest_s = std::clamp(2e-3 * ui::total_ms(timings_), 0.2, 1.5);
+    constexpr double rest_s = 0.3;   // so long nothing moves before a full picture is begun
+    constexpr double budget_ms = 40; // of it in one frame: the mouse must not wait
     Shown wanted{session.camera, session.evaluation(),           session.selected, size_px, state,
                  false,          session.document().render.get()};
     if (shown_) { // what was drawn as a draft is compared without that
         Shown before = *shown_;
         before.draft = false;
-        if (before != wanted && shown_->size_px == size_px) moving = true;
+        if (before != wanted) moving = true;
     }
     if (moving || move_ != Move::none) moved_s_ = frame.time_s;
-    wanted.draft = frame.time_s - moved_s_ < rest_s;
+    wanted.draft = !shown_ || frame.time_s - moved_s_ < rest_s;
     if (wanted.draft) frame.again_in(rest_s - (frame.time_s - moved_s_) + 0.01);
     // A full picture of the same thing does for a draft.
     Shown as_full = wanted;
     as_full.draft = false;
-    if (shown_ && (*shown_ == wanted || *shown_ == as_full)) return texture_;
+    if (shown_ && (*shown_ == wanted || *shown_ == as_full)) return renderer_->texture();
 
     if (!renderer_) renderer_ = std::make_unique<gpu::Renderer>();
-    gpu::Picture picture = picture_of(session, wanted.draft);
-    picture.lines = lines();
-    texture_ = renderer_->draw(picture, size_px);
-    timings_ = renderer_->timings();
-    shown_ = wanted;
-    ++pictures_;
-    return texture_;
+    if (wanted.draft || begun_ != wanted) {
+        gpu::Picture picture = picture_of(session, wanted.draft);
+        picture.lines = lines();
+        ++pictures_;
+        begun_.reset();
+        if (wanted.draft) {
+            renderer_->draw(picture, size_px);
+            draft_timings_ = renderer_->timings();
+            shown_ = wanted;
+            return renderer_->texture();
+        }
+        renderer_->begin(picture, size_px);
+        begun_ = wanted;
+    }
+    if (renderer_->advance(budget_ms)) {
+        full_timings_ = renderer_->timings();
+        begun_.reset();
+        shown_ = wanted;
+    } else {
+        frame.again_in(0);
+    }
+    return renderer_->texture();
 }
 
 std::vector<gpu::Line> placement_lines(const Placement& placement, const ui::Theme& theme)

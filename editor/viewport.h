@@ -19,11 +19,13 @@ public:
                              bool tool_is_busy);
 
     // The scene's picture as a texture, drawn anew only if it would differ. While things move it
-    // is a draft; a moment after they rest it is drawn in full, for which it asks for a frame.
+    // is a draft; a moment after they rest it is drawn in full, a piece a frame, for which it asks
+    // for frames. The draft stays until all of it is there.
     unsigned draw(const Session& session, ui::Frame& frame, glm::ivec2 size_px, bool moving,
                   int state, const std::function<std::vector<gpu::Line>()>& lines);
-    const Timings& timings() const { return timings_; }
-    long pictures() const { return pictures_; } // drawn so far
+    const Timings& draft_timings() const { return draft_timings_; } // of the last one
+    const Timings& full_timings() const { return full_timings_; }
+    long pictures() const { return pictures_; } // begun so far
 
 private:
     struct Shown { // what the present picture was drawn from
@@ -41,9 +43,9 @@ private:
     std::optional<glm::dvec3> anchor_under(const Session& session, glm::dvec2 p_px);
 
     std::unique_ptr<gpu::Renderer> renderer_; // made at the first picture
-    unsigned texture_ = 0;
     std::optional<Shown> shown_;
-    Timings timings_;
+    std::optional<Shown> begun_; // the full picture that is being drawn
+    Timings draft_timings_, full_timings_;
     long pictures_ = 0;
     double moved_s_ = -1e9;
 

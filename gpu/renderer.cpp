@@ -10,9 +10,11 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 #include <optional>
+#include <utility>
 
 namespace trivar::gpu {
 namespace {
@@ -55,6 +57,15 @@ struct StudioKey {
     bool operator==(const StudioKey&) const = default;
 };
 
+void check_size(glm::ivec2 size_px)
+{
+    constexpr int largest = 16384;
+    if (size_px.x < 1 || size_px.y < 1 || size_px.x > largest || size_px.y > largest)
+        throw Rejected(fmt::format("A picture of {} x {} pixels cannot be drawn: each side takes "
+                                   "1 to {}.",
+                                   size_px.x, size_px.y, largest));
+}
+
 bool any_see_through(const Scene& scene)
 {
     for (const SceneItem& item : scene.items)
@@ -65,6 +76,19 @@ bool any_see_through(const Scene& scene)
 
 } // namespace
 
+// A picture that is being drawn: what from, and how far it is.
+struct Work {
+    Picture picture;
+    Scene scene;
+    Frame frame;
+    Look look;
+    Quality quality;
+    int samples;
+    int sample = 0;        // the next one
+    std::size_t next = 0;  // of its passes
+    bool in_light = false; // the maps are drawn
+};
+
 struct Renderer::State {
     Tools tools;
     PassClock clock;
@@ -74,6 +98,9 @@ struct Renderer::State {
     std::optional<Targets> targets;
     StudioKey studio_key;
     std::optional<Studio> studio;
+    std::optional<Work> work;
+    bool whole = false; // the targets hold a picture
+    bool kept = false;  // and its copy is what shows
 
     const Studio& studio_of(const Look& look, const RenderSettings& settings)
     {
@@ -87,18 +114,102 @@ struct Renderer::State {
         return *studio;
     }
 
-    void draw_sample(const Frame& frame, const Scene& scene, const Look& look,
-                     const Quality& quality, bool grid)
+    void begin(const Picture& picture, glm::ivec2 size_px)
     {
+        clock.start_picture();
+        work.reset();
+        Camera camera = picture.camera;
+        camera.size_px = size_px;
+        const Look look = look_named(picture.settings.look);
+        const Studio& light = studio_of(look, picture.settings);
+        Scene scene;
+        clock.pass("upload", [&] {
+            tools.mirror().drop_dead();
+            scene = scene_of(picture, tools.mirror());
+        });
+        const Frame frame = frame_of(picture, camera, scene, look, light);
+        if (!targets || targets->size_px != size_px) {
+            whole = kept = false;
+            targets.reset(); // the old ones first: both at once may be too much
+            targets.emplace(size_px);
+        }
+        const int samples = picture.draft ? 1 : std::clamp(picture.samples, 1, 256);
+        Quality quality = quality_for(samples, picture.draft);
+        if (!picture.settings.ambient_occlusion) quality.occlusion_slices = 0;
+        work = Work{picture, std::move(scene), frame, look, quality, samples};
+    }
+
+    void draw_maps()
+    {
+        const bool draft = work->picture.draft;
+        shadow_map.fit(work->frame, work->scene, draft ? 1024 : 2048);
+        tools.set_frame(work->frame);
+        if (work->picture.settings.shadows && shadow_map.stale(work->scene))
+            clock.pass("shadow map", [&] { shadow_map.draw(tools, work->scene); });
+        const int contact_px = draft ? 96 : 192;
+        if (contact_map.stale(work->frame, work->scene, contact_px))
+            clock.pass("contact map",
+                       [&] { contact_map.draw(tools, work->frame, work->scene, contact_px); });
+    }
+
+    // The next pass of a sample; whether it was the last one.
+    bool draw_pass()
+    {
+        const Work& w = *work;
+        const Frame frame = sample_of(w.frame, w.sample, w.samples);
         tools.set_frame(frame);
-        clock.pass("surfaces", [&] { draw_surfaces(tools, *targets, frame, scene, look.clay); });
-        shadow_map.bind();
-        clock.pass("occlusion", [&] { draw_occlusion(tools, *targets, quality); });
-        contact_map.bind();
-        clock.pass("light", [&] { draw_light(tools, *targets); });
-        clock.pass("backdrop", [&] { draw_backdrop(tools, *targets, grid); });
-        if (any_see_through(scene))
-            clock.pass("ghosts", [&] { draw_ghosts(tools, *targets, frame, scene, quality); });
+        if (work->next > 0) shadow_map.bind();
+        if (work->next > 1) contact_map.bind();
+        switch (work->next++) {
+        case 0:
+            clock.pass("surfaces",
+                       [&] { draw_surfaces(tools, *targets, frame, w.scene, w.look.clay); });
+            return false;
+        case 1:
+            clock.pass("occlusion", [&] { draw_occlusion(tools, *targets, w.quality); });
+            return false;
+        case 2: clock.pass("light", [&] { draw_light(tools, *targets); }); return false;
+        case 3:
+            clock.pass("backdrop", [&] { draw_backdrop(tools, *targets, w.picture.grid); });
+            return false;
+        default:
+            if (any_see_through(w.scene))
+                clock.pass("ghosts",
+                           [&] { draw_ghosts(tools, *targets, frame, w.scene, w.quality); });
+            if (w.samples > 1)
+                clock.pass("average", [&] { add_sample(tools, *targets, w.sample); });
+            return true;
+        }
+    }
+
+    void finish()
+    {
+        const Work& w = *work;
+        tools.set_frame(w.frame);
+        if (w.samples > 1) clock.pass("average", [&] { draw_average(tools, *targets); });
+        if (!w.picture.lines.empty())
+            clock.pass("lines", [&] {
+                lines.draw(tools, *targets, w.frame, w.picture.lines, w.scene.origin_world);
+            });
+        if (std::ranges::any_of(w.scene.items, &SceneItem::highlighted))
+            clock.pass("outline",
+                       [&] { draw_outline(tools, *targets, w.frame, w.scene, w.look.accent); });
+        work.reset();
+        whole = true;
+        kept = false;
+    }
+
+    // One step of the work.
+    void step()
+    {
+        if (!std::exchange(work->in_light, true)) {
+            draw_maps();
+        } else if (work->sample == work->samples) {
+            finish();
+        } else if (draw_pass()) {
+            ++work->sample;
+            work->next = 0;
+        }
     }
 };
 
@@ -107,54 +218,44 @@ Renderer::~Renderer() = default;
 
 unsigned Renderer::draw(const Picture& picture, glm::ivec2 size_px)
 {
-    constexpr int largest = 16384;
-    if (size_px.x < 1 || size_px.y < 1 || size_px.x > largest || size_px.y > largest)
-        throw Rejected(fmt::format("A picture of {} x {} pixels cannot be drawn: each side takes "
-                                   "1 to {}.",
-                                   size_px.x, size_px.y, largest));
+    check_size(size_px);
     State& s = *state_;
     const StateGuard guard;
-    s.clock.start_picture();
-    Camera camera = picture.camera;
-    camera.size_px = size_px;
-    const Look look = look_named(picture.settings.look);
-    const Studio& studio = s.studio_of(look, picture.settings);
-    Scene scene;
-    s.clock.pass("upload", [&] {
-        s.tools.mirror().drop_dead();
-        scene = scene_of(picture, s.tools.mirror());
-    });
-    Frame frame = frame_of(picture, camera, scene, look, studio);
-    if (!s.targets || s.targets->size_px != size_px) {
-        s.targets.reset(); // the old ones first: both at once may be too much
-        s.targets.emplace(size_px);
-    }
+    s.begin(picture, size_px);
+    while (s.work) s.step();
+    return texture();
+}
 
-    const int samples = picture.draft ? 1 : std::clamp(picture.samples, 1, 256);
-    Quality quality = quality_for(samples, picture.draft);
-    if (!picture.settings.ambient_occlusion) quality.occlusion_slices = 0;
-    s.shadow_map.fit(frame, scene, picture.draft ? 1024 : 2048);
-    s.tools.set_frame(frame);
-    if (picture.settings.shadows && s.shadow_map.stale(scene))
-        s.clock.pass("shadow map", [&] { s.shadow_map.draw(s.tools, scene); });
-    const int contact_px = picture.draft ? 96 : 192;
-    if (s.contact_map.stale(frame, scene, contact_px))
-        s.clock.pass("contact map", [&] { s.contact_map.draw(s.tools, frame, scene, contact_px); });
+void Renderer::begin(const Picture& picture, glm::ivec2 size_px)
+{
+    check_size(size_px);
+    State& s = *state_;
+    const StateGuard guard;
+    s.begin(picture, size_px);
+    if (!s.whole || s.kept) return;
+    glCopyImageSubData(s.targets->color_bytes.name(), GL_TEXTURE_2D, 0, 0, 0, 0,
+                       s.targets->kept.name(), GL_TEXTURE_2D, 0, 0, 0, 0, size_px.x, size_px.y, 1);
+    s.kept = true;
+}
 
-    for (int i = 0; i < samples; ++i) {
-        s.draw_sample(sample_of(frame, i, samples), scene, look, quality, picture.grid);
-        if (samples > 1) s.clock.pass("average", [&] { add_sample(s.tools, *s.targets, i); });
+bool Renderer::advance(double budget_ms)
+{
+    State& s = *state_;
+    const StateGuard guard;
+    const auto start = std::chrono::steady_clock::now();
+    const std::chrono::duration<double, std::milli> budget(budget_ms);
+    while (s.work) {
+        s.step();
+        if (std::chrono::steady_clock::now() - start >= budget) break;
     }
-    s.tools.set_frame(frame);
-    if (samples > 1) s.clock.pass("average", [&] { draw_average(s.tools, *s.targets); });
-    if (!picture.lines.empty())
-        s.clock.pass("lines", [&] {
-            s.lines.draw(s.tools, *s.targets, frame, picture.lines, scene.origin_world);
-        });
-    if (std::ranges::any_of(scene.items, &SceneItem::highlighted))
-        s.clock.pass("outline",
-                     [&] { draw_outline(s.tools, *s.targets, frame, scene, look.accent); });
-    return s.targets->color_bytes.name();
+    return !s.work;
+}
+
+unsigned Renderer::texture() const
+{
+    const State& s = *state_;
+    if (!s.whole) return 0;
+    return s.kept ? s.targets->kept.name() : s.targets->color_bytes.name();
 }
 
 Image Renderer::render(const Picture& picture, glm::ivec2 size_px)

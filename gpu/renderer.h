@@ -21,7 +21,14 @@ public:
     // call.
     unsigned draw(const Picture& picture, glm::ivec2 size_px);
 
-    // The same, read back.
+    // The same in pieces, so that a window on a slow machine stays awake: begin() drops what was
+    // begun before, each advance() draws on for about so long (a pass at least) and tells whether
+    // the picture is whole. Until then texture() stays the last whole picture of this size.
+    void begin(const Picture& picture, glm::ivec2 size_px);
+    bool advance(double budget_ms);
+    unsigned texture() const;
+
+    // The same as draw(), read back.
     Image render(const Picture& picture, glm::ivec2 size_px);
 
     // The id of the instance under a pixel of the last picture drawn (0, 0 top left); 0: none.

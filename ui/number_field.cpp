@@ -116,6 +116,13 @@ Edit type_number(const Theme& theme, const Memory& memory, double& value, const 
 
 } // namespace
 
+std::string with_commas(std::size_t number)
+{
+    std::string digits = std::to_string(number);
+    for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, 1, ',');
+    return digits;
+}
+
 std::string short_number(double value)
 {
     if (value == 0) return "0";

@@ -66,7 +66,7 @@ void draw_timing(const Theme& theme, glm::vec2 at, float max_height,
     double slowest = 0;
     std::size_t lines = 0;
     for (const TimingGroup& group : groups) {
-        slowest = std::max(slowest, total_ms(*group.timings));
+        if (group.waited_for) slowest = std::max(slowest, total_ms(*group.timings));
         lines += group.timings->stages.size() + 1;
     }
     ImGui::SetCursorScreenPos({at.x, at.y});

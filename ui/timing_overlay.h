@@ -6,11 +6,12 @@
 
 namespace trivar::ui {
 
-// One column of stages, with the words that stand above it and whether GPU time is meant.
+// Stages with the words that stand above them; what nobody waits for does not count in the pill.
 struct TimingGroup {
     std::string title;
     const Timings* timings = nullptr;
     Color color = 0;
+    bool waited_for = true;
 };
 
 // A pill with the total; pressed, it opens a card with every stage, its time and its share.

@@ -75,5 +75,6 @@ void empty_state(const Theme& theme, const Rect& in, const char* icon, const std
 
 // A number with three significant digits, and no exponent between 0.001 and 1e6.
 std::string short_number(double value);
+std::string with_commas(std::size_t number); // 12,345
 
 } // namespace trivar::ui

@@ -95,8 +95,8 @@ void facts(Editor& editor, const ui::Theme& theme, const Object& each, Id id)
     ui::fact_row(theme, "Size",
                  fmt::format("{} x {} x {} m", ui::short_number(size.x), ui::short_number(size.y),
                              ui::short_number(size.z)));
-    ui::fact_row(theme, "Faces", std::to_string(faces));
-    ui::fact_row(theme, "Vertices", std::to_string(vertices));
+    ui::fact_row(theme, "Faces", ui::with_commas(faces));
+    ui::fact_row(theme, "Vertices", ui::with_commas(vertices));
     ui::gap(theme, 8);
 }
 

@@ -7,13 +7,6 @@
 namespace trivar {
 namespace {
 
-std::string with_commas(std::size_t number)
-{
-    std::string digits = std::to_string(number);
-    for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, 1, ',');
-    return digits;
-}
-
 std::string facts(const Session& session)
 {
     if (session.document().objects.empty()) return "Empty scene  ·  m";
@@ -25,7 +18,7 @@ std::string facts(const Session& session)
     const std::string what = session.selected != 0
                                  ? "1 selected"
                                  : fmt::format("{} object{}", count, count == 1 ? "" : "s");
-    return fmt::format("{}  ·  {} vertices  ·  m", what, with_commas(vertices));
+    return fmt::format("{}  ·  {} vertices  ·  m", what, ui::with_commas(vertices));
 }
 
 float input_width(const ui::Theme& theme, const std::string& input)

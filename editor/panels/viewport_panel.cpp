@@ -38,8 +38,11 @@ void labels(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
     const bool evaluated = !session.evaluated().timings.stages.empty();
     std::vector<ui::TimingGroup> groups;
     if (evaluated) groups.push_back({"Evaluation", &session.evaluated().timings, theme.color.cpu});
-    if (!editor.viewport.timings().stages.empty())
-        groups.push_back({"Picture", &editor.viewport.timings(), theme.color.gpu});
+    const Viewport& shown = editor.viewport;
+    if (!shown.draft_timings().stages.empty())
+        groups.push_back({"Picture while moving", &shown.draft_timings(), theme.color.gpu});
+    if (!shown.full_timings().stages.empty())
+        groups.push_back({"Picture at rest", &shown.full_timings(), theme.color.gpu, false});
     if (!groups.empty())
         ui::draw_timing(theme, at, view.hi.y - at.y - theme.px(40), groups, editor.timing_open);
 }

@@ -43,10 +43,15 @@ Id model_to_place(const Session& session, Id chosen)
     const Document& document = session.document();
     for (const Id id : {chosen, session.selected})
         if (can_be_placed(document, id)) return id;
-    Id newest = 0;
-    for (const auto& [id, each] : document.objects)
-        if (can_be_placed(document, id) && !each->placement && !each->hidden) newest = id;
-    return newest;
+    // The oldest is what the others are laid on: only what came later is meant.
+    Id oldest = 0, newest = 0, newest_loose = 0;
+    for (const auto& [id, each] : document.objects) {
+        if (!can_be_placed(document, id) || each->hidden) continue;
+        if (oldest == 0) oldest = id;
+        newest = id;
+        if (id != oldest && !each->placement) newest_loose = id;
+    }
+    return newest_loose != 0 ? newest_loose : newest;
 }
 
 const char* PlaceTool::icon() const

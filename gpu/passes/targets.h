@@ -16,6 +16,7 @@ struct Targets {
     Texture2D occlusion_noisy, occlusion; // half size: occlusion.frag
     Texture2D color;                      // sRGB
     Texture2D color_bytes;                // the same texels as plain bytes
+    Texture2D kept;                       // the last whole picture while the next is drawn
     Texture2D sum;                        // average of the samples so far, linear
     Texture2D mask;                       // of highlighted instances
 

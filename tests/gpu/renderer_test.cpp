@@ -2,6 +2,7 @@
 #include "core/base/rejected.h"
 #include "tests/gpu/support.h"
 
+#include <epoxy/gl.h>
 #include <limits>
 
 namespace trivar::gpu::testing {
@@ -81,6 +82,37 @@ TEST_F(TheRenderer, DrawsTheSamePictureTwiceBitByBit)
     Renderer another;
     EXPECT_EQ(first.rgba, another.render(picture, {96, 64}).rgba);
     EXPECT_EQ(first.rgba, renderer.render(picture, {96, 64}).rgba);
+}
+
+std::vector<std::uint8_t> texels(unsigned texture, glm::ivec2 size_px)
+{
+    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size_px.x * size_px.y) * 4);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+    return bytes;
+}
+
+TEST_F(TheRenderer, DrawsInPiecesWhatItDrawsAtOnceAndShowsTheLastPictureMeanwhile)
+{
+    const glm::ivec2 size(96, 64);
+    Picture picture;
+    picture.camera = looking_at_origin(4);
+    picture.instances = {instance_of(torus_mesh(0.8, 0.3, {48, 24}))};
+    const auto whole = texels(Renderer().draw(picture, size), size);
+    Picture draft = picture;
+    draft.draft = true;
+    draft.camera = looking_at_origin(5);
+    const auto before = texels(renderer.draw(draft, size), size);
+    renderer.begin(picture, size);
+    int pieces = 1;
+    for (; !renderer.advance(0); ++pieces)
+        ASSERT_EQ(texels(renderer.texture(), size), before) << "after piece " << pieces;
+    EXPECT_GT(pieces, 4 * picture.samples);
+    EXPECT_EQ(texels(renderer.texture(), size), whole);
+
+    renderer.begin(draft, size); // a picture that is begun anew does not disturb the next
+    renderer.advance(0);
+    EXPECT_EQ(texels(renderer.draw(picture, size), size), whole);
 }
 
 TEST_F(TheRenderer, RefusesSizesThatCannotBeDrawn)
