@@ -6,6 +6,7 @@
 
 #include <cassert>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 namespace trivar {
 namespace {
@@ -244,7 +245,11 @@ void run_keys(Editor& editor)
         if (escape() || ImGui::IsMouseClicked(ImGuiMouseButton_Right)) tool.cancel(editor.session);
         return;
     }
-    if (editor.files.asking() || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId)) return;
+    if (editor.files.asking()) return;
+    if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId)) {
+        if (escape()) ImGui::ClosePopupToLevel(0, true);
+        return;
+    }
     if (ImGui::IsAnyItemActive()) return; // a field is being dragged
     if (escape()) {
         if (editor.session.committing())
@@ -253,6 +258,7 @@ void run_keys(Editor& editor)
             editor.help_open = false;
         else
             editor.choose_tool(0);
+        editor.session.notices.clear(); // read
     }
     for (const Action& each : editor.actions) {
         bool hit = false;

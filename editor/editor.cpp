@@ -33,6 +33,7 @@ void draw_editor(Editor& editor, ui::Frame& frame)
 {
     const ui::Theme& theme = frame.theme;
     editor.session.poll();
+    const long change = editor.session.change();
     for (const ui::Event& event : frame.events) {
         if (event.kind == ui::Event::Kind::drop) editor.files.take_dropped(event.paths);
         // Somewhere else has the keyboard now: a gesture would go on without its end.
@@ -60,6 +61,8 @@ void draw_editor(Editor& editor, ui::Frame& frame)
     draw_status_line(editor, theme, layout);
     editor.files.draw(theme);
     draw_help(editor, theme);
+    // Panels drawn before the change still show what was there.
+    if (editor.session.change() != change) frame.again_in(0);
     frame.close = editor.files.close_agreed();
 }
 

@@ -35,6 +35,14 @@ std::string stem_of(const std::string& path)
     return path.empty() ? "untitled" : fs::path(path).stem().string();
 }
 
+// The reason as the body of a notice whose title names the file already.
+std::string reason(const std::string& why, const std::string& path)
+{
+    const std::string prefix = file_name(path) + ": ";
+    if (!why.starts_with(prefix) || why.size() == prefix.size()) return why;
+    return why.substr(prefix.size());
+}
+
 } // namespace
 
 const std::vector<std::string>& model_extensions()
@@ -152,19 +160,18 @@ void Files::ask_save_compact()
 void Files::open_scene(const std::string& path)
 {
     keep_or([this, path] {
-        session_->jobs().start({"Opening " + file_name(path),
-                                [this, path](const Progress&) -> Jobs::Finish {
-                                    // Shared, for a function that is copied cannot hold what is
-                                    // only moved.
-                                    auto scene = std::make_shared<SceneFile>(path);
-                                    return [this, scene] {
-                                        session_->replace_scene(std::move(*scene));
-                                    };
-                                },
-                                [this, path](const std::string& why) {
-                                    session_->notices.say(ui::NoticeKind::error,
-                                                          file_name(path) + " was not opened", why);
-                                }});
+        session_->jobs().start(
+            {"Opening " + file_name(path),
+             [this, path](const Progress&) -> Jobs::Finish {
+                 // Shared, for a function that is copied cannot hold what is
+                 // only moved.
+                 auto scene = std::make_shared<SceneFile>(path);
+                 return [this, scene] { session_->replace_scene(std::move(*scene)); };
+             },
+             [this, path](const std::string& why) {
+                 session_->notices.say(ui::NoticeKind::error, file_name(path) + " was not opened",
+                                       reason(why, path));
+             }});
     });
 }
 
@@ -194,7 +201,7 @@ void Files::import(const std::string& path)
          },
          [this, path](const std::string& why) {
              session_->notices.say(ui::NoticeKind::error, file_name(path) + " was not imported",
-                                   why);
+                                   reason(why, path));
          }});
 }
 

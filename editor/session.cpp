@@ -185,16 +185,19 @@ void Session::poll()
 Box bounds_of(const Session& session, Id id)
 {
     Box box;
-    for (const auto& [each, object] : session.evaluated().objects) {
-        Id ancestor = each;
-        const auto& objects = session.document().objects;
-        while (id != 0 && ancestor != id && ancestor != 0) {
-            const auto found = objects.find(ancestor);
-            ancestor = found == objects.end() ? 0 : found->second->parent;
-        }
-        if ((id == 0 || ancestor == id) && !object->bounds.empty()) box.add(object->bounds);
-    }
+    for (const auto& [each, object] : session.evaluated().objects)
+        if (belongs_to(session.document(), each, id) && !object->bounds.empty())
+            box.add(object->bounds);
     return box;
+}
+
+bool belongs_to(const Document& document, Id id, Id group)
+{
+    while (id != group && id != 0) {
+        const auto found = document.objects.find(id);
+        id = found == document.objects.end() ? 0 : found->second->parent;
+    }
+    return id == group;
 }
 
 std::string name_of(const Document& document, Id id)

@@ -23,6 +23,8 @@ public:
     const Evaluated& evaluated() const { return evaluated_; } // may be a moment behind
     // Counts up with every new evaluation; equal numbers mean equal effects.
     long evaluation() const { return evaluation_; }
+    // Counts up with every change of the document, proposed or committed.
+    long change() const { return asked_ticket_; }
     bool up_to_date() const { return evaluated_ticket_ == asked_ticket_; }
 
     // Gestures. A command that is Rejected becomes a notice and the return value is false.
@@ -82,6 +84,8 @@ private:
 
 // The box round an object, with what is in it if it is a group, or round everything for id 0.
 Box bounds_of(const Session& session, Id id);
+// Whether it is that object or in that group, however deep; everything is in 0.
+bool belongs_to(const Document& document, Id id, Id group);
 // The name in the outliner, or nothing for an id that is gone.
 std::string name_of(const Document& document, Id id);
 

@@ -18,6 +18,22 @@ double lifetime_s(NoticeKind kind)
     return kind == NoticeKind::good ? 4 : kind == NoticeKind::warning ? 10 : 1e300;
 }
 
+// As a sentence begins, unless with a file's name.
+std::string capitalised(std::string text)
+{
+    const bool name = text.substr(0, text.find(' ')).find_first_of("./_") != std::string::npos;
+    if (!name && !text.empty() && text[0] >= 'a' && text[0] <= 'z')
+        text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+}
+
+std::string sentence(std::string text)
+{
+    if (text.empty()) return text;
+    if (text.find_last_of(".!?") != text.size() - 1) text += '.';
+    return capitalised(std::move(text));
+}
+
 // An undecorated window over everything else, of just this place.
 void begin_card(const Theme& theme, const char* name, const Rect& rect)
 {
@@ -84,6 +100,8 @@ Drawn draw_one(const Theme& theme, const Notices::Notice& notice, glm::vec2 lowe
 
 void Notices::say(NoticeKind kind, std::string title, std::string body)
 {
+    title = capitalised(std::move(title));
+    body = sentence(std::move(body));
     for (Notice& notice : notices_)
         if (notice.kind == kind && notice.title == title && notice.body == body) {
             ++notice.count;

@@ -91,13 +91,16 @@ void empty_state(const Theme& theme, const Rect& in, const char* icon, const std
     const float width = std::min(theme.px(232), in.width() - theme.px(32));
     const std::vector<std::string> lines = wrapped(theme.font.body, body, width);
     const float height = theme.px(68) + line * static_cast<float>(lines.size());
-    float y = std::round(in.center().y - height / 2);
+    const bool cramped = height > in.height(); // then words go before the icon
+    const float shown = cramped ? height - theme.px(40) : height;
+    float y = std::round(std::max(in.lo.y, in.center().y - shown / 2));
     const auto band = [&](float h) {
         const Rect r{{in.lo.x, y}, {in.hi.x, y + h}};
         y += h;
         return r;
     };
-    paint_text(theme.font.large_icon, band(theme.px(40)), c.text_off, icon, Align::center);
+    if (!cramped)
+        paint_text(theme.font.large_icon, band(theme.px(40)), c.text_off, icon, Align::center);
     paint_text(theme.font.strong, band(theme.px(28)), c.text_2, title, Align::center);
     for (const std::string& words : lines)
         paint_text(theme.font.body, band(line), c.text_3, words, Align::center);

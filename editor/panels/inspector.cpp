@@ -243,8 +243,9 @@ void draw_inspector(Editor& editor, const ui::Theme& theme, const Layout& layout
         const bool nothing = objects.empty();
         if (!nothing) draw_picture_settings(editor, theme);
         const float top = nothing ? r.lo.y : ImGui::GetCursorScreenPos().y;
-        ui::empty_state(theme, {{r.lo.x, top}, {r.hi.x, std::min(r.hi.y, top + theme.px(220))}},
-                        ui::icon::sliders, "Nothing selected",
+        const float end = nothing ? std::min(r.hi.y, top + theme.px(220)) : top + theme.px(200);
+        ui::empty_state(theme, {{r.lo.x, top}, {r.hi.x, end}}, ui::icon::sliders,
+                        "Nothing selected",
                         "Click an object, or a row of the outliner, to see what can be changed.");
         if (!nothing) ImGui::Dummy({1, theme.px(200)});
         ImGui::End();

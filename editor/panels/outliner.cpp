@@ -99,7 +99,9 @@ bool draw_row(Editor& editor, const ui::Theme& theme, const Entry& entry, const 
     else if (hovered)
         ui::paint_box(band, c.row_hover, theme.size.rounding_small);
     float x = row.lo.x + theme.px(16) + theme.px(16) * static_cast<float>(entry.depth);
-    const ui::Color quiet = !seen ? c.text_off : selected ? c.text : c.text_2;
+    // "Off" cannot be read on the selection's blue.
+    const ui::Color off = selected ? c.text_2 : c.text_off;
+    const ui::Color quiet = !seen ? off : selected ? c.text : c.text_2;
     ui::paint_text(theme.font.body, {{x, row.lo.y}, row.hi}, quiet, icon_of(each));
     x += theme.px(24);
     const std::string type = type_of(each);
@@ -108,10 +110,10 @@ bool draw_row(Editor& editor, const ui::Theme& theme, const Entry& entry, const 
         rename_field(editor, theme, {{x - theme.px(6), row.lo.y}, {eye - theme.px(4), row.hi.y}});
     } else {
         const ImFont* font = selected ? theme.font.strong : theme.font.body;
-        ui::paint_text(font, {{x, row.lo.y}, row.hi}, seen ? c.text : c.text_off,
+        ui::paint_text(font, {{x, row.lo.y}, row.hi}, seen ? c.text : off,
                        ui::elided(font, each.name, type_x - x - theme.px(8)));
         ui::paint_text(theme.font.small, {{type_x, row.lo.y}, row.hi},
-                       !seen      ? c.text_off
+                       !seen      ? off
                        : selected ? c.text_2
                                   : c.text_3,
                        type);

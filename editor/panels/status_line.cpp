@@ -12,7 +12,7 @@ std::string facts(const Session& session)
     if (session.document().objects.empty()) return "Empty scene  ·  m";
     std::size_t vertices = 0;
     for (const auto& [id, object] : session.evaluated().objects)
-        if (session.selected == 0 || id == session.selected)
+        if (belongs_to(session.document(), id, session.selected))
             for (const Part& part : object->parts) vertices += part.mesh->vertex_count();
     const std::size_t count = session.document().objects.size();
     const std::string what = session.selected != 0

@@ -85,10 +85,10 @@ void draw_welcome(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
     const bool samples = !editor.samples.empty();
     const auto shown = std::min<std::size_t>(editor.samples.size(), 5);
     const auto rows = static_cast<float>(std::max<std::size_t>(shown, 3));
-    const float height = samples ? theme.px(100) + rows * theme.px(38) : theme.px(232);
-    const glm::vec2 wanted{theme.px(samples ? 620 : 360), height};
+    const bool two_columns = samples && view.width() >= theme.px(544);
+    const float height = two_columns ? theme.px(100) + rows * theme.px(38) : theme.px(212);
+    const glm::vec2 wanted{theme.px(two_columns ? 620 : 360), height};
     const glm::vec2 size = glm::min(wanted, view.size() - theme.px(24));
-    const bool two_columns = samples && size.x >= theme.px(520);
     const ui::Rect r = ui::rect_at(glm::round(view.center() - size / 2.0f), size);
     ui::paint_card(theme, r);
     const float column = two_columns ? theme.px(280) : r.width() - 2 * pad;

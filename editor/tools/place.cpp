@@ -25,6 +25,15 @@ const Placement* placement_of(const Session& session, Id id)
     return found == session.evaluated().objects.end() ? nullptr : found->second->placement.get();
 }
 
+// Nobody means a stroke that never left the place where it began.
+bool is_click(const Sketch& sketch)
+{
+    constexpr double hand_px = 3; // a hand that clicks moves the mouse as far as this
+    return std::all_of(sketch.samples.begin(), sketch.samples.end(), [&](const StrokeSample& s) {
+        return glm::distance(s.p_px, sketch.samples.front().p_px) <= hand_px;
+    });
+}
+
 // The corner nearest to the mouse would be covered by the hand; the chips stand to its right.
 void measure_chips(const ui::Theme& theme, glm::vec2 at, const Placement* placement)
 {
@@ -98,6 +107,12 @@ void PlaceTool::use(Session& session, const ViewportInput& input)
     const bool grown = sketch_.samples.size() > before;
     if (input.released) {
         drawing_ = false;
+        if (is_click(sketch_)) {
+            session.cancel();
+            session.notices.say(ui::NoticeKind::warning, "Nothing was placed",
+                                "Keep the left button down and draw a line across the scene.");
+            return;
+        }
         if (session.propose(command(session)))
             session.commit_if_placed(model_);
         else

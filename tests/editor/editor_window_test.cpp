@@ -3,6 +3,7 @@
 #include "editor/actions.h"
 #include "editor/editor.h"
 #include "editor/panels/panels.h"
+#include "editor/tools/place.h"
 #include "tests/support/fixtures.h"
 #include "ui/camera_control.h"
 #include "ui/headless.h"
@@ -20,7 +21,7 @@ using ui::Button;
 
 // The whole editor without a screen, driven by the mouse and keys of nobody.
 struct Rig {
-    ui::HeadlessFrames screen{{960, 640}};
+    ui::HeadlessFrames screen{{720, 520}};
     Editor editor{[] {}};
 
     ui::DrawFrame body()
@@ -73,7 +74,7 @@ struct Rig {
         if (let_go) screen.input().push(ui::press(Button::left, false));
         frames(3);
     }
-    Layout layout() const { return layout_of(screen.theme(), {960, 640}, true); }
+    Layout layout() const { return layout_of(screen.theme(), {720, 520}, true); }
     std::size_t steps() const { return editor.session.scene().history().position(); }
 
     // A wide plane and a small box above it, seen from the front and above.
@@ -159,7 +160,9 @@ TEST(EditorWindow, AClickOrAStrokeBesideTheSceneSaysWhatToDoAndChangesNothing)
     rig.click(rig.layout().view.center());
     rig.wait();
     EXPECT_EQ(rig.steps(), 2u);
-    EXPECT_FALSE(rig.editor.session.notices.all().empty());
+    ASSERT_FALSE(rig.editor.session.notices.all().empty());
+    EXPECT_EQ(rig.editor.session.notices.all().back().body,
+              "Keep the left button down and draw a line across the scene.");
     rig.editor.session.notices.clear();
     const glm::vec2 corner = rig.layout().view.lo + glm::vec2(200, 8);
     rig.draw({corner, corner + glm::vec2(60, 0), corner + glm::vec2(120, 4)});
@@ -224,7 +227,11 @@ TEST(EditorWindow, ADroppedModelIsImportedAndABrokenOneIsRefusedInASentence)
     rig.wait();
     EXPECT_EQ(rig.editor.session.document().objects.size(), 1u);
     ASSERT_FALSE(rig.editor.session.notices.all().empty());
-    EXPECT_EQ(rig.editor.session.notices.all().back().title, "bad.obj was not imported");
+    const auto& refusal = rig.editor.session.notices.all().back();
+    EXPECT_EQ(refusal.title, "bad.obj was not imported");
+    EXPECT_THAT(refusal.body, ::testing::EndsWith("."));
+    EXPECT_THAT(refusal.body, ::testing::Not(::testing::HasSubstr("bad.obj")))
+        << "the title names it already";
 }
 
 TEST(EditorWindow, ASavedSceneOpensAgainWithItsUndo)
@@ -244,6 +251,26 @@ TEST(EditorWindow, ASavedSceneOpensAgainWithItsUndo)
     EXPECT_EQ(name_of(rig.editor.session.document(), 2), "Brick");
     rig.key({.key = 'Z', .ctrl = true});
     EXPECT_EQ(name_of(rig.editor.session.document(), 2), "Box");
+}
+
+TEST(EditorWindow, RedoSelectsWhatItBringsBackAndTheOldestModelIsNotLaidByItself)
+{
+    Rig rig;
+    rig.two_objects();
+    rig.editor.session.undo();
+    EXPECT_EQ(rig.editor.session.selected, 0);
+    rig.editor.session.redo();
+    EXPECT_EQ(rig.editor.session.selected, 2);
+    rig.editor.session.selected = 0;
+    EXPECT_EQ(model_to_place(rig.editor.session, 0), 2);
+}
+
+TEST(EditorWindow, ARestingPictureIsFinishedInPiecesAndThenNothingIsDrawn)
+{
+    Rig rig;
+    rig.two_objects();
+    EXPECT_LT(rig.screen.settle(rig.body(), 400), 400);
+    EXPECT_FALSE(rig.editor.viewport.full_timings().stages.empty());
 }
 
 TEST(EditorWindow, NoTwoActionsShareAKey)
