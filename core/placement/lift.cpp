@@ -24,8 +24,7 @@ constexpr double let_be_share = 0.25, margin_share = 0.3, pass_share = 0.75;
 // picture hardly tells where on the surface a point of the scene belongs. Where the camera sees
 // nothing there is no sample.
 std::vector<SceneSample> seen_behind(const SurfaceTable& s, int judgement, const View& view,
-                                     const Camera& camera, const RayScene& scene,
-                                     bool skip_back_faces)
+                                     const RayScene& scene, bool skip_back_faces)
 {
     const double shift = std::fmod(0.37 + 0.19 * judgement, 1);
     std::vector<glm::dvec2> uv;
@@ -44,8 +43,7 @@ std::vector<SceneSample> seen_behind(const SurfaceTable& s, int judgement, const
         }
     std::vector<Ray> rays;
     rays.reserve(uv.size());
-    for (const glm::dvec2& at : uv)
-        rays.push_back(ray_through(camera, view.project(s.jet(at).value).p_px));
+    for (const glm::dvec2& at : uv) rays.push_back(view.ray(view.project(s.jet(at).value).p_px));
     const auto hits = scene.hits(rays, skip_back_faces);
     std::vector<SceneSample> out;
     for (std::size_t k = 0; k < uv.size(); ++k)
@@ -137,14 +135,16 @@ Lifted lifted(Surface<glm::dvec3> contact, const Camera& camera, const RayScene&
     StripIndex strip(table, view, quads);
     const NearScene near = near_scene(scene, view, strip, options.skip_back_faces);
 
+    StripJudge judge(table, view, near, judging);
+    double let_be = 0; // what was found behind and needs no lift
     for (int judgement = 0;; ++judgement) {
-        Judgement found = judge(table, view, strip, near, judging);
+        Judgement found = judge.judge(strip);
         std::vector<SceneSample> rays =
-            seen_behind(table, judgement, view, camera, scene, options.skip_back_faces);
+            seen_behind(table, judgement, view, scene, options.skip_back_faces);
         const std::vector<Gap> ray_gaps = gaps(table, view, rays);
         if (judgement == 0)
             for (const Gap& g : ray_gaps) out.largest_gap = std::max(out.largest_gap, g.gap);
-        out.penetration = std::max(found.worst, most_behind(ray_gaps, enough));
+        out.penetration = std::max({found.worst, let_be, most_behind(ray_gaps, enough)});
         if (out.penetration <= pass || judgement == most_judgements) return out;
 
         // What is in front stays in front, so only these ask for a lift.
@@ -153,6 +153,7 @@ Lifted lifted(Surface<glm::dvec3> contact, const Camera& camera, const RayScene&
             if (ray_gaps[i].inside && ray_gaps[i].gap < enough - judging.let_be)
                 samples.push_back(rays[i]);
         const int rounds_before = out.rounds;
+        const std::vector<glm::dvec3> before = out.contact.points;
         for (int round = 0; round < most_rounds; ++round) {
             const std::vector<Gap> at = gaps(table, view, samples);
             if (most_behind(at, enough) <= judging.let_be) break;
@@ -162,7 +163,12 @@ Lifted lifted(Surface<glm::dvec3> contact, const Camera& camera, const RayScene&
         }
         // In perspective a lift moves the strip a little in the picture.
         if (out.rounds == rounds_before) return out; // nothing left that a lift could do
+        let_be = std::max(let_be, std::min(found.worst, judging.let_be));
+        std::vector<char> moved(before.size());
+        for (std::size_t k = 0; k < before.size(); ++k)
+            moved[k] = before[k] != out.contact.points[k];
         strip = StripIndex(table, view, quads);
+        strip.mark_changed(table.touched(quads, moved));
     }
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/placement/obstacle.h"
 #include "core/placement/springs.h"
+#include "core/placement/view.h"
 
 #include <algorithm>
 #include <cassert>
@@ -75,9 +76,10 @@ RayGrid shoot(const Strip& strip, std::vector<double> a, std::vector<double> v,
     const std::size_t n = grid.v.size();
     const auto columns = static_cast<std::size_t>(grid.columns);
     grid.rays.resize(n);
+    const View view(camera);
     parallel_blocks(n, 256, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k)
-            grid.rays[k] = ray_through(camera, strip.at(grid.a[k / columns], grid.v[k]));
+            grid.rays[k] = view.ray(strip.at(grid.a[k / columns], grid.v[k]));
     });
     const std::vector<std::optional<Hit>> hits = scene.hits(grid.rays, skip_back_faces);
     grid.distance.assign(n, 0);

@@ -170,7 +170,31 @@ bool StripIndex::may_cover(glm::dvec2 p_px) const
     return begin_[b] < begin_[b + 1];
 }
 
-bool StripIndex::may_touch(glm::dvec2 lo_px, glm::dvec2 hi_px) const
+void StripIndex::mark_changed(const std::vector<char>& corners)
+{
+    const int columns = steps_.y + 1;
+    // The bend reaches one corner further.
+    const auto near_change = [&](int i, int j) {
+        for (int a = std::max(i - 1, 0); a <= std::min(i + 2, steps_.x); ++a)
+            for (int b = std::max(j - 1, 0); b <= std::min(j + 2, steps_.y); ++b)
+                if (corners[static_cast<std::size_t>(a * columns + b)]) return true;
+        return false;
+    };
+    std::vector<char> quad(corners.size(), 0);
+    for (int i = 0; i < steps_.x; ++i)
+        for (int j = 0; j < steps_.y; ++j)
+            quad[static_cast<std::size_t>(i * columns + j)] = near_change(i, j);
+    changed_.assign(begin_.size(), 0);
+    for (std::size_t b = 0; b + 1 < begin_.size(); ++b) {
+        bool any = false;
+        for (int e = begin_[b]; e < begin_[b + 1]; ++e)
+            any = any || quad[static_cast<std::size_t>(quads_[static_cast<std::size_t>(e)])];
+        changed_[b + 1] = changed_[b] + any;
+    }
+}
+
+// `before` counts something in the buckets before each: is there any in the rectangle?
+bool StripIndex::meets(const std::vector<int>& before, glm::dvec2 lo_px, glm::dvec2 hi_px) const
 {
     if (!glm::all(glm::lessThanEqual(lo_px, hi_)) || !glm::all(glm::greaterThanEqual(hi_px, lo_)))
         return false;
@@ -180,8 +204,8 @@ bool StripIndex::may_touch(glm::dvec2 lo_px, glm::dvec2 hi_px) const
     const glm::ivec2 from = glm::min(glm::ivec2(lo), most), to = glm::min(glm::ivec2(hi), most);
     for (int y = from.y; y <= to.y; ++y) {
         const auto row = static_cast<std::size_t>(y * buckets_.x);
-        if (begin_[row + static_cast<std::size_t>(from.x)] <
-            begin_[row + static_cast<std::size_t>(to.x) + 1])
+        if (before[row + static_cast<std::size_t>(from.x)] <
+            before[row + static_cast<std::size_t>(to.x) + 1])
             return true;
     }
     return false;

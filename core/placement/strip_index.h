@@ -17,7 +17,15 @@ public:
 
     // False where the strip certainly is not; for a rectangle, where it meets no bucket of it.
     bool may_cover(glm::dvec2 p_px) const;
-    bool may_touch(glm::dvec2 lo_px, glm::dvec2 hi_px) const;
+    bool may_touch(glm::dvec2 lo_px, glm::dvec2 hi_px) const { return meets(begin_, lo_px, hi_px); }
+
+    // Says at which corners of quads (steps + 1 along each axis, v fastest) the surface is another
+    // than it was, and asks whether it is anywhere in a rectangle; before that, it is everywhere.
+    void mark_changed(const std::vector<char>& corners);
+    bool changed(glm::dvec2 lo_px, glm::dvec2 hi_px) const
+    {
+        return meets(changed_.empty() ? begin_ : changed_, lo_px, hi_px);
+    }
 
     // How far the surface near the pixel may sag behind chords of it, metres for each square of
     // the chord's length in pixels.
@@ -39,6 +47,7 @@ public:
     double quad_px() const { return quad_px_; }
 
 private:
+    bool meets(const std::vector<int>& before, glm::dvec2 lo_px, glm::dvec2 hi_px) const;
     void widen_rim();
     std::size_t bucket(glm::dvec2 p_px) const;
     std::optional<glm::dvec2> in_quad(int first_corner, glm::dvec2 p_px) const;
@@ -50,6 +59,7 @@ private:
     glm::ivec2 buckets_{1};
     glm::dvec2 buckets_per_px_{1};
     std::vector<int> begin_, quads_; // of each bucket: the first corners of quads
+    std::vector<int> changed_;       // how many buckets are before each
     std::vector<double> bend_;       // the largest of each bucket
 };
 

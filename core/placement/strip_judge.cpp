@@ -13,18 +13,12 @@ constexpr double widest = 2, widest_at_rim = 1, widest_outside = 0.5;
 constexpr int most_halvings = 9; // of a piece that is not wider
 constexpr int rim_halvings = 12;
 
-struct Corner {
-    glm::dvec3 p_world;
-    glm::dvec2 p_px;
-    double depth_world = 0;
-    double gap = 1e300; // to the nearest layer of the strip
-    bool covered = false;
-};
+using Corner = ScenePoint;
 
-class Judge {
+class Look {
 public:
-    Judge(const SurfaceTable& surface, const View& view, const StripIndex& strip,
-          const JudgeOptions& options)
+    Look(const SurfaceTable& surface, const View& view, const StripIndex& strip,
+         const JudgeOptions& options)
         : surface_(surface),
           view_(view),
           strip_(strip),
@@ -47,7 +41,8 @@ public:
         return c;
     }
 
-    void look(const Corner& a, const Corner& b, const Corner& c, int halvings, Judgement& out) const
+    void triangle(const Corner& a, const Corner& b, const Corner& c, int halvings,
+                  Judgement& out) const
     {
         const int covered = a.covered + b.covered + c.covered;
         if (covered == 0 && !strip_.may_touch(glm::min(glm::min(a.p_px, b.p_px), c.p_px),
@@ -88,8 +83,8 @@ private:
                Judgement& out) const
     {
         const Corner middle = between(a, b, 0.5, out);
-        look(a, middle, apex, halvings, out);
-        look(middle, b, apex, halvings, out);
+        triangle(a, middle, apex, halvings, out);
+        triangle(middle, b, apex, halvings, out);
     }
 
     // At a share of the edge in the picture; equal steps there are not equal steps in space.
@@ -134,18 +129,37 @@ void in_blocks(std::size_t count, std::size_t block, Judgement& to, const Body& 
 
 } // namespace
 
-Judgement judge(const SurfaceTable& surface, const View& view, const StripIndex& strip,
-                const NearScene& scene, const JudgeOptions& options)
+StripJudge::StripJudge(const SurfaceTable& surface, const View& view, const NearScene& scene,
+                       const JudgeOptions& options)
+    : surface_(surface),
+      view_(view),
+      scene_(scene),
+      options_(options),
+      corners_(scene.vertices.size())
 {
-    const Judge by(surface, view, strip, options);
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+        const NearScene::Vertex& v = scene.vertices[i];
+        corners_[i] = {v.p_world, v.at.p_px, v.at.depth_world};
+    }
+}
+
+Judgement StripJudge::judge(const StripIndex& strip)
+{
+    const Look look(surface_, view_, strip, options_);
     Judgement out;
-    std::vector<Corner> corners(scene.vertices.size());
-    in_blocks(corners.size(), 512, out, [&](std::size_t i, Judgement& to) {
-        corners[i] = by.corner(scene.vertices[i].p_world, scene.vertices[i].at, to);
+    // What the strip has just left counts as changed, too.
+    const glm::dvec2 around(strip.quad_px());
+    in_blocks(corners_.size(), 512, out, [&](std::size_t i, Judgement& to) {
+        ScenePoint& c = corners_[i];
+        if (strip.changed(c.p_px - around, c.p_px + around))
+            c = look.corner(c.p_world, {c.p_px, c.depth_world}, to);
     });
-    in_blocks(scene.triangles.size(), 512, out, [&](std::size_t i, Judgement& to) {
-        const auto [a, b, c] = scene.triangles[i];
-        by.look(corners[a], corners[b], corners[c], 0, to);
+    in_blocks(scene_.triangles.size(), 512, out, [&](std::size_t i, Judgement& to) {
+        const auto [a, b, c] = scene_.triangles[i];
+        const ScenePoint &p = corners_[a], &q = corners_[b], &r = corners_[c];
+        if (strip.changed(glm::min(glm::min(p.p_px, q.p_px), r.p_px),
+                          glm::max(glm::max(p.p_px, q.p_px), r.p_px)))
+            look.triangle(p, q, r, 0, to);
     });
     return out;
 }

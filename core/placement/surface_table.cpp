@@ -139,4 +139,24 @@ std::vector<glm::dvec3> SurfaceTable::grid(glm::ivec2 steps) const
     return out;
 }
 
+std::vector<char> SurfaceTable::touched(glm::ivec2 steps, const std::vector<char>& points) const
+{
+    std::vector<int> across;
+    for (int j = 0; j <= steps.y; ++j)
+        across.push_back(axes_[1].at(static_cast<double>(j) / steps.y).first);
+    std::vector<char> out;
+    out.reserve(static_cast<std::size_t>(steps.x + 1) * across.size());
+    for (int i = 0; i <= steps.x; ++i) {
+        const int first = axes_[0].at(static_cast<double>(i) / steps.x).first;
+        for (const int column : across) {
+            char any = 0;
+            for (int k = 0; k < surface_.axes[0].order(); ++k)
+                for (int l = 0; l < surface_.axes[1].order(); ++l)
+                    any = any || points[surface_.index(first + k, column + l)];
+            out.push_back(any);
+        }
+    }
+    return out;
+}
+
 } // namespace trivar

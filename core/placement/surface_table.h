@@ -41,6 +41,9 @@ public:
     // At (steps.x + 1) x (steps.y + 1) evenly spread parameters, v fastest: two matrix products.
     std::vector<glm::dvec3> grid(glm::ivec2 steps) const;
 
+    // Which of those parameters the marked control points bear on.
+    std::vector<char> touched(glm::ivec2 steps, const std::vector<char>& points) const;
+
     // Calls visit(index of the control point, weight) for those that bear on the point.
     template <class Visit> void each_weight(glm::dvec2 uv, const Visit& visit) const
     {

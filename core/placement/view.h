@@ -24,6 +24,16 @@ public:
         const double pixels = 1 / pixel_size(-p.z);
         return {center_px_ + glm::dvec2(p.x, -p.y) * pixels, -p.z};
     }
+    // The ray through the pixel, as ray_through() gives it.
+    Ray ray(glm::dvec2 p_px) const
+    {
+        const glm::dvec2 offset = (p_px - center_px_) * glm::dvec2(pixel_at_one_, -pixel_at_one_);
+        const glm::dvec3 right(world_to_view_[0][0], world_to_view_[1][0], world_to_view_[2][0]);
+        const glm::dvec3 up(world_to_view_[0][1], world_to_view_[1][1], world_to_view_[2][1]);
+        const glm::dvec3 across = right * offset.x + up * offset.y;
+        if (perspective_) return {eye_, glm::normalize(forward_ + across)};
+        return {eye_ + across, forward_};
+    }
     // World length of a pixel at that depth.
     double pixel_size(double depth_world) const
     {
