@@ -22,14 +22,19 @@ constexpr double let_be_share = 0.25, margin_share = 0.3, pass_share = 0.75;
 // What the camera sees behind the surface, one ray a cell, each time elsewhere in it: a second look
 // at the same places would find nothing. Many rays where the surface is seen edge-on: there the
 // picture hardly tells where on the surface a point of the scene belongs. Where the camera sees
-// nothing there is no sample.
-std::vector<SceneSample> seen_behind(const SurfaceTable& s, int judgement, const View& view,
-                                     const RayScene& scene, bool skip_back_faces)
+// nothing there is no sample. Only of cells that have `changed`: one value a corner of the quads.
+std::vector<SceneSample> seen_behind(const SurfaceTable& s, const std::vector<char>& changed,
+                                     int judgement, const View& view, const RayScene& scene,
+                                     bool skip_back_faces)
 {
     const double shift = std::fmod(0.37 + 0.19 * judgement, 1);
     std::vector<glm::dvec2> uv;
     for (int i = 0; i < static_cast<int>(s.cells().x); ++i)
         for (int j = 0; j < static_cast<int>(s.cells().y); ++j) {
+            const double corner =
+                (quads_a_cell * i + quads_a_cell / 2) * (quads_a_cell * s.cells().y + 1) +
+                quads_a_cell * j + quads_a_cell / 2;
+            if (!changed[static_cast<std::size_t>(corner)]) continue;
             const SurfaceTable::Jet jet = s.jet((glm::dvec2(i, j) + 0.5) / s.cells());
             const glm::dvec3 n = glm::cross(jet.u, jet.v);
             const double facing = glm::dot(n, view.toward_eye(jet.value));
@@ -136,11 +141,12 @@ Lifted lifted(Surface<glm::dvec3> contact, const Camera& camera, const RayScene&
     const NearScene near = near_scene(scene, view, strip, options.skip_back_faces);
 
     StripJudge judge(table, view, near, judging);
+    std::vector<char> changed(static_cast<std::size_t>((quads.x + 1) * (quads.y + 1)), 1);
     double let_be = 0; // what was found behind and needs no lift
     for (int judgement = 0;; ++judgement) {
         Judgement found = judge.judge(strip);
         std::vector<SceneSample> rays =
-            seen_behind(table, judgement, view, scene, options.skip_back_faces);
+            seen_behind(table, changed, judgement, view, scene, options.skip_back_faces);
         const std::vector<Gap> ray_gaps = gaps(table, view, rays);
         if (judgement == 0)
             for (const Gap& g : ray_gaps) out.largest_gap = std::max(out.largest_gap, g.gap);
@@ -168,7 +174,8 @@ Lifted lifted(Surface<glm::dvec3> contact, const Camera& camera, const RayScene&
         for (std::size_t k = 0; k < before.size(); ++k)
             moved[k] = before[k] != out.contact.points[k];
         strip = StripIndex(table, view, quads);
-        strip.mark_changed(table.touched(quads, moved));
+        changed = table.touched(quads, moved);
+        strip.mark_changed(changed);
     }
 }
 

@@ -54,9 +54,10 @@ void add_entry(NearScene& out, const RayScene::Entry& entry, const View& view, g
         return Vertex{p, view.project(p)};
     };
     std::vector<std::uint8_t> side(positions.size());
+    const View from_object = view.of_object(entry.to_world);
     parallel_blocks(positions.size(), block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            side[i] = sides(vertex(static_cast<std::uint32_t>(i)).at, lo, hi);
+            side[i] = sides(from_object.project(glm::dvec3(positions[i])), lo, hi);
     });
 
     const bool mirrored = glm::determinant(glm::dmat3(entry.to_world)) < 0;

@@ -135,18 +135,32 @@ PlaneHit meet(const Ray& ray, const std::array<glm::dvec3, 3>& p)
     return {glm::dot(n, to) / along, std::min({0.0, b1, b2, 1 - b1 - b2}), n};
 }
 
+// The box round a box: cheap, and as small as can be where the matrix keeps the axes.
+Box box_of(const Box& box, const glm::dmat4& to_world)
+{
+    Box out;
+    if (box.empty()) return out;
+    for (const double x : {box.lo.x, box.hi.x})
+        for (const double y : {box.lo.y, box.hi.y})
+            for (const double z : {box.lo.z, box.hi.z})
+                out.add(glm::dvec3(to_world * glm::dvec4(x, y, z, 1)));
+    return out;
+}
+
 } // namespace
 
 struct RayMesh::State {
     Ref<Mesh> mesh;
     std::vector<glm::uvec3> triangles;
     std::vector<std::uint32_t> face; // of each triangle
+    Box box;
     SceneHandle handle;
 };
 
 RayMesh::RayMesh(Ref<Mesh> mesh) : state_(std::make_unique<State>())
 {
     state_->triangles = trivar::triangles(*mesh);
+    state_->box = bounding_box(*mesh);
     for (std::size_t f = 0; f < mesh->face_count(); ++f)
         for (std::uint32_t c = mesh->face_begin[f] + 2; c < mesh->face_begin[f + 1]; ++c)
             state_->face.push_back(static_cast<std::uint32_t>(f));
@@ -230,7 +244,7 @@ RayScene::RayScene(std::vector<Entry> entries) : state_(std::make_unique<State>(
         const double volume = glm::determinant(glm::dmat3(m));
         s.normal_to_world.push_back(volume != 0 ? glm::transpose(glm::inverse(glm::dmat3(m)))
                                                 : glm::dmat3(0));
-        s.boxes.push_back(bounding_box(e.mesh->mesh(), m));
+        s.boxes.push_back(box_of(e.mesh->state().box, m));
         s.bounds.add(s.boxes.back());
 
         RTCGeometry instance = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_INSTANCE);

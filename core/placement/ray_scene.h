@@ -61,7 +61,7 @@ public:
     // The same for many rays, in parallel.
     std::vector<std::optional<Hit>> hits(std::span<const Ray> rays,
                                          bool skip_back_faces = false) const;
-    Box bounds() const; // world
+    Box bounds() const; // world; a little larger than the scene where an object is turned
     const std::vector<Entry>& entries() const;
 
 private:

@@ -10,6 +10,8 @@
 namespace trivar {
 namespace {
 
+constexpr double buckets_a_quad = 1.5; // along each axis
+
 double cross(glm::dvec2 a, glm::dvec2 b)
 {
     return a.x * b.y - a.y * b.x;
@@ -99,7 +101,8 @@ StripIndex::StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2
     // In a strip that is seen edge-on quads have no area but still a size.
     const double quads = static_cast<double>(steps.x) * steps.y;
     quad_px_ = std::max(std::sqrt(area / quads), 0.01 * glm::length(size) / std::sqrt(quads));
-    buckets_ = glm::clamp(glm::ivec2(size / quad_px_), glm::ivec2(1), glm::ivec2(512));
+    buckets_ =
+        glm::clamp(glm::ivec2(buckets_a_quad * size / quad_px_), glm::ivec2(1), glm::ivec2(1024));
     buckets_per_px_ = glm::dvec2(buckets_) / size;
 
     // Two passes: count the quads of each bucket, then write them behind one another.

@@ -40,6 +40,45 @@ std::array<Polynomial, max_order> span_polynomials(const std::vector<double>& t,
     return row;
 }
 
+// Orders that are known while compiling, or 0 for those given.
+template <std::size_t known_rows, std::size_t known_columns>
+SurfaceTable::Jet sum(const glm::dvec3* p, std::size_t stride, const AxisTable::Row& a,
+                      const AxisTable::Row& b, std::size_t rows, std::size_t columns)
+{
+    if constexpr (known_rows > 0) rows = known_rows;
+    if constexpr (known_columns > 0) columns = known_columns;
+    SurfaceTable::Jet out;
+    for (std::size_t i = 0; i < rows; ++i, p += stride) {
+        glm::dvec3 along(0), across(0);
+        for (std::size_t j = 0; j < columns; ++j) {
+            along += b.value[j] * p[j];
+            across += b.slope[j] * p[j];
+        }
+        out.value += a.value[i] * along;
+        out.u += a.slope[i] * along;
+        out.v += a.value[i] * across;
+    }
+    return out;
+}
+
+template <std::size_t known_order>
+AxisTable::Row row(int first, const double* c, double x, double length, std::size_t order)
+{
+    if constexpr (known_order > 0) order = known_order;
+    AxisTable::Row out;
+    out.first = first;
+    for (std::size_t i = 0; i < order; ++i, c += order) {
+        double value = c[order - 1], slope = 0;
+        for (std::size_t p = order - 1; p > 0; --p) {
+            slope = slope * x + value;
+            value = value * x + c[p - 1];
+        }
+        out.value[i] = value;
+        out.slope[i] = slope / length;
+    }
+    return out;
+}
+
 } // namespace
 
 AxisTable::AxisTable(const Knots& knots) : order_(knots.order()), breaks_(knots.breaks())
@@ -69,20 +108,11 @@ AxisTable::Row AxisTable::at(double t) const
     while (k < last && t >= breaks_[k + 1]) ++k;
     const double length = breaks_[k + 1] - breaks_[k];
     const double x = (t - breaks_[k]) / length;
-    Row out;
-    out.first = first_[k];
     const auto order = static_cast<std::size_t>(order_);
     const double* c = coefficients_.data() + k * order * order;
-    for (std::size_t i = 0; i < order; ++i, c += order) {
-        double value = c[order - 1], slope = 0;
-        for (std::size_t p = order - 1; p > 0; --p) {
-            slope = slope * x + value;
-            value = value * x + c[p - 1];
-        }
-        out.value[i] = value;
-        out.slope[i] = slope / length;
-    }
-    return out;
+    if (order == 3) return row<3>(first_[k], c, x, length, order);
+    if (order == 4) return row<4>(first_[k], c, x, length, order);
+    return row<0>(first_[k], c, x, length, order);
 }
 
 SurfaceTable::SurfaceTable(const Surface<glm::dvec3>& surface)
@@ -97,20 +127,12 @@ SurfaceTable::Jet SurfaceTable::jet(glm::dvec2 uv) const
     const AxisTable::Row a = axes_[0].at(uv.x), b = axes_[1].at(uv.y);
     const auto rows = static_cast<std::size_t>(surface_.axes[0].order());
     const auto columns = static_cast<std::size_t>(surface_.axes[1].order());
-    Jet out;
-    for (std::size_t i = 0; i < rows; ++i) {
-        const glm::dvec3* p =
-            &surface_.points[surface_.index(a.first + static_cast<int>(i), b.first)];
-        glm::dvec3 along(0), across(0);
-        for (std::size_t j = 0; j < columns; ++j) {
-            along += b.value[j] * p[j];
-            across += b.slope[j] * p[j];
-        }
-        out.value += a.value[i] * along;
-        out.u += a.slope[i] * along;
-        out.v += a.value[i] * across;
-    }
-    return out;
+    const glm::dvec3* first = &surface_.points[surface_.index(a.first, b.first)];
+    const auto stride = static_cast<std::size_t>(surface_.axes[1].count());
+    // The usual orders with loops the compiler can unroll: half of a lift is spent here.
+    if (rows == 3 && columns == 3) return sum<3, 3>(first, stride, a, b, rows, columns);
+    if (rows == 4 && columns == 4) return sum<4, 4>(first, stride, a, b, rows, columns);
+    return sum<0, 0>(first, stride, a, b, rows, columns);
 }
 
 std::vector<glm::dvec3> SurfaceTable::grid(glm::ivec2 steps) const

@@ -34,6 +34,13 @@ public:
         if (perspective_) return {eye_, glm::normalize(forward_ + across)};
         return {eye_ + across, forward_};
     }
+    // The same view for points given in an object's space; only project() may be asked.
+    View of_object(const glm::dmat4& to_world) const
+    {
+        View out = *this;
+        out.world_to_view_ = world_to_view_ * to_world;
+        return out;
+    }
     // World length of a pixel at that depth.
     double pixel_size(double depth_world) const
     {
