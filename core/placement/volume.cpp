@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/placement/volume.h"
 
+#include "core/base/parallel.h"
 #include "core/spline/fit.h"
 
 #include <algorithm>
@@ -18,11 +19,15 @@ constexpr int most_smoothings = 40;
 // Jets of a surface at all pairs of its Greville abscissae.
 std::vector<SurfaceJet<glm::dvec3>> jets(const Surface<glm::dvec3>& s, int derivatives)
 {
-    std::vector<SurfaceJet<glm::dvec3>> out;
-    out.reserve(s.points.size());
-    for (int i = 0; i < s.axes[0].count(); ++i)
-        for (int j = 0; j < s.axes[1].count(); ++j)
-            out.push_back(evaluate(s, {s.axes[0].greville(i), s.axes[1].greville(j)}, derivatives));
+    const auto columns = static_cast<std::size_t>(s.axes[1].count());
+    std::vector<SurfaceJet<glm::dvec3>> out(s.points.size());
+    parallel_blocks(out.size(), 8 * columns, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k)
+            out[k] = evaluate(s,
+                              {s.axes[0].greville(static_cast<int>(k / columns)),
+                               s.axes[1].greville(static_cast<int>(k % columns))},
+                              derivatives);
+    });
     return out;
 }
 
@@ -61,6 +66,20 @@ Points smoothed(const Points& in, int rows, int columns)
     return out;
 }
 
+// Over the nodes and three heights of the volume; `s` are the jets of the contact surface.
+double smallest_jacobian(const std::vector<SurfaceJet<glm::dvec3>>& s,
+                         const Surface<glm::dvec3>& rise)
+{
+    const auto e = jets(rise, 1);
+    double smallest = 1e300;
+    for (std::size_t k = 0; k < s.size(); ++k)
+        for (const double w : {0.0, 0.5, 1.0})
+            smallest =
+                std::min(smallest, glm::dot(glm::cross(s[k].u + w * e[k].u, s[k].v + w * e[k].v),
+                                            e[k].value));
+    return smallest;
+}
+
 } // namespace
 
 Extrusion extrusion(const Surface<glm::dvec3>& contact, const View& view, double height,
@@ -90,7 +109,7 @@ Extrusion extrusion(const Surface<glm::dvec3>& contact, const View& view, double
     };
     Extrusion out{surface(rise), lowered};
     if (offset == 0) return out;
-    for (int i = 0; i < most_smoothings && smallest_jacobian(contact, out.rise) <= 0; ++i) {
+    for (int i = 0; i < most_smoothings && smallest_jacobian(at_nodes, out.rise) <= 0; ++i) {
         rise = smoothed(rise, rows, columns);
         out.rise = surface(rise);
     }
@@ -110,14 +129,7 @@ Lattice volume_over(const Surface<glm::dvec3>& contact, const Surface<glm::dvec3
 
 double smallest_jacobian(const Surface<glm::dvec3>& contact, const Surface<glm::dvec3>& rise)
 {
-    const auto s = jets(contact, 1), e = jets(rise, 1);
-    double smallest = 1e300;
-    for (std::size_t k = 0; k < s.size(); ++k)
-        for (const double w : {0.0, 0.5, 1.0})
-            smallest =
-                std::min(smallest, glm::dot(glm::cross(s[k].u + w * e[k].u, s[k].v + w * e[k].v),
-                                            e[k].value));
-    return smallest;
+    return smallest_jacobian(jets(contact, 1), rise);
 }
 
 } // namespace trivar
