@@ -142,8 +142,8 @@ void spring_rows(Rows& rows)
                 "Bridge: springs hold the model over gaps. Follow: it drops into them.",
                 [&](int chosen) { p.springs = chosen == 0; });
     if (!p.springs) return;
-    rows.number("Stiffness", p.stiffness, rest.stiffness, {.lo = 0, .hi = 1e4},
-                "Of the springs, relative to the pull toward the scene.");
+    rows.number("Stiffness", p.stiffness, rest.stiffness, {.lo = 1e-3, .hi = 1e3},
+                "A span of stiffness x length sags by a tenth of the gap.");
     rows.number("Bending", p.bending, rest.bending, {.lo = 0, .hi = 10, .bar_hi = 10},
                 "Resistance to bending, relative to the stiffness.");
     rows.integer("Reach", p.neighborhood, rest.neighborhood, {.lo = 0, .hi = 1024},

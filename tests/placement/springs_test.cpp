@@ -43,7 +43,7 @@ std::vector<double> rest(const SpringSheet& sheet, const std::vector<char>& free
 TEST(Springs, LieOnADiscLikeTheMembraneOverAParaboloid)
 {
     // A membrane fixed at 0 on the unit circle over psi = 0.3 - 2 r^2 touches it for r < a, where
-    // 0.3 - 2 a^2 = -4 a^2 ln a, and is 4 a^2 ln(1/r) outside. Errors by n: prototype's table.
+    // 0.3 - 2 a^2 = -4 a^2 ln a, and is 4 a^2 ln(1/r) outside. The error falls with n.
     double a = 0.1852;
     for (int i = 0; i < 50; ++i)
         a -= (0.3 - 2 * a * a + 4 * a * a * std::log(a)) / (8 * a * std::log(a));

@@ -20,14 +20,15 @@ template <> struct FieldsOf<PlacementParameters> {
         field("offset", p.offset, "0: extrusion toward the camera, 1: offset along the normals",
               between(0, 1));
         field("springs", p.springs, "bridge gaps with springs");
-        field("stiffness", p.stiffness, "of the springs, relative to the pull toward the scene",
-              between(0, 1e4));
+        field("stiffness", p.stiffness,
+              "of the springs: a span of stiffness x length sags by a tenth of the gap",
+              between(1e-3, 1e3));
         field("bending", p.bending, "resistance to bending, relative to stiffness", between(0, 10));
         field("neighborhood", p.neighborhood, "grid steps round a rough node that are let loose",
               between(0, 1024));
         field("roughness_deg", p.roughness_deg, "angle between faces that counts as rough, degrees",
               between(1, 90));
-        field("free_ends", p.free_ends, "nodes on the rim may move too");
+        field("free_ends", p.free_ends, "the first and the last row of nodes may move too");
         field("misses", p.misses, "what a node does whose ray hits nothing");
         field("skip_back_faces", p.skip_back_faces, "rays pass through faces seen from behind");
         field("start", p.start, "where along the stroke the model begins", between(0, 1));
