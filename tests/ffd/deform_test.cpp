@@ -3,7 +3,6 @@
 #include "core/ffd/deform.h"
 #include "tests/ffd/samples.h"
 
-#include <bit>
 #include <gtest/gtest.h>
 #include <limits>
 
@@ -16,15 +15,6 @@ std::array<Knots, 3> uniform_axes(int order, int count)
 {
     const Knots knots = Knots::uniform(order, count);
     return {knots, knots, knots};
-}
-
-std::vector<std::array<std::uint32_t, 3>> bits(const std::vector<glm::vec3>& values)
-{
-    std::vector<std::array<std::uint32_t, 3>> out;
-    for (const glm::vec3& p : values)
-        out.push_back({std::bit_cast<std::uint32_t>(p.x), std::bit_cast<std::uint32_t>(p.y),
-                       std::bit_cast<std::uint32_t>(p.z)});
-    return out;
 }
 
 TEST(Deform, ByALatticeOfZerosReturnsTheVeryBits)

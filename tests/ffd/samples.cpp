@@ -24,24 +24,6 @@ Mesh scattered_points(std::size_t count, float lo, float hi, unsigned seed)
     return mesh;
 }
 
-Lattice random_lattice(const std::array<Knots, 3>& axes, double size, unsigned seed,
-                       const glm::dmat4& rest)
-{
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> in(-size, size);
-    Lattice lattice = lattice_at_rest(axes, rest);
-    for (glm::dvec3& d : lattice.displacement.points) d = {in(random), in(random), in(random)};
-    return lattice;
-}
-
-Knots uneven_knots(int order)
-{
-    std::vector<double> knots(static_cast<std::size_t>(order), 0.0);
-    for (const double k : {0.1, 0.35, 0.35, 0.8}) knots.push_back(k);
-    knots.insert(knots.end(), static_cast<std::size_t>(order), 1.0);
-    return Knots::general(order, knots);
-}
-
 glm::dmat4 some_affine_map()
 {
     const glm::dmat4 shift = glm::translate(glm::dmat4(1), glm::dvec3(3, -2, 5));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Curves, surfaces and trivariate functions: value, first and second derivatives.
 #include "core/spline/insert.h"
-#include "tests/spline/samples.h"
+#include "tests/support/splines.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "core/spline/fit.h"
 
 #include "core/base/rejected.h"
-#include "tests/spline/samples.h"
+#include "tests/support/splines.h"
 
 #include <gtest/gtest.h>
 
@@ -12,14 +12,7 @@ namespace {
 using testing::all_axes;
 using testing::inside;
 using testing::Noise;
-
-Curve<glm::dvec2> random_curve(const Knots& knots, unsigned seed = 1)
-{
-    Noise noise(seed);
-    Curve<glm::dvec2> c{knots, {}};
-    for (int i = 0; i < knots.count(); ++i) c.points.push_back(noise.vec2());
-    return c;
-}
+using testing::random_curve;
 
 double largest_distance(const std::vector<glm::dvec2>& a, const std::vector<glm::dvec2>& b)
 {
@@ -57,7 +50,7 @@ TEST(Interpolation, IsExactAtTheGrevilleSitesOfEveryKindOfAxis)
 {
     for (const Knots& knots : all_axes()) {
         if (knots.closure() == Closure::open && knots.values()[0] != knots.begin()) continue;
-        const Curve<glm::dvec2> truth = random_curve(knots);
+        const auto truth = random_curve<glm::dvec2>(knots);
         const auto sites = greville_sites(knots);
         const auto c = interpolate(knots, truth.points);
         EXPECT_LT(largest_distance(sampled(c, sites), truth.points), 1e-13) << knots.order();
@@ -95,7 +88,7 @@ TEST(Interpolation, RefusesAxesWithTwoControlPointsInOnePlace)
 TEST(Fit, FindsTheSplineItsSamplesCameFrom)
 {
     for (const Knots& knots : all_axes()) {
-        const Curve<glm::dvec2> truth = random_curve(knots);
+        const auto truth = random_curve<glm::dvec2>(knots);
         auto t = inside(knots, 60);
         if (knots.closure() != Closure::open) t.pop_back();
         const auto c = fit(knots, t, sampled(truth, t));
@@ -247,7 +240,7 @@ TEST(ChordLength, SharesTheDomainByDistance)
 
 TEST(ParameterCorrection, BringsParametersToTheFeetOfTheirPoints)
 {
-    const auto c = random_curve(Knots::uniform(4, 6));
+    const auto c = random_curve<glm::dvec2>(Knots::uniform(4, 6));
     std::vector<double> truth, start;
     for (int i = 1; i < 20; ++i) {
         truth.push_back(i / 20.0);

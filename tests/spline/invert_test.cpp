@@ -4,7 +4,7 @@
 #include "core/base/rejected.h"
 #include "core/spline/cell_search.h"
 #include "core/spline/fit.h"
-#include "tests/spline/samples.h"
+#include "tests/support/splines.h"
 
 #include <gtest/gtest.h>
 

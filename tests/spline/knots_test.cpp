@@ -2,7 +2,7 @@
 #include "core/spline/knots.h"
 
 #include "core/base/rejected.h"
-#include "tests/spline/samples.h"
+#include "tests/support/splines.h"
 
 #include <gtest/gtest.h>
 #include <limits>

@@ -5,7 +5,7 @@
 #include "core/spline/derivative.h"
 #include "core/spline/iso.h"
 #include "core/spline/restrict.h"
-#include "tests/spline/samples.h"
+#include "tests/support/splines.h"
 
 #include <gtest/gtest.h>
 

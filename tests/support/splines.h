@@ -48,12 +48,16 @@ inline std::vector<Knots> all_axes()
     return out;
 }
 
-// Splines of random points.
-inline Curve<glm::dvec3> random_curve(const Knots& knots, unsigned seed = 1)
+// Splines of random points, every coordinate in [-1, 1), or up to `size`.
+template <class Point = glm::dvec3> Curve<Point> random_curve(const Knots& knots, unsigned seed = 1)
 {
     Noise noise(seed);
-    Curve<glm::dvec3> c{knots, {}};
-    for (int i = 0; i < knots.count(); ++i) c.points.push_back(noise.vec3());
+    Curve<Point> c{knots, {}};
+    for (int i = 0; i < knots.count(); ++i) {
+        Point p(0);
+        for (int a = 0; a < Point::length(); ++a) p[a] = noise();
+        c.points.push_back(p);
+    }
     return c;
 }
 inline Surface<glm::dvec3> random_surface(const std::array<Knots, 2>& axes, unsigned seed = 1)
@@ -63,12 +67,13 @@ inline Surface<glm::dvec3> random_surface(const std::array<Knots, 2>& axes, unsi
     for (int i = 0; i < axes[0].count() * axes[1].count(); ++i) s.points.push_back(noise.vec3());
     return s;
 }
-inline Trivariate<glm::dvec3> random_volume(const std::array<Knots, 3>& axes, unsigned seed = 1)
+inline Trivariate<glm::dvec3> random_volume(const std::array<Knots, 3>& axes, unsigned seed = 1,
+                                            double size = 1)
 {
     Noise noise(seed);
     Trivariate<glm::dvec3> f{axes, {}};
     for (int i = 0; i < axes[0].count() * axes[1].count() * axes[2].count(); ++i)
-        f.points.push_back(noise.vec3());
+        f.points.push_back(size * noise.vec3());
     return f;
 }
 
