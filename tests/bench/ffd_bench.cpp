@@ -1,35 +1,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/parallel.h"
 #include "core/ffd/deform.h"
+#include "core/mesh/primitives.h"
+#include "tests/support/splines.h"
 
 #include <benchmark/benchmark.h>
-#include <random>
 
 namespace trivar {
 namespace {
 
-Mesh random_points(std::size_t count, bool normals)
+Mesh random_points(std::size_t count)
 {
-    std::mt19937 random(1);
-    std::uniform_real_distribution<float> in(0, 1);
+    testing::Noise noise;
     Mesh mesh;
     for (std::size_t i = 0; i < count; ++i) {
-        mesh.positions.emplace_back(in(random), in(random), in(random));
-        if (normals)
-            mesh.normals.push_back(
-                glm::normalize(glm::vec3(in(random)-0.5f, in(random)-0.5f, in(random)-0.5f)));
+        mesh.positions.emplace_back(noise.vec3() * 0.5 + 0.5);
+        mesh.normals.emplace_back(glm::normalize(noise.vec3()));
     }
+    return mesh;
+}
+
+// In the box [0, 1]^3, its vertices in rows, as models have them.
+Mesh sphere()
+{
+    Mesh mesh = sphere_mesh(0.49, 1024, 1000);
+    for (glm::vec3& p : mesh.positions) p += 0.5f;
+    return mesh;
+}
+
+// Two of random points, the worst case, for a lattice of 12^3 and one of 8^3; the sphere for both.
+Mesh model(int lattice, bool on_sphere, bool normals)
+{
+    Mesh mesh = on_sphere       ? sphere()
+                : lattice == 12 ? random_points(std::size_t{1} << 20)
+                                : random_points(1000000);
+    if (!normals) mesh.normals.clear();
+    mesh.tangents.clear();
     return mesh;
 }
 
 Lattice random_lattice(int order, int count)
 {
-    std::mt19937 random(2);
-    std::uniform_real_distribution<double> in(-0.02, 0.02);
     const Knots knots = Knots::uniform(order, count);
-    Lattice lattice = lattice_at_rest({knots, knots, knots}, glm::dmat4(1));
-    for (glm::dvec3& d : lattice.displacement.points) d = {in(random), in(random), in(random)};
-    return lattice;
+    return {testing::random_volume({knots, knots, knots}, 2, 0.02), glm::dmat4(1)};
 }
 
 // What one writes first: vertex after vertex, span, basis functions, triple sum. Single precision,
@@ -119,16 +132,10 @@ void count_points(benchmark::State& state, std::size_t points)
                                                     benchmark::Counter::kIsIterationInvariantRate);
 }
 
-// Two workloads: 2^20 random points in a 12^3 lattice, 10^6 in one of 8^3.
-std::size_t points_for(int lattice)
-{
-    return lattice == 12 ? std::size_t{1} << 20 : 1000000;
-}
-
 template <int order, bool normals> void ffd_plain_loop(benchmark::State& state)
 {
-    const int size = static_cast<int>(state.range(0));
-    const Mesh mesh = random_points(points_for(size), normals);
+    const int size = static_cast<int>(state.range(1));
+    const Mesh mesh = model(size, state.range(0) != 0, normals);
     const PlainLoop<order> loop(random_lattice(order, size));
     Deformed out{mesh.positions, mesh.normals, {}};
     for (auto _ : state) {
@@ -143,9 +150,9 @@ template <int order, bool normals> void ffd_plain_loop(benchmark::State& state)
 // The conversion of the lattice, which belongs to the edit, is in.
 template <int order, bool normals> void ffd_deformer(benchmark::State& state)
 {
-    const int size = static_cast<int>(state.range(0));
-    const ThreadLimit limit(static_cast<int>(state.range(1)));
-    const Mesh mesh = random_points(points_for(size), normals);
+    const int size = static_cast<int>(state.range(1));
+    const ThreadLimit limit(static_cast<int>(state.range(2)));
+    const Mesh mesh = model(size, state.range(0) != 0, normals);
     const Lattice lattice = random_lattice(order, size);
     const Deformer deformer(make_ref(mesh), {}, lattice.displacement.axes);
     Deformed out = deformer.arrays(lattice);
@@ -159,9 +166,9 @@ template <int order, bool normals> void ffd_deformer(benchmark::State& state)
 
 void ffd_sorting(benchmark::State& state)
 {
-    const int size = static_cast<int>(state.range(0));
-    const ThreadLimit limit(static_cast<int>(state.range(1)));
-    const Ref<Mesh> mesh = make_ref(random_points(points_for(size), true));
+    const int size = static_cast<int>(state.range(1));
+    const ThreadLimit limit(static_cast<int>(state.range(2)));
+    const Ref<Mesh> mesh = make_ref(model(size, state.range(0) != 0, true));
     const Lattice lattice = random_lattice(4, size);
     for (auto _ : state) {
         const Deformer deformer(mesh, {}, lattice.displacement.axes);
@@ -170,11 +177,13 @@ void ffd_sorting(benchmark::State& state)
     count_points(state, mesh->vertex_count());
 }
 
-#define FFD_BENCHMARKS(order, normals)                                                       \
-    BENCHMARK_TEMPLATE(ffd_plain_loop, order, normals)->ArgName("lattice")->Arg(12)->Arg(8); \
-    BENCHMARK_TEMPLATE(ffd_deformer, order, normals)                                         \
-        ->ArgNames({"lattice", "threads"})                                                   \
-        ->ArgsProduct({{12, 8}, {1, 2}})                                                     \
+#define FFD_BENCHMARKS(order, normals)                 \
+    BENCHMARK_TEMPLATE(ffd_plain_loop, order, normals) \
+        ->ArgNames({"sphere", "lattice"})              \
+        ->ArgsProduct({{0, 1}, {12, 8}});              \
+    BENCHMARK_TEMPLATE(ffd_deformer, order, normals)   \
+        ->ArgNames({"sphere", "lattice", "threads"})   \
+        ->ArgsProduct({{0, 1}, {12, 8}, {1, 2}})       \
         ->UseRealTime()
 
 FFD_BENCHMARKS(3, false);
@@ -182,8 +191,8 @@ FFD_BENCHMARKS(4, false);
 FFD_BENCHMARKS(3, true);
 FFD_BENCHMARKS(4, true);
 BENCHMARK(ffd_sorting)
-    ->ArgNames({"lattice", "threads"})
-    ->ArgsProduct({{12, 8}, {1, 2}})
+    ->ArgNames({"sphere", "lattice", "threads"})
+    ->ArgsProduct({{0, 1}, {12, 8}, {1, 2}})
     ->UseRealTime();
 
 } // namespace
