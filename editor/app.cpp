@@ -7,6 +7,7 @@
 #include "ui/window.h"
 
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 
 namespace trivar {
@@ -19,14 +20,28 @@ std::string title_of(const Editor& editor)
            " - Trivar";
 }
 
+// Where programs keep what is theirs between two runs (XDG Base Directory Specification).
+std::string unnamed_folder()
+{
+    const char* state = std::getenv("XDG_STATE_HOME");
+    if (state && std::filesystem::path(state).is_absolute())
+        return state + std::string("/trivar/unnamed");
+    const char* home = std::getenv("HOME");
+    return home && *home ? home + std::string("/.local/state/trivar/unnamed") : std::string();
+}
+
 } // namespace
 
 int run_editor(const EditorOptions& options)
 {
     try {
         ui::Window window({.scale = options.scale, .light = options.light});
-        Editor editor(window.waker());
+        Editor editor(window.waker(), unnamed_folder());
         editor.samples = options.samples;
+        if (options.files.empty())
+            editor.session.take_up_left_scene();
+        else
+            editor.session.tell_of_left_scene();
         editor.files.take_dropped(options.files);
         std::string title;
         window.run([&](ui::Frame& frame) {

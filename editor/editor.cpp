@@ -17,7 +17,8 @@ void paint_ground(const ui::Theme& theme, glm::vec2 size_px)
 
 } // namespace
 
-Editor::Editor(std::function<void()> wake) : session(std::move(wake))
+Editor::Editor(std::function<void()> wake, std::string unnamed_folder)
+    : session(std::move(wake), std::move(unnamed_folder))
 {
     actions = all_actions(*this);
 }

@@ -15,7 +15,7 @@ struct Action;
 
 // The whole editor between two frames. Panels read and change it; nothing else holds state.
 struct Editor {
-    explicit Editor(std::function<void()> wake);
+    explicit Editor(std::function<void()> wake, std::string unnamed_folder = {});
     Editor(const Editor&) = delete;
     Editor& operator=(const Editor&) = delete;
 

@@ -64,8 +64,8 @@ void Files::keep_or(std::function<void()> go_on)
     const bool kept = !s.scene().path().empty() || s.scene().history().steps().empty();
     if (kept) return go_on();
     question_ = Asked{{"Keep this scene?",
-                       "It has no name yet, so nothing of it is on disk. A scene with a name is "
-                       "written as you work.",
+                       "It has no name yet and is gone when you discard it. A scene with a name "
+                       "is written as you work.",
                        {{"Discard", ui::ButtonKind::danger},
                         {"Cancel", ui::ButtonKind::plain},
                         {"Name it...", ui::ButtonKind::primary}},

@@ -6,8 +6,12 @@
 
 namespace trivar {
 
-Session::Session(std::function<void()> wake) : wake_(std::move(wake)), jobs_(wake_)
+Session::Session(std::function<void()> wake, std::string unnamed_folder)
+    : wake_(std::move(wake)),
+      unnamed_folder_(std::move(unnamed_folder)),
+      jobs_(wake_)
 {
+    if (!unnamed_folder_.empty()) scene_.keep_in(unnamed_folder_);
     meet_document();
 }
 
@@ -129,6 +133,7 @@ void Session::go_to_step(std::size_t position)
 void Session::replace_scene(SceneFile scene)
 {
     scene_ = std::move(scene);
+    if (!unnamed_folder_.empty()) scene_.keep_in(unnamed_folder_);
     selected = 0;
     evaluated_ = {};
     ++evaluation_;
@@ -143,6 +148,26 @@ void Session::replace_scene(SceneFile scene)
         camera.size_px = size_px;
     }
     for (const std::string& notice : scene_.notices()) notices.say(ui::NoticeKind::warning, notice);
+}
+
+void Session::take_up_left_scene()
+{
+    const std::optional<std::string> left = SceneFile::left_in(unnamed_folder_);
+    if (!left) return;
+    try {
+        replace_scene(SceneFile::taken_up(*left));
+    } catch (const Rejected&) { // another Trivar was faster
+        return;
+    }
+    notices.say(ui::NoticeKind::good, "Your scene is back",
+                "Trivar ended before it had a name. Save it to keep it.");
+}
+
+void Session::tell_of_left_scene()
+{
+    if (!SceneFile::left_in(unnamed_folder_)) return;
+    notices.say(ui::NoticeKind::warning, "A scene without a name was left",
+                "Trivar ended before it was saved. Start Trivar without a file to get it back.");
 }
 
 void Session::save_as(const std::string& path)

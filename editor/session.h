@@ -15,7 +15,8 @@ namespace trivar {
 // like by the latest evaluation, the selection and the point of view. Frame thread only.
 class Session {
 public:
-    explicit Session(std::function<void()> wake);
+    // Scenes without a name are kept in `unnamed_folder`; empty: in memory only.
+    Session(std::function<void()> wake, std::string unnamed_folder);
 
     const SceneFile& scene() const { return scene_; }
     const Document& document() const { return scene_.document(); } // the proposal's if there is one
@@ -44,6 +45,10 @@ public:
 
     // Another scene, or an empty one. Selection and effects start anew.
     void replace_scene(SceneFile scene);
+    // The scene without a name of a program that was killed, if there is one: goes on with it, or
+    // only tells of it.
+    void take_up_left_scene();
+    void tell_of_left_scene();
     void save_as(const std::string& path);      // may throw Rejected
     void save_compact(const std::string& path); // may throw Rejected
     Ref<AssetStore> assets() const { return assets_; }
@@ -72,6 +77,7 @@ private:
     template <class Change> bool attempt(Change&& change, bool quietly = false);
 
     std::function<void()> wake_;
+    std::string unnamed_folder_;
     SceneFile scene_;
     std::string told_trouble_;
     Ref<AssetStore> assets_;

@@ -8,10 +8,17 @@
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
+#include <functional>
 #include <optional>
+#include <unistd.h>
+#include <utility>
 
 namespace trivar {
 namespace {
+
+// A scene without a name is kept as untitled-PROCESS-NUMBER.trivar.
+constexpr const char* kept_name = "untitled-";
+constexpr const char* kept_extension = ".trivar";
 
 std::string absolute_folder(const std::string& path)
 {
@@ -45,9 +52,23 @@ History moved(const History& history, const std::filesystem::path& from,
 } // namespace
 
 struct SceneFile::State {
+    State() = default;
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+    ~State() { let_go(); }
+    // Of a scene without a name nothing is kept.
+    void let_go()
+    {
+        std::error_code ignored;
+        if (file && path.empty()) std::filesystem::remove(file_path, ignored);
+        file.reset();
+    }
+
     History history;
     std::string path, folder = absolute_folder("");
+    std::string kept_in; // folder for scenes without a name; empty: not kept
     std::optional<LockedFile> file;
+    std::string file_path;     // `path`, or where it is kept without a name
     std::uintmax_t length = 0; // of the file's whole lines
     std::string missing;       // lines that are not in the file yet
     std::string torn;          // the file as it was found, to be kept before its end is cut off
@@ -78,11 +99,74 @@ SceneFile::SceneFile(const std::string& path) : state_(std::make_unique<State>()
             fmt::format("{}: may not be written; save changes under another name", path));
         return;
     }
-    state_->path = path;
+    state_->path = state_->file_path = path;
     state_->length = log.good_bytes;
     if (!log.notice.empty()) state_->torn = std::move(text);
     if (!log.ends_with_break) state_->missing = "\n";
     state_->file.emplace(std::move(file));
+}
+
+std::optional<std::string> SceneFile::left_in(const std::string& folder)
+{
+    std::error_code ignored;
+    std::vector<std::pair<std::filesystem::file_time_type, std::string>> left;
+    for (const auto& each : std::filesystem::directory_iterator(folder, ignored))
+        if (each.path().filename().string().starts_with(kept_name) &&
+            each.path().extension() == kept_extension)
+            left.emplace_back(each.last_write_time(ignored), each.path().string());
+    std::ranges::sort(left, std::greater());
+    for (const auto& [time, path] : left) {
+        try {
+            const SceneFile scene(path);
+            const bool in_use = scene.path().empty();
+            if (!in_use && !scene.history().steps().empty()) return path;
+        } catch (const Rejected&) { // stays there, for whoever can mend it
+        }
+    }
+    return std::nullopt;
+}
+
+SceneFile SceneFile::taken_up(const std::string& left)
+{
+    SceneFile scene(left);
+    State& s = *scene.state_;
+    s.path.clear();
+    s.torn.clear(); // half a line of a scene nobody named
+    return scene;
+}
+
+void SceneFile::keep_in(const std::string& folder)
+{
+    State& s = *state_;
+    if (!s.path.empty() || s.file) return;
+    s.kept_in = folder;
+    const std::string from = std::exchange(s.folder, std::filesystem::absolute(folder).string());
+    if (s.history.steps().empty()) return;
+    if (std::ranges::any_of(s.history.steps(), imports_by_relative_path))
+        s.history = moved(s.history, from, s.folder);
+    start_kept();
+}
+
+void SceneFile::start_kept()
+{
+    State& s = *state_;
+    if (s.kept_in.empty()) return;
+    std::error_code ignored;
+    std::filesystem::create_directories(s.kept_in, ignored); // else writing says why not
+    const auto path = [&](int i) {
+        return fmt::format("{}/{}{}-{}{}", s.kept_in, kept_name, ::getpid(), i, kept_extension);
+    };
+    int free = 1;
+    while (std::filesystem::exists(path(free), ignored)) ++free;
+    try {
+        const std::string text = log_text(s.history);
+        s.file.emplace(path(free), text);
+        s.file_path = path(free);
+        s.length = text.size();
+        s.trouble.clear();
+    } catch (const Rejected& error) {
+        s.trouble = error.what();
+    }
 }
 
 const History& SceneFile::history() const
@@ -93,14 +177,14 @@ const History& SceneFile::history() const
 void SceneFile::keep_torn()
 {
     if (state_->torn.empty()) return;
-    const LockedFile kept(state_->path + ".torn", state_->torn);
+    const LockedFile kept(state_->file_path + ".torn", state_->torn);
     state_->torn.clear();
 }
 
 void SceneFile::append(const std::string& line)
 {
     State& s = *state_;
-    if (!s.file) return;
+    if (!s.file) return start_kept();
     s.missing += line;
     try {
         keep_torn();
@@ -168,11 +252,12 @@ void SceneFile::save(const std::string& path, bool compact)
     const std::string text = compact ? compact_log_text(kept) : log_text(kept);
     if (in_place) keep_torn();
     LockedFile file(path, text);
+    s.let_go();
     if (other) s.history = std::move(*other);
     if (compact) s.history.forget_undone();
     s.history.cancel();
     s.file.emplace(std::move(file));
-    s.path = path;
+    s.path = s.file_path = path;
     s.folder = folder;
     s.length = text.size();
     s.missing.clear();

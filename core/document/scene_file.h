@@ -4,6 +4,7 @@
 #include "core/document/history.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,12 +14,19 @@ namespace trivar {
 // killed process loses no committed command and undo survives closing the program. While it lives
 // the file is locked; who opens it a second time gets a copy without a path.
 //
+// A scene without a name can be kept the same way, in a file of a folder for such scenes, which
+// goes when the scene gets a name or is let go; what a killed program left there can be taken up
+// again.
+//
 // When appending fails (disk full, file taken away) the step stands, `trouble` says so, the file
 // keeps its last whole line, and the next step or save tries again with all that is missing.
 class SceneFile {
 public:
-    SceneFile();                                 // untitled: in memory only
+    SceneFile();                                 // without a name: in memory only, till kept_in
     explicit SceneFile(const std::string& path); // replays it. Throws Rejected
+    // The file of the latest scene without a name that a program which is gone left in the folder.
+    static std::optional<std::string> left_in(const std::string& folder);
+    static SceneFile taken_up(const std::string& left); // goes on with it. Throws Rejected
     ~SceneFile();
     SceneFile(SceneFile&&) noexcept;
     SceneFile& operator=(SceneFile&&) noexcept;
@@ -40,7 +48,10 @@ public:
     void save_as(const std::string& path);
     void save_compact(const std::string& path);
 
-    const std::string& path() const;    // empty: untitled, or a copy
+    // From its first step on a scene without a name is kept in the folder; no effect on others.
+    void keep_in(const std::string& folder);
+
+    const std::string& path() const;    // empty: without a name, or a copy
     std::string folder() const;         // absolute; what paths of imports are relative to
     const std::string& trouble() const; // why the last append failed; empty: all is on disk
     const std::vector<std::string>& notices() const; // from opening, one sentence each
@@ -48,6 +59,7 @@ public:
 private:
     void keep_torn(); // beside the file, with .torn after its name, before its end is cut off
     void append(const std::string& line);
+    void start_kept();
     void save(const std::string& path, bool compact);
     struct State;
     std::unique_ptr<State> state_;

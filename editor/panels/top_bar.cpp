@@ -78,13 +78,13 @@ struct State {
 State state_of(const Editor& editor, const ui::Palette& c)
 {
     const SceneFile& scene = editor.session.scene();
-    if (!scene.trouble().empty())
-        return {std::filesystem::path(scene.path()).filename().string(), "Not saved", c.bad};
-    if (!scene.path().empty())
-        return {std::filesystem::path(scene.path()).filename().string(), "All changes saved",
-                c.text_3};
+    const bool named = !scene.path().empty();
+    const std::string name =
+        named ? std::filesystem::path(scene.path()).filename().string() : "Untitled";
+    if (!scene.trouble().empty()) return {name, "Not saved", c.bad};
+    if (named) return {name, "All changes saved", c.text_3};
     const bool empty = scene.history().steps().empty();
-    return {"Untitled", empty ? "Nothing to save" : "Not kept yet", empty ? c.text_3 : c.warn};
+    return {name, empty ? "Nothing to save" : "Has no name yet", empty ? c.text_3 : c.warn};
 }
 
 } // namespace

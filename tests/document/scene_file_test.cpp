@@ -11,6 +11,8 @@
 #include <fstream>
 #include <gmock/gmock.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace trivar {
 namespace {
@@ -190,6 +192,74 @@ TEST(SceneFile, NoticesThatItsFileWasTakenAway)
     scene.save_as(path);
     EXPECT_EQ(scene.trouble(), "");
     EXPECT_EQ(read_text_file(path), log_header() + command_line(AddBox{}));
+}
+
+TEST(SceneFile, WithoutANameIsKeptFromItsFirstStepTillItHasOne)
+{
+    const TemporaryFolder folder;
+    const std::string kept = folder.file("unnamed");
+    SceneFile scene;
+    scene.keep_in(kept);
+    EXPECT_FALSE(SceneFile::left_in(kept));
+    EXPECT_FALSE(std::filesystem::exists(kept)); // nothing was done yet
+    scene.run(AddBox{});
+    scene.run(AddSphere{});
+    scene.undo();
+    EXPECT_EQ(scene.path(), "");
+    EXPECT_EQ(scene.trouble(), "");
+    ASSERT_FALSE(std::filesystem::is_empty(kept));
+    EXPECT_EQ(read_text_file(std::filesystem::directory_iterator(kept)->path().string()),
+              log_header() + command_line(AddBox{}) + command_line(AddSphere{}) + undo_line());
+    EXPECT_FALSE(SceneFile::left_in(kept)); // it is still open
+    scene.save_as(folder.file("a.trivar"));
+    EXPECT_TRUE(std::filesystem::is_empty(kept));
+    EXPECT_EQ(SceneFile(folder.file("a.trivar")).history().steps().size(), 2u);
+}
+
+TEST(SceneFile, WithoutANameGoesWhenItIsLetGo)
+{
+    const TemporaryFolder folder;
+    SceneFile scene;
+    scene.keep_in(folder.path().string());
+    scene.run(AddBox{});
+    EXPECT_FALSE(std::filesystem::is_empty(folder.path()));
+    scene = SceneFile();
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(SceneFile, WithoutANameOutlivesAKilledProgram)
+{
+    const TemporaryFolder folder;
+    const pid_t child = ::fork();
+    if (child == 0) {
+        SceneFile scene;
+        scene.keep_in(folder.path().string());
+        scene.run(AddBox{});
+        scene.run(AddSphere{});
+        scene.undo();
+        ::kill(::getpid(), SIGKILL);
+    }
+    ::waitpid(child, nullptr, 0);
+    const auto left = SceneFile::left_in(folder.path().string());
+    ASSERT_TRUE(left);
+    {
+        SceneFile scene = SceneFile::taken_up(*left);
+        scene.keep_in(folder.path().string()); // as it is already
+        EXPECT_EQ(scene.path(), "");
+        EXPECT_EQ(scene.document().objects.size(), 1u);
+        EXPECT_TRUE(scene.redo());
+        EXPECT_FALSE(SceneFile::left_in(folder.path().string()));
+    }
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(SceneFile, SaysWhyItIsNotKept)
+{
+    SceneFile scene;
+    scene.keep_in("/proc/nowhere");
+    scene.run(AddBox{});
+    EXPECT_THAT(scene.trouble(), HasSubstr("cannot be written"));
+    EXPECT_EQ(scene.document().objects.size(), 1u);
 }
 
 TEST(SceneFile, RewritesPathsWhenItIsSavedInAnotherFolder)
