@@ -13,6 +13,7 @@ namespace {
 constexpr double shortest_stroke_px = 8;
 constexpr std::size_t most_points = 1000;
 constexpr int most_control_points = 200;
+constexpr double closing_px = 10; // a stroke that ends this near its start is a ring
 
 bool finite(const glm::dvec3& p)
 {
@@ -52,27 +53,49 @@ std::vector<glm::dvec2> thinned(const std::vector<glm::dvec2>& points, std::size
     return out;
 }
 
+// Whether the stroke comes back to where it began.
+bool closes(const std::vector<glm::dvec2>& points)
+{
+    return glm::length(points.back() - points.front()) <= closing_px &&
+           length_of(points) >= 10 * closing_px;
+}
+
+Knots with(const Knots& knots, const std::vector<double>& more)
+{
+    const bool open = knots.closure() == Closure::open;
+    std::vector<double> all = open ? knots.values() : knots.breaks();
+    if (!open) all.pop_back(); // the end is the beginning of the next period
+    all.insert(all.end(), more.begin(), more.end());
+    std::sort(all.begin(), all.end());
+    return open ? Knots::general(knots.order(), std::move(all))
+                : Knots::closed(knots.order(), all, knots.end());
+}
+
 // The knots with a new one in the middle of every span that strays, or the same ones.
 Knots refined(const Curve<glm::dvec2>& curve, const std::vector<glm::dvec2>& points,
               const std::vector<double>& t, double tolerance_px)
 {
-    const std::vector<double> breaks = curve.knots.breaks();
-    std::vector<double> knots = curve.knots.values();
-    std::size_t s = 0;
-    for (std::size_t b = 0; b + 1 < breaks.size(); ++b) {
-        const double middle = (breaks[b] + breaks[b + 1]) / 2;
+    struct Span {
         double worst = 0;
-        int low = 0, high = 0;
-        for (; s < points.size() && (t[s] < breaks[b + 1] || b + 2 == breaks.size()); ++s) {
-            worst = std::max(worst, glm::length(evaluate(curve, t[s]).value - points[s]));
-            ++(t[s] < middle ? low : high);
-        }
-        // A half without two samples of its own would swing freely (Schoenberg and Whitney).
-        if (worst > tolerance_px && low >= 2 && high >= 2 &&
-            static_cast<int>(knots.size()) - curve.knots.order() < most_control_points)
-            knots.insert(std::upper_bound(knots.begin(), knots.end(), middle), middle);
+        int low = 0, high = 0; // samples in its halves
+    };
+    const std::vector<double> breaks = curve.knots.breaks();
+    const auto middle = [&](std::size_t b) { return (breaks[b] + breaks[b + 1]) / 2; };
+    std::vector<Span> spans(breaks.size() - 1);
+    for (std::size_t s = 0; s < points.size(); ++s) {
+        const auto above = std::upper_bound(breaks.begin(), breaks.end() - 1, t[s]);
+        const auto b = static_cast<std::size_t>(above - breaks.begin()) - 1;
+        spans[b].worst =
+            std::max(spans[b].worst, glm::length(evaluate(curve, t[s]).value - points[s]));
+        ++(t[s] < middle(b) ? spans[b].low : spans[b].high);
     }
-    return Knots::general(curve.knots.order(), std::move(knots));
+    std::vector<double> more;
+    for (std::size_t b = 0; b < spans.size(); ++b)
+        // A half without two samples of its own would swing freely (Schoenberg and Whitney).
+        if (spans[b].worst > tolerance_px && spans[b].low >= 2 && spans[b].high >= 2 &&
+            curve.knots.count() + static_cast<int>(more.size()) < most_control_points)
+            more.push_back(middle(b));
+    return with(curve.knots, more);
 }
 
 } // namespace
@@ -97,8 +120,10 @@ std::vector<glm::dvec2> stroke_points(const Sketch& sketch)
 
 Curve<glm::dvec2> fit_sketch(const std::vector<glm::dvec2>& points, double tolerance_px)
 {
-    // Two or three points fix less than a cubic has: points between them cost nothing.
     std::vector<glm::dvec2> p = points;
+    const bool closed = closes(p);
+    if (closed) p.back() = p.front();
+    // Two or three points fix less than a cubic has: points between them cost nothing.
     while (p.size() < 8) {
         std::vector<glm::dvec2> finer{p.front()};
         for (std::size_t i = 1; i < p.size(); ++i) {
@@ -107,11 +132,16 @@ Curve<glm::dvec2> fit_sketch(const std::vector<glm::dvec2>& points, double toler
         }
         p = std::move(finer);
     }
+    std::vector<double> t = chord_length_parameters(p);
+    if (closed) { // the last is the first one, a period later
+        p.pop_back();
+        t.pop_back();
+    }
     // A trace of smoothing keeps a span whose samples crowd at one end from swinging; on samples
     // that fix every span it is below rounding.
-    const FitOptions options{.smoothing = 1e-13, .ends = true};
-    std::vector<double> t = chord_length_parameters(p);
-    Curve<glm::dvec2> curve = fit(Knots::uniform(4, 4), t, p, options);
+    const FitOptions options{.smoothing = 1e-13, .ends = !closed};
+    Curve<glm::dvec2> curve =
+        fit(closed ? Knots::periodic(4, 4) : Knots::uniform(4, 4), t, p, options);
     for (;;) {
         t = corrected_parameters(curve, std::move(t), p);
         const Knots knots = refined(curve, p, t, tolerance_px);

@@ -14,13 +14,19 @@ constexpr double share_of_radius = 0.9;
 // The rim may approach the middle by half a pixel a pixel: a steeper notch would show.
 constexpr double steepest_rim = 0.5;
 
-// The largest profile below `limit` that changes by at most steepest_rim a pixel of the curve.
-std::vector<double> lower_envelope(std::vector<double> limit, const std::vector<double>& step_px)
+// The largest profile below `limit` that changes by at most steepest_rim a pixel of the curve;
+// round a closed one twice, for what limits it on one side of the seam does so on the other.
+std::vector<double> lower_envelope(std::vector<double> limit, const std::vector<double>& step_px,
+                                   bool closed)
 {
-    for (std::size_t i = 1; i < limit.size(); ++i)
-        limit[i] = std::min(limit[i], limit[i - 1] + steepest_rim * step_px[i]);
-    for (std::size_t i = limit.size() - 1; i > 0; --i)
-        limit[i - 1] = std::min(limit[i - 1], limit[i] + steepest_rim * step_px[i]);
+    for (int lap = 0; lap < (closed ? 2 : 1); ++lap) {
+        if (closed) limit.front() = limit.back() = std::min(limit.front(), limit.back());
+        for (std::size_t i = 1; i < limit.size(); ++i)
+            limit[i] = std::min(limit[i], limit[i - 1] + steepest_rim * step_px[i]);
+        for (std::size_t i = limit.size() - 1; i > 0; --i)
+            limit[i - 1] = std::min(limit[i - 1], limit[i] + steepest_rim * step_px[i]);
+    }
+    if (closed) limit.front() = limit.back() = std::min(limit.front(), limit.back());
     return limit;
 }
 
@@ -46,11 +52,14 @@ Strip strip_round(Curve<glm::dvec2> center, const std::vector<double>& half_widt
     const std::size_t n = half_width_px.size();
     std::vector<double> left = half_width_px, right = half_width_px, step_px(n, 0);
     glm::dvec2 before{0};
+    CurveJet<glm::dvec2> jet;
     for (std::size_t i = 0; i < n; ++i) {
-        const double a = static_cast<double>(i) / static_cast<double>(n - 1);
-        const CurveJet<glm::dvec2> jet = evaluate(center, a, 2);
-        const double k = curvature(jet);
-        if (k != 0) {
+        // A corner turns within less than a step, so the curve is looked at between them, too.
+        for (const double between : {-0.5, -0.25, 0.25, 0.5, 0.0}) {
+            const double a = (static_cast<double>(i) + between) / static_cast<double>(n - 1);
+            jet = evaluate(center, std::clamp(a, 0.0, 1.0), 2);
+            const double k = curvature(jet);
+            if (k == 0) continue;
             double& inner = k > 0 ? left[i] : right[i];
             inner = std::min(inner, share_of_radius / std::abs(k));
         }
@@ -60,8 +69,9 @@ Strip strip_round(Curve<glm::dvec2> center, const std::vector<double>& half_widt
     Strip out{std::move(center), left, right, std::vector<char>(n, 0)};
     for (std::size_t i = 0; i < n; ++i)
         out.narrowed[i] = left[i] < half_width_px[i] || right[i] < half_width_px[i];
-    out.left_px = lower_envelope(std::move(left), step_px);
-    out.right_px = lower_envelope(std::move(right), step_px);
+    const bool closed = out.center.knots.closure() != Closure::open;
+    out.left_px = lower_envelope(std::move(left), step_px, closed);
+    out.right_px = lower_envelope(std::move(right), step_px, closed);
     return out;
 }
 

@@ -44,6 +44,24 @@ TEST(Place, OnAPlaneTheContactIsPlanarAndEvenlySpread)
         }
 }
 
+TEST(Place, RoundARingTheEndsMeet)
+{
+    std::vector<glm::dvec2> ring;
+    for (int i = 0; i <= 72; ++i) {
+        const double t = 0.0872665 * i;
+        ring.emplace_back(750 + 300 * std::cos(t), 500 + 300 * std::sin(t));
+    }
+    const Mesh bumpy = height_field(
+        4, 60, [](double x, double y) { return 0.1 * std::sin(5 * x) * std::cos(4 * y); });
+    const Placement out = placed(stroke(from_above(), ring), scene_of(bumpy),
+                                 {.width = 0.2, .height = 0.1, .grid = {48, 8, 3}});
+    for (const double v : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+        const auto head = evaluate(out.contact, {0, v}, 1), tail = evaluate(out.contact, {1, v}, 1);
+        EXPECT_LT(glm::length(head.value - tail.value), 0.02 * out.report.height_world);
+        EXPECT_GT(glm::dot(glm::normalize(head.u), glm::normalize(tail.u)), 0.97);
+    }
+}
+
 TEST(Place, NeverOvershootsUpwardsWithoutSprings)
 {
     // A cliff four times as high as a span of the grid is long, in the middle of the stroke.

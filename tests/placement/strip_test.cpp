@@ -66,6 +66,50 @@ TEST(Sketch, NoiseIsSmoothedAndATighterToleranceNeverTakesFewerControlPoints)
     }
 }
 
+TEST(Sketch, AStrokeThatEndsWhereItBeganIsASmoothRing)
+{
+    std::vector<glm::dvec2> points;
+    for (int i = 0; i < 200; ++i) { // ends 6 pixels before its start
+        const double t = (6.2831853 - 0.03) * i / 199;
+        points.emplace_back(600 + 200 * std::cos(t), 500 + 200 * std::sin(t));
+    }
+    const Curve<glm::dvec2> ring = fit_sketch(points, 0.5);
+    const CurveJet<glm::dvec2> first = evaluate(ring, 1e-9, 2), last = evaluate(ring, 1 - 1e-9, 2);
+    EXPECT_LT(glm::length(first.value - last.value), 1e-5);
+    EXPECT_LT(glm::length(first.first - last.first), 1e-3 * glm::length(first.first));
+    EXPECT_LT(glm::length(first.second - last.second), 1e-3 * glm::length(first.second));
+    for (int i = 0; i <= 1000; ++i)
+        EXPECT_NEAR(glm::length(evaluate(ring, i / 1000.0).value - glm::dvec2(600, 500)), 200, 0.7);
+    // A wide strip inside it is narrowed alike on both sides of the seam.
+    const Strip strip = strip_round(ring, std::vector<double>(129, 230));
+    EXPECT_EQ(strip.left_px.front(), strip.left_px.back());
+    EXPECT_EQ(strip.right_px.front(), strip.right_px.back());
+    points.resize(190); // 63 pixels short of a ring
+    EXPECT_GT(glm::length(evaluate(fit_sketch(points, 0.5), 0).value - points.back()), 60);
+}
+
+TEST(Sketch, ACornerIsFollowedWithinTheToleranceAndTheStripRoundItDoesNotFold)
+{
+    std::vector<glm::dvec2> points;
+    for (int i = 0; i <= 100; ++i) points.emplace_back(100 + 4 * i, 500);
+    for (int i = 1; i <= 75; ++i) points.emplace_back(500, 500 - 4 * i);
+    const Curve<glm::dvec2> curve = fit_sketch(points);
+    for (const glm::dvec2& p : points) {
+        double nearest = 1e9;
+        for (int i = 0; i <= 4000; ++i)
+            nearest = std::min(nearest, glm::length(evaluate(curve, i / 4000.0).value - p));
+        EXPECT_LT(nearest, 2.5) << p.x << " " << p.y;
+    }
+    const Strip strip = strip_round(curve, std::vector<double>(129, 60));
+    for (double a = 0.01; a < 0.99; a += 0.002)
+        for (const double v : {0.0, 0.5, 1.0}) {
+            const double e = 1e-5;
+            const glm::dvec2 u = strip.at(a + e, v) - strip.at(a - e, v);
+            const glm::dvec2 w = strip.at(a, 1) - strip.at(a, 0);
+            EXPECT_LE(u.x * w.y - u.y * w.x, 0) << a << " " << v; // y goes down
+        }
+}
+
 TEST(Strip, LeftIsLeftAsTheUserSeesIt)
 {
     const Strip strip = strip_round(fit_sketch({{100, 500}, {900, 500}}), {50, 50});
