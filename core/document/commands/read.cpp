@@ -4,9 +4,11 @@
 #include "core/base/rejected.h"
 #include "core/document/command.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <limits>
 #include <set>
+#include <span>
 
 namespace trivar {
 namespace {
@@ -20,80 +22,149 @@ using nlohmann::json;
     throw Rejected(fmt::format("field \"{}\" must be {}, not {}", name, wanted, text));
 }
 
-template <class T>
-void read_fields(const std::string& prefix, const json& object, T& value,
-                 std::string_view also_known = "");
+// What does not depend on a field's type is in plain functions: there are some 150 fields, and each
+// is a place where these are called.
+
+std::string element(const std::string& name, std::size_t i)
+{
+    return fmt::format("{}[{}]", name, i);
+}
+
+void read_value(const std::string& name, const json& from, bool& value)
+{
+    if (!from.is_boolean()) reject(name, "true or false", from);
+    value = from.get<bool>();
+}
+
+void read_value(const std::string& name, const json& from, int& value)
+{
+    // Whole numbers beyond 64 bits have become doubles here.
+    constexpr auto most = std::numeric_limits<int>::max(), least = std::numeric_limits<int>::min();
+    const bool whole = from.is_number_unsigned()
+                           ? from.get<std::uint64_t>() <= most
+                           : from.is_number_integer() && from.get<std::int64_t>() >= least &&
+                                 from.get<std::int64_t>() <= most;
+    if (!whole) reject(name, "a whole number", from);
+    value = from.get<int>();
+}
+
+double number(const std::string& name, const json& from, double largest)
+{
+    if (!from.is_number()) reject(name, "a number", from);
+    const auto value = from.get<double>();
+    if (!(std::abs(value) <= largest)) reject(name, "smaller", from);
+    return value;
+}
+void read_value(const std::string& name, const json& from, double& value)
+{
+    value = number(name, from, std::numeric_limits<double>::max());
+}
+void read_value(const std::string& name, const json& from, float& value)
+{
+    value = static_cast<float>(number(name, from, std::numeric_limits<float>::max()));
+}
+
+void read_value(const std::string& name, const json& from, std::string& value)
+{
+    if (!from.is_string()) reject(name, "a text in quotes", from);
+    value = from.get<std::string>();
+}
+
+void read_value(const std::string& name, const json& from, StrokeSample& value)
+{
+    if (!from.is_array() || from.size() < 2 || from.size() > 4)
+        reject(name, "[x px, y px, seconds, pressure]", from);
+    read_value(element(name, 0), from[0], value.p_px.x);
+    read_value(element(name, 1), from[1], value.p_px.y);
+    if (from.size() > 2) read_value(element(name, 2), from[2], value.time_s);
+    if (from.size() > 3) read_value(element(name, 3), from[3], value.pressure);
+}
+
+std::size_t choice(const std::string& name, const json& from,
+                   std::span<const std::string_view> choices)
+{
+    for (std::size_t i = 0; i < choices.size(); ++i)
+        if (from == choices[i]) return i;
+    reject(name, fmt::format("one of {}", fmt::join(choices, ", ")), from);
+}
+
+void check_list(const std::string& name, const json& from)
+{
+    if (!from.is_array()) reject(name, "a list in brackets", from);
+}
+void check_numbers(const std::string& name, const json& from, std::size_t count)
+{
+    if (!from.is_array() || from.size() != count)
+        reject(name, fmt::format("a list of {} numbers", count), from);
+}
+
+// The fields of one object in braces, of which none may stay untaken.
+class Fields {
+public:
+    Fields(const json& object, std::string prefix, std::string_view also_known = "")
+        : object_(&object),
+          prefix_(std::move(prefix)),
+          known_{also_known}
+    {
+    }
+    const std::string& prefix() const { return prefix_; }
+    const json* take(std::string_view name, bool required)
+    {
+        known_.push_back(name);
+        const auto found = object_->find(name);
+        if (found != object_->end()) return &*found;
+        if (required) throw Rejected(fmt::format("field \"{}{}\" is missing", prefix_, name));
+        return nullptr;
+    }
+    void check_all_taken() const
+    {
+        for (const auto& [name, ignored] : object_->items())
+            if (std::find(known_.begin(), known_.end(), name) == known_.end())
+                throw Rejected(fmt::format("field \"{}{}\" is unknown here", prefix_, name));
+    }
+
+private:
+    const json* object_;
+    std::string prefix_;
+    std::vector<std::string_view> known_;
+};
+
+Fields nested(const std::string& name, const json& from)
+{
+    if (!from.is_object()) reject(name, "an object in braces", from);
+    return {from, name + "."};
+}
+
+template <class T> void read_fields(Fields from, T& value);
 
 template <class T> void read_value(const std::string& name, const json& from, T& value)
 {
-    if constexpr (Nested<T>) {
-        if (!from.is_object()) reject(name, "an object in braces", from);
-        read_fields(name + ".", from, value);
-    } else if constexpr (std::is_same_v<T, bool>) {
-        if (!from.is_boolean()) reject(name, "true or false", from);
-        value = from.get<bool>();
-    } else if constexpr (std::is_same_v<T, int>) {
-        // Whole numbers beyond 64 bits have become doubles here.
-        const bool whole = from.is_number_integer() &&
-                           (from.is_number_unsigned()
-                                ? from.get<std::uint64_t>() <= std::numeric_limits<int>::max()
-                                : from.get<std::int64_t>() >= std::numeric_limits<int>::min() &&
-                                      from.get<std::int64_t>() <= std::numeric_limits<int>::max());
-        if (!whole) reject(name, "a whole number", from);
-        value = from.get<int>();
-    } else if constexpr (std::is_floating_point_v<T>) {
-        if (!from.is_number()) reject(name, "a number", from);
-        const auto wide = from.get<double>();
-        if (!(std::abs(wide) <= std::numeric_limits<T>::max())) reject(name, "smaller", from);
-        value = static_cast<T>(wide);
-    } else if constexpr (std::is_enum_v<T>) {
-        for (std::size_t i = 0; i < choice_names<T>.size(); ++i)
-            if (from == choice_names<T>[i]) {
-                value = static_cast<T>(i);
-                return;
-            }
-        reject(name, fmt::format("one of {}", fmt::join(choice_names<T>, ", ")), from);
-    } else if constexpr (std::is_same_v<T, std::string>) {
-        if (!from.is_string()) reject(name, "a text in quotes", from);
-        value = from.get<std::string>();
-    } else if constexpr (std::is_same_v<T, StrokeSample>) {
-        if (!from.is_array() || from.size() < 2 || from.size() > 4)
-            reject(name, "[x px, y px, seconds, pressure]", from);
-        read_value(name + "[0]", from[0], value.p_px.x);
-        read_value(name + "[1]", from[1], value.p_px.y);
-        if (from.size() > 2) read_value(name + "[2]", from[2], value.time_s);
-        if (from.size() > 3) read_value(name + "[3]", from[3], value.pressure);
-    } else if constexpr (is_optional<T>)
+    if constexpr (Nested<T>)
+        read_fields(nested(name, from), value);
+    else if constexpr (std::is_enum_v<T>)
+        value = static_cast<T>(choice(name, from, choice_names<T>));
+    else if constexpr (is_optional<T>)
         read_value(name, from, value.emplace());
     else if constexpr (is_list<T>) {
-        if (!from.is_array()) reject(name, "a list in brackets", from);
+        check_list(name, from);
         value.clear();
         for (std::size_t i = 0; i < from.size(); ++i)
-            read_value(fmt::format("{}[{}]", name, i), from[i], value.emplace_back());
+            read_value(element(name, i), from[i], value.emplace_back());
     } else {
-        if (!from.is_array() || from.size() != static_cast<std::size_t>(T::length()))
-            reject(name, fmt::format("a list of {} numbers", T::length()), from);
-        for (int i = 0; i < T::length(); ++i)
-            read_value(fmt::format("{}[{}]", name, i), from[static_cast<std::size_t>(i)], value[i]);
+        constexpr auto count = static_cast<std::size_t>(T::length());
+        check_numbers(name, from, count);
+        for (std::size_t i = 0; i < count; ++i)
+            read_value(element(name, i), from[i], value[static_cast<int>(i)]);
     }
 }
 
-template <class T>
-void read_fields(const std::string& prefix, const json& object, T& value,
-                 std::string_view also_known)
+template <class T> void read_fields(Fields from, T& value)
 {
-    std::set<std::string, std::less<>> known{std::string(also_known)};
     each_field(value, [&](std::string_view name, auto& v, std::string_view, Rule rule = {}) {
-        known.emplace(name);
-        const auto found = object.find(name);
-        if (found != object.end())
-            read_value(prefix + std::string(name), *found, v);
-        else if (rule.required)
-            throw Rejected(fmt::format("field \"{}{}\" is missing", prefix, name));
+        if (const json* found = from.take(name, rule.required))
+            read_value(from.prefix() + std::string(name), *found, v);
     });
-    for (const auto& [name, ignored] : object.items())
-        if (!known.contains(name))
-            throw Rejected(fmt::format("field \"{}{}\" is unknown here", prefix, name));
+    from.check_all_taken();
 }
 
 template <std::size_t I = 0> Command command_named(std::string_view verb, const json& object)
@@ -104,7 +175,7 @@ template <std::size_t I = 0> Command command_named(std::string_view verb, const 
         using C = std::variant_alternative_t<I, Command>;
         if (verb != C::verb) return command_named<I + 1>(verb, object);
         C command;
-        read_fields("", object, command, "do");
+        read_fields(Fields(object, "", "do"), command);
         return command;
     }
 }
