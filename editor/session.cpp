@@ -159,7 +159,7 @@ void Session::take_up_left_scene()
     } catch (const Rejected&) { // another Trivar was faster
         return;
     }
-    notices.say(ui::NoticeKind::good, "Your scene is back",
+    notices.say(ui::NoticeKind::warning, "Your scene is back",
                 "Trivar ended before it had a name. Save it to keep it.");
 }
 

@@ -20,6 +20,18 @@ struct Axis {
     const char* name; // empty: the negative end
 };
 
+// first_placement: First placement; f1_f2: F1 F2
+std::string title(std::string name)
+{
+    std::replace(name.begin(), name.end(), '_', ' ');
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        const bool symbol = i + 1 < name.size() && name[i + 1] >= '0' && name[i + 1] <= '9';
+        if ((i == 0 || symbol) && name[i] >= 'a' && name[i] <= 'z')
+            name[i] = static_cast<char>(name[i] - 'a' + 'A');
+    }
+    return name;
+}
+
 } // namespace
 
 void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
@@ -122,10 +134,7 @@ void draw_welcome(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
                        "SAMPLE SCENES");
         at += theme.px(28);
         for (std::size_t i = 0; i < shown; ++i) {
-            std::string name = std::filesystem::path(editor.samples[i]).stem().string();
-            std::replace(name.begin(), name.end(), '_', ' ');
-            if (!name.empty() && name[0] >= 'a' && name[0] <= 'z')
-                name[0] = static_cast<char>(name[0] - 'a' + 'A');
+            const std::string name = title(std::filesystem::path(editor.samples[i]).stem());
             ImGui::SetCursorScreenPos({x, at});
             if (ui::button(theme, name, ui::ButtonKind::plain, {r.hi.x - pad - x, theme.px(32)},
                            ui::icon::scene))
