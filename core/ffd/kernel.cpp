@@ -68,24 +68,31 @@ HWY_INLINE Triple unit(const Triple& v, Vec least)
     return {scaled(v.x), scaled(v.y), scaled(v.z)};
 }
 
-// One component of the polynomial at t, by Horner's rule in w in v in u.
-template <class O> HWY_INLINE Vec value(const O& o, const float* c, const Triple& t)
+// One component of the polynomial at N registers of t at once, by Horner's rule in w in v in u.
+// Two registers share the load of a coefficient, which is as dear as a multiply-add.
+template <std::size_t N, class O>
+HWY_INLINE std::array<Vec, N> value(const O& o, const float* c, const std::array<Triple, N>& t)
 {
     const Tag d;
     const int ou = o.u(), ov = o.v(), ow = o.w();
-    Vec p = hn::Zero(d);
+    std::array<Vec, N> p, q, r;
+    p.fill(hn::Zero(d));
+    q = r = p;
     HWY_UNROLL(4)
     for (int i = 0; i < ou; ++i) {
-        Vec q = hn::Zero(d);
         HWY_UNROLL(4)
         for (int j = 0; j < ov; ++j) {
-            Vec r = hn::Set(d, *c);
+            for (Vec& x : r) x = hn::Set(d, *c);
             c += 4;
             HWY_UNROLL(4)
-            for (int k = 1; k < ow; ++k, c += 4) r = hn::MulAdd(r, t.z, hn::Set(d, *c));
-            q = j == 0 ? r : hn::MulAdd(q, t.y, r);
+            for (int k = 1; k < ow; ++k, c += 4) {
+                const Vec next = hn::Set(d, *c);
+                for (std::size_t n = 0; n < N; ++n) r[n] = hn::MulAdd(r[n], t[n].z, next);
+            }
+            for (std::size_t n = 0; n < N; ++n)
+                q[n] = j == 0 ? r[n] : hn::MulAdd(q[n], t[n].y, r[n]);
         }
-        p = i == 0 ? q : hn::MulAdd(p, t.x, q);
+        for (std::size_t n = 0; n < N; ++n) p[n] = i == 0 ? q[n] : hn::MulAdd(p[n], t[n].x, q[n]);
     }
     return p;
 }
@@ -163,16 +170,27 @@ HWY_INLINE void store_position(const SortedVertices& vertices, std::size_t i, Ve
     store({hn::Sub(rest.x, x), hn::Sub(rest.y, y), hn::Sub(rest.z, z)}, to);
 }
 
+template <std::size_t N, class O>
+HWY_INLINE void deform_registers(const O& o, const SortedVertices& vertices, std::size_t begin,
+                                 const float* c, const ChunkResult& out)
+{
+    const std::size_t lanes = hn::Lanes(Tag());
+    std::array<Triple, N> t;
+    for (std::size_t n = 0; n < N; ++n) t[n] = load(vertices.t, begin + n * lanes);
+    const auto x = value<N>(o, c, t), y = value<N>(o, c + 1, t), z = value<N>(o, c + 2, t);
+    for (std::size_t n = 0; n < N; ++n)
+        store_position(vertices, begin + n * lanes, x[n], y[n], z[n],
+                       out.positions + (begin + n * lanes - out.begin));
+}
+
 template <class O>
 void deform_positions(const O& o, const SortedVertices& vertices, const SortedVertices::Run& run,
                       const float* c, const ChunkResult& out)
 {
     const std::size_t lanes = hn::Lanes(Tag());
-    for (std::size_t i = run.begin; i < run.end; i += lanes) {
-        const Triple t = load(vertices.t, i);
-        store_position(vertices, i, value(o, c, t), value(o, c + 1, t), value(o, c + 2, t),
-                       out.positions + (i - out.begin));
-    }
+    std::size_t i = run.begin;
+    for (; i + lanes < run.end; i += 2 * lanes) deform_registers<2>(o, vertices, i, c, out);
+    if (i < run.end) deform_registers<1>(o, vertices, i, c, out);
 }
 
 // J from the slopes of the polynomial; columns.
