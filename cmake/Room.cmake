@@ -1,6 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # A capability is a folder; this file turns the folder into a library and its tests into a program.
 
+# The system's headers that nearly every source reads are parsed once, in the lowest room; once more,
+# with the testing library's, for the tests. Sources still include what they use: tests/lint sees to it.
+set(common_headers <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <limits> <map>
+                   <memory> <optional> <set> <span> <string> <string_view> <variant> <vector>
+                   <fmt/format.h> <glm/glm.hpp>)
+set(test_headers ${common_headers} <gmock/gmock.h> <gtest/gtest.h>)
+
 # trivar_room(NAME DEPENDS lib...): every .cpp of the current folder becomes the library trivar_NAME.
 # PUBLIC names what includers of its headers need, DEPENDS what only its sources need.
 function(trivar_room name)
@@ -15,6 +22,13 @@ function(trivar_room name)
   set_target_properties(trivar_${name} PROPERTIES LINKER_LANGUAGE CXX)
   target_include_directories(trivar_${name} PUBLIC ${CMAKE_SOURCE_DIR})
   target_link_libraries(trivar_${name} PUBLIC ${ROOM_PUBLIC} PRIVATE ${ROOM_DEPENDS})
+  if(name STREQUAL base)
+    target_precompile_headers(trivar_base PRIVATE ${common_headers})
+  elseif(name STREQUAL test_support)
+    target_precompile_headers(trivar_test_support PRIVATE ${test_headers})
+  else()
+    target_precompile_headers(trivar_${name} REUSE_FROM trivar_base)
+  endif()
 endfunction()
 
 # trivar_tests(NAME LIBRARIES lib...): every tests/NAME/*_test.cpp becomes one program, found by ctest test by test.
@@ -28,6 +42,7 @@ function(trivar_tests name)
   target_include_directories(${name}_test PRIVATE ${CMAKE_SOURCE_DIR})
   target_link_libraries(${name}_test PRIVATE ${ROOM_LIBRARIES} trivar_test_support GTest::gmock
                                              GTest::gtest_main)
+  target_precompile_headers(${name}_test REUSE_FROM trivar_test_support)
   target_compile_definitions(${name}_test PRIVATE TRIVAR_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
                                                   TRIVAR_BINARY_DIR="${CMAKE_BINARY_DIR}")
   # Suites named RealData... want the folder of real models; they skip with a message without it.
