@@ -3,10 +3,12 @@
 
 # The system's headers that nearly every source reads are parsed once, in the lowest room; once more,
 # with the testing library's, for the tests. Sources still include what they use: tests/lint sees to it.
-set(common_headers <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <limits> <map>
-                   <memory> <optional> <set> <span> <string> <string_view> <variant> <vector>
-                   <fmt/format.h> <glm/glm.hpp>)
+set(common_headers <algorithm> <array> <chrono> <cmath> <cstdint> <filesystem> <fstream> <functional>
+                   <limits> <map> <memory> <optional> <set> <span> <string> <string_view> <variant>
+                   <vector> <fmt/format.h> <glm/glm.hpp>)
 set(test_headers ${common_headers} <gmock/gmock.h> <gtest/gtest.h>)
+# A test runs once a build: what -O2 would gain in running it loses in compiling.
+set(test_options -O1)
 
 # trivar_room(NAME DEPENDS lib...): every .cpp of the current folder becomes the library trivar_NAME.
 # PUBLIC names what includers of its headers need, DEPENDS what only its sources need.
@@ -26,6 +28,7 @@ function(trivar_room name)
     target_precompile_headers(trivar_base PRIVATE ${common_headers})
   elseif(name STREQUAL test_support)
     target_precompile_headers(trivar_test_support PRIVATE ${test_headers})
+    target_compile_options(trivar_test_support PRIVATE ${test_options})
   else()
     target_precompile_headers(trivar_${name} REUSE_FROM trivar_base)
   endif()
@@ -43,6 +46,7 @@ function(trivar_tests name)
   target_link_libraries(${name}_test PRIVATE ${ROOM_LIBRARIES} trivar_test_support GTest::gmock
                                              GTest::gtest_main)
   target_precompile_headers(${name}_test REUSE_FROM trivar_test_support)
+  target_compile_options(${name}_test PRIVATE ${test_options})
   target_compile_definitions(${name}_test PRIVATE TRIVAR_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
                                                   TRIVAR_BINARY_DIR="${CMAKE_BINARY_DIR}")
   # Suites named RealData... want the folder of real models; they skip with a message without it.
