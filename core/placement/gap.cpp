@@ -17,10 +17,11 @@ constexpr double rim = 1e-6; // parameters outside by no more are rounding
 
 } // namespace
 
-Gap gap_at(const SurfaceTable& s, const View& view, const SceneSample& sample)
+Gap gap_at(const SurfaceTable& s, const View& view, const SceneSample& sample, double more_cells)
 {
     const glm::dvec3 toward = view.toward_eye(sample.p_world);
     const glm::dvec2 cell = 1.0 / s.cells();
+    const glm::dvec2 lo = -more_cells * cell, hi = 1.0 - lo;
     glm::dvec2 uv = sample.uv;
     for (int i = 0; i < most_steps; ++i) {
         const SurfaceTable::Jet jet = s.jet(uv);
@@ -36,7 +37,7 @@ Gap gap_at(const SurfaceTable& s, const View& view, const SceneSample& sample)
         const glm::dvec2 step(glm::dot(glm::cross(r, jet.v), toward) / det,
                               glm::dot(glm::cross(jet.u, r), toward) / det);
         const glm::dvec2 to =
-            glm::clamp(uv + glm::clamp(step, -longest_step * cell, longest_step * cell), 0.0, 1.0);
+            glm::clamp(uv + glm::clamp(step, -longest_step * cell, longest_step * cell), lo, hi);
         const bool stays = glm::all(glm::lessThan(glm::abs(to - uv), short_step * cell));
         const glm::dvec2 beyond = glm::abs(uv + step - to);
         uv = to;

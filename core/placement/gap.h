@@ -24,7 +24,9 @@ struct Gap {
 
 // Newton steps toward S(uv) = p - gap d, d the line of sight, from the parameters of the sample;
 // the last one is not taken but exact to second order. Where they do not settle, nothing covers it.
-Gap gap_at(const SurfaceTable& s, const View& view, const SceneSample& sample);
+// The strip may be asked for as it would be, were it wider by so many `more_cells` on all sides.
+Gap gap_at(const SurfaceTable& s, const View& view, const SceneSample& sample,
+           double more_cells = 0);
 
 // The gaps of all samples, which keep the parameters found. Parallel.
 std::vector<Gap> gaps(const SurfaceTable& s, const View& view, std::vector<SceneSample>& samples);

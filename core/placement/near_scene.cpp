@@ -3,10 +3,12 @@
 
 #include "core/base/parallel.h"
 
+#include <algorithm>
+
 namespace trivar {
 namespace {
 
-constexpr std::size_t block = 8192;
+constexpr std::size_t boxes_at_once = 64; // of blocks of triangles
 
 using Vertex = NearScene::Vertex;
 using Triangle = std::array<std::uint32_t, 3>;
@@ -49,17 +51,20 @@ void add_entry(NearScene& out, const RayScene::Entry& entry, const View& view, g
 {
     const auto& positions = entry.mesh->mesh().positions;
     const auto& triangles = entry.mesh->triangles();
+    const auto& boxes = entry.mesh->block_boxes();
     const auto vertex = [&](std::uint32_t i) {
         const glm::dvec3 p(entry.to_world * glm::dvec4(positions[i], 1));
         return Vertex{p, view.project(p)};
     };
-    std::vector<std::uint8_t> side(positions.size());
     const View from_object = view.of_object(entry.to_world);
-    parallel_blocks(positions.size(), block, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            side[i] = sides(from_object.project(glm::dvec3(positions[i])), lo, hi);
-    });
-
+    const auto side = [&](const glm::dvec3& p) { return sides(from_object.project(p), lo, hi); };
+    const auto misses = [&](const Box& box) {
+        std::uint8_t common = 0xff;
+        for (int k = 0; k < 8 && common != 0; ++k)
+            common &= side({(k & 1) != 0 ? box.lo.x : box.hi.x, (k & 2) != 0 ? box.lo.y : box.hi.y,
+                            (k & 4) != 0 ? box.lo.z : box.hi.z});
+        return common != 0;
+    };
     const bool mirrored = glm::determinant(glm::dmat3(entry.to_world)) < 0;
     const auto front = [&](const glm::uvec3& t) {
         const glm::dvec3 a = vertex(t.x).p_world;
@@ -67,30 +72,47 @@ void add_entry(NearScene& out, const RayScene::Entry& entry, const View& view, g
         return (glm::dot(n, view.toward_eye(a)) > 0) != mirrored;
     };
     // In fixed blocks, so that the order of the result does not depend on the threads.
-    std::vector<std::vector<glm::uvec3>> near((triangles.size() + block - 1) / block);
-    parallel_blocks(triangles.size(), block, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const glm::uvec3& t = triangles[i];
-            if ((side[t.x] & side[t.y] & side[t.z]) != 0) continue;
-            if (!skip_back_faces || front(t)) near[begin / block].push_back(t);
+    struct Found {
+        glm::uvec3 triangle;
+        bool cut;
+    };
+    std::vector<std::vector<Found>> near((boxes.size() + boxes_at_once - 1) / boxes_at_once);
+    parallel_blocks(boxes.size(), boxes_at_once, [&](std::size_t begin, std::size_t end) {
+        std::vector<Found>& found = near[begin / boxes_at_once];
+        for (std::size_t box = begin; box < end; ++box) {
+            if (misses(boxes[box])) continue;
+            const std::size_t last = std::min(triangles.size(), (box + 1) * RayMesh::block);
+            for (std::size_t i = box * RayMesh::block; i < last; ++i) {
+                const glm::uvec3& t = triangles[i];
+                const std::uint8_t a = side(glm::dvec3(positions[t.x])),
+                                   b = side(glm::dvec3(positions[t.y])),
+                                   c = side(glm::dvec3(positions[t.z]));
+                if ((a & b & c) != 0 || (skip_back_faces && !front(t))) continue;
+                found.push_back({t, ((a | b | c) & behind) != 0});
+            }
         }
     });
 
+    const std::size_t before = out.vertices.size();
     std::vector<std::uint32_t> kept(positions.size(), 0); // one more than the new index
+    std::vector<std::uint32_t> wanted;
     const auto index = [&](std::uint32_t i) {
         if (kept[i] == 0) {
-            out.vertices.push_back(vertex(i));
-            kept[i] = static_cast<std::uint32_t>(out.vertices.size());
+            wanted.push_back(i);
+            kept[i] = static_cast<std::uint32_t>(before + wanted.size());
         }
         return kept[i] - 1;
     };
     for (const auto& part : near)
-        for (const glm::uvec3& t : part) {
-            if (((side[t.x] | side[t.y] | side[t.z]) & behind) != 0)
-                add_cut(out, view, {vertex(t.x), vertex(t.y), vertex(t.z)});
-            else
-                out.triangles.push_back({index(t.x), index(t.y), index(t.z)});
-        }
+        for (const auto& [t, cut] : part)
+            if (!cut) out.triangles.push_back({index(t.x), index(t.y), index(t.z)});
+    out.vertices.resize(before + wanted.size());
+    parallel_blocks(wanted.size(), 1024, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) out.vertices[before + i] = vertex(wanted[i]);
+    });
+    for (const auto& part : near)
+        for (const auto& [t, cut] : part)
+            if (cut) add_cut(out, view, {vertex(t.x), vertex(t.y), vertex(t.z)});
 }
 
 } // namespace

@@ -154,6 +154,7 @@ struct RayMesh::State {
     std::vector<glm::uvec3> triangles;
     std::vector<std::uint32_t> face; // of each triangle
     Box box;
+    std::vector<Box> block_boxes;
     SceneHandle handle;
 };
 
@@ -165,6 +166,12 @@ RayMesh::RayMesh(Ref<Mesh> mesh) : state_(std::make_unique<State>())
         for (std::uint32_t c = mesh->face_begin[f] + 2; c < mesh->face_begin[f + 1]; ++c)
             state_->face.push_back(static_cast<std::uint32_t>(f));
     assert(state_->face.size() == state_->triangles.size());
+
+    state_->block_boxes.resize((state_->triangles.size() + block - 1) / block);
+    for (std::size_t t = 0; t < state_->triangles.size(); ++t)
+        for (int k = 0; k < 3; ++k)
+            state_->block_boxes[t / block].add(
+                glm::dvec3(mesh->positions[state_->triangles[t][k]]));
 
     if (!state_->triangles.empty()) {
         RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -195,6 +202,11 @@ const Mesh& RayMesh::mesh() const
 const std::vector<glm::uvec3>& RayMesh::triangles() const
 {
     return state_->triangles;
+}
+
+const std::vector<Box>& RayMesh::block_boxes() const
+{
+    return state_->block_boxes;
 }
 
 struct RayScene::State {

@@ -137,6 +137,59 @@ StripIndex::StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2
         for (const int k : {corner, corner + 1, corner + steps.y + 1, corner + steps.y + 2})
             bend_[b] = std::max(bend_[b], bend[static_cast<std::size_t>(k)]);
     });
+    plain_.resize(bend_.size());
+    parallel_blocks(plain_.size(), 1024, [&](std::size_t from, std::size_t to) {
+        for (std::size_t b = from; b < to; ++b) plain_[b] = plain_quad(b);
+    });
+}
+
+// Few quads of similar size, neighbours in the parameters, all seen from the same side, cannot lie
+// over one another.
+int StripIndex::plain_quad(std::size_t bucket) const
+{
+    constexpr int widest = 4;           // along each axis of the parameters
+    constexpr double most_uneven = 0.2; // smallest over largest area
+    const int columns = steps_.y + 1;
+    const auto x = static_cast<int>(bucket) % buckets_.x, y = static_cast<int>(bucket) / buckets_.x;
+    const glm::dvec2 middle = lo_ + (glm::dvec2(x, y) + 0.5) / buckets_per_px_;
+    glm::ivec2 first(steps_), last(0);
+    double least = 1e300, most = -1e300, nearest = 1e300;
+    int out = -1;
+    for (int e = begin_[bucket]; e < begin_[bucket + 1]; ++e) {
+        const int a = quads_[static_cast<std::size_t>(e)];
+        const glm::ivec2 at(a / columns, a % columns);
+        first = glm::min(first, at);
+        last = glm::max(last, at);
+        const glm::dvec2* corner = corners_px_.data() + a;
+        const glm::dvec2* next = corner + columns;
+        for (const double area : {cross(next[0] - corner[0], corner[1] - corner[0]),
+                                  cross(corner[1] - next[1], next[0] - next[1])}) {
+            least = std::min(least, area);
+            most = std::max(most, area);
+        }
+        const glm::dvec2 off = (corner[0] + next[1]) / 2.0 - middle;
+        if (glm::dot(off, off) < nearest) {
+            nearest = glm::dot(off, off);
+            out = a;
+        }
+    }
+    const bool alike = least > most_uneven * most || most < most_uneven * least;
+    const bool few = last.x - first.x < widest && last.y - first.y < widest;
+    return few && alike ? out : -1;
+}
+
+// The parameters at a pixel as the affine map of the quad's middle has them.
+glm::dvec2 StripIndex::along_quad(int first_corner, glm::dvec2 p_px) const
+{
+    const glm::dvec2* corner = corners_px_.data() + first_corner;
+    const glm::dvec2* next = corner + steps_.y + 1;
+    const glm::dvec2 u = (next[0] + next[1] - corner[0] - corner[1]) / 2.0;
+    const glm::dvec2 v = (corner[1] + next[1] - corner[0] - next[0]) / 2.0;
+    const glm::dvec2 q = p_px - (corner[0] + corner[1] + next[0] + next[1]) / 4.0;
+    const double area = cross(u, v);
+    const int i = first_corner / (steps_.y + 1), j = first_corner % (steps_.y + 1);
+    const glm::dvec2 at(i + 0.5 + cross(q, v) / area, j + 0.5 + cross(u, q) / area);
+    return glm::clamp(at / glm::dvec2(steps_), 0.0, 1.0);
 }
 
 // A rim is curved and the quads along it have straight sides: they reach a bit further, so that

@@ -32,11 +32,16 @@ public:
     double bend(glm::dvec2 p_px) const { return bend_[bucket(p_px)]; }
 
     // Calls visit(uv) for parameters near which the strip is seen at the pixel: several where it
-    // crosses itself, and two on the line between two quads. A little outside the rim it does, too.
+    // crosses itself, and two on the line between two quads. Outside the rim by up to the size of a
+    // quad it does, too.
     template <class Visit> void find(glm::dvec2 p_px, const Visit& visit) const
     {
         if (!may_cover(p_px)) return;
         const std::size_t b = bucket(p_px);
+        if (plain_[b] >= 0) {
+            visit(along_quad(plain_[b], p_px));
+            return;
+        }
         for (int e = begin_[b]; e < begin_[b + 1]; ++e)
             if (const auto uv = in_quad(quads_[static_cast<std::size_t>(e)], p_px)) visit(*uv);
     }
@@ -51,6 +56,8 @@ private:
     void widen_rim();
     std::size_t bucket(glm::dvec2 p_px) const;
     std::optional<glm::dvec2> in_quad(int first_corner, glm::dvec2 p_px) const;
+    glm::dvec2 along_quad(int first_corner, glm::dvec2 p_px) const;
+    int plain_quad(std::size_t bucket) const;
 
     glm::ivec2 steps_;
     std::vector<glm::dvec2> corners_px_; // (steps.x + 1) x (steps.y + 1)
@@ -61,6 +68,9 @@ private:
     std::vector<int> begin_, quads_; // of each bucket: the first corners of quads
     std::vector<int> changed_;       // how many buckets are before each
     std::vector<double> bend_;       // the largest of each bucket
+    // Of each bucket in which a few neighbouring quads lie side by side: the first corner of the
+    // one nearest to its middle. -1 of others.
+    std::vector<int> plain_;
 };
 
 } // namespace trivar

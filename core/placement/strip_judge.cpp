@@ -11,7 +11,10 @@ namespace {
 // Sizes of pieces in quads of the index. Wider ones tell nothing of what is between their corners.
 constexpr double widest = 2, widest_at_rim = 1, widest_outside = 0.5;
 constexpr int most_halvings = 9; // of a piece that is not wider
-constexpr int rim_halvings = 12;
+// How far in cells the surface is continued beyond its rim to find where that cuts an edge, how
+// much of the edge before the cut is left out, and how often the cut is corrected.
+constexpr double beyond_rim = 1.5, rim_share = 0.01;
+constexpr int rim_steps = 4;
 
 using Corner = ScenePoint;
 
@@ -33,7 +36,10 @@ public:
             const Gap g = gap_at(surface_, view_, {p_world, uv});
             if (!g.inside) return;
             c.covered = true;
-            c.gap = std::min(c.gap, g.gap - options_.clearance);
+            if (g.gap - options_.clearance < c.gap) {
+                c.gap = g.gap - options_.clearance;
+                c.uv = g.uv;
+            }
             if (g.gap - options_.clearance < -options_.let_be)
                 out.behind.push_back({p_world, g.uv});
         });
@@ -96,15 +102,27 @@ private:
                       {glm::mix(a.p_px, b.p_px, t), za + s * (zb - za)}, out);
     }
 
-    // The least gap where the rim of the strip cuts the edge, if it does.
-    double rim(Corner a, Corner b, Judgement& out) const
+    // The gap where the rim of the strip cuts the edge, if it does. The parameters at both ends
+    // tell where, for the surface goes on a little beyond its rim.
+    double rim(const Corner& a, const Corner& b, Judgement& out) const
     {
         if (a.covered == b.covered) return 1e300;
-        for (int halving = 0; halving < rim_halvings; ++halving) {
-            const Corner middle = between(a, b, 0.5, out);
-            (middle.covered == a.covered ? a : b) = middle;
+        const Corner &inside = a.covered ? a : b, &outside = a.covered ? b : a;
+        Corner tried = outside;
+        double share = 1; // of the edge, from the inside
+        for (int step = 0; step < rim_steps; ++step) {
+            const Gap g = gap_at(surface_, view_, {tried.p_world, inside.uv}, beyond_rim);
+            double cut = g.inside ? 1 : 0.5;
+            for (int k = 0; k < 2 && g.inside; ++k) {
+                const double from = inside.uv[k], to = g.uv[k];
+                if (to > 1) cut = std::min(cut, (1 - from) / (to - from));
+                if (to < 0) cut = std::min(cut, from / (from - to));
+            }
+            share *= std::max(0.0, cut - rim_share);
+            tried = between(inside, outside, share, out);
+            if (tried.covered) return tried.gap;
         }
-        return a.covered ? a.gap : b.gap;
+        return inside.gap;
     }
 
     const SurfaceTable& surface_;

@@ -22,7 +22,8 @@ struct ScenePoint {
     glm::dvec3 p_world{0};
     glm::dvec2 p_px{0};
     double depth_world = 0;
-    double gap = 1e300; // to the nearest layer of the strip
+    double gap = 1e300; // to the nearest layer of the strip, where it is covered
+    glm::dvec2 uv{0};   // on that layer
     bool covered = false;
 };
 

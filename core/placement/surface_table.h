@@ -17,7 +17,7 @@ public:
         int first = 0; // control points first .. first + order - 1
         std::array<double, max_order> value, slope;
     };
-    Row at(double t) const; // t is clamped to the domain
+    Row at(double t) const; // beyond the domain the first and the last polynomial go on
 
 private:
     int order_;
