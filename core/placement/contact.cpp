@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/placement/contact.h"
 
-#include "core/spline/fit.h"
+#include "core/spline/greville_grid.h"
 
 #include <algorithm>
 #include <cassert>
@@ -47,7 +47,7 @@ bool jumps(const std::array<Knots, 2>& axes, const std::vector<glm::dvec3>& node
 Surface<glm::dvec3> contact_surface(const std::array<Knots, 2>& axes,
                                     const std::vector<glm::dvec3>& nodes, bool through_nodes)
 {
-    if (through_nodes) return interpolate(axes, nodes);
+    if (through_nodes) return GrevilleGrid(axes).through(nodes);
     return {axes, nodes};
 }
 

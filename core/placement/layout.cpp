@@ -211,7 +211,8 @@ private:
             sheet.direction = spring_directions(grid);
             for (std::size_t k = 0; k < grid.rays.size(); ++k)
                 sheet.p0.push_back(grid.point(k) + parameters_.clearance * sheet.direction[k]);
-            set_bounds(sheet, grid, out.height);
+            set_lower_bounds(sheet, grid, out.height);
+            set_upper_bounds(sheet, out.height);
             out.s.resize(grid.rays.size(), 0);
             for (std::size_t k = 0; k < out.s.size(); ++k)
                 out.s[k] = std::clamp(out.s[k], sheet.lo[k], sheet.hi[k]);
@@ -252,30 +253,41 @@ private:
         return out;
     }
 
-    // Toward the camera nothing is in the way of a node that was seen from there. Along other lines
-    // the next things on both sides are the bounds: two numbers a node, found once.
-    void set_bounds(SpringSheet& sheet, const RayGrid& grid, double height) const
+    // Nodes do not sink into what they hit; where there was nothing, not into what is below.
+    void set_lower_bounds(SpringSheet& sheet, const RayGrid& grid, double height) const
     {
-        const std::size_t n = sheet.p0.size();
-        sheet.lo.resize(n);
-        for (std::size_t k = 0; k < n; ++k) sheet.lo[k] = grid.hit[k] ? 0 : -10 * height;
-        sheet.hi.assign(n, std::numeric_limits<double>::infinity());
-        if (parameters_.offset == 0 || !parameters_.springs) return;
-        const double start = 1e-6 * (height + glm::length(sheet.p0.front()));
-        std::vector<Ray> up, down;
-        for (std::size_t k = 0; k < n; ++k) {
-            up.push_back({sheet.p0[k] + start * sheet.direction[k], sheet.direction[k]});
+        std::vector<Ray> down;
+        std::vector<std::size_t> missed;
+        sheet.lo.assign(sheet.p0.size(), 0);
+        for (std::size_t k = 0; k < sheet.p0.size(); ++k) {
+            if (grid.hit[k]) continue;
+            sheet.lo[k] = -10 * height;
+            missed.push_back(k);
             down.push_back({sheet.p0[k], -sheet.direction[k]});
         }
-        const auto above = scene_.hits(up, parameters_.skip_back_faces);
+        if (parameters_.offset == 0 || !parameters_.springs) return;
         const auto below = scene_.hits(down, parameters_.skip_back_faces);
-        for (std::size_t k = 0; k < n; ++k) {
+        for (std::size_t m = 0; m < missed.size(); ++m) {
+            double& lo = sheet.lo[missed[m]];
+            if (below[m])
+                lo = std::max(lo, std::min(0.0, parameters_.clearance - below[m]->distance));
+        }
+    }
+
+    // Toward the camera nothing is in the way of a node that was seen from there. Along other lines
+    // the next thing is the bound.
+    void set_upper_bounds(SpringSheet& sheet, double height) const
+    {
+        sheet.hi.assign(sheet.p0.size(), std::numeric_limits<double>::infinity());
+        if (parameters_.offset == 0 || !parameters_.springs) return;
+        const double start = 1e-6 * (height + glm::length(sheet.p0.front()));
+        std::vector<Ray> up;
+        for (std::size_t k = 0; k < sheet.hi.size(); ++k)
+            up.push_back({sheet.p0[k] + start * sheet.direction[k], sheet.direction[k]});
+        const auto above = scene_.hits(up, parameters_.skip_back_faces);
+        for (std::size_t k = 0; k < sheet.hi.size(); ++k)
             if (above[k])
                 sheet.hi[k] = std::max(0.0, above[k]->distance + start - parameters_.clearance);
-            if (!grid.hit[k] && below[k])
-                sheet.lo[k] = std::max(sheet.lo[k],
-                                       std::min(0.0, parameters_.clearance - below[k]->distance));
-        }
     }
 
     // New parameters that put the nodes at equal lengths on the surface as it is; false when they

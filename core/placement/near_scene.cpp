@@ -13,16 +13,24 @@ constexpr std::size_t boxes_at_once = 64; // of blocks of triangles
 using Vertex = NearScene::Vertex;
 using Triangle = std::array<std::uint32_t, 3>;
 
-// On which sides of the rectangle a point lies; a triangle with a side in common misses it.
-// Of a point behind the camera only that is known.
-enum Side : std::uint8_t { left = 1, right = 2, above = 4, below = 8, behind = 16 };
+// Whether the hull of points may come near the strip, and whether some are behind the camera.
+struct Place {
+    bool near = false, behind = false;
+};
 
-std::uint8_t sides(const Projected& at, glm::dvec2 lo, glm::dvec2 hi)
+template <std::size_t N>
+Place place_of(const std::array<glm::dvec3, N>& points, const View& view,
+               const StripIndex::Surroundings& strip)
 {
-    if (!(at.depth_world > 0)) return behind;
-    return static_cast<std::uint8_t>(
-        (at.p_px.x < lo.x ? left : 0) | (at.p_px.x > hi.x ? right : 0) |
-        (at.p_px.y < lo.y ? above : 0) | (at.p_px.y > hi.y ? below : 0));
+    glm::dvec2 lo(1e300), hi(-1e300);
+    std::size_t behind = 0;
+    for (const glm::dvec3& p : points) {
+        const Projected at = view.project(p);
+        behind += !(at.depth_world > 0);
+        lo = glm::min(lo, at.p_px);
+        hi = glm::max(hi, at.p_px);
+    }
+    return {behind > 0 ? behind < N : strip.may_touch(lo, hi), behind > 0};
 }
 
 // A triangle that reaches behind the camera, cut in front of it: one or two triangles are left.
@@ -46,8 +54,8 @@ void add_cut(NearScene& out, const View& view, const std::array<Vertex, 3>& corn
         out.triangles.push_back({rim[0], rim[k - 1], rim[k]});
 }
 
-void add_entry(NearScene& out, const RayScene::Entry& entry, const View& view, glm::dvec2 lo,
-               glm::dvec2 hi, bool skip_back_faces)
+void add_entry(NearScene& out, const RayScene::Entry& entry, const View& view,
+               const StripIndex::Surroundings& strip, bool skip_back_faces)
 {
     const auto& positions = entry.mesh->mesh().positions;
     const auto& triangles = entry.mesh->triangles();
@@ -57,13 +65,12 @@ void add_entry(NearScene& out, const RayScene::Entry& entry, const View& view, g
         return Vertex{p, view.project(p)};
     };
     const View from_object = view.of_object(entry.to_world);
-    const auto side = [&](const glm::dvec3& p) { return sides(from_object.project(p), lo, hi); };
-    const auto misses = [&](const Box& box) {
-        std::uint8_t common = 0xff;
-        for (int k = 0; k < 8 && common != 0; ++k)
-            common &= side({(k & 1) != 0 ? box.lo.x : box.hi.x, (k & 2) != 0 ? box.lo.y : box.hi.y,
-                            (k & 4) != 0 ? box.lo.z : box.hi.z});
-        return common != 0;
+    const auto near_box = [&](const Box& box) {
+        std::array<glm::dvec3, 8> corners;
+        for (std::size_t k = 0; k < 8; ++k)
+            corners[k] = {(k & 1) != 0 ? box.lo.x : box.hi.x, (k & 2) != 0 ? box.lo.y : box.hi.y,
+                          (k & 4) != 0 ? box.lo.z : box.hi.z};
+        return place_of(corners, from_object, strip).near;
     };
     const bool mirrored = glm::determinant(glm::dmat3(entry.to_world)) < 0;
     const auto front = [&](const glm::uvec3& t) {
@@ -80,15 +87,14 @@ void add_entry(NearScene& out, const RayScene::Entry& entry, const View& view, g
     parallel_blocks(boxes.size(), boxes_at_once, [&](std::size_t begin, std::size_t end) {
         std::vector<Found>& found = near[begin / boxes_at_once];
         for (std::size_t box = begin; box < end; ++box) {
-            if (misses(boxes[box])) continue;
+            if (!near_box(boxes[box])) continue;
             const std::size_t last = std::min(triangles.size(), (box + 1) * RayMesh::block);
             for (std::size_t i = box * RayMesh::block; i < last; ++i) {
                 const glm::uvec3& t = triangles[i];
-                const std::uint8_t a = side(glm::dvec3(positions[t.x])),
-                                   b = side(glm::dvec3(positions[t.y])),
-                                   c = side(glm::dvec3(positions[t.z]));
-                if ((a & b & c) != 0 || (skip_back_faces && !front(t))) continue;
-                found.push_back({t, ((a | b | c) & behind) != 0});
+                const std::array<glm::dvec3, 3> corners{positions[t.x], positions[t.y],
+                                                        positions[t.z]};
+                const Place at = place_of(corners, from_object, strip);
+                if (at.near && (!skip_back_faces || front(t))) found.push_back({t, at.behind});
             }
         }
     });
@@ -120,12 +126,11 @@ void add_entry(NearScene& out, const RayScene::Entry& entry, const View& view, g
 NearScene near_scene(const RayScene& scene, const View& view, const StripIndex& strip,
                      bool skip_back_faces)
 {
-    // A little larger: lifting in perspective moves the strip in the picture.
-    const glm::dvec2 border(4 * strip.quad_px());
+    // A little more: lifting in perspective moves the strip in the picture.
+    const StripIndex::Surroundings around(strip, 4 * strip.quad_px());
     NearScene out;
     for (const RayScene::Entry& entry : scene.entries())
-        add_entry(out, entry, view, strip.lo_px() - border, strip.hi_px() + border,
-                  skip_back_faces);
+        add_entry(out, entry, view, around, skip_back_faces);
     return out;
 }
 

@@ -9,10 +9,10 @@
 
 namespace trivar {
 
-// The triangles of the scene that meet the rectangle round the strip in the picture, and their
-// vertices, projected once. All in front of the camera: what reaches behind it is cut off. With
-// `skip_back_faces` only those turned to the camera, as the rays see them. Parallel; about 5
-// nanoseconds for each vertex and triangle of the scene.
+// The triangles of the scene that may come near the strip in the picture, and their vertices,
+// projected once. All in front of the camera: what reaches behind it is cut off. With
+// `skip_back_faces` only those turned to the camera, as the rays see them. Parallel; a few
+// nanoseconds for each triangle of the scene, for they are told apart in blocks.
 struct NearScene {
     struct Vertex {
         glm::dvec3 p_world;

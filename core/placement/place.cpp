@@ -26,17 +26,6 @@ void check_reach(const Surface<glm::dvec3>& contact, const View& view, double he
                                        height));
 }
 
-double largest_stretch(const Surface<glm::dvec3>& contact, double length)
-{
-    double worst = 0;
-    for (int i = 0; i < contact.axes[0].count(); ++i)
-        for (int j = 0; j < contact.axes[1].count(); ++j) {
-            const glm::dvec2 uv(contact.axes[0].greville(i), contact.axes[1].greville(j));
-            worst = std::max(worst, glm::length(evaluate(contact, uv, 1).u) / length);
-        }
-    return worst;
-}
-
 std::vector<std::string> notices(const PlacementReport& r, const Extrusion& e,
                                  const PlacementParameters& p)
 {
@@ -110,11 +99,10 @@ Placement finished(const Layout& layout, const std::vector<double>& s, const Cam
         r.contact_share = layout.contact_share;
         r.largest_gap = lift.largest_gap;
         r.penetration = lift.penetration / layout.height;
-        r.largest_stretch = largest_stretch(contact, layout.length);
+        r.largest_stretch = e.longest_u / layout.length;
         r.spring_iterations = layout.spring_iterations;
         r.narrowed = layout.narrowed;
-        r.smallest_jacobian =
-            smallest_jacobian(contact, e.rise) / (layout.length * layout.width * layout.height);
+        r.smallest_jacobian = e.least_det / (layout.length * layout.width * layout.height);
         r.notices = notices(r, e, parameters);
         return out;
     });

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/placement/ray_grid.h"
 
-#include "core/base/parallel.h"
 #include "core/placement/obstacle.h"
 #include "core/placement/springs.h"
 #include "core/placement/view.h"
@@ -77,10 +76,11 @@ RayGrid shoot(const Strip& strip, std::vector<double> a, std::vector<double> v,
     const auto columns = static_cast<std::size_t>(grid.columns);
     grid.rays.resize(n);
     const View view(camera);
-    parallel_blocks(n, 256, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k)
-            grid.rays[k] = view.ray(strip.at(grid.a[k / columns], grid.v[k]));
-    });
+    for (std::size_t i = 0; i < grid.a.size(); ++i) {
+        const Strip::Ruling across = strip.ruling(grid.a[i]);
+        for (std::size_t k = i * columns; k < (i + 1) * columns; ++k)
+            grid.rays[k] = view.ray(across.at(grid.v[k]));
+    }
     const std::vector<std::optional<Hit>> hits = scene.hits(grid.rays, skip_back_faces);
     grid.distance.assign(n, 0);
     grid.hit.assign(n, 0);

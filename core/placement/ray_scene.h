@@ -23,7 +23,8 @@ public:
 
     const Mesh& mesh() const;
     const std::vector<glm::uvec3>& triangles() const; // #T by 3 vertex indices
-    // Boxes round every `block` triangles one after the other: most meshes keep neighbours together.
+    // Boxes round every `block` triangles one after the other: most meshes keep neighbours
+    // together.
     static constexpr std::size_t block = 64;
     const std::vector<Box>& block_boxes() const;
 

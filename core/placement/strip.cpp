@@ -40,11 +40,11 @@ double profile_at(const std::vector<double>& profile, double t)
     return profile[i] * (1 - f) + profile[i + 1] * f;
 }
 
-glm::dvec2 Strip::at(double a, double v) const
+Strip::Ruling Strip::ruling(double a) const
 {
     const CurveJet<glm::dvec2> jet = evaluate(center, a, 1);
-    const double offset = v * profile_at(left_px, a) - (1 - v) * profile_at(right_px, a);
-    return jet.value + offset * left_normal(jet);
+    const glm::dvec2 n = left_normal(jet);
+    return {jet.value - profile_at(right_px, a) * n, jet.value + profile_at(left_px, a) * n};
 }
 
 Strip strip_round(Curve<glm::dvec2> center, const std::vector<double>& half_width_px)

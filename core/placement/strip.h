@@ -15,7 +15,13 @@ struct Strip {
     std::vector<double> left_px, right_px; // half widths at equal steps of a, at least 2
     std::vector<char> narrowed;            // at the same steps: 1 where a bend took width away
 
-    glm::dvec2 at(double a, double v) const;
+    // The straight line across at `a`, from the right rim to the left one.
+    struct Ruling {
+        glm::dvec2 right, left;
+        glm::dvec2 at(double v) const { return glm::mix(right, left, v); }
+    };
+    Ruling ruling(double a) const;
+    glm::dvec2 at(double a, double v) const { return ruling(a).at(v); }
 };
 
 // A strip with the half widths asked for, given at equal steps of a. Where the curve bends tighter

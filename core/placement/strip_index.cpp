@@ -75,6 +75,28 @@ std::vector<double> bends(const std::vector<glm::dvec3>& points,
 
 } // namespace
 
+// A quad in the picture: where in the parameters, its middle, and the areas of its halves.
+struct StripIndex::Seen {
+    glm::ivec2 at{0};
+    glm::dvec2 middle_px{0};
+    double least = 0, most = 0;
+
+    Seen() = default;
+    Seen(const StripIndex& s, std::size_t first_corner)
+    {
+        const auto columns = static_cast<std::size_t>(s.steps_.y) + 1;
+        at = {first_corner / columns, first_corner % columns};
+        if (at.x == s.steps_.x || at.y == s.steps_.y) return;
+        const glm::dvec2* corner = s.corners_px_.data() + first_corner;
+        const glm::dvec2* next = corner + columns;
+        const double a = cross(next[0] - corner[0], corner[1] - corner[0]),
+                     b = cross(corner[1] - next[1], next[0] - next[1]);
+        middle_px = (corner[0] + corner[1] + next[0] + next[1]) / 4.0;
+        least = std::min(a, b);
+        most = std::max(a, b);
+    }
+};
+
 StripIndex::StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2 steps)
     : steps_(steps),
       lo_(1e300),
@@ -137,40 +159,36 @@ StripIndex::StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2
         for (const int k : {corner, corner + 1, corner + steps.y + 1, corner + steps.y + 2})
             bend_[b] = std::max(bend_[b], bend[static_cast<std::size_t>(k)]);
     });
+    std::vector<Seen> seen(corners_px_.size());
+    for (std::size_t k = 0; k < seen.size(); ++k) seen[k] = Seen(*this, k);
     plain_.resize(bend_.size());
     parallel_blocks(plain_.size(), 1024, [&](std::size_t from, std::size_t to) {
-        for (std::size_t b = from; b < to; ++b) plain_[b] = plain_quad(b);
+        for (std::size_t b = from; b < to; ++b) plain_[b] = plain_quad(b, seen);
     });
 }
 
 // Few quads of similar size, neighbours in the parameters, all seen from the same side, cannot lie
 // over one another.
-int StripIndex::plain_quad(std::size_t bucket) const
+int StripIndex::plain_quad(std::size_t bucket, const std::vector<Seen>& quads) const
 {
     constexpr int widest = 4;           // along each axis of the parameters
     constexpr double most_uneven = 0.2; // smallest over largest area
-    const int columns = steps_.y + 1;
     const auto x = static_cast<int>(bucket) % buckets_.x, y = static_cast<int>(bucket) / buckets_.x;
     const glm::dvec2 middle = lo_ + (glm::dvec2(x, y) + 0.5) / buckets_per_px_;
     glm::ivec2 first(steps_), last(0);
     double least = 1e300, most = -1e300, nearest = 1e300;
     int out = -1;
     for (int e = begin_[bucket]; e < begin_[bucket + 1]; ++e) {
-        const int a = quads_[static_cast<std::size_t>(e)];
-        const glm::ivec2 at(a / columns, a % columns);
-        first = glm::min(first, at);
-        last = glm::max(last, at);
-        const glm::dvec2* corner = corners_px_.data() + a;
-        const glm::dvec2* next = corner + columns;
-        for (const double area : {cross(next[0] - corner[0], corner[1] - corner[0]),
-                                  cross(corner[1] - next[1], next[0] - next[1])}) {
-            least = std::min(least, area);
-            most = std::max(most, area);
-        }
-        const glm::dvec2 off = (corner[0] + next[1]) / 2.0 - middle;
+        const int corner = quads_[static_cast<std::size_t>(e)];
+        const Seen& quad = quads[static_cast<std::size_t>(corner)];
+        first = glm::min(first, quad.at);
+        last = glm::max(last, quad.at);
+        least = std::min(least, quad.least);
+        most = std::max(most, quad.most);
+        const glm::dvec2 off = quad.middle_px - middle;
         if (glm::dot(off, off) < nearest) {
             nearest = glm::dot(off, off);
-            out = a;
+            out = corner;
         }
     }
     const bool alike = least > most_uneven * most || most < most_uneven * least;
@@ -190,6 +208,39 @@ glm::dvec2 StripIndex::along_quad(int first_corner, glm::dvec2 p_px) const
     const int i = first_corner / (steps_.y + 1), j = first_corner % (steps_.y + 1);
     const glm::dvec2 at(i + 0.5 + cross(q, v) / area, j + 0.5 + cross(u, q) / area);
     return glm::clamp(at / glm::dvec2(steps_), 0.0, 1.0);
+}
+
+StripIndex::Surroundings::Surroundings(const StripIndex& strip, double px)
+    : strip_(strip),
+      px_(px),
+      near_(strip.begin_.size(), 0)
+{
+    const glm::ivec2 size = strip.buckets_;
+    const glm::ivec2 reach = glm::ivec2(px * strip.buckets_per_px_) + 1;
+    std::vector<char> near(near_.size() - 1, 0), wide(near.size(), 0);
+    const auto at = [&](int x, int y) { return static_cast<std::size_t>(y * size.x + x); };
+    // A rectangle round each bucket: first along x, then along y.
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0, until = -1; x < size.x + reach.x; ++x) {
+            if (x < size.x && strip.begin_[at(x, y)] < strip.begin_[at(x, y) + 1])
+                until = x + 2 * reach.x;
+            if (x >= reach.x) wide[at(x - reach.x, y)] = x <= until;
+        }
+    for (int x = 0; x < size.x; ++x)
+        for (int y = 0, until = -1; y < size.y + reach.y; ++y) {
+            if (y < size.y && wide[at(x, y)]) until = y + 2 * reach.y;
+            if (y >= reach.y) near[at(x, y - reach.y)] = y <= until;
+        }
+    for (std::size_t b = 0; b < near.size(); ++b) near_[b + 1] = near_[b] + near[b];
+}
+
+bool StripIndex::Surroundings::may_touch(glm::dvec2 lo_px, glm::dvec2 hi_px) const
+{
+    if (!glm::all(glm::lessThanEqual(lo_px, strip_.hi_ + px_)) ||
+        !glm::all(glm::greaterThanEqual(hi_px, strip_.lo_ - px_)))
+        return false;
+    return strip_.meets(near_, glm::clamp(lo_px, strip_.lo_, strip_.hi_),
+                        glm::clamp(hi_px, strip_.lo_, strip_.hi_));
 }
 
 // A rim is curved and the quads along it have straight sides: they reach a bit further, so that

@@ -19,6 +19,19 @@ public:
     bool may_cover(glm::dvec2 p_px) const;
     bool may_touch(glm::dvec2 lo_px, glm::dvec2 hi_px) const { return meets(begin_, lo_px, hi_px); }
 
+    // The strip and what is round it by up to `px` pixels; the index must outlive it.
+    class Surroundings {
+    public:
+        Surroundings(const StripIndex& strip, double px);
+        // False where the strip certainly is further away than that.
+        bool may_touch(glm::dvec2 lo_px, glm::dvec2 hi_px) const;
+
+    private:
+        const StripIndex& strip_;
+        double px_;
+        std::vector<int> near_; // how many buckets are before each
+    };
+
     // Says at which corners of quads (steps + 1 along each axis, v fastest) the surface is another
     // than it was, and asks whether it is anywhere in a rectangle; before that, it is everywhere.
     void mark_changed(const std::vector<char>& corners);
@@ -46,9 +59,7 @@ public:
             if (const auto uv = in_quad(quads_[static_cast<std::size_t>(e)], p_px)) visit(*uv);
     }
 
-    // The rectangle around the strip, and the typical size of a quad, pixels.
-    glm::dvec2 lo_px() const { return lo_; }
-    glm::dvec2 hi_px() const { return hi_; }
+    // The typical size of a quad, pixels.
     double quad_px() const { return quad_px_; }
 
 private:
@@ -57,7 +68,8 @@ private:
     std::size_t bucket(glm::dvec2 p_px) const;
     std::optional<glm::dvec2> in_quad(int first_corner, glm::dvec2 p_px) const;
     glm::dvec2 along_quad(int first_corner, glm::dvec2 p_px) const;
-    int plain_quad(std::size_t bucket) const;
+    struct Seen;
+    int plain_quad(std::size_t bucket, const std::vector<Seen>& quads) const;
 
     glm::ivec2 steps_;
     std::vector<glm::dvec2> corners_px_; // (steps.x + 1) x (steps.y + 1)

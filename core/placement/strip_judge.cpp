@@ -10,7 +10,7 @@ namespace {
 
 // Sizes of pieces in quads of the index. Wider ones tell nothing of what is between their corners.
 constexpr double widest = 2, widest_at_rim = 1, widest_outside = 0.5;
-constexpr int most_halvings = 9; // of a piece that is not wider
+constexpr double finest = 1.0 / 11; // nothing below is told apart
 // How far in cells the surface is continued beyond its rim to find where that cuts an edge, how
 // much of the edge before the cut is left out, and how often the cut is corrected.
 constexpr double beyond_rim = 1.5, rim_share = 0.01;
@@ -67,7 +67,8 @@ public:
             for (const Corner* corner : {&a, &b, &c})
                 if (corner->covered) bend = std::max(bend, strip_.bend(corner->p_px));
             const bool fine = least - bend * longest >= -options_.let_be;
-            if (fine || least < -options_.hopeless || halvings == most_halvings) return;
+            const double smallest = finest * strip_.quad_px();
+            if (fine || least < -options_.hopeless || longest < smallest * smallest) return;
             ++halvings;
         }
         if (ab == longest)

@@ -101,8 +101,7 @@ AxisTable::Row AxisTable::at(double t) const
     const std::size_t last = first_.size() - 1;
     // Right at once where the knots are uniform; elsewhere a start for the search.
     const double share = std::clamp((t - begin) / (end - begin), 0.0, 1.0);
-    std::size_t k =
-        std::min(static_cast<std::size_t>(share * static_cast<double>(last + 1)), last);
+    std::size_t k = std::min(static_cast<std::size_t>(share * static_cast<double>(last + 1)), last);
     while (k > 0 && t < breaks_[k]) --k;
     while (k < last && t >= breaks_[k + 1]) ++k;
     const double length = breaks_[k + 1] - breaks_[k];

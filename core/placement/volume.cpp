@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/placement/volume.h"
 
-#include "core/base/parallel.h"
-#include "core/spline/fit.h"
+#include "core/spline/greville_grid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,25 +10,12 @@ namespace trivar {
 namespace {
 
 using Points = std::vector<glm::dvec3>;
+using Jets = std::vector<SurfaceJet<glm::dvec3>>;
 
 // The guard keeps the roof below 0.8 of the radius of a hollow: closer and det J is nearly zero.
 constexpr double share_of_radius = 0.8;
 constexpr int most_smoothings = 40;
-
-// Jets of a surface at all pairs of its Greville abscissae.
-std::vector<SurfaceJet<glm::dvec3>> jets(const Surface<glm::dvec3>& s, int derivatives)
-{
-    const auto columns = static_cast<std::size_t>(s.axes[1].count());
-    std::vector<SurfaceJet<glm::dvec3>> out(s.points.size());
-    parallel_blocks(out.size(), 8 * columns, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k)
-            out[k] = evaluate(s,
-                              {s.axes[0].greville(static_cast<int>(k / columns)),
-                               s.axes[1].greville(static_cast<int>(k % columns))},
-                              derivatives);
-    });
-    return out;
-}
+constexpr int steps_around = 2; // a fold, in nodes, that are smoothed with it
 
 glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& otherwise)
 {
@@ -49,15 +35,26 @@ double largest_curvature(const SurfaceJet<glm::dvec3>& s, const glm::dvec3& n)
     return mean + std::sqrt(std::max(0.0, mean * mean - gauss));
 }
 
-Points smoothed(const Points& in, int rows, int columns)
+// The smallest det J at a node, of three heights of the volume.
+double smallest_det(const SurfaceJet<glm::dvec3>& s, const SurfaceJet<glm::dvec3>& e)
 {
-    Points out(in.size());
+    double smallest = 1e300;
+    for (const double w : {0.0, 0.5, 1.0})
+        smallest = std::min(smallest, glm::dot(glm::cross(s.u + w * e.u, s.v + w * e.v), e.value));
+    return smallest;
+}
+
+// Halfway to the mean of the neighbours, where `chosen`.
+Points smoothed(const Points& in, const std::vector<char>& chosen, int rows, int columns)
+{
+    Points out = in;
     const auto at = [columns](int i, int j) {
         return static_cast<std::size_t>(i) * static_cast<std::size_t>(columns) +
                static_cast<std::size_t>(j);
     };
     for (int i = 0; i < rows; ++i)
         for (int j = 0; j < columns; ++j) {
+            if (!chosen[at(i, j)]) continue;
             const glm::dvec3 around =
                 in[at(std::max(i - 1, 0), j)] + in[at(std::min(i + 1, rows - 1), j)] +
                 in[at(i, std::max(j - 1, 0))] + in[at(i, std::min(j + 1, columns - 1))];
@@ -66,18 +63,22 @@ Points smoothed(const Points& in, int rows, int columns)
     return out;
 }
 
-// Over the nodes and three heights of the volume; `s` are the jets of the contact surface.
-double smallest_jacobian(const std::vector<SurfaceJet<glm::dvec3>>& s,
-                         const Surface<glm::dvec3>& rise)
+// Adds the nodes around those where the volume folds; false if it folds nowhere.
+bool add_folds(std::vector<char>& chosen, const Jets& s, const Jets& e, int rows, int columns)
 {
-    const auto e = jets(rise, 1);
-    double smallest = 1e300;
-    for (std::size_t k = 0; k < s.size(); ++k)
-        for (const double w : {0.0, 0.5, 1.0})
-            smallest =
-                std::min(smallest, glm::dot(glm::cross(s[k].u + w * e[k].u, s[k].v + w * e[k].v),
-                                            e[k].value));
-    return smallest;
+    bool any = false;
+    for (int i = 0; i < rows; ++i)
+        for (int j = 0; j < columns; ++j) {
+            const auto k = static_cast<std::size_t>(i * columns + j);
+            if (smallest_det(s[k], e[k]) > 0) continue;
+            any = true;
+            for (int a = std::max(i - steps_around, 0); a <= std::min(i + steps_around, rows - 1);
+                 ++a)
+                for (int b = std::max(j - steps_around, 0);
+                     b <= std::min(j + steps_around, columns - 1); ++b)
+                    chosen[static_cast<std::size_t>(a * columns + b)] = 1;
+        }
+    return any;
 }
 
 } // namespace
@@ -86,7 +87,8 @@ Extrusion extrusion(const Surface<glm::dvec3>& contact, const View& view, double
                     double offset, bool through_nodes)
 {
     const int rows = contact.axes[0].count(), columns = contact.axes[1].count();
-    const auto at_nodes = jets(contact, 2);
+    const GrevilleGrid nodes(contact.axes);
+    const Jets at_nodes = nodes.jets(contact.points, 2);
     Points rise(at_nodes.size());
     int lowered = 0;
     for (std::size_t k = 0; k < rise.size(); ++k) {
@@ -104,14 +106,21 @@ Extrusion extrusion(const Surface<glm::dvec3>& contact, const View& view, double
         rise[k] = std::min(height, highest) * d;
     }
     const auto surface = [&](const Points& values) {
-        return through_nodes ? interpolate(contact.axes, values)
-                             : Surface<glm::dvec3>{contact.axes, values};
+        return through_nodes ? nodes.through(values) : Surface<glm::dvec3>{contact.axes, values};
     };
     Extrusion out{surface(rise), lowered};
-    if (offset == 0) return out;
-    for (int i = 0; i < most_smoothings && smallest_jacobian(at_nodes, out.rise) <= 0; ++i) {
-        rise = smoothed(rise, rows, columns);
+    Jets e = nodes.jets(out.rise.points, 1);
+    std::vector<char> folded(rise.size(), 0);
+    for (int i = 0; offset > 0 && i < most_smoothings; ++i) {
+        if (!add_folds(folded, at_nodes, e, rows, columns)) break;
+        rise = smoothed(rise, folded, rows, columns);
         out.rise = surface(rise);
+        e = nodes.jets(out.rise.points, 1);
+    }
+    out.least_det = 1e300;
+    for (std::size_t k = 0; k < e.size(); ++k) {
+        out.least_det = std::min(out.least_det, smallest_det(at_nodes[k], e[k]));
+        out.longest_u = std::max(out.longest_u, glm::length(at_nodes[k].u));
     }
     return out;
 }
@@ -125,11 +134,6 @@ Lattice volume_over(const Surface<glm::dvec3>& contact, const Surface<glm::dvec3
         for (int i = 0; i < above.count(); ++i)
             f.points.push_back(contact.points[k] + above.greville(i) * rise.points[k]);
     return lattice_through(f);
-}
-
-double smallest_jacobian(const Surface<glm::dvec3>& contact, const Surface<glm::dvec3>& rise)
-{
-    return smallest_jacobian(jets(contact, 1), rise);
 }
 
 } // namespace trivar

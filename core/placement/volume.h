@@ -12,11 +12,14 @@ namespace trivar {
 struct Extrusion {
     Surface<glm::dvec3> rise; // E
     int lowered = 0;          // columns whose height the fold guard took down
+    double least_det = 0;     // of F's Jacobian over the nodes, at w = 0, 1/2 and 1
+    double longest_u = 0;     // |S_u| over the nodes
 };
 
 // F1 (offset 0): E = h V, V toward the camera. F2 (offset 1): E = h n, n the normals of S. Between:
 // the blend of the two, made unit. Where the offset would fold because S curves tighter than it is
-// high, the height is taken down, and the normals are smoothed until none does. Schein 2006, 2.3.1.
+// high, the height is taken down, and round nodes where it still does the rise is smoothed. Schein
+// 2006, 2.3.1.
 Extrusion extrusion(const Surface<glm::dvec3>& contact, const View& view, double height,
                     double offset, bool through_nodes);
 
@@ -24,8 +27,5 @@ Extrusion extrusion(const Surface<glm::dvec3>& contact, const View& view, double
 // in w, whatever its order.
 Lattice volume_over(const Surface<glm::dvec3>& contact, const Surface<glm::dvec3>& rise,
                     const Knots& above);
-
-// The smallest det J of F over the nodes, at w = 0, 1/2 and 1.
-double smallest_jacobian(const Surface<glm::dvec3>& contact, const Surface<glm::dvec3>& rise);
 
 } // namespace trivar
