@@ -126,8 +126,9 @@ void add_entry(NearScene& out, const RayScene::Entry& entry, const View& view,
 NearScene near_scene(const RayScene& scene, const View& view, const StripIndex& strip,
                      bool skip_back_faces)
 {
-    // A little more: lifting in perspective moves the strip in the picture.
-    const StripIndex::Surroundings around(strip, 4 * strip.quad_px());
+    // A little more: lifting in perspective moves the strip in the picture, though each control
+    // point stays where it is there.
+    const StripIndex::Surroundings around(strip, strip.quad_px());
     NearScene out;
     for (const RayScene::Entry& entry : scene.entries())
         add_entry(out, entry, view, around, skip_back_faces);

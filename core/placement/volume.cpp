@@ -15,7 +15,6 @@ using Jets = std::vector<SurfaceJet<glm::dvec3>>;
 // The guard keeps the roof below 0.8 of the radius of a hollow: closer and det J is nearly zero.
 constexpr double share_of_radius = 0.8;
 constexpr int most_smoothings = 40;
-constexpr int steps_around = 2; // a fold, in nodes, that are smoothed with it
 
 glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& otherwise)
 {
@@ -35,50 +34,34 @@ double largest_curvature(const SurfaceJet<glm::dvec3>& s, const glm::dvec3& n)
     return mean + std::sqrt(std::max(0.0, mean * mean - gauss));
 }
 
-// The smallest det J at a node, of three heights of the volume.
-double smallest_det(const SurfaceJet<glm::dvec3>& s, const SurfaceJet<glm::dvec3>& e)
+// The smallest det J over the nodes and three heights of the volume.
+double smallest_det(const Jets& s, const Jets& e)
 {
     double smallest = 1e300;
-    for (const double w : {0.0, 0.5, 1.0})
-        smallest = std::min(smallest, glm::dot(glm::cross(s.u + w * e.u, s.v + w * e.v), e.value));
+    for (std::size_t k = 0; k < s.size(); ++k)
+        for (const double w : {0.0, 0.5, 1.0})
+            smallest =
+                std::min(smallest, glm::dot(glm::cross(s[k].u + w * e[k].u, s[k].v + w * e[k].v),
+                                            e[k].value));
     return smallest;
 }
 
-// Halfway to the mean of the neighbours, where `chosen`.
-Points smoothed(const Points& in, const std::vector<char>& chosen, int rows, int columns)
+// Halfway to the mean of the neighbours.
+Points smoothed(const Points& in, int rows, int columns)
 {
-    Points out = in;
+    Points out(in.size());
     const auto at = [columns](int i, int j) {
         return static_cast<std::size_t>(i) * static_cast<std::size_t>(columns) +
                static_cast<std::size_t>(j);
     };
     for (int i = 0; i < rows; ++i)
         for (int j = 0; j < columns; ++j) {
-            if (!chosen[at(i, j)]) continue;
             const glm::dvec3 around =
                 in[at(std::max(i - 1, 0), j)] + in[at(std::min(i + 1, rows - 1), j)] +
                 in[at(i, std::max(j - 1, 0))] + in[at(i, std::min(j + 1, columns - 1))];
             out[at(i, j)] = (in[at(i, j)] + around / 4.0) / 2.0;
         }
     return out;
-}
-
-// Adds the nodes around those where the volume folds; false if it folds nowhere.
-bool add_folds(std::vector<char>& chosen, const Jets& s, const Jets& e, int rows, int columns)
-{
-    bool any = false;
-    for (int i = 0; i < rows; ++i)
-        for (int j = 0; j < columns; ++j) {
-            const auto k = static_cast<std::size_t>(i * columns + j);
-            if (smallest_det(s[k], e[k]) > 0) continue;
-            any = true;
-            for (int a = std::max(i - steps_around, 0); a <= std::min(i + steps_around, rows - 1);
-                 ++a)
-                for (int b = std::max(j - steps_around, 0);
-                     b <= std::min(j + steps_around, columns - 1); ++b)
-                    chosen[static_cast<std::size_t>(a * columns + b)] = 1;
-        }
-    return any;
 }
 
 } // namespace
@@ -109,19 +92,15 @@ Extrusion extrusion(const Surface<glm::dvec3>& contact, const View& view, double
         return through_nodes ? nodes.through(values) : Surface<glm::dvec3>{contact.axes, values};
     };
     Extrusion out{surface(rise), lowered};
-    Jets e = nodes.jets(out.rise.points, 1);
-    std::vector<char> folded(rise.size(), 0);
-    for (int i = 0; offset > 0 && i < most_smoothings; ++i) {
-        if (!add_folds(folded, at_nodes, e, rows, columns)) break;
-        rise = smoothed(rise, folded, rows, columns);
+    const auto least_det = [&] { return smallest_det(at_nodes, nodes.jets(out.rise.points, 1)); };
+    out.least_det = least_det();
+    for (int i = 0; offset > 0 && i < most_smoothings && out.least_det <= 0; ++i) {
+        rise = smoothed(rise, rows, columns);
         out.rise = surface(rise);
-        e = nodes.jets(out.rise.points, 1);
+        out.least_det = least_det();
     }
-    out.least_det = 1e300;
-    for (std::size_t k = 0; k < e.size(); ++k) {
-        out.least_det = std::min(out.least_det, smallest_det(at_nodes[k], e[k]));
-        out.longest_u = std::max(out.longest_u, glm::length(at_nodes[k].u));
-    }
+    for (const SurfaceJet<glm::dvec3>& s : at_nodes)
+        out.longest_u = std::max(out.longest_u, glm::length(s.u));
     return out;
 }
 

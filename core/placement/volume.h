@@ -18,7 +18,7 @@ struct Extrusion {
 
 // F1 (offset 0): E = h V, V toward the camera. F2 (offset 1): E = h n, n the normals of S. Between:
 // the blend of the two, made unit. Where the offset would fold because S curves tighter than it is
-// high, the height is taken down, and round nodes where it still does the rise is smoothed. Schein
+// high, the height is taken down, and the rise is smoothed until it does not at any node. Schein
 // 2006, 2.3.1.
 Extrusion extrusion(const Surface<glm::dvec3>& contact, const View& view, double height,
                     double offset, bool through_nodes);
