@@ -35,7 +35,7 @@ void Jobs::next()
     queue_.pop_front();
 }
 
-void Jobs::run(Job job)
+void Jobs::run(const Job& job)
 {
     double last_wake_s = 0;
     const Progress progress = [&](double fraction, std::string_view stage) {

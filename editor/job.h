@@ -38,7 +38,7 @@ public:
     void cancel();                        // the running job
 
 private:
-    void run(Job job);
+    void run(const Job& job);
     void next();
 
     std::function<void()> wake_;

@@ -25,9 +25,9 @@ template <class T> inline constexpr bool is_optional<std::optional<T>> = true;
 
 // What a field accepts. Bounds are inclusive and hold for every component of a vector.
 struct Rule {
-    bool required = false;         // in JSON; else what is left out has its default
-    double lo = -1e9, hi = 1e9;    // of numbers; no coordinate or size of a scene is beyond
-    std::string_view choices = ""; // of texts, separated by |; empty: any
+    bool required = false;      // in JSON; else what is left out has its default
+    double lo = -1e9, hi = 1e9; // of numbers; no coordinate or size of a scene is beyond
+    std::string_view choices{}; // of texts, separated by |; empty: any
 };
 constexpr Rule required{.required = true};
 constexpr Rule between(double lo, double hi)
