@@ -171,8 +171,8 @@ StripIndex::StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2
 // over one another.
 int StripIndex::plain_quad(std::size_t bucket, const std::vector<Seen>& quads) const
 {
-    constexpr int widest = 4;           // along each axis of the parameters
-    constexpr double most_uneven = 0.2; // smallest over largest area
+    constexpr int widest = 6;           // along each axis of the parameters
+    constexpr double most_uneven = 0.1; // smallest over largest area
     const auto x = static_cast<int>(bucket) % buckets_.x, y = static_cast<int>(bucket) / buckets_.x;
     const glm::dvec2 middle = lo_ + (glm::dvec2(x, y) + 0.5) / buckets_per_px_;
     glm::ivec2 first(steps_), last(0);
