@@ -16,8 +16,15 @@ void parallel_blocks(std::size_t count, std::size_t block,
         if (count > 0) body(0, count);
         return;
     }
-    tbb::parallel_for(std::size_t{0}, blocks,
-                      [&](std::size_t i) { body(i * block, std::min(count, (i + 1) * block)); });
+    // Every block is a task: they are large, and the automatic partitioner would hand out several
+    // at once and leave a thread without any at the end.
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, blocks),
+        [&](const tbb::blocked_range<std::size_t>& some) {
+            for (std::size_t i = some.begin(); i < some.end(); ++i)
+                body(i * block, std::min(count, (i + 1) * block));
+        },
+        tbb::simple_partitioner());
 }
 
 struct ThreadLimit::Control {
