@@ -380,7 +380,8 @@ std::vector<double> half_width_px(const RayGrid& center, const Camera& camera, d
     std::vector<double> depth;
     for (std::size_t k = 0; k < center.rays.size(); ++k)
         depth.push_back(view.project(center.point(k)).depth_world);
-    depth = smoothed(std::move(depth), static_cast<int>(depth.size()) / 2);
+    const int passes = static_cast<int>(depth.size()) / 2;
+    depth = smoothed(std::move(depth), passes);
     std::vector<double> out;
     for (std::size_t i = 0; i < steps; ++i) {
         const double t = static_cast<double>(i) / static_cast<double>(steps - 1);

@@ -31,9 +31,9 @@ std::vector<SceneSample> seen_behind(const SurfaceTable& s, const std::vector<ch
     std::vector<glm::dvec2> uv;
     for (int i = 0; i < static_cast<int>(s.cells().x); ++i)
         for (int j = 0; j < static_cast<int>(s.cells().y); ++j) {
-            const double corner =
-                (quads_a_cell * i + quads_a_cell / 2) * (quads_a_cell * s.cells().y + 1) +
-                quads_a_cell * j + quads_a_cell / 2;
+            const int middle = quads_a_cell / 2, columns = static_cast<int>(s.cells().y);
+            const int corner = (quads_a_cell * i + middle) * (quads_a_cell * columns + 1) +
+                               quads_a_cell * j + middle;
             if (!changed[static_cast<std::size_t>(corner)]) continue;
             const SurfaceTable::Jet jet = s.jet((glm::dvec2(i, j) + 0.5) / s.cells());
             const glm::dvec3 n = glm::cross(jet.u, jet.v);

@@ -82,7 +82,7 @@ Model ant()
             {-.04f, -.08f, -.1f}, {.19f, .09f, .1f}, {.0098f})
             .mat(shell));
     for (int s : {1, -1}) {
-        auto mir = [&](Mesh k) { return s > 0 ? k : mirrored(k); };
+        auto mir = [&](const Mesh& k) { return s > 0 ? k : mirrored(k); };
         m.nodes[head].parts.push_back(
             mir(ball_mesh(.021f, 8).scale({1, .95f, .62f}).move({.092f, .022f, .0665f}).mat(eye)));
         int mn = m.node(s > 0 ? "mandible_l" : "mandible_r", head, {.155f, -.024f, s * .024f});

@@ -71,7 +71,7 @@ std::vector<Crease> creases_where(const Mesh& mesh, float sharpness,
     return creases;
 }
 
-void append(Cage& cage, const Mesh& piece, std::vector<Crease> creases)
+void append(Cage& cage, const Mesh& piece, const std::vector<Crease>& creases)
 {
     const int offset = int(cage.mesh.points.size());
     cage.mesh.add(piece);

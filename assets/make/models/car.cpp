@@ -107,7 +107,7 @@ Model car()
         return fillet({{cx - w, cy - hh}, {cx + w, cy - hh}, {cx + w, cy + hh}, {cx - w, cy + hh}},
                       r, 6);
     };
-    auto pane2 = [&](std::vector<vec2> o, Place at, vec3 dir, float out, int mat) {
+    auto pane2 = [&](const std::vector<vec2>& o, const Place& at, vec3 dir, float out, int mat) {
         both(B, pane(shell, o, at, dir, out, 5).mat(mat));
     };
     std::vector<vec2> door = {{.655f, .197f},  {.610f, .234f},  {.552f, .266f},

@@ -247,7 +247,7 @@ Model robot()
                     .move({0, -ankle + .0115f, 0})
                     .mat(orange);
     for (int s : {1, -1}) {
-        auto mir = [&](Mesh k) { return s > 0 ? k : mirrored(k); };
+        auto mir = [&](const Mesh& k) { return s > 0 ? k : mirrored(k); };
         std::string id = s > 0 ? "_l" : "_r";
         auto P = [&](int n) -> std::vector<Mesh>& { return m.nodes[n].parts; };
         int sh = m.node("shoulder" + id, torso, {0, .205f, s * .172f}),

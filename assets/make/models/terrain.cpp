@@ -62,8 +62,8 @@ Model terrain()
     }
     const auto id = [](int i, int j) { return j * (cells + 1) + i; };
     const auto uv = [](int v) {
-        const int p = v % points;
-        return vec2(float(p % (cells + 1)), float(p / (cells + 1))) / float(cells);
+        const int p = v % points, row = p / (cells + 1), column = p % (cells + 1);
+        return vec2(float(column), float(row)) / float(cells);
     };
     const auto quad = [&](int a, int b, int c, int d) {
         k.faces.push_back({a, b, c, d});
