@@ -65,7 +65,7 @@ TEST(ReadTextFile, GivesEveryByte)
     const std::string content("a\r\nb\0c\xff", 7);
     std::ofstream(folder.file("x"), std::ios::binary) << content;
     EXPECT_EQ(read_text_file(folder.file("x")), content);
-    std::ofstream(folder.file("empty"));
+    std::ofstream(folder.file("empty")) << "";
     EXPECT_EQ(read_text_file(folder.file("empty")), "");
 }
 

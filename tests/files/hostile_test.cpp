@@ -32,7 +32,7 @@ std::string refusal(const std::string& bytes, const std::string& name)
         for (const Ref<Mesh>& mesh : model.meshes) validate(*mesh, name);
         return "";
     } catch (const Rejected& rejected) {
-        const std::string sentence = rejected.what();
+        std::string sentence = rejected.what();
         EXPECT_EQ(sentence.find('\n'), sentence.npos) << sentence;
         EXPECT_THAT(sentence, HasSubstr(name));
         return sentence;
