@@ -109,8 +109,8 @@ TEST(HostileObj, ReadsNothingOutsideItsFolder)
     std::filesystem::create_directory(folder.path() / "inner");
     std::filesystem::create_symlink(folder.path() / "secret.png",
                                     folder.path() / "inner" / "link.png");
-    for (const std::string name :
-         {"../secret.png", "link.png", folder.file("secret.png").c_str()}) {
+    for (const std::string& name :
+         {std::string("../secret.png"), std::string("link.png"), folder.file("secret.png")}) {
         const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nmtllib " + name + "\nf 1 2 3\n";
         const Model model = read_model_bytes(text, "a.obj", (folder.path() / "inner").string());
         ASSERT_EQ(model.notices.size(), 1u) << name;
