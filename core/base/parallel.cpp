@@ -2,11 +2,46 @@
 #include "core/base/parallel.h"
 
 #include <algorithm>
+#include <atomic>
+#include <future>
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
 namespace trivar {
+
+namespace {
+
+// run(i) for every i < count, on any thread.
+#ifdef __SANITIZE_THREAD__
+// The thread sanitizer cannot see how TBB orders its threads, for its library is not instrumented.
+void for_each(std::size_t count, const std::function<void(std::size_t)>& run)
+{
+    std::atomic<std::size_t> next{0};
+    const auto work = [&] {
+        for (std::size_t i = next++; i < count; i = next++) run(i);
+    };
+    const bool alone =
+        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) == 1;
+    auto other = std::async(alone ? std::launch::deferred : std::launch::async, work);
+    work();
+    other.get();
+}
+#else
+// Each is a task: blocks are large, and the automatic partitioner would hand out several at once
+// and leave a thread without any at the end.
+void for_each(std::size_t count, const std::function<void(std::size_t)>& run)
+{
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, count),
+        [&](const tbb::blocked_range<std::size_t>& some) {
+            for (std::size_t i = some.begin(); i < some.end(); ++i) run(i);
+        },
+        tbb::simple_partitioner());
+}
+#endif
+
+} // namespace
 
 void parallel_blocks(std::size_t count, std::size_t block,
                      const std::function<void(std::size_t, std::size_t)>& body)
@@ -16,15 +51,7 @@ void parallel_blocks(std::size_t count, std::size_t block,
         if (count > 0) body(0, count);
         return;
     }
-    // Every block is a task: they are large, and the automatic partitioner would hand out several
-    // at once and leave a thread without any at the end.
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, blocks),
-        [&](const tbb::blocked_range<std::size_t>& some) {
-            for (std::size_t i = some.begin(); i < some.end(); ++i)
-                body(i * block, std::min(count, (i + 1) * block));
-        },
-        tbb::simple_partitioner());
+    for_each(blocks, [&](std::size_t i) { body(i * block, std::min(count, (i + 1) * block)); });
 }
 
 struct ThreadLimit::Control {
