@@ -11,7 +11,7 @@ Session::Session(std::function<void()> wake, std::string unnamed_folder)
       unnamed_folder_(std::move(unnamed_folder)),
       jobs_(wake_)
 {
-    if (!unnamed_folder_.empty()) scene_.keep_in(unnamed_folder_);
+    scene_.keep_in(unnamed_folder_);
     meet_document();
 }
 
@@ -133,7 +133,7 @@ void Session::go_to_step(std::size_t position)
 void Session::replace_scene(SceneFile scene)
 {
     scene_ = std::move(scene);
-    if (!unnamed_folder_.empty()) scene_.keep_in(unnamed_folder_);
+    scene_.keep_in(unnamed_folder_);
     selected = 0;
     evaluated_ = {};
     ++evaluation_;

@@ -9,7 +9,6 @@
 #include <tbb/parallel_for.h>
 
 namespace trivar {
-
 namespace {
 
 // run(i) for every i < count, on any thread.

@@ -138,7 +138,7 @@ SceneFile SceneFile::taken_up(const std::string& left)
 void SceneFile::keep_in(const std::string& folder)
 {
     State& s = *state_;
-    if (!s.path.empty() || s.file) return;
+    if (folder.empty() || !s.path.empty() || s.file) return;
     s.kept_in = folder;
     const std::string from = std::exchange(s.folder, std::filesystem::absolute(folder).string());
     if (s.history.steps().empty()) return;

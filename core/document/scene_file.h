@@ -48,7 +48,8 @@ public:
     void save_as(const std::string& path);
     void save_compact(const std::string& path);
 
-    // From its first step on a scene without a name is kept in the folder; no effect on others.
+    // From its first step on a scene without a name is kept in the folder, which is made where it
+    // is missing. No effect on other scenes, nor with an empty name; `trouble` says what fails.
     void keep_in(const std::string& folder);
 
     const std::string& path() const;    // empty: without a name, or a copy

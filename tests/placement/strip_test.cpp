@@ -17,6 +17,17 @@ using namespace testing;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
+void expect_no_fold(const Strip& strip)
+{
+    for (double a = 0.01; a < 0.99; a += 0.002)
+        for (const double v : {0.0, 0.5, 1.0}) {
+            const double e = 1e-5;
+            const glm::dvec2 u = strip.at(a + e, v) - strip.at(a - e, v);
+            const glm::dvec2 w = strip.at(a, 1) - strip.at(a, 0);
+            EXPECT_LT(u.x * w.y - u.y * w.x, 0) << a << " " << v; // y goes down
+        }
+}
+
 TEST(Sketch, AKnownCubicIsRecovered)
 {
     const Curve<glm::dvec2> cubic{Knots::uniform(4, 4),
@@ -100,14 +111,7 @@ TEST(Sketch, ACornerIsFollowedWithinTheToleranceAndTheStripRoundItDoesNotFold)
             nearest = std::min(nearest, glm::length(evaluate(curve, i / 4000.0).value - p));
         EXPECT_LT(nearest, 2.5) << p.x << " " << p.y;
     }
-    const Strip strip = strip_round(curve, std::vector<double>(129, 60));
-    for (double a = 0.01; a < 0.99; a += 0.002)
-        for (const double v : {0.0, 0.5, 1.0}) {
-            const double e = 1e-5;
-            const glm::dvec2 u = strip.at(a + e, v) - strip.at(a - e, v);
-            const glm::dvec2 w = strip.at(a, 1) - strip.at(a, 0);
-            EXPECT_LE(u.x * w.y - u.y * w.x, 0) << a << " " << v; // y goes down
-        }
+    expect_no_fold(strip_round(curve, std::vector<double>(129, 60)));
 }
 
 TEST(Strip, LeftIsLeftAsTheUserSeesIt)
@@ -127,13 +131,7 @@ TEST(Strip, DoesNotFoldWhereTheStrokeTurnsTighterThanItIsWide)
     }
     const Strip strip = strip_round(fit_sketch(points, 0.5), std::vector<double>(200, 150));
     EXPECT_GT(std::count(strip.narrowed.begin(), strip.narrowed.end(), 1), 0);
-    for (double a = 0.01; a < 0.99; a += 0.01)
-        for (const double v : {0.0, 0.5, 1.0}) {
-            const double e = 1e-4;
-            const glm::dvec2 u = strip.at(a + e, v) - strip.at(a - e, v);
-            const glm::dvec2 w = strip.at(a, 1) - strip.at(a, 0);
-            EXPECT_LT(u.x * w.y - u.y * w.x, 0) << a << " " << v; // y goes down
-        }
+    expect_no_fold(strip);
 }
 
 TEST(BadStroke, IsRejectedWithWhatToDo)
