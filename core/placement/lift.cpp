@@ -16,6 +16,7 @@ constexpr int rays_where_steep = 6; // along each axis
 constexpr int quads_a_cell = 2;     // of the index, along each axis
 constexpr int most_rounds = 12;     // of lifting; lines of sight that are parallel need one
 constexpr int most_judgements = 12;
+constexpr int most_looks_again = 5; // with rays, for one judgement
 // Shares of the tolerance: what is let be, how far in front a lift ends, what the judges pass.
 constexpr double let_be_share = 0.25, margin_share = 0.3, pass_share = 0.75;
 
@@ -140,26 +141,26 @@ Lifted lifted(Surface<glm::dvec3> contact, const Camera& camera, const RayScene&
     StripIndex strip(table, view, quads);
     const NearScene near = near_scene(scene, view, strip, options.skip_back_faces);
 
-    StripJudge judge(table, view, near, judging);
-    std::vector<char> changed(static_cast<std::size_t>((quads.x + 1) * (quads.y + 1)), 1);
-    double let_be = 0; // what was found behind and needs no lift
-    for (int judgement = 0;; ++judgement) {
-        Judgement found = judge.judge(strip);
+    int looks = 0;
+    const auto look = [&](const std::vector<char>& where) {
         std::vector<SceneSample> rays =
-            seen_behind(table, changed, judgement, view, scene, options.skip_back_faces);
-        const std::vector<Gap> ray_gaps = gaps(table, view, rays);
-        if (judgement == 0)
-            for (const Gap& g : ray_gaps) out.largest_gap = std::max(out.largest_gap, g.gap);
-        out.penetration = std::max({found.worst, let_be, most_behind(ray_gaps, enough)});
-        if (out.penetration <= pass || judgement == most_judgements) return out;
-
-        // What is in front stays in front, so only these ask for a lift.
-        std::vector<SceneSample> samples = std::move(found.behind);
-        for (std::size_t i = 0; i < rays.size(); ++i)
-            if (ray_gaps[i].inside && ray_gaps[i].gap < enough - judging.let_be)
-                samples.push_back(rays[i]);
-        const int rounds_before = out.rounds;
+            seen_behind(table, where, looks, view, scene, options.skip_back_faces);
+        const std::vector<Gap> at = gaps(table, view, rays);
+        Judgement found{{}, most_behind(at, enough)};
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            if (looks == 0) out.largest_gap = std::max(out.largest_gap, at[i].gap);
+            if (at[i].inside && at[i].gap < enough - judging.let_be)
+                found.behind.push_back(rays[i]);
+        }
+        ++looks;
+        return found;
+    };
+    // Lifts what is behind of the samples and marks the control points; false if there is nothing
+    // left that a lift could do. What is in front stays in front, so only these ask for one.
+    std::vector<char> moved(out.contact.points.size(), 0);
+    const auto rise = [&](std::vector<SceneSample> samples) {
         const std::vector<glm::dvec3> before = out.contact.points;
+        const int rounds_before = out.rounds;
         for (int round = 0; round < most_rounds; ++round) {
             const std::vector<Gap> at = gaps(table, view, samples);
             if (most_behind(at, enough) <= judging.let_be) break;
@@ -167,14 +168,30 @@ Lifted lifted(Surface<glm::dvec3> contact, const Camera& camera, const RayScene&
                       margin_share * options.tolerance, options);
             ++out.rounds;
         }
-        // In perspective a lift moves the strip a little in the picture.
-        if (out.rounds == rounds_before) return out; // nothing left that a lift could do
-        let_be = std::max(let_be, std::min(found.worst, judging.let_be));
-        std::vector<char> moved(before.size());
         for (std::size_t k = 0; k < before.size(); ++k)
-            moved[k] = before[k] != out.contact.points[k];
-        strip = StripIndex(table, view, quads);
+            moved[k] = moved[k] || before[k] != out.contact.points[k];
+        return out.rounds > rounds_before;
+    };
+
+    StripJudge judge(table, view, near, judging);
+    std::vector<char> changed(static_cast<std::size_t>((quads.x + 1) * (quads.y + 1)), 1);
+    double let_be = 0; // what was found behind and needs no lift
+    for (int judgement = 0;; ++judgement) {
+        Judgement found = judge.judge(strip);
+        found.add(look(changed));
+        out.penetration = std::max(found.worst, let_be);
+        if (out.penetration <= pass || judgement == most_judgements) return out;
+        let_be = std::max(let_be, std::min(found.worst, judging.let_be));
+
+        if (!rise(std::move(found.behind))) return out;
+        // What is left soon is little and seen edge-on, where rays find more in less time: they
+        // look again until they find nothing, and only then all that has moved is judged again.
+        for (int again = 0; judgement > 0 && again < most_looks_again; ++again)
+            if (!rise(look(table.touched(quads, moved)).behind)) break;
         changed = table.touched(quads, moved);
+        std::fill(moved.begin(), moved.end(), 0);
+        // In perspective a lift moves the strip a little in the picture.
+        strip = StripIndex(table, view, quads);
         strip.mark_changed(changed);
     }
 }

@@ -33,14 +33,13 @@ std::optional<glm::dvec2> shares(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::
     return glm::dvec2(of_b, of_c) / area;
 }
 
-// How far the surface may sag away from the viewer below chords near each of the points of a grid
-// on it: metres for each square of the chord's length in pixels. From second differences, along the
+// The bend at each of the points of a grid on the surface. From second differences, along the
 // normal first, for points unevenly spread on a slope are no bend.
-std::vector<double> bends(const std::vector<glm::dvec3>& points,
-                          const std::vector<glm::dvec2>& points_px, glm::ivec2 steps,
-                          double quad_px, const View& view)
+std::vector<StripIndex::Bend> bends(const std::vector<glm::dvec3>& points,
+                                    const std::vector<glm::dvec2>& points_px, glm::ivec2 steps,
+                                    double quad_px, const View& view)
 {
-    std::vector<double> out(points.size(), 0);
+    std::vector<StripIndex::Bend> out(points.size());
     const auto columns = static_cast<std::size_t>(steps.y) + 1;
     const double shortest = 0.01 * quad_px * quad_px; // of a squared step that is seen edge-on
     parallel_blocks(
@@ -58,16 +57,18 @@ std::vector<double> bends(const std::vector<glm::dvec3>& points,
                     const double facing =
                         along < 0 ? std::min(along, -least) : std::max(along, least);
                     if (facing == 0) continue;
+                    // Over a step a parabola is off its chord by a quarter of this; twice that is
+                    // for what is no parabola, and for chords across.
                     const auto sag = [&](std::size_t step) {
                         const glm::dvec3 off =
                             (points[k - step] + points[k + step]) / 2.0 - points[k];
-                        const glm::dvec2 d = (points_px[k + step] - points_px[k - step]) / 2.0;
-                        return std::max(0.0, glm::dot(off, n) / facing) /
-                               std::max(glm::dot(d, d), shortest);
+                        return std::max(0.0, glm::dot(off, n) / facing) / 2;
                     };
-                    // Over a step a parabola is off its chord by a quarter of this; twice that is
-                    // for what is no parabola, and for chords across.
-                    out[i * columns + j] = (sag(1) + sag(columns)) / 2;
+                    const auto px2 = [&](std::size_t step) {
+                        const glm::dvec2 d = (points_px[k + step] - points_px[k - step]) / 2.0;
+                        return std::max(glm::dot(d, d), shortest);
+                    };
+                    out[i * columns + j] = {{sag(columns), sag(1)}, {px2(columns), px2(1)}};
                 }
         });
     return out;
@@ -152,16 +153,20 @@ StripIndex::StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2
     for (std::size_t b = 1; b < begin_.size(); ++b) begin_[b] += begin_[b - 1];
     quads_.resize(static_cast<std::size_t>(begin_.back()));
     std::vector<int> next(begin_.begin(), begin_.end() - 1);
-    const std::vector<double> bend = bends(corners, seen_px, steps, quad_px_, view);
-    bend_.assign(begin_.size() - 1, 0);
-    each([&](std::size_t b, int corner) {
-        quads_[static_cast<std::size_t>(next[b]++)] = corner;
-        for (const int k : {corner, corner + 1, corner + steps.y + 1, corner + steps.y + 2})
-            bend_[b] = std::max(bend_[b], bend[static_cast<std::size_t>(k)]);
-    });
+    each([&](std::size_t b, int corner) { quads_[static_cast<std::size_t>(next[b]++)] = corner; });
+    const std::vector<Bend> at_corners = bends(corners, seen_px, steps, quad_px_, view);
+    bend_.resize(corners.size());
+    for (int i = 0; i < steps.x; ++i)
+        for (int j = 0; j < steps.y; ++j) {
+            const int a = i * (steps.y + 1) + j;
+            Bend& most = bend_[static_cast<std::size_t>(a)];
+            for (const int k : {a, a + 1, a + steps.y + 1, a + steps.y + 2})
+                most.add(at_corners[static_cast<std::size_t>(k)]);
+            most_bend_.add(most);
+        }
     std::vector<Seen> seen(corners_px_.size());
     for (std::size_t k = 0; k < seen.size(); ++k) seen[k] = Seen(*this, k);
-    plain_.resize(bend_.size());
+    plain_.resize(begin_.size() - 1);
     parallel_blocks(plain_.size(), 1024, [&](std::size_t from, std::size_t to) {
         for (std::size_t b = from; b < to; ++b) plain_[b] = plain_quad(b, seen);
     });
@@ -268,6 +273,20 @@ std::size_t StripIndex::bucket(glm::dvec2 p_px) const
     const glm::ivec2 at =
         glm::clamp(glm::ivec2((p_px - lo_) * buckets_per_px_), glm::ivec2(0), buckets_ - 1);
     return static_cast<std::size_t>(at.y * buckets_.x + at.x);
+}
+
+StripIndex::Bend StripIndex::bend(glm::dvec2 lo, glm::dvec2 hi) const
+{
+    constexpr int few = 4; // quads along an axis: more are not looked at one by one
+    const glm::ivec2 last = steps_ - 1;
+    const glm::ivec2 from = glm::clamp(glm::ivec2(lo * glm::dvec2(steps_)), glm::ivec2(0), last);
+    const glm::ivec2 to = glm::clamp(glm::ivec2(hi * glm::dvec2(steps_)), glm::ivec2(0), last);
+    if (to.x - from.x >= few || to.y - from.y >= few) return most_bend_;
+    Bend out;
+    for (int i = from.x; i <= to.x; ++i)
+        for (int j = from.y; j <= to.y; ++j)
+            out.add(bend_[static_cast<std::size_t>(i * (steps_.y + 1) + j)]);
+    return out;
 }
 
 bool StripIndex::may_cover(glm::dvec2 p_px) const

@@ -40,9 +40,20 @@ public:
         return meets(changed_.empty() ? begin_ : changed_, lo_px, hi_px);
     }
 
-    // How far the surface near the pixel may sag behind chords of it, metres for each square of
-    // the chord's length in pixels.
-    double bend(glm::dvec2 p_px) const { return bend_[bucket(p_px)]; }
+    // How far the surface between the parameters may sag behind chords of it: metres along the
+    // line of sight for each square of the chord's length, along u and along v. Lengths are in
+    // quads; `quad_px2` is how long the shortest is in the picture, squared.
+    struct Bend {
+        glm::dvec2 sag{0}, quad_px2{1e300};
+
+        void add(const Bend& other)
+        {
+            sag = glm::max(sag, other.sag);
+            quad_px2 = glm::min(quad_px2, other.quad_px2);
+        }
+    };
+    Bend bend(glm::dvec2 lo, glm::dvec2 hi) const;
+    const glm::ivec2& steps() const { return steps_; }
 
     // Calls visit(uv) for parameters near which the strip is seen at the pixel: several where it
     // crosses itself, and two on the line between two quads. Outside the rim by up to the size of a
@@ -79,7 +90,8 @@ private:
     glm::dvec2 buckets_per_px_{1};
     std::vector<int> begin_, quads_; // of each bucket: the first corners of quads
     std::vector<int> changed_;       // how many buckets are before each
-    std::vector<double> bend_;       // the largest of each bucket
+    std::vector<Bend> bend_;         // the largest of each quad, by its first corner
+    Bend most_bend_;                 // of all
     // Of each bucket in which a few neighbouring quads lie side by side: the first corner of the
     // one nearest to its middle. -1 of others.
     std::vector<int> plain_;

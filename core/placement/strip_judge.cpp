@@ -63,10 +63,7 @@ public:
             double least = std::min({a.gap, b.gap, c.gap});
             if (covered < 3 && halvings == 0)
                 least = std::min({least, rim(a, b, out), rim(b, c, out), rim(c, a, out)});
-            double bend = 0;
-            for (const Corner* corner : {&a, &b, &c})
-                if (corner->covered) bend = std::max(bend, strip_.bend(corner->p_px));
-            const bool fine = least - bend * longest >= -options_.let_be;
+            const bool fine = least - sag(a, b, c, longest) >= -options_.let_be;
             const double smallest = finest * strip_.quad_px();
             if (fine || least < -options_.hopeless || longest < smallest * smallest) return;
             ++halvings;
@@ -80,6 +77,22 @@ public:
     }
 
 private:
+    // How far the surface may sag behind the triangle between its corners. How long that is on the
+    // surface the corners' parameters tell, or, where one is beside the strip, the picture.
+    double sag(const Corner& a, const Corner& b, const Corner& c, double longest) const
+    {
+        glm::dvec2 lo(1), hi(0);
+        for (const Corner* corner : {&a, &b, &c}) {
+            if (!corner->covered) continue;
+            lo = glm::min(lo, corner->uv);
+            hi = glm::max(hi, corner->uv);
+        }
+        const StripIndex::Bend bend = strip_.bend(lo, hi);
+        const glm::dvec2 size = (hi - lo) * glm::dvec2(strip_.steps());
+        const bool inside = a.covered && b.covered && c.covered;
+        return glm::dot(bend.sag, inside ? size * size : longest / bend.quad_px2);
+    }
+
     static double squared(const Corner& a, const Corner& b)
     {
         const glm::dvec2 d = b.p_px - a.p_px;
@@ -140,10 +153,7 @@ void in_blocks(std::size_t count, std::size_t block, Judgement& to, const Body& 
     parallel_blocks(count, block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) body(i, parts[begin / block]);
     });
-    for (const Judgement& part : parts) {
-        to.behind.insert(to.behind.end(), part.behind.begin(), part.behind.end());
-        to.worst = std::max(to.worst, part.worst);
-    }
+    for (const Judgement& part : parts) to.add(part);
 }
 
 } // namespace

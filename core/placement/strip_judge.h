@@ -4,6 +4,8 @@
 #include "core/placement/gap.h"
 #include "core/placement/near_scene.h"
 
+#include <algorithm>
+
 namespace trivar {
 
 struct JudgeOptions {
@@ -15,6 +17,12 @@ struct JudgeOptions {
 struct Judgement {
     std::vector<SceneSample> behind; // by more than let_be
     double worst = 0;                // metres behind, of all points looked at
+
+    void add(const Judgement& other)
+    {
+        behind.insert(behind.end(), other.behind.begin(), other.behind.end());
+        worst = std::max(worst, other.worst);
+    }
 };
 
 // A vertex or another point of a triangle of the scene, measured.
