@@ -25,7 +25,7 @@ gpu::Picture picture_of(const Evaluated& evaluated, const Document& document, co
 Camera picture_camera(const Evaluated& evaluated, const Document& document, glm::ivec2 size_px)
 {
     const auto bookmark = document.bookmarks.find("picture");
-    if (bookmark != document.bookmarks.end()) return bookmark->second;
+    if (bookmark != document.bookmarks.end()) return ui::reshaped(bookmark->second, size_px);
     Camera camera;
     camera.size_px = size_px;
     Box all;

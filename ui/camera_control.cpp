@@ -94,6 +94,20 @@ Camera framed(const Camera& camera, const Box& box)
     return result;
 }
 
+Camera reshaped(const Camera& camera, glm::dvec2 size_px)
+{
+    constexpr double widest = 2.8; // radians; beyond it a picture is all rim
+    Camera result = camera;
+    result.size_px = glm::max(size_px, 1.0);
+    const double before = camera.size_px.x / std::max(1.0, camera.size_px.y);
+    const double now = result.size_px.x / result.size_px.y;
+    if (now >= before) return result;
+    result.height_world *= before / now;
+    const double wider = 2 * std::atan(std::tan(camera.fov_y / 2) * before / now);
+    result.fov_y = std::max(camera.fov_y, std::min(wider, widest));
+    return result;
+}
+
 Camera seen_from(const Camera& camera, const glm::dvec3& direction)
 {
     const glm::dvec3 level(direction.x, direction.y, 0);

@@ -23,6 +23,9 @@ Camera zoomed(const Camera& camera, const glm::dvec3& anchor_world, double facto
 // An empty box gives the camera as it was.
 Camera framed(const Camera& camera, const Box& box);
 
+// The same view in a picture of another shape, wide enough for all that was in it.
+Camera reshaped(const Camera& camera, glm::dvec2 size_px);
+
 // The same target and distance, seen from a direction (unit, from the target to the eye).
 Camera seen_from(const Camera& camera, const glm::dvec3& direction);
 

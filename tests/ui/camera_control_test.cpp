@@ -119,6 +119,23 @@ TEST(CameraControl, FramingNothingChangesNothing)
     EXPECT_EQ(framed(somewhere(), Box{}), somewhere());
 }
 
+TEST(CameraControl, AnotherShapeOfPictureShowsAllThatWasInTheViewBefore)
+{
+    for (const Camera& camera : both_kinds())
+        for (const glm::dvec2 size : {glm::dvec2(1280, 720), {2560, 720}, {700, 780}, {300, 900}}) {
+            const Camera now = reshaped(camera, size);
+            EXPECT_EQ(now.size_px, size);
+            EXPECT_EQ(now.eye, camera.eye);
+            for (const glm::dvec2 corner : {glm::dvec2(0, 0), {1280, 0}, {0, 720}, {1280, 720}}) {
+                const glm::dvec2 p = project(now, point_at_target_depth(camera, corner)).p_px;
+                EXPECT_GE(std::min(p.x, p.y), -tolerance_px);
+                EXPECT_LE(p.x, size.x + tolerance_px);
+                EXPECT_LE(p.y, size.y + tolerance_px);
+            }
+        }
+    EXPECT_EQ(reshaped(somewhere(), {640, 360}).fov_y, somewhere().fov_y);
+}
+
 TEST(CameraControl, AViewFromAboveShowsYUpward)
 {
     const Camera above = seen_from(orbited(somewhere(), {}, {20, 0}), {0, 0, 1});
