@@ -42,6 +42,14 @@ std::optional<double> parse_number(std::string_view text)
     return value;
 }
 
+std::string printable(std::string_view text)
+{
+    std::string shown(text);
+    for (char& c : shown)
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
+    return shown;
+}
+
 std::string read_text_file(const std::string& path)
 {
     std::error_code error;

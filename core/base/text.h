@@ -14,6 +14,9 @@ std::string shortest(double value);
 // The whole text as a finite number, or nothing. No locale.
 std::optional<double> parse_number(std::string_view text);
 
+// Words of a file for a message: what would not show as itself, or end it, is a question mark.
+std::string printable(std::string_view text);
+
 // The whole content of a file. Throws Rejected, naming the file and the reason.
 std::string read_text_file(const std::string& path);
 

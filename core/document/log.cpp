@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/log.h"
 
+#include "core/base/text.h"
 #include "core/document/commands/json_text.h"
 #include "core/document/commands/read_json.h"
 
@@ -31,7 +32,7 @@ void check_header(const json& header)
         else if (name == "up" && value != "z")
             throw Rejected("field \"up\" must be \"z\"");
         else if (name != "trivar" && name != "units" && name != "up")
-            throw Rejected(fmt::format("field \"{}\" is unknown in a header", name));
+            throw Rejected(fmt::format("field \"{}\" is unknown in a header", printable(name)));
 }
 
 std::string taken_digest(json& object, const std::string& name)

@@ -89,6 +89,12 @@ void check_size(const OIIO::ImageSpec& spec, std::size_t bytes, const std::strin
                                    bytes, spec.width, spec.height));
 }
 
+[[noreturn]] void refuse_extension(const std::string& name, const std::string& extension)
+{
+    throw Rejected(fmt::format("{}: pictures cannot be written as '{}', png, jpg and exr can",
+                               name.empty() ? "picture" : name, extension));
+}
+
 } // namespace
 
 Image read_image_bytes(std::string_view bytes, const std::string& name)
@@ -142,9 +148,7 @@ std::string encoded_image(const Image& image, const std::string& extension)
     OIIO::Filesystem::IOVecOutput memory(bytes);
     const std::string name = "memory" + extension;
     const auto output = OIIO::ImageOutput::create(name);
-    if (!output || !output->supports("ioproxy"))
-        throw Rejected(fmt::format("{}: pictures cannot be written as '{}', png, jpg and exr can",
-                                   image.name, extension));
+    if (!output || !output->supports("ioproxy")) refuse_extension(image.name, extension);
     output->set_ioproxy(&memory);
     OIIO::ImageSpec spec(image.size_px.x, image.size_px.y, output->supports("alpha") ? 4 : 3,
                          OIIO::TypeDesc::UINT8);
@@ -169,8 +173,15 @@ std::string encoded_image(const Image& image, const std::string& extension)
     return {bytes.begin(), bytes.end()};
 }
 
+void check_picture_name(const std::string& path)
+{
+    const auto output = OIIO::ImageOutput::create("memory" + extension_of(path));
+    if (!output || !output->supports("ioproxy")) refuse_extension(path, extension_of(path));
+}
+
 void write_image(const Image& image, const std::string& path)
 {
+    check_picture_name(path);
     write_bytes(path, encoded_image(image, extension_of(path)));
 }
 

@@ -17,6 +17,9 @@ Image read_image_bytes(std::string_view bytes, const std::string& name);
 // Rejected.
 std::string encoded_image(const Image& image, const std::string& extension);
 
+// Throws Rejected where the name ends as no picture does that can be written.
+void check_picture_name(const std::string& path);
+
 // Writes by extension (png, jpg, exr, ...), through a temporary file. Throws Rejected.
 void write_image(const Image& image, const std::string& path);
 

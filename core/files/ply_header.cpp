@@ -2,6 +2,7 @@
 #include "core/files/ply_header.h"
 
 #include "core/base/rejected.h"
+#include "core/base/text.h"
 #include "core/files/text_scan.h"
 
 #include <fmt/format.h>
@@ -58,7 +59,7 @@ PlyHeader read_ply_header(std::string_view bytes, const std::string& name)
             else if (format == "binary_big_endian")
                 header.format = Format::big_endian;
             else
-                fail(fmt::format("'{}' is no PLY format", format));
+                fail(fmt::format("'{}' is no PLY format", printable(format)));
             format_said = true;
         } else if (keyword == "element") {
             PlyElement element;
@@ -81,14 +82,14 @@ PlyHeader read_ply_header(std::string_view bytes, const std::string& name)
                 type = words.word();
             }
             const auto known = type_named(type);
-            if (!known) fail(fmt::format("'{}' is no PLY type", type));
+            if (!known) fail(fmt::format("'{}' is no PLY type", printable(type)));
             property.type = *known;
             property.name = words.word();
             header.elements.back().properties.push_back(std::move(property));
         } else if (keyword == "end_header") {
             break;
         } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
-            fail(fmt::format("'{}' does not belong in a PLY header", keyword));
+            fail(fmt::format("'{}' does not belong in a PLY header", printable(keyword)));
         }
     }
     if (!format_said) fail("the header names no format");

@@ -6,6 +6,8 @@
 #include "core/files/formats.h"
 #include "core/files/image.h"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -32,8 +34,17 @@ void write_obj_files(const Model& model, const std::string& path)
 
 } // namespace
 
+void check_model_name(const std::string& path)
+{
+    static constexpr std::array<std::string_view, 5> known{".glb", ".obj", ".ply", ".stl", ".off"};
+    if (std::ranges::find(known, extension_of(path)) == known.end())
+        throw Rejected(
+            fmt::format("{}: models are written as .glb, .obj, .ply, .stl and .off", path));
+}
+
 void write_model(const Model& model, const std::string& path)
 {
+    check_model_name(path);
     const std::string extension = extension_of(path);
     if (extension == ".glb")
         write_bytes(path, write_glb(model));
@@ -43,11 +54,8 @@ void write_model(const Model& model, const std::string& path)
         write_bytes(path, write_ply(model));
     else if (extension == ".stl")
         write_bytes(path, write_stl(model));
-    else if (extension == ".off")
-        write_bytes(path, write_off(model));
     else
-        throw Rejected(
-            fmt::format("{}: models are written as .glb, .obj, .ply, .stl and .off", path));
+        write_bytes(path, write_off(model));
 }
 
 } // namespace trivar

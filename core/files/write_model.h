@@ -15,4 +15,7 @@ namespace trivar {
 // Rejected.
 void write_model(const Model& model, const std::string& path);
 
+// Throws Rejected where the name ends as none of these.
+void check_model_name(const std::string& path);
+
 } // namespace trivar

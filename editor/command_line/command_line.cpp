@@ -144,6 +144,9 @@ Status run_program(const std::vector<std::string>& arguments, const Streams& str
 {
     try {
         return dispatch(arguments, streams);
+    } catch (const WrongUsage& error) {
+        streams.talk << "trivar: " << error.what() << "\n";
+        return Status::usage;
     } catch (const std::bad_alloc&) {
         streams.talk << "trivar: there is not enough memory for this\n";
     } catch (const std::exception& error) {

@@ -105,6 +105,7 @@ std::string plain(const Facts& value)
 {
     if (value.is_string()) return value.get<std::string>();
     if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+    if (value.is_number_float()) return fmt::format("{:.4g}", value.get<double>());
     if (!value.is_array()) return value.dump();
     std::string text;
     for (const Facts& entry : value) text += (text.empty() ? "" : ", ") + plain(entry);

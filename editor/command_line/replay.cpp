@@ -10,6 +10,7 @@
 #include "editor/picture.h"
 #include "gpu/context.h"
 #include "gpu/renderer.h"
+#include "ui/camera_control.h"
 
 #include <charconv>
 #include <filesystem>
@@ -32,7 +33,7 @@ glm::ivec2 picture_size(const std::string& text)
             size.x <= 16384 && size.y <= 16384)
             return size;
     }
-    throw Rejected("--size " + text + ": must be WIDTHxHEIGHT, such as 1280x720, up to 16384");
+    throw WrongUsage("--size " + text + ": must be WIDTHxHEIGHT, such as 1280x720, up to 16384");
 }
 
 std::map<std::string, std::string> relinked_files(const std::vector<std::string>& settings)
@@ -41,7 +42,7 @@ std::map<std::string, std::string> relinked_files(const std::vector<std::string>
     for (const std::string& setting : settings) {
         const std::size_t equals = setting.find('=');
         if (equals == 0 || equals == std::string::npos || equals + 1 == setting.size())
-            throw Rejected("--set " + setting + ": must be NAME=FILE");
+            throw WrongUsage("--set " + setting + ": must be NAME=FILE");
         files[setting.substr(0, equals)] = setting.substr(equals + 1);
     }
     return files;
@@ -145,7 +146,7 @@ void draw(const ReplayOptions& options, Replayed& replayed)
         if (bookmark == replayed.document.bookmarks.end())
             throw Rejected(fmt::format("--camera {}: the scene has no point of view of that name",
                                        options.camera));
-        camera = bookmark->second;
+        camera = ui::reshaped(bookmark->second, size);
     }
     const gpu::HeadlessContext context;
     gpu::Renderer renderer;
@@ -170,7 +171,10 @@ void write_timings(const std::string& path, const Timings& timings)
 
 Status run_replay(const ReplayOptions& options, const Streams& streams)
 {
-    picture_size(options.size);
+    picture_size(options.size); // before any work is done
+    relinked_files(options.relinked);
+    if (!options.image.empty()) check_picture_name(options.image);
+    for (const std::string& path : options.exports) check_model_name(path);
     std::optional<ThreadLimit> limit;
     if (options.threads > 0) limit.emplace(options.threads);
     Replayed replayed = replay(options, streams);

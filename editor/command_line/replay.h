@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/rejected.h"
 #include "editor/command_line/command_line.h"
 
 namespace trivar {
+
+// An option's value that is no value of that option: status 2.
+struct WrongUsage : Rejected {
+    using Rejected::Rejected;
+};
 
 struct ReplayOptions {
     std::string log;

@@ -2,6 +2,7 @@
 #include "core/document/commands/read_json.h"
 
 #include "core/base/rejected.h"
+#include "core/base/text.h"
 #include "core/document/command.h"
 
 #include <algorithm>
@@ -170,7 +171,8 @@ template <class T> void read_fields(Fields from, T& value)
 template <std::size_t I = 0> Command command_named(std::string_view verb, const json& object)
 {
     if constexpr (I == std::variant_size_v<Command>)
-        throw Rejected(fmt::format("there is no command \"{}\"; trivar commands lists them", verb));
+        throw Rejected(
+            fmt::format("there is no command \"{}\"; trivar commands lists them", printable(verb)));
     else {
         using C = std::variant_alternative_t<I, Command>;
         if (verb != C::verb) return command_named<I + 1>(verb, object);
@@ -192,7 +194,8 @@ json parse_object(std::string_view line)
         if (event == json::parse_event_t::object_end) keys.pop_back();
         if (event == json::parse_event_t::key &&
             !keys.back().insert(parsed.get_ref<const std::string&>()).second)
-            throw Rejected(fmt::format("field \"{}\" appears twice", parsed.get<std::string>()));
+            throw Rejected(
+                fmt::format("field \"{}\" appears twice", printable(parsed.get<std::string>())));
         return true;
     };
     try {
