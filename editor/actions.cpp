@@ -95,6 +95,16 @@ void edit_actions(std::vector<Action>& a)
                  },
                  something_selected});
     a.push_back({"Edit",
+                 "Ungroup",
+                 {ctrl('G', true)},
+                 [](Editor& e) { e.session.run(Ungroup{e.session.selected}); },
+                 [](const Editor& e) {
+                     const auto& objects = e.session.document().objects;
+                     const auto found = objects.find(e.session.selected);
+                     return found != objects.end() &&
+                            std::holds_alternative<GroupShape>(found->second->source);
+                 }});
+    a.push_back({"Edit",
                  "Take off the stroke",
                  {},
                  [](Editor& e) { e.session.run(Unplace{e.session.selected}); },

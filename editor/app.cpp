@@ -13,13 +13,6 @@
 namespace trivar {
 namespace {
 
-std::string title_of(const Editor& editor)
-{
-    const std::string& path = editor.session.scene().path();
-    return (path.empty() ? "Untitled" : std::filesystem::path(path).filename().string()) +
-           " - Trivar";
-}
-
 // Where programs keep what is theirs between two runs (XDG Base Directory Specification).
 std::string unnamed_folder()
 {
@@ -37,7 +30,7 @@ int run_editor(const EditorOptions& options)
     try {
         ui::Window window({.scale = options.scale, .light = options.light});
         Editor editor(window.waker(), unnamed_folder());
-        editor.samples = options.samples;
+        editor.files.samples = options.samples;
         if (options.files.empty())
             editor.session.take_up_left_scene();
         else
@@ -46,8 +39,9 @@ int run_editor(const EditorOptions& options)
         std::string title;
         window.run([&](ui::Frame& frame) {
             draw_editor(editor, frame);
-            if (title_of(editor) == title) return;
-            title = title_of(editor);
+            const std::string now = title_of(editor.session.scene()) + " - Trivar";
+            if (now == title) return;
+            title = now;
             window.set_title(title);
         });
         return 0;

@@ -34,7 +34,6 @@ struct Editor {
     std::string new_name;    // of it, as typed so far
     bool inspecting = false; // a proposal of the inspector is pending
     bool help_open = false, hints_off = false;
-    std::vector<std::string> samples; // scenes to try, offered over an empty viewport
 
     Tool& active_tool() { return *tools[tool]; }
     void choose_tool(std::size_t index);

@@ -30,11 +30,6 @@ bool is_model(const std::string& path)
     return std::find(known.begin(), known.end(), extension_of(path)) != known.end();
 }
 
-std::string stem_of(const std::string& path)
-{
-    return path.empty() ? "untitled" : fs::path(path).stem().string();
-}
-
 // The reason as the body of a notice whose title names the file already.
 std::string reason(const std::string& why, const std::string& path)
 {
@@ -61,8 +56,7 @@ const std::vector<std::string>& export_extensions()
 void Files::keep_or(std::function<void()> go_on)
 {
     const Session& s = *session_;
-    const bool kept = !s.scene().path().empty() || s.scene().history().steps().empty();
-    if (kept) return go_on();
+    if (!s.scene().path().empty() || s.scene().as_opened()) return go_on();
     question_ = Asked{{"Keep this scene?",
                        "It has no name yet and is gone when you discard it. A scene with a name "
                        "is written as you work.",
@@ -87,9 +81,10 @@ void Files::ask_for_file(Purpose purpose, ui::FileRequest request)
 {
     purpose_ = purpose;
     after_save_ = nullptr;
-    dialog_.open(std::move(request), session_->scene().path().empty()
-                                         ? fs::path()
-                                         : fs::path(session_->scene().folder()));
+    fs::path start;
+    if (!session_->scene().path().empty()) start = session_->scene().folder();
+    if (purpose == Purpose::import && !import_folder_.empty()) start = import_folder_;
+    dialog_.open(std::move(request), start);
 }
 
 void Files::ask_open()
@@ -114,7 +109,7 @@ void Files::ask_export()
                   .action = "Export",
                   .extensions = export_extensions(),
                   .saving = true,
-                  .name = stem_of(session_->scene().path()) + export_extensions().front()});
+                  .name = stem_of(session_->scene()) + export_extensions().front()});
 }
 
 void Files::save()
@@ -126,7 +121,7 @@ void Files::save()
         return;
     }
     const std::string path = session_->scene().path();
-    write_scene(path); // tries again with all that is missing
+    write_scene(path, false); // tries again with all that is missing
 }
 
 void Files::ask_save_as()
@@ -135,7 +130,7 @@ void Files::ask_save_as()
                                     .action = "Save",
                                     .extensions = {scene_extension},
                                     .saving = true,
-                                    .name = stem_of(session_->scene().path()) + scene_extension});
+                                    .name = stem_of(session_->scene()) + scene_extension});
 }
 
 void Files::ask_save_compact()
@@ -148,24 +143,28 @@ void Files::ask_save_compact()
                0},
               [this](int answer) {
                   if (answer != 1) return;
-                  ask_for_file(Purpose::save_compact, {.title = "Save a compact scene as",
-                                                       .action = "Save",
-                                                       .extensions = {scene_extension},
-                                                       .saving = true,
-                                                       .name = stem_of(session_->scene().path()) +
-                                                               "_compact" + scene_extension});
+                  ask_for_file(Purpose::save_compact,
+                               {.title = "Save a compact scene as",
+                                .action = "Save",
+                                .extensions = {scene_extension},
+                                .saving = true,
+                                .name = stem_of(session_->scene()) + "_compact" + scene_extension});
               }};
 }
 
 void Files::open_scene(const std::string& path)
 {
-    keep_or([this, path] {
+    std::error_code ignored;
+    const bool sample = std::ranges::any_of(
+        samples, [&](const std::string& each) { return fs::equivalent(each, path, ignored); });
+    keep_or([this, path, sample] {
         session_->jobs().start(
             {"Opening " + file_name(path),
-             [this, path](const Progress&) -> Jobs::Finish {
+             [this, path, sample](const Progress&) -> Jobs::Finish {
                  // Shared, for a function that is copied cannot hold what is
                  // only moved.
-                 auto scene = std::make_shared<SceneFile>(path);
+                 auto scene = std::make_shared<SceneFile>(sample ? SceneFile::copy_of(path)
+                                                                 : SceneFile(path));
                  return [this, scene] { session_->replace_scene(std::move(*scene)); };
              },
              [this, path](const std::string& why) {
@@ -225,10 +224,10 @@ void Files::ask_close()
     keep_or([this] { close_agreed_ = true; });
 }
 
-void Files::write_scene(const std::string& path)
+void Files::write_scene(const std::string& path, bool compact)
 {
     try {
-        if (purpose_ == Purpose::save_compact)
+        if (compact)
             session_->save_compact(path);
         else
             session_->save_as(path);
@@ -266,10 +265,12 @@ void Files::use_file(const std::string& path)
 {
     switch (purpose_) {
     case Purpose::open: return open_scene(path);
-    case Purpose::import: return import(path);
+    case Purpose::import:
+        import_folder_ = fs::path(path).parent_path().string();
+        return import(path);
     case Purpose::write_model: return write_model_to(path);
-    case Purpose::save_as:
-    case Purpose::save_compact: return write_scene(path);
+    case Purpose::save_as: return write_scene(path, false);
+    case Purpose::save_compact: return write_scene(path, true);
     }
 }
 

@@ -38,6 +38,9 @@ public:
     bool asking() const { return dialog_.is_open() || question_.has_value(); }
     bool close_agreed() const { return close_agreed_; }
 
+    // Scenes to try, offered over an empty viewport: what opens is a copy, they stay as they are.
+    std::vector<std::string> samples;
+
 private:
     enum class Purpose { open, import, write_model, save_as, save_compact };
     struct Asked {
@@ -46,12 +49,13 @@ private:
     };
     void ask_for_file(Purpose purpose, ui::FileRequest request);
     void use_file(const std::string& path);
-    void write_scene(const std::string& path);
+    void write_scene(const std::string& path, bool compact);
     void write_model_to(const std::string& path);
     void keep_or(std::function<void()> go_on); // asks what becomes of a scene without a name
 
     Session* session_;
     ui::FileDialog dialog_;
+    std::string import_folder_; // of the last model that was imported by the dialog
     Purpose purpose_ = Purpose::open;
     std::optional<Asked> question_;
     std::function<void()> after_save_;

@@ -4,6 +4,8 @@
 #include "core/base/rejected.h"
 #include "ui/camera_control.h"
 
+#include <filesystem>
+
 namespace trivar {
 
 Session::Session(std::function<void()> wake, std::string unnamed_folder)
@@ -142,11 +144,8 @@ void Session::replace_scene(SceneFile scene)
     const auto& bookmarks = document().bookmarks;
     const auto picture = bookmarks.find("picture");
     frame_all_when_evaluated = picture == bookmarks.end();
-    if (picture != bookmarks.end()) {
-        const glm::dvec2 size_px = camera.size_px; // the window's, not the picture's
-        camera = picture->second;
-        camera.size_px = size_px;
-    }
+    go_to.reset();
+    if (picture != bookmarks.end()) go_to = picture->second;
     for (const std::string& notice : scene_.notices()) notices.say(ui::NoticeKind::warning, notice);
 }
 
@@ -223,6 +222,18 @@ bool belongs_to(const Document& document, Id id, Id group)
         id = found == document.objects.end() ? 0 : found->second->parent;
     }
     return id == group;
+}
+
+std::string title_of(const SceneFile& scene)
+{
+    if (!scene.path().empty()) return std::filesystem::path(scene.path()).filename().string();
+    return scene.original().empty() ? "Untitled" : stem_of(scene) + " (copy)";
+}
+
+std::string stem_of(const SceneFile& scene)
+{
+    const std::string& path = scene.path().empty() ? scene.original() : scene.path();
+    return path.empty() ? "untitled" : std::filesystem::path(path).stem().string();
 }
 
 std::string name_of(const Document& document, Id id)

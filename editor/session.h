@@ -64,6 +64,7 @@ public:
     Id selected = 0;
     Camera camera;
     bool frame_all_when_evaluated = false;
+    std::optional<Camera> go_to; // a kept view, taken up by the next frame, which knows its size
     ui::Notices notices;
 
 private:
@@ -92,6 +93,10 @@ private:
 Box bounds_of(const Session& session, Id id);
 // Whether it is that object or in that group, however deep; everything is in 0.
 bool belongs_to(const Document& document, Id id, Id group);
+// What the scene is called: its file's name, that of the file it is a copy of, or untitled; and
+// the same as the beginning of a new file's name.
+std::string title_of(const SceneFile& scene);
+std::string stem_of(const SceneFile& scene);
 // The name in the outliner, or nothing for an id that is gone.
 std::string name_of(const Document& document, Id id);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <imgui.h>
+#include <utility>
 
 namespace trivar {
 namespace {
@@ -41,13 +42,16 @@ gpu::Picture picture_of(const Session& session, bool draft)
     picture.camera = session.camera;
     picture.settings = *session.document().render;
     picture.draft = draft;
-    for (const auto& [id, object] : session.evaluated().objects)
+    for (const auto& [id, object] : session.evaluated().objects) {
+        const bool highlighted =
+            session.selected != 0 && belongs_to(session.document(), id, session.selected);
         for (const Part& part : object->parts)
             picture.instances.push_back({.mesh = part.mesh,
                                          .to_world = part.to_world,
                                          .materials = object->materials,
                                          .id = id,
-                                         .highlighted = id == session.selected});
+                                         .highlighted = highlighted});
+    }
     return picture;
 }
 
@@ -118,6 +122,9 @@ ViewportInput Viewport::take_input(Session& session, const ui::Frame& frame, con
     input.hovered = ImGui::IsItemHovered();
     const glm::dvec2 drag = input.mouse - last_mouse_;
     last_mouse_ = input.mouse;
+    if (session.go_to)
+        session.camera =
+            ui::reshaped(*std::exchange(session.go_to, std::nullopt), glm::dvec2(rect.size()));
     session.camera.size_px = glm::max(glm::dvec2(rect.size()), 1.0);
 
     const bool alt = ImGui::GetIO().KeyAlt && !tool_is_busy;

@@ -157,6 +157,7 @@ std::optional<std::string> FileDialog::take(const std::string& typed)
         problem_ = "This file exists. Press " + request_.action + " again to replace it.";
         return std::nullopt;
     }
+    folder_ = path.parent_path(); // the next one begins here
     open_ = false;
     return path.string();
 }
@@ -276,6 +277,7 @@ std::optional<std::string> FileDialog::draw(const Theme& theme)
     if (!chosen && open_ && done) {
         const bool from_list = selected_ >= 0 && (typed_.empty() || !request_.saving);
         chosen = take(from_list ? entries_[static_cast<std::size_t>(selected_)].name : typed_);
+        just_opened_ = open_; // typing goes on where Enter took the keyboard away
     }
     if (open_ && nothing_typed && ImGui::IsKeyPressed(key_backspace, false))
         enter(folder_.parent_path());

@@ -27,13 +27,6 @@ std::string capitalised(std::string text)
     return text;
 }
 
-std::string sentence(std::string text)
-{
-    if (text.empty()) return text;
-    if (text.find_last_of(".!?") != text.size() - 1) text += '.';
-    return capitalised(std::move(text));
-}
-
 // An undecorated window over everything else, of just this place.
 void begin_card(const Theme& theme, const char* name, const Rect& rect)
 {
@@ -97,6 +90,13 @@ Drawn draw_one(const Theme& theme, const Notices::Notice& notice, glm::vec2 lowe
 }
 
 } // namespace
+
+std::string sentence(std::string text)
+{
+    if (text.empty()) return text;
+    if (text.find_last_of(".!?") != text.size() - 1) text += '.';
+    return capitalised(std::move(text));
+}
 
 void Notices::say(NoticeKind kind, std::string title, std::string body)
 {

@@ -2,6 +2,7 @@
 #include "core/document/scene_file.h"
 
 #include "core/base/rejected.h"
+#include "core/base/text.h"
 #include "core/document/locked_file.h"
 #include "core/document/log.h"
 
@@ -65,6 +66,8 @@ struct SceneFile::State {
     }
 
     History history;
+    bool as_opened = true;
+    std::string original; // of a copy
     std::string path, folder = absolute_folder("");
     std::string kept_in; // folder for scenes without a name; empty: not kept
     std::optional<LockedFile> file;
@@ -88,6 +91,7 @@ SceneFile::SceneFile(const std::string& path) : state_(std::make_unique<State>()
     const Log log = read_log(text, path);
     state_->history = replay(log);
     state_->folder = absolute_folder(path);
+    state_->original = path; // till it turns out to be that very file
     if (!log.notice.empty()) state_->notices.push_back(log.notice);
     if (file.access() == LockedFile::Access::in_use) {
         state_->notices.push_back(fmt::format(
@@ -100,10 +104,23 @@ SceneFile::SceneFile(const std::string& path) : state_(std::make_unique<State>()
         return;
     }
     state_->path = state_->file_path = path;
+    state_->original.clear();
     state_->length = log.good_bytes;
     if (!log.notice.empty()) state_->torn = std::move(text);
     if (!log.ends_with_break) state_->missing = "\n";
     state_->file.emplace(std::move(file));
+}
+
+SceneFile SceneFile::copy_of(const std::string& path)
+{
+    const Log log = read_log(read_text_file(path), path);
+    SceneFile scene;
+    State& s = *scene.state_;
+    s.history = replay(log);
+    s.folder = absolute_folder(path);
+    s.original = path;
+    if (!log.notice.empty()) s.notices.push_back(log.notice);
+    return scene;
 }
 
 std::optional<std::string> SceneFile::left_in(const std::string& folder)
@@ -131,6 +148,7 @@ SceneFile SceneFile::taken_up(const std::string& left)
     SceneFile scene(left);
     State& s = *scene.state_;
     s.path.clear();
+    s.as_opened = false;
     s.torn.clear(); // half a line of a scene nobody named
     return scene;
 }
@@ -141,10 +159,9 @@ void SceneFile::keep_in(const std::string& folder)
     if (folder.empty() || !s.path.empty() || s.file) return;
     s.kept_in = folder;
     const std::string from = std::exchange(s.folder, std::filesystem::absolute(folder).string());
-    if (s.history.steps().empty()) return;
     if (std::ranges::any_of(s.history.steps(), imports_by_relative_path))
         s.history = moved(s.history, from, s.folder);
-    start_kept();
+    if (!s.as_opened) start_kept();
 }
 
 void SceneFile::start_kept()
@@ -184,6 +201,7 @@ void SceneFile::keep_torn()
 void SceneFile::append(const std::string& line)
 {
     State& s = *state_;
+    s.as_opened = false;
     if (!s.file) return start_kept();
     s.missing += line;
     try {
@@ -258,6 +276,7 @@ void SceneFile::save(const std::string& path, bool compact)
     s.history.cancel();
     s.file.emplace(std::move(file));
     s.path = s.file_path = path;
+    s.original.clear();
     s.folder = folder;
     s.length = text.size();
     s.missing.clear();
@@ -278,6 +297,16 @@ void SceneFile::save_compact(const std::string& path)
 const std::string& SceneFile::path() const
 {
     return state_->path;
+}
+
+const std::string& SceneFile::original() const
+{
+    return state_->original;
+}
+
+bool SceneFile::as_opened() const
+{
+    return state_->as_opened;
 }
 
 std::string SceneFile::folder() const

@@ -24,6 +24,8 @@ class SceneFile {
 public:
     SceneFile();                                 // without a name: in memory only, till kept_in
     explicit SceneFile(const std::string& path); // replays it. Throws Rejected
+    // A copy without a path of a file that stays as it is. Throws Rejected.
+    static SceneFile copy_of(const std::string& path);
     // The file of the latest scene without a name that a program which is gone left in the folder.
     static std::optional<std::string> left_in(const std::string& folder);
     static SceneFile taken_up(const std::string& left); // goes on with it. Throws Rejected
@@ -48,13 +50,15 @@ public:
     void save_as(const std::string& path);
     void save_compact(const std::string& path);
 
-    // From its first step on a scene without a name is kept in the folder, which is made where it
+    // From its next step on a scene without a name is kept in the folder, which is made where it
     // is missing. No effect on other scenes, nor with an empty name; `trouble` says what fails.
     void keep_in(const std::string& folder);
 
-    const std::string& path() const;    // empty: without a name, or a copy
-    std::string folder() const;         // absolute; what paths of imports are relative to
-    const std::string& trouble() const; // why the last append failed; empty: all is on disk
+    const std::string& path() const;     // empty: without a name, or a copy
+    const std::string& original() const; // the file it is a copy of; empty: none
+    bool as_opened() const;              // nothing was done since, so closing it loses nothing
+    std::string folder() const;          // absolute; what paths of imports are relative to
+    const std::string& trouble() const;  // why the last append failed; empty: all is on disk
     const std::vector<std::string>& notices() const; // from opening, one sentence each
 
 private:

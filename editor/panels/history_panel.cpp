@@ -70,7 +70,7 @@ void draw_history(Editor& editor, const ui::Theme& theme, const Layout& layout)
                            std::to_string(step));
             ui::paint_text(present ? theme.font.strong : theme.font.body,
                            {text.lo + glm::vec2(theme.px(32), 0), text.hi},
-                           undone ? c.text_off : c.text,
+                           undone ? c.text_3 : c.text,
                            ui::elided(theme.font.body, words, text.width() - theme.px(36)));
             ImGui::PopID();
         }

@@ -3,8 +3,11 @@
 
 #include "editor/panels/panels.h"
 #include "ui/icons.h"
+#include "ui/notices.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 #include <imgui.h>
@@ -40,6 +43,7 @@ ui::Edit vector_row(const ui::Theme& theme, const std::string& label, glm::dvec3
 void object_card(const ui::Theme& theme, const Object& each)
 {
     const ui::Palette& c = theme.color;
+    ui::gap(theme, 4);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float left = ImGui::GetWindowPos().x + theme.size.padding;
     const float width = ImGui::GetWindowWidth() - 2 * theme.size.padding;
@@ -55,25 +59,39 @@ void object_card(const ui::Theme& theme, const Object& each)
     ui::gap(theme, 8);
 }
 
-void notices_of(const ui::Theme& theme, const EvaluatedObject& effects)
+// At the foot of the panel, where they do not move the fields that the hand is on. Returns the
+// height that they take.
+float draw_notices(const ui::Theme& theme, const ui::Rect& panel,
+                   const std::vector<std::string>& notices)
 {
-    const float left = ImGui::GetWindowPos().x + theme.size.padding;
-    const float width = ImGui::GetWindowWidth() - theme.px(52);
-    for (const std::string& notice : effects.notices) {
-        const auto lines = ui::wrapped(theme.font.body, notice, width);
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        float y = at.y;
-        ui::paint_text(theme.font.body, ui::rect_at({left, y}, {width, theme.px(20)}),
-                       theme.color.warn, ui::icon::warning);
-        for (const std::string& words : lines) {
-            ui::paint_text(theme.font.body,
-                           ui::rect_at({left + theme.px(24), y}, {width, theme.px(20)}),
-                           theme.color.text_2, words);
-            y += theme.px(20);
-        }
-        ImGui::Dummy({1, y - at.y});
-        ui::gap(theme, 4);
+    const float pad = theme.size.padding, line = theme.px(20), between = theme.px(4);
+    const float indent = theme.px(24), width = panel.width() - 2 * pad - indent;
+    std::vector<std::vector<std::string>> texts;
+    float height = 2 * theme.px(8) - between;
+    for (const std::string& notice : notices) {
+        texts.push_back(ui::wrapped(theme.font.body, ui::sentence(notice), width));
+        height += line * static_cast<float>(texts.back().size()) + between;
     }
+    if (texts.empty()) return 0;
+    const float most = std::round(panel.height() * 0.4f);
+    const float shown = std::min(height, most);
+    const ui::Rect r = {{panel.lo.x, panel.hi.y - shown}, panel.hi};
+    begin_panel("inspector notices", r, theme.color.panel, height > most);
+    ui::paint_box({r.lo, {r.hi.x, r.lo.y + theme.size.hairline}}, theme.color.line);
+    float y = ImGui::GetCursorScreenPos().y + theme.px(8);
+    for (const auto& text : texts) {
+        ui::paint_text(theme.font.body, ui::rect_at({r.lo.x + pad, y}, {indent, line}),
+                       theme.color.warn, ui::icon::warning);
+        for (const std::string& words : text) {
+            ui::paint_text(theme.font.body, ui::rect_at({r.lo.x + pad + indent, y}, {width, line}),
+                           theme.color.text_2, words);
+            y += line;
+        }
+        y += between;
+    }
+    ImGui::Dummy({1, height});
+    ImGui::End();
+    return shown;
 }
 
 void facts(Editor& editor, const ui::Theme& theme, const Object& each, Id id)
@@ -81,16 +99,28 @@ void facts(Editor& editor, const ui::Theme& theme, const Object& each, Id id)
     if (!ui::section(theme, "Shape")) return;
     if (const auto* file = std::get_if<ImportedFile>(&each.source))
         ui::fact_row(theme, "File", std::filesystem::path(file->path).filename().string());
-    const auto found = editor.session.evaluated().objects.find(id);
-    if (found == editor.session.evaluated().objects.end()) {
-        ui::fact_row(theme, "Size", each.hidden ? "hidden" : "not there yet");
-        return;
+    const Session& session = editor.session;
+    const glm::dvec3 size = bounds_of(session, id).size();
+    std::size_t faces = 0, vertices = 0, members = 0;
+    for (const auto& [each_id, effects] : session.evaluated().objects) {
+        if (!belongs_to(session.document(), each_id, id)) continue;
+        for (const Part& part : effects->parts) {
+            faces += part.mesh->face_count();
+            vertices += part.mesh->vertex_count();
+        }
     }
-    const glm::dvec3 size = found->second->bounds.size();
-    std::size_t faces = 0, vertices = 0;
-    for (const Part& part : found->second->parts) {
-        faces += part.mesh->face_count();
-        vertices += part.mesh->vertex_count();
+    if (std::holds_alternative<GroupShape>(each.source)) {
+        for (const auto& [each_id, ref] : session.document().objects)
+            members += each_id != id && belongs_to(session.document(), each_id, id) ? 1 : 0;
+        ui::fact_row(theme, "Objects", ui::with_commas(members));
+    }
+    if (vertices == 0) {
+        ui::fact_row(theme, "Size",
+                     !visible(session.document(), id)                  ? "hidden"
+                     : std::holds_alternative<GroupShape>(each.source) ? "nothing to see"
+                                                                       : "not there yet");
+        ui::gap(theme, 8);
+        return;
     }
     ui::fact_row(theme, "Size",
                  fmt::format("{} x {} x {} m", ui::short_number(size.x), ui::short_number(size.y),
@@ -234,8 +264,12 @@ void draw_picture_settings(Editor& editor, const ui::Theme& theme)
 
 void draw_inspector(Editor& editor, const ui::Theme& theme, const Layout& layout)
 {
-    begin_panel("inspector", layout.inspector, theme.color.panel, true);
     const Id id = editor.session.selected;
+    ui::Rect fields = layout.inspector;
+    const auto effects = editor.session.evaluated().objects.find(id);
+    if (effects != editor.session.evaluated().objects.end())
+        fields.hi.y -= draw_notices(theme, layout.inspector, effects->second->notices);
+    begin_panel("inspector", fields, theme.color.panel, true);
     const auto& objects = editor.session.document().objects;
     const auto found = objects.find(id);
     if (found == objects.end()) {
@@ -254,8 +288,6 @@ void draw_inspector(Editor& editor, const ui::Theme& theme, const Layout& layout
     const Ref<Object> each = found->second; // edits replace it while we read
     ImGui::PushID(id);
     object_card(theme, *each);
-    const auto effects = editor.session.evaluated().objects.find(id);
-    if (effects != editor.session.evaluated().objects.end()) notices_of(theme, *effects->second);
     const auto part = [&](void (*draw)(Editor&, const ui::Theme&, Id)) {
         if (editor.session.document().objects.contains(id)) draw(editor, theme, id);
     };

@@ -59,8 +59,8 @@ void row_menu(Editor& editor, const ui::Theme& theme)
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.px(8), theme.px(8)});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {theme.px(10), theme.px(8)});
     if (ImGui::BeginPopup("row menu")) {
-        for (const char* name : {"Frame selection", "Rename", "Duplicate", "Hide or show",
-                                 "Take off the stroke", "Delete"}) {
+        for (const char* name : {"Frame selection", "Rename", "Duplicate", "Group", "Ungroup",
+                                 "Hide or show", "Take off the stroke", "Delete"}) {
             const Action& each = action(editor, name);
             if (ImGui::MenuItem(name, key_text(each).c_str(), false, is_enabled(editor, each)))
                 each.run(editor);

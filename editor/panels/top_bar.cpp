@@ -5,7 +5,6 @@
 #include "ui/widgets.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <imgui.h>
 
 namespace trivar {
@@ -44,11 +43,7 @@ void bookmarks(Editor& editor)
     std::string forget;
     for (const auto& [name, camera] : editor.session.document().bookmarks) {
         if (!ImGui::BeginMenu(name.c_str())) continue;
-        if (ImGui::MenuItem("Go there")) {
-            const glm::dvec2 size_px = editor.session.camera.size_px;
-            editor.session.camera = camera;
-            editor.session.camera.size_px = size_px;
-        }
+        if (ImGui::MenuItem("Go there")) editor.session.go_to = camera;
         if (ImGui::MenuItem("Forget")) forget = name;
         ImGui::EndMenu();
     }
@@ -79,12 +74,11 @@ State state_of(const Editor& editor, const ui::Palette& c)
 {
     const SceneFile& scene = editor.session.scene();
     const bool named = !scene.path().empty();
-    const std::string name =
-        named ? std::filesystem::path(scene.path()).filename().string() : "Untitled";
+    const std::string name = title_of(scene);
     if (!scene.trouble().empty()) return {name, "Not saved", c.bad};
     if (named) return {name, "All changes saved", c.text_3};
-    const bool empty = scene.history().steps().empty();
-    return {name, empty ? "Nothing to save" : "Has no name yet", empty ? c.text_3 : c.warn};
+    const bool nothing = scene.as_opened();
+    return {name, nothing ? "Nothing to save" : "Has no name yet", nothing ? c.text_3 : c.warn};
 }
 
 } // namespace

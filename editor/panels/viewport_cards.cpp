@@ -94,8 +94,8 @@ void draw_welcome(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
 {
     const ui::Palette& c = theme.color;
     const float pad = theme.px(28), row = theme.px(36), step = theme.px(44);
-    const bool samples = !editor.samples.empty();
-    const auto shown = std::min<std::size_t>(editor.samples.size(), 5);
+    const bool samples = !editor.files.samples.empty();
+    const auto shown = std::min<std::size_t>(editor.files.samples.size(), 5);
     const auto rows = static_cast<float>(std::max<std::size_t>(shown, 3));
     const bool two_columns = samples && view.width() >= theme.px(544);
     const float height = two_columns ? theme.px(100) + rows * theme.px(38) : theme.px(212);
@@ -134,11 +134,11 @@ void draw_welcome(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
                        "SAMPLE SCENES");
         at += theme.px(28);
         for (std::size_t i = 0; i < shown; ++i) {
-            const std::string name = title(std::filesystem::path(editor.samples[i]).stem());
+            const std::string name = title(std::filesystem::path(editor.files.samples[i]).stem());
             ImGui::SetCursorScreenPos({x, at});
             if (ui::button(theme, name, ui::ButtonKind::plain, {r.hi.x - pad - x, theme.px(32)},
                            ui::icon::scene))
-                editor.files.open_scene(editor.samples[i]);
+                editor.files.open_scene(editor.files.samples[i]);
             at += theme.px(38);
         }
     }

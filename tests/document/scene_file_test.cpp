@@ -115,6 +115,27 @@ TEST(SceneFile, OpenedTwiceIsACopyTheSecondTime)
     EXPECT_EQ(SceneFile(path).path(), path);
 }
 
+TEST(SceneFile, ACopyLeavesItsOriginalAsItIsAndIsKeptFromItsFirstStep)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.trivar"), kept = folder.file("unnamed");
+    const std::string text = log_header() + command_line(AddBox{});
+    write(path, text);
+    SceneFile scene = SceneFile::copy_of(path);
+    scene.keep_in(kept);
+    EXPECT_EQ(scene.path(), "");
+    EXPECT_EQ(scene.original(), path);
+    EXPECT_TRUE(scene.as_opened());
+    EXPECT_FALSE(std::filesystem::exists(kept)); // nothing was done yet
+    scene.run(AddSphere{});
+    EXPECT_FALSE(scene.as_opened());
+    EXPECT_EQ(read_text_file(path), text);
+    EXPECT_EQ(read_text_file(std::filesystem::directory_iterator(kept)->path().string()),
+              text + command_line(AddSphere{}));
+    scene.save_as(folder.file("b.trivar"));
+    EXPECT_EQ(scene.original(), "");
+}
+
 TEST(SceneFile, KeepsTheFileWithATornLineBesideBeforeItGoesOn)
 {
     const TemporaryFolder folder;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/text.h"
 #include "core/document/command.h"
+#include "core/document/log.h"
 #include "editor/actions.h"
 #include "editor/editor.h"
 #include "editor/panels/panels.h"
@@ -251,6 +253,41 @@ TEST(EditorWindow, ASavedSceneOpensAgainWithItsUndo)
     EXPECT_EQ(name_of(rig.editor.session.document(), 2), "Brick");
     rig.key({.key = 'Z', .ctrl = true});
     EXPECT_EQ(name_of(rig.editor.session.document(), 2), "Box");
+}
+
+TEST(EditorWindow, ASampleOpensAsACopyThatIsAskedForOnlyWhenItWasChanged)
+{
+    const testing::TemporaryFolder folder;
+    const std::string path = folder.file("sample.trivar");
+    const std::string text = log_header() + command_line(AddBox{});
+    std::ofstream(path) << text;
+    for (const bool changed : {false, true}) {
+        Rig rig;
+        rig.editor.files.samples = {path};
+        rig.screen.input().push(ui::drop_files({path}));
+        rig.wait();
+        EXPECT_EQ(title_of(rig.editor.session.scene()), "sample (copy)");
+        if (changed) {
+            ASSERT_TRUE(rig.editor.session.run(Rename{1, "Mine"}));
+        }
+        rig.editor.files.ask_close();
+        EXPECT_EQ(rig.editor.files.close_agreed(), !changed);
+    }
+    EXPECT_EQ(read_text_file(path), text);
+}
+
+TEST(EditorWindow, AKeptViewShowsAllOfItsPicture)
+{
+    Rig rig;
+    rig.two_objects();
+    Camera wide;
+    wide.size_px = {2000, 500};
+    rig.editor.session.go_to = wide;
+    rig.frames();
+    const Camera& now = rig.editor.session.camera;
+    EXPECT_EQ(now.size_px, glm::dvec2(rig.layout().view.size()));
+    EXPECT_GT(now.fov_y, wide.fov_y);
+    EXPECT_EQ(now.eye, wide.eye);
 }
 
 TEST(EditorWindow, RedoSelectsWhatItBringsBackAndTheOldestModelIsNotLaidByItself)
