@@ -33,9 +33,13 @@ bool is_model(const std::string& path)
 // The reason as the body of a notice whose title names the file already.
 std::string reason(const std::string& why, const std::string& path)
 {
-    const std::string prefix = file_name(path) + ": ";
-    if (!why.starts_with(prefix) || why.size() == prefix.size()) return why;
-    return why.substr(prefix.size());
+    for (const std::string& name : {file_name(path), path}) {
+        if (name.empty() || !why.starts_with(name + ":")) continue;
+        const std::string rest = why.substr(name.size() + 1);
+        if (rest.starts_with(" ")) return rest.substr(1);
+        return "line " + rest; // "scene.trivar:4: ..."
+    }
+    return why;
 }
 
 } // namespace
@@ -174,44 +178,47 @@ void Files::open_scene(const std::string& path)
     });
 }
 
-void Files::import(const std::string& path)
+void Files::import(const std::string& path, bool frame_all)
 {
-    session_->jobs().start(
-        {"Reading " + file_name(path),
-         [this, path, store = session_->assets()](const Progress& progress) -> Jobs::Finish {
-             ImportModel import;
-             import.file.path = fs::absolute(path).string();
-             const Command command = prepare(import, *store, progress);
-             const auto& ready = std::get<ImportModel>(command);
-             const AssetStore::Loaded loaded = store->load(ready.file, progress);
-             if (!loaded.model)
-                 throw Rejected(loaded.notices.empty() ? "It cannot be read."
-                                                       : loaded.notices.front());
-             return [this, command, said = loaded.notices] {
-                 const Id id = session_->committed().next_id;
-                 const bool first = session_->committed().objects.empty();
-                 session_->cancel();
-                 if (!session_->run(command)) return;
-                 session_->selected = id;
-                 if (first) session_->frame_all_when_evaluated = true;
-                 for (const std::string& notice : said)
-                     session_->notices.say(ui::NoticeKind::warning, notice);
-             };
-         },
-         [this, path](const std::string& why) {
-             session_->notices.say(ui::NoticeKind::error, file_name(path) + " was not imported",
-                                   reason(why, path));
-         }});
+    session_->jobs().start({"Reading " + file_name(path),
+                            [this, path, frame_all,
+                             store = session_->assets()](const Progress& progress) -> Jobs::Finish {
+                                ImportModel import;
+                                import.file.path = fs::absolute(path).string();
+                                const Command command = prepare(import, *store, progress);
+                                const auto& ready = std::get<ImportModel>(command);
+                                const AssetStore::Loaded loaded = store->load(ready.file, progress);
+                                if (!loaded.model)
+                                    throw Rejected(loaded.notices.empty() ? "It cannot be read."
+                                                                          : loaded.notices.front());
+                                return [this, command, frame_all, said = loaded.notices] {
+                                    const Id id = session_->committed().next_id;
+                                    const bool first = session_->committed().objects.empty();
+                                    session_->cancel();
+                                    if (!session_->run(command)) return;
+                                    session_->selected = id;
+                                    if (first || frame_all)
+                                        session_->frame_all_when_evaluated = true;
+                                    for (const std::string& notice : said)
+                                        session_->notices.say(ui::NoticeKind::warning, notice);
+                                };
+                            },
+                            [this, path](const std::string& why) {
+                                session_->notices.say(ui::NoticeKind::error,
+                                                      file_name(path) + " was not imported",
+                                                      reason(why, path));
+                            }});
 }
 
 void Files::take_dropped(const std::vector<std::string>& paths)
 {
     std::string scene;
+    const bool fresh = session_->committed().objects.empty();
     for (const std::string& path : paths) {
         if (extension_of(path) == scene_extension)
             scene = path;
         else if (is_model(path))
-            import(path);
+            import(path, fresh);
         else
             session_->notices.say(ui::NoticeKind::warning, file_name(path) + " cannot be used here",
                                   "Drop a scene (.trivar) or a model: glTF, OBJ, PLY, STL, OFF.");

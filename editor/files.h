@@ -30,7 +30,8 @@ public:
     void ask_save_as();
     void ask_save_compact();
     void open_scene(const std::string& path); // asks first if the present one has no name
-    void import(const std::string& path);
+    // The first model of a scene is framed, and with `frame_all` everything with this one.
+    void import(const std::string& path, bool frame_all = false);
     void take_dropped(const std::vector<std::string>& paths); // scenes open, models are imported
     void ask_close();
 

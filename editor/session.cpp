@@ -5,6 +5,7 @@
 #include "ui/camera_control.h"
 
 #include <filesystem>
+#include <utility>
 
 namespace trivar {
 
@@ -140,6 +141,7 @@ void Session::replace_scene(SceneFile scene)
     evaluated_ = {};
     ++evaluation_;
     told_trouble_.clear();
+    opened_ = true;
     meet_document();
     const auto& bookmarks = document().bookmarks;
     const auto picture = bookmarks.find("picture");
@@ -183,6 +185,21 @@ void Session::save_compact(const std::string& path)
     meet_document();
 }
 
+// A scene whose models are gone opens as an empty picture: say why.
+void Session::tell_what_is_missing()
+{
+    std::vector<std::string> reasons;
+    for (const auto& [id, effects] : evaluated_.objects)
+        if (effects->parts.empty() && !effects->notices.empty())
+            reasons.push_back(name_of(document(), id) + ": " + effects->notices.front());
+    if (reasons.empty()) return;
+    const std::size_t count = reasons.size();
+    notices.say(ui::NoticeKind::error,
+                count == 1 ? "An object cannot be shown"
+                           : std::to_string(count) + " objects cannot be shown",
+                reasons.front() + (count > 1 ? "; the inspector says why of each" : ""));
+}
+
 void Session::poll()
 {
     jobs_.poll();
@@ -198,6 +215,7 @@ void Session::poll()
             check_.reset();
             notices.say(ui::NoticeKind::error, "The scene could not be evaluated", result->problem);
         }
+        if (up_to_date() && std::exchange(opened_, false)) tell_what_is_missing();
         if (frame_all_when_evaluated && up_to_date() && !evaluated_.objects.empty()) {
             frame_all_when_evaluated = false;
             camera = ui::framed(camera, bounds_of(*this, 0));

@@ -74,6 +74,7 @@ private:
     };
     void refresh();
     void finish_check();
+    void tell_what_is_missing();
     void meet_document(); // the scene changed as a whole
     template <class Change> bool attempt(Change&& change, bool quietly = false);
 
@@ -81,6 +82,7 @@ private:
     std::string unnamed_folder_;
     SceneFile scene_;
     std::string told_trouble_;
+    bool opened_ = false; // and not evaluated yet
     Ref<AssetStore> assets_;
     std::unique_ptr<BackgroundEvaluator> evaluator_;
     Jobs jobs_;

@@ -112,12 +112,17 @@ void Notices::say(NoticeKind kind, std::string title, std::string body)
     if (notices_.size() > most_shown) notices_.erase(notices_.begin());
 }
 
+float Notices::left_of(const Theme& theme, const Rect& in)
+{
+    return in.hi.x - theme.px(16) - std::min(theme.px(384), in.width() - theme.px(32));
+}
+
 void Notices::draw(Frame& frame, const Rect& in)
 {
     const Theme& theme = frame.theme;
     const double passed = std::clamp(frame.time_s - last_s_, 0.0, 1.0);
     last_s_ = frame.time_s;
-    const float width = std::min(theme.px(384), in.width() - theme.px(32));
+    const float width = in.hi.x - theme.px(16) - left_of(theme, in);
     glm::vec2 corner = in.hi - theme.px(16);
     for (std::size_t i = notices_.size(); i-- > 0;) { // the newest lowest
         Notice& notice = notices_[i];

@@ -27,6 +27,8 @@ public:
     };
     const std::vector<Notice>& all() const { return notices_; }
     void clear() { notices_.clear(); }
+    // Where they are drawn: what lies left of it is free.
+    static float left_of(const Theme& theme, const Rect& in);
 
 private:
     std::vector<Notice> notices_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <imgui.h>
+#include <utility>
 
 namespace trivar::ui {
 namespace {
@@ -21,6 +22,18 @@ ImVec2 v(glm::vec2 p)
 Rect inner(const Rect& rect, float thickness)
 {
     return rect.grown(-thickness / 2);
+}
+
+// Of whole characters, and at least one.
+std::size_t bytes_that_fit(const ImFont* font, std::string_view text, float width)
+{
+    std::size_t fits = 0, end = 0;
+    do {
+        fits = end;
+        do ++end;
+        while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u);
+    } while (end <= text.size() && text_width(font, text.substr(0, end)) <= width);
+    return fits > 0 ? fits : std::min(end, text.size());
 }
 
 } // namespace
@@ -58,7 +71,15 @@ std::vector<std::string> wrapped(const ImFont* font, std::string_view text, floa
     std::string line;
     while (!text.empty()) {
         const std::size_t end = std::min(text.find(' '), text.size());
-        const std::string word(text.substr(0, end));
+        std::string word(text.substr(0, end));
+        if (text_width(font, word) > width) { // a path: begins a line and is cut where it ends
+            if (!line.empty()) lines.push_back(std::exchange(line, {}));
+            while (text_width(font, word) > width) {
+                const std::size_t fits = bytes_that_fit(font, word, width);
+                lines.push_back(word.substr(0, fits));
+                word.erase(0, fits);
+            }
+        }
         text.remove_prefix(std::min(end + 1, text.size()));
         const std::string longer = line.empty() ? word : line + " " + word;
         if (text_width(font, longer) <= width || line.empty()) {

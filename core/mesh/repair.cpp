@@ -144,12 +144,15 @@ std::pair<std::size_t, std::size_t> drop_degenerate(Mesh& mesh)
 Repaired repaired(Mesh mesh)
 {
     Repaired result;
-    const auto say = [&](std::size_t count, const char* what) {
-        if (count > 0) result.notices.push_back(fmt::format("{} {}", count, what));
+    const auto say = [&](std::size_t count, const char* one, const char* several) {
+        if (count > 0)
+            result.notices.push_back(fmt::format("{} {}", count, count == 1 ? one : several));
     };
     const auto [repeats, dropped] = drop_degenerate(mesh);
-    say(repeats, "faces had corners that repeat a point; the repeats were left out");
-    say(dropped, "faces with fewer than three different corners were left out");
+    say(repeats, "face had corners that repeat a point; the repeats were left out",
+        "faces had corners that repeat a point; the repeats were left out");
+    say(dropped, "face with fewer than three different corners was left out",
+        "faces with fewer than three different corners were left out");
 
     const std::vector<Neighbours> pairs = neighbours(mesh);
     if (std::any_of(pairs.begin(), pairs.end(), [](const Neighbours& n) { return n.against; })) {
@@ -159,11 +162,13 @@ Repaired repaired(Mesh mesh)
                 std::reverse(mesh.corners.begin() + mesh.face_begin[f] + 1,
                              mesh.corners.begin() + mesh.face_begin[f + 1]);
         say(static_cast<std::size_t>(std::count(turn.begin(), turn.end(), true)),
+            "face was turned round to agree with its neighbours",
             "faces were turned round to agree with their neighbours");
     }
     const std::size_t before = mesh.vertex_count();
     result.mesh = without_loose_vertices(std::move(mesh));
-    say(before - result.mesh.vertex_count(), "vertices that no face uses were left out");
+    say(before - result.mesh.vertex_count(), "vertex that no face uses was left out",
+        "vertices that no face uses were left out");
     return result;
 }
 

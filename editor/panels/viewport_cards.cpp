@@ -74,6 +74,7 @@ void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& vie
                           1.4f * theme.scale);
         }
     }
+    if (editor.session.document().objects.empty()) return; // nothing to frame
     const glm::vec2 square(theme.px(32));
     ui::Rect bar =
         ui::rect_at({middle.x - square.x / 2, middle.y + theme.px(56)}, {square.x, 2 * square.y});
@@ -173,8 +174,13 @@ void draw_first_steps(Editor& editor, const ui::Theme& theme, const ui::Rect& vi
     const float text = std::max(ui::text_width(font, bold), ui::text_width(theme.font.body, body));
     const float width = std::min(text + theme.px(104), view.width() - theme.px(24));
     const glm::vec2 size{width, theme.px(64)};
-    const ui::Rect r = ui::rect_at(
-        {std::round(view.center().x - width / 2), view.hi.y - size.y - theme.px(16)}, size);
+    float left = std::round(view.center().x - width / 2);
+    if (!session.notices.all().empty()) { // beside them, or not at all
+        const float end = ui::Notices::left_of(theme, view) - theme.px(12);
+        left = std::min(left, end - width);
+        if (left < view.lo.x + theme.px(12)) return;
+    }
+    const ui::Rect r = ui::rect_at({left, view.hi.y - size.y - theme.px(16)}, size);
     ui::paint_card(theme, r);
     ui::paint_text(theme.font.large_icon, {r.lo + glm::vec2(theme.px(16), 0), r.hi},
                    theme.color.stroke, ui::icon::place);

@@ -276,6 +276,22 @@ TEST(EditorWindow, ASampleOpensAsACopyThatIsAskedForOnlyWhenItWasChanged)
     EXPECT_EQ(read_text_file(path), text);
 }
 
+TEST(EditorWindow, ASceneWhoseModelIsGoneSaysSoWhenItOpens)
+{
+    const testing::TemporaryFolder folder;
+    std::ofstream(folder.file("a.trivar")) << log_header() << command_line([] {
+        ImportModel import;
+        import.file.path = "gone.obj";
+        import.name = "Rock";
+        return import;
+    }());
+    Rig rig;
+    rig.screen.input().push(ui::drop_files({folder.file("a.trivar")}));
+    rig.wait();
+    ASSERT_EQ(rig.editor.session.notices.all().size(), 1u);
+    EXPECT_THAT(rig.editor.session.notices.all().front().body, ::testing::HasSubstr("gone.obj"));
+}
+
 TEST(EditorWindow, AKeptViewShowsAllOfItsPicture)
 {
     Rig rig;

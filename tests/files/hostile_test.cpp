@@ -140,7 +140,7 @@ TEST(HostilePly, IsRefusedInAWholeSentenceWhateverItsHeaderHolds)
     std::string text = "ply\nformat ascii 1.0\n";
     text += '\0';
     text += "\x1b[2Jx 1\n";
-    EXPECT_THAT(refusal(text, ".ply"), HasSubstr("'??[2Jx' does not belong in a PLY header"));
+    EXPECT_THAT(refusal(text, "a.ply"), HasSubstr("'??[2Jx' does not belong in a PLY header"));
 }
 
 TEST(HostileStl, DeclaresMoreTrianglesThanItHolds)

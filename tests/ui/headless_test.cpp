@@ -130,6 +130,22 @@ TEST(Frames, ThePictureShowsWhatWasDrawn)
     EXPECT_EQ(image.rgba[4 * 64 * 63], 0);
 }
 
+TEST(Wrapped, CutsAWordThatIsWiderThanALineAndLosesNothing)
+{
+    HeadlessFrames screen({64, 64});
+    screen.frames(1, [&](Frame& frame) {
+        const ImFont* font = frame.theme.font.body;
+        const std::string path = "/a/very/long/path/that/has/no/blank/größe/scene.trivar";
+        std::string all;
+        for (const std::string& line : wrapped(font, "not at " + path, 90)) {
+            EXPECT_LE(text_width(font, line), 90);
+            all += line + (line == "not at" ? " " : "");
+        }
+        EXPECT_EQ(all, "not at " + path);
+        EXPECT_EQ(wrapped(font, "é", 1).size(), 1u) << "a line holds at least one character";
+    });
+}
+
 TEST(Theme, ANumberIsShownWithThreeSignificantDigits)
 {
     EXPECT_EQ(short_number(0.42), "0.42");
