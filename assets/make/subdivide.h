@@ -9,8 +9,8 @@ namespace make {
 
 using Sharpness = std::map<std::pair<int, int>, float>; // keyed by the smaller index first
 
-// Catmull-Clark subdivision of one cage without texture coordinates; free edges are sharp.
-// E. Catmull, J. Clark 1978; semi-sharp creases after DeRose, Kass, Truong 1998.
+// Catmull-Clark subdivision of one cage without texture coordinates, as the editor subdivides one:
+// free edges are sharp, the points are those of the limit surface.
 Mesh catmull_clark(const Mesh& cage, const Sharpness& creases = {}, int levels = 1);
 
 } // namespace make
