@@ -37,7 +37,7 @@ const MillionTriangles& million_triangles()
     return file;
 }
 
-void Import_MillionTriangleObj(benchmark::State& state)
+void import_million_triangles(benchmark::State& state)
 {
     const std::string& path = million_triangles().path;
     const ThreadLimit limit(static_cast<int>(state.range(0)));
@@ -45,14 +45,14 @@ void Import_MillionTriangleObj(benchmark::State& state)
     for (auto _ : state) faces = read_model(path).meshes[0]->face_count();
     state.counters["triangles"] = static_cast<double>(faces);
 }
-BENCHMARK(Import_MillionTriangleObj)
+BENCHMARK(import_million_triangles)
     ->ArgName("threads")
     ->Arg(1)
     ->Arg(2)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 
-void Import_MillionTriangleObj_OpenMesh(benchmark::State& state)
+void import_million_triangles_by_openmesh(benchmark::State& state)
 {
     const std::string& path = million_triangles().path;
     std::size_t faces = 0;
@@ -67,6 +67,6 @@ void Import_MillionTriangleObj_OpenMesh(benchmark::State& state)
     }
     state.counters["triangles"] = static_cast<double>(faces);
 }
-BENCHMARK(Import_MillionTriangleObj_OpenMesh)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(import_million_triangles_by_openmesh)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 } // namespace

@@ -41,7 +41,7 @@ Sketch wavy_stroke()
 }
 
 // Stroke to deformed model: everything between the last mouse event and the upload.
-void StrokeToResult(benchmark::State& state)
+void stroke_to_result(benchmark::State& state)
 {
     const ThreadLimit limit(static_cast<int>(state.range(0)));
     const PlacementParameters p{.grid = {64, 32, 4}, .offset = static_cast<double>(state.range(1))};
@@ -63,13 +63,13 @@ void StrokeToResult(benchmark::State& state)
             stage.time_ms / static_cast<double>(state.iterations());
     state.counters["penetration"] = penetration;
 }
-BENCHMARK(StrokeToResult)
+BENCHMARK(stroke_to_result)
     ->ArgNames({"threads", "offset"})
     ->ArgsProduct({{1, 2}, {0, 1}})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
-void Rays(benchmark::State& state)
+void rays(benchmark::State& state)
 {
     const ThreadLimit limit(static_cast<int>(state.range(0)));
     std::mt19937 random(1);
@@ -83,7 +83,7 @@ void Rays(benchmark::State& state)
     for (auto _ : state) benchmark::DoNotOptimize(terrain().hits(rays));
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(rays.size()));
 }
-BENCHMARK(Rays)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(rays)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 } // namespace
 } // namespace trivar
