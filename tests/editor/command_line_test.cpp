@@ -14,7 +14,7 @@
 namespace trivar {
 namespace {
 
-using ::testing::AnyOf, ::testing::HasSubstr, ::testing::IsEmpty, ::testing::Not;
+using ::testing::HasSubstr, ::testing::IsEmpty, ::testing::Not;
 using testing::TemporaryFolder;
 
 struct Ran {

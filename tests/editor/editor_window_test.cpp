@@ -177,8 +177,9 @@ TEST(EditorWindow, AClickOrAStrokeBesideTheSceneSaysWhatToDoAndChangesNothing)
 std::optional<glm::vec2> find_field(Rig& rig)
 {
     const ui::Rect panel = rig.layout().inspector;
-    for (float y = panel.lo.y + 4; y < panel.hi.y; y += 12) {
-        const glm::vec2 at{panel.lo.x + 140, y};
+    const int steps = static_cast<int>((panel.hi.y - panel.lo.y) / 12);
+    for (int step = 0; step < steps; ++step) {
+        const glm::vec2 at{panel.lo.x + 140, panel.lo.y + 4 + 12.0f * static_cast<float>(step)};
         rig.screen.input().push(ui::move_to(at));
         rig.frames(2);
         if (ImGui::GetMouseCursor() == ImGuiMouseCursor_ResizeEW) return at;

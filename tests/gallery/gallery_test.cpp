@@ -8,7 +8,9 @@
 #include "gpu/renderer.h"
 #include "tests/support/pictures.h"
 
+#include <filesystem>
 #include <gtest/gtest.h>
+#include <map>
 
 namespace trivar {
 namespace {
@@ -20,12 +22,22 @@ struct Scene {
     Evaluated evaluated;
 };
 
+// The models as this build made them, in whatever folder it is.
+std::map<std::string, std::string> models_made_here()
+{
+    std::map<std::string, std::string> out;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(TRIVAR_BINARY_DIR "/assets/models"))
+        out[entry.path().filename()] = entry.path();
+    return out;
+}
+
 Scene replayed(const std::string& name)
 {
     const std::string folder = TRIVAR_SOURCE_DIR "/assets/scenes";
     const std::string path = folder + "/" + name + ".trivar";
     const Document document = replay(read_log(read_text_file(path), path)).document();
-    Evaluator evaluator(std::make_shared<const AssetStore>(folder));
+    Evaluator evaluator(std::make_shared<const AssetStore>(folder, models_made_here()));
     return {document, evaluator(document)};
 }
 
