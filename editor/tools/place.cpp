@@ -50,9 +50,9 @@ void measure_chips(const ui::Theme& theme, glm::vec2 at, const Placement* placem
 Id model_to_place(const Session& session, Id chosen)
 {
     const Document& document = session.document();
-    for (const Id id : {chosen, session.selected})
-        if (can_be_placed(document, id)) return id;
-    // The oldest is what the others are laid on: only what came later is meant.
+    if (can_be_placed(document, chosen)) return chosen;
+    // The oldest is what the others are laid on: only what came later is meant, even where a click
+    // selected the oldest.
     Id oldest = 0, newest = 0, newest_loose = 0;
     for (const auto& [id, each] : document.objects) {
         if (!can_be_placed(document, id) || each->hidden) continue;
@@ -60,6 +60,8 @@ Id model_to_place(const Session& session, Id chosen)
         newest = id;
         if (id != oldest && !each->placement) newest_loose = id;
     }
+    if (session.selected != oldest && can_be_placed(document, session.selected))
+        return session.selected;
     return newest_loose != 0 ? newest_loose : newest;
 }
 

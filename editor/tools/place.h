@@ -37,8 +37,8 @@ private:
     PlacementParameters parameters_; // for the next new placement
 };
 
-// What a stroke would lay down: the chosen object, else the selected one, else the newest one that
-// is not placed yet; 0 where there is none. Groups cannot be laid.
+// What a stroke would lay down: the chosen object, else the selected one unless it is the oldest,
+// else the newest one that is not placed yet; 0 where there is none. Groups cannot be laid.
 Id model_to_place(const Session& session, Id chosen);
 
 } // namespace trivar
