@@ -240,7 +240,7 @@ void Files::write_scene(const std::string& path, bool compact)
             session_->save_as(path);
     } catch (const Rejected& why) {
         session_->notices.say(ui::NoticeKind::error, file_name(path) + " was not saved",
-                              why.what());
+                              reason(why.what(), path));
         return;
     }
     session_->notices.say(ui::NoticeKind::good, "Saved as " + file_name(path),
@@ -264,7 +264,7 @@ void Files::write_model_to(const std::string& path)
          },
          [this, path](const std::string& why) {
              session_->notices.say(ui::NoticeKind::error, file_name(path) + " was not written",
-                                   why);
+                                   reason(why, path));
          }});
 }
 

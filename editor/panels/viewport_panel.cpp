@@ -33,7 +33,8 @@ void labels(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
         std::string(session.camera.perspective ? "Perspective" : "Orthographic") +
         (name.empty() ? "" : "  ·  " + name);
     glm::vec2 at = view.lo + theme.px(12);
-    ui::paint_chip(theme, at, {label});
+    const float room = view.width() - theme.px(12 + 130); // the axes stand at the right
+    ui::paint_chip(theme, at, {ui::elided(theme.font.small, label, room)});
     at.y += theme.px(28);
     const bool evaluated = !session.evaluated().timings.stages.empty();
     std::vector<ui::TimingGroup> groups;
