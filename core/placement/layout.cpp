@@ -18,6 +18,7 @@ namespace {
 constexpr double most_missed = 0.6;
 constexpr int rounds = 4; // of measuring and shooting again; a fixed point for planes after one
 constexpr std::size_t profile_steps = 129;
+constexpr double sharpest = 2.4; // radians of a turn within the strip's width
 // The strip may differ from its width seen flat on by these factors.
 constexpr double narrowest = 0.25, widest = 2;
 
@@ -179,6 +180,9 @@ private:
                 throw Rejected(fmt::format("a strip {:.3g} m wide is wider than the picture; "
                                            "choose a smaller width or zoom out",
                                            out.width));
+            if (sharpest_turn(curve, half_px_) > sharpest)
+                throw Rejected("the stroke turns tighter than the strip is wide; draw a wider turn "
+                               "or choose a smaller width");
             for (std::size_t i = 0; i < profile_steps; ++i) half_px_[i] *= scale_[i];
             out.strip = strip_round(curve, half_px_);
             out.grid = shoot(out.strip, a_, v_, camera_, scene_, parameters_.skip_back_faces);

@@ -75,4 +75,25 @@ Strip strip_round(Curve<glm::dvec2> center, const std::vector<double>& half_widt
     return out;
 }
 
+double sharpest_turn(const Curve<glm::dvec2>& center, const std::vector<double>& half_width_px)
+{
+    // A corner turns within less than a step of the widths.
+    const std::size_t count = 8 * half_width_px.size();
+    std::vector<double> walked_px(count), turned(count);
+    CurveJet<glm::dvec2> before = evaluate(center, 0, 1);
+    double largest = 0;
+    for (std::size_t i = 1, first = 0; i < count; ++i) {
+        const double a = static_cast<double>(i) / static_cast<double>(count - 1);
+        const CurveJet<glm::dvec2> here = evaluate(center, a, 1);
+        const glm::dvec2 &from = before.first, &to = here.first;
+        walked_px[i] = walked_px[i - 1] + glm::length(here.value - before.value);
+        turned[i] = turned[i - 1] + std::atan2(from.x * to.y - from.y * to.x, glm::dot(from, to));
+        const double width_px = 2 * profile_at(half_width_px, a);
+        while (walked_px[i] - walked_px[first] > width_px) ++first;
+        largest = std::max(largest, std::abs(turned[i] - turned[first]));
+        before = here;
+    }
+    return largest;
+}
+
 } // namespace trivar

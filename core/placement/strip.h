@@ -29,6 +29,10 @@ struct Strip {
 // so that no ruling crosses another.
 Strip strip_round(Curve<glm::dvec2> center, const std::vector<double>& half_width_px);
 
+// The largest turn of the curve, in radians, within a stretch of it as long as the strip is wide.
+// From pi on the strip would run back into itself. The half widths are given at equal steps of a.
+double sharpest_turn(const Curve<glm::dvec2>& center, const std::vector<double>& half_width_px);
+
 // A value given at equal steps of [0, 1], linear in between.
 double profile_at(const std::vector<double>& profile, double t);
 

@@ -134,6 +134,35 @@ TEST(Strip, DoesNotFoldWhereTheStrokeTurnsTighterThanItIsWide)
     expect_no_fold(strip);
 }
 
+// A hand's stroke along straight lines: a point every five pixels.
+std::vector<glm::dvec2> polyline(const std::vector<glm::dvec2>& corners)
+{
+    std::vector<glm::dvec2> out{corners.front()};
+    for (std::size_t k = 1; k < corners.size(); ++k) {
+        const int steps = static_cast<int>(glm::length(corners[k] - corners[k - 1]) / 5) + 1;
+        for (int i = 1; i <= steps; ++i)
+            out.push_back(glm::mix(corners[k - 1], corners[k], static_cast<double>(i) / steps));
+    }
+    return out;
+}
+
+TEST(Strip, TurnsWithinItsWidthAsMuchAsItsMiddleLineDoes)
+{
+    constexpr double pi = 3.14159265358979;
+    std::vector<glm::dvec2> arc;
+    for (int i = 0; i <= 200; ++i)
+        arc.push_back(glm::dvec2(500, 500) +
+                      200.0 * glm::dvec2(std::cos(0.02 * i), std::sin(0.02 * i)));
+    const auto turn = [](const std::vector<glm::dvec2>& points, double half_width_px) {
+        return sharpest_turn(fit_sketch(points), std::vector<double>(129, half_width_px));
+    };
+    EXPECT_NEAR(turn(arc, 50), 100.0 / 200, 0.06);
+    EXPECT_NEAR(turn(arc, 100), 200.0 / 200, 0.06);
+    EXPECT_NEAR(turn(polyline({{100, 500}, {500, 500}, {500, 100}}), 40), pi / 2, 0.2);
+    EXPECT_GT(turn(polyline({{100, 500}, {500, 500}, {505, 520}, {100, 525}}), 60), 2.8);
+    EXPECT_NEAR(turn({{100, 500}, {500, 300}}, 60), 0, 1e-6);
+}
+
 TEST(BadStroke, IsRejectedWithWhatToDo)
 {
     const Camera camera = from_above();
@@ -157,6 +186,10 @@ TEST(BadStroke, IsRejectedWithWhatToDo)
     EXPECT_THAT(placing({{600, 500}, {900, 500}}, {.grid = {2, 9, 4}}), says("control points"));
     EXPECT_THAT(placing({{600, 500}, {900, 500}}, {.start = 0.5, .fill = 0.6}), says("fill"));
     EXPECT_NO_THROW(placing({{600, 500}, {900, 500}})());
+    // There and back again leaves no room for a strip; round a corner there is some.
+    EXPECT_THAT(placing(polyline({{600, 500}, {900, 500}, {905, 530}, {600, 540}}), {.width = 0.3}),
+                says("turns tighter"));
+    EXPECT_NO_THROW(placing(polyline({{600, 500}, {800, 500}, {800, 700}}), {.width = 0.3})());
 }
 
 } // namespace
