@@ -33,14 +33,17 @@ std::vector<std::string> notices(const PlacementReport& r, const Extrusion& e,
     if (r.missed_share > 0)
         out.push_back(fmt::format("{:.0f} % of the strip meets nothing and was bridged",
                                   std::max(1.0, 100 * r.missed_share)));
+    const auto some = [](int count, const char* one, const char* more) {
+        return count == 1 ? std::string(one) : fmt::format("{} {}", count, more);
+    };
     if (r.narrowed > 0)
-        out.push_back(fmt::format("the stroke turns tighter than the strip is wide, so {} of its "
-                                  "columns are narrowed; draw a wider turn or reduce the width",
-                                  r.narrowed));
+        out.push_back(fmt::format("the stroke turns tighter than the strip is wide and narrows {} "
+                                  "of it; draw a wider turn or reduce the width",
+                                  some(r.narrowed, "one column", "columns")));
     if (e.lowered > 0)
-        out.push_back(fmt::format("the volume is lowered in {} places where it would fold; reduce "
-                                  "the height or the offset",
-                                  e.lowered));
+        out.push_back(fmt::format("the volume would fold and is lowered to less than half in {}; "
+                                  "reduce the height or the offset",
+                                  some(e.lowered, "one place", "places")));
     if (r.penetration > p.lift_tolerance)
         out.push_back(fmt::format("{:.2g} of the height still penetrates; use more control points",
                                   r.penetration));

@@ -14,6 +14,7 @@ using Jets = std::vector<SurfaceJet<glm::dvec3>>;
 
 // The guard keeps the roof below 0.8 of the radius of a hollow: closer and det J is nearly zero.
 constexpr double share_of_radius = 0.8;
+constexpr double told = 0.5; // of the height: what is lowered less is hardly seen
 constexpr int most_smoothings = 40;
 
 glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& otherwise)
@@ -85,7 +86,7 @@ Extrusion extrusion(const Surface<glm::dvec3>& contact, const View& view, double
         const glm::dvec3 d = unit_or(glm::mix(v, n, offset), v);
         const double bend = offset * largest_curvature(s, n);
         const double highest = bend > 0 ? share_of_radius / bend : height;
-        if (highest < height) ++lowered;
+        if (highest < told * height) ++lowered;
         rise[k] = std::min(height, highest) * d;
     }
     const auto surface = [&](const Points& values) {

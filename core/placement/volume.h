@@ -11,7 +11,7 @@ namespace trivar {
 // to the volume rises over it.
 struct Extrusion {
     Surface<glm::dvec3> rise; // E
-    int lowered = 0;          // columns whose height the fold guard took down
+    int lowered = 0;          // columns whose height the fold guard took down to less than half
     double least_det = 0;     // of F's Jacobian over the nodes, at w = 0, 1/2 and 1
     double longest_u = 0;     // |S_u| over the nodes
 };
