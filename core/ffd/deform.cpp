@@ -36,19 +36,17 @@ bool deform_chunk(const SortedVertices& vertices, std::size_t chunk,
     const std::size_t begin = vertices.runs[vertices.chunk_begin[chunk]].begin,
                       end = vertices.runs[vertices.chunk_begin[chunk + 1] - 1].end,
                       room = end - begin + SortedVertices::slack;
-    const auto positions = std::make_unique_for_overwrite<glm::vec3[]>(room);
-    const auto normals =
-        std::make_unique_for_overwrite<glm::vec3[]>(out.normals.empty() ? 0 : room);
-    const auto tangents =
-        std::make_unique_for_overwrite<glm::vec3[]>(out.tangents.empty() ? 0 : room);
-    const bool missing =
-        deform_chunk(vertices, chunk, polynomials,
-                     {begin, positions.get(), out.normals.empty() ? nullptr : normals.get(),
-                      out.tangents.empty() ? nullptr : tangents.get()});
+    const auto array = [room](bool wanted) {
+        return wanted ? std::make_unique_for_overwrite<glm::vec3[]>(room) : nullptr;
+    };
+    const auto positions = array(true), normals = array(!out.normals.empty()),
+               tangents = array(!out.tangents.empty());
+    const bool missing = deform_chunk(vertices, chunk, polynomials,
+                                      {begin, positions.get(), normals.get(), tangents.get()});
     const std::span<const std::uint32_t> place(vertices.place.data() + begin, end - begin);
     put_back(place, begin, positions.get(), out.positions.data() + begin);
-    if (!out.normals.empty()) put_back(place, begin, normals.get(), out.normals.data() + begin);
-    if (!out.tangents.empty())
+    if (normals) put_back(place, begin, normals.get(), out.normals.data() + begin);
+    if (tangents)
         for (std::size_t v = begin; v < end; ++v)
             out.tangents[v] = {tangents[place[v - begin] - begin], mesh.tangents[v].w};
     return missing;
