@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/viewport.h"
 
+#include "gpu/context.h"
 #include "ui/camera_control.h"
+#include "ui/timing_overlay.h"
 
 #include <algorithm>
 #include <cmath>
@@ -172,15 +174,20 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
     as_full.draft = false;
     if (shown_ && (*shown_ == wanted || *shown_ == as_full)) return renderer_->texture();
 
-    if (!renderer_) renderer_ = std::make_unique<gpu::Renderer>();
+    if (!renderer_) {
+        renderer_ = std::make_unique<gpu::Renderer>();
+        pace_ = gpu::is_software() ? DraftPace(60, 0.85) : DraftPace(16);
+    }
     if (wanted.draft || begun_ != wanted) {
         gpu::Picture picture = picture_of(session, wanted.draft);
         picture.lines = lines();
         ++pictures_;
         begun_.reset();
         if (wanted.draft) {
+            picture.scale = pace_->scale();
             renderer_->draw(picture, size_px);
             draft_timings_ = renderer_->timings();
+            pace_->drew(ui::total_ms(draft_timings_), frame.time_s);
             shown_ = wanted;
             return renderer_->texture();
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "editor/draft_pace.h"
 #include "editor/tools/tool.h"
 #include "gpu/renderer.h"
 
@@ -43,6 +44,7 @@ private:
     std::optional<glm::dvec3> anchor_under(const Session& session, glm::dvec2 p_px);
 
     std::unique_ptr<gpu::Renderer> renderer_; // made at the first picture
+    std::optional<DraftPace> pace_;           // as well
     std::optional<Shown> shown_;
     std::optional<Shown> begun_; // the full picture that is being drawn
     Timings draft_timings_, full_timings_;

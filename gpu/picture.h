@@ -34,6 +34,7 @@ struct Picture {
     std::vector<Line> lines;
     int samples = 4;    // of antialiasing
     bool draft = false; // leave out the slow parts while something is being dragged
+    double scale = 1;   // of the size: a draft drawn smaller is shown enlarged
     bool grid = false;  // lines on the ground, for orientation while working
 };
 

@@ -2,6 +2,7 @@
 #include "gpu/renderer.h"
 
 #include "core/base/rejected.h"
+#include "gpu/context.h"
 #include "gpu/pass_clock.h"
 #include "gpu/passes/contact_map.h"
 #include "gpu/passes/overlays.h"
@@ -83,6 +84,8 @@ struct Work {
     Frame frame;
     Look look;
     Quality quality;
+    Targets* targets;
+    glm::ivec2 shown_px; // the size before scaling
     int samples;
     int sample = 0;        // the next one
     std::size_t next = 0;  // of its passes
@@ -95,12 +98,14 @@ struct Renderer::State {
     ShadowMap shadow_map;
     ContactMap contact_map;
     LinePass lines;
-    std::optional<Targets> targets;
+    std::optional<Targets> drafts, pictures; // apart, for they may differ in size
+    const Targets* whole = nullptr;          // those of the last whole picture
+    glm::ivec2 whole_px{0};                  // its size before scaling
+    bool kept = false;                       // its copy is what shows
+    const bool software = is_software();
     StudioKey studio_key;
     std::optional<Studio> studio;
     std::optional<Work> work;
-    bool whole = false; // the targets hold a picture
-    bool kept = false;  // and its copy is what shows
 
     const Studio& studio_of(const Look& look, const RenderSettings& settings)
     {
@@ -118,6 +123,8 @@ struct Renderer::State {
     {
         clock.start_picture();
         work.reset();
+        const glm::ivec2 shown_px = size_px;
+        size_px = glm::max(glm::ivec2(glm::dvec2(size_px) * picture.scale + 0.5), 1);
         Camera camera = picture.camera;
         camera.size_px = size_px;
         const Look look = look_named(picture.settings.look);
@@ -128,15 +135,17 @@ struct Renderer::State {
             scene = scene_of(picture, tools.mirror());
         });
         const Frame frame = frame_of(picture, camera, scene, look, light);
+        std::optional<Targets>& targets = picture.draft ? drafts : pictures;
         if (!targets || targets->size_px != size_px) {
-            whole = kept = false;
+            if (targets && whole == &*targets) whole = nullptr;
             targets.reset(); // the old ones first: both at once may be too much
             targets.emplace(size_px);
         }
         const int samples = picture.draft ? 1 : std::clamp(picture.samples, 1, 256);
         Quality quality = quality_for(samples, picture.draft);
         if (!picture.settings.ambient_occlusion) quality.occlusion_slices = 0;
-        work = Work{picture, std::move(scene), frame, look, quality, samples};
+        work = Work{picture, std::move(scene), frame, look, quality, &*targets, shown_px, samples};
+        for (Line& line : work->picture.lines) line.width_px *= static_cast<float>(picture.scale);
     }
 
     void draw_maps()
@@ -147,7 +156,10 @@ struct Renderer::State {
         if (work->picture.settings.shadows && shadow_map.stale(work->scene))
             clock.pass("shadow map", [&] { shadow_map.draw(tools, work->scene); });
         const int contact_px = draft ? 96 : 192;
-        if (contact_map.stale(work->frame, work->scene, contact_px))
+        // On software GL what the ground sees of the sky lags behind what is dragged until it
+        // rests.
+        const bool lags = draft && software && contact_map.drawn();
+        if (!lags && contact_map.stale(work->frame, work->scene, contact_px))
             clock.pass("contact map",
                        [&] { contact_map.draw(tools, work->frame, work->scene, contact_px); });
     }
@@ -163,21 +175,21 @@ struct Renderer::State {
         switch (work->next++) {
         case 0:
             clock.pass("surfaces",
-                       [&] { draw_surfaces(tools, *targets, frame, w.scene, w.look.clay); });
+                       [&] { draw_surfaces(tools, *w.targets, frame, w.scene, w.look.clay); });
             return false;
         case 1:
-            clock.pass("occlusion", [&] { draw_occlusion(tools, *targets, w.quality); });
+            clock.pass("occlusion", [&] { draw_occlusion(tools, *w.targets, w.quality); });
             return false;
-        case 2: clock.pass("light", [&] { draw_light(tools, *targets); }); return false;
+        case 2: clock.pass("light", [&] { draw_light(tools, *w.targets); }); return false;
         case 3:
-            clock.pass("backdrop", [&] { draw_backdrop(tools, *targets, w.picture.grid); });
+            clock.pass("backdrop", [&] { draw_backdrop(tools, *w.targets, w.picture.grid); });
             return false;
         default:
             if (any_see_through(w.scene))
                 clock.pass("ghosts",
-                           [&] { draw_ghosts(tools, *targets, frame, w.scene, w.quality); });
+                           [&] { draw_ghosts(tools, *w.targets, frame, w.scene, w.quality); });
             if (w.samples > 1)
-                clock.pass("average", [&] { add_sample(tools, *targets, w.sample); });
+                clock.pass("average", [&] { add_sample(tools, *w.targets, w.sample); });
             return true;
         }
     }
@@ -186,17 +198,18 @@ struct Renderer::State {
     {
         const Work& w = *work;
         tools.set_frame(w.frame);
-        if (w.samples > 1) clock.pass("average", [&] { draw_average(tools, *targets); });
+        if (w.samples > 1) clock.pass("average", [&] { draw_average(tools, *w.targets); });
         if (!w.picture.lines.empty())
             clock.pass("lines", [&] {
-                lines.draw(tools, *targets, w.frame, w.picture.lines, w.scene.origin_world);
+                lines.draw(tools, *w.targets, w.frame, w.picture.lines, w.scene.origin_world);
             });
         if (std::ranges::any_of(w.scene.items, &SceneItem::highlighted))
             clock.pass("outline",
-                       [&] { draw_outline(tools, *targets, w.frame, w.scene, w.look.accent); });
-        work.reset();
-        whole = true;
+                       [&] { draw_outline(tools, *w.targets, w.frame, w.scene, w.look.accent); });
+        whole = w.targets;
+        whole_px = w.shown_px;
         kept = false;
+        work.reset();
     }
 
     // One step of the work.
@@ -232,9 +245,10 @@ void Renderer::begin(const Picture& picture, glm::ivec2 size_px)
     State& s = *state_;
     const StateGuard guard;
     s.begin(picture, size_px);
-    if (!s.whole || s.kept) return;
-    glCopyImageSubData(s.targets->color_bytes.name(), GL_TEXTURE_2D, 0, 0, 0, 0,
-                       s.targets->kept.name(), GL_TEXTURE_2D, 0, 0, 0, 0, size_px.x, size_px.y, 1);
+    if (s.whole != s.work->targets || s.kept) return;
+    const Targets& t = *s.whole;
+    glCopyImageSubData(t.color_bytes.name(), GL_TEXTURE_2D, 0, 0, 0, 0, t.kept.name(),
+                       GL_TEXTURE_2D, 0, 0, 0, 0, t.size_px.x, t.size_px.y, 1);
     s.kept = true;
 }
 
@@ -255,18 +269,20 @@ unsigned Renderer::texture() const
 {
     const State& s = *state_;
     if (!s.whole) return 0;
-    return s.kept ? s.targets->kept.name() : s.targets->color_bytes.name();
+    return s.kept ? s.whole->kept.name() : s.whole->color_bytes.name();
 }
 
 Image Renderer::render(const Picture& picture, glm::ivec2 size_px)
 {
     draw(picture, size_px);
     const StateGuard guard;
+    const Targets& targets = *state_->whole;
+    size_px = targets.size_px;
     Image image;
     image.size_px = size_px;
     const std::size_t row = static_cast<std::size_t>(size_px.x) * 4;
     image.rgba.resize(row * size_px.y);
-    state_->targets->to_bytes.bind();
+    targets.to_bytes.bind();
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, size_px.x, size_px.y, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
     auto top = image.rgba.begin();
@@ -278,14 +294,15 @@ Image Renderer::render(const Picture& picture, glm::ivec2 size_px)
 int Renderer::pick(glm::ivec2 p_px)
 {
     State& s = *state_;
-    if (!s.targets) return 0;
-    const glm::ivec2 size = s.targets->size_px;
-    if (p_px.x < 0 || p_px.y < 0 || p_px.x >= size.x || p_px.y >= size.y) return 0;
+    if (!s.whole || glm::any(glm::lessThan(p_px, glm::ivec2(0))) ||
+        glm::any(glm::greaterThanEqual(p_px, s.whole_px)))
+        return 0;
     const StateGuard guard;
+    const glm::ivec2 size = s.whole->size_px;
+    const glm::ivec2 at((glm::dvec2(p_px) + 0.5) * glm::dvec2(size) / glm::dvec2(s.whole_px));
     std::array<GLuint, 2> id_depth{};
-    s.targets->to_ids.bind();
-    glReadPixels(p_px.x, size.y - 1 - p_px.y, 1, 1, GL_RG_INTEGER, GL_UNSIGNED_INT,
-                 id_depth.data());
+    s.whole->to_ids.bind();
+    glReadPixels(at.x, size.y - 1 - at.y, 1, 1, GL_RG_INTEGER, GL_UNSIGNED_INT, id_depth.data());
     return static_cast<int>(id_depth[0]);
 }
 

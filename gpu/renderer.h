@@ -16,14 +16,14 @@ public:
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    // Draws into a texture of its own, `size_px` large (the camera's aspect follows it), and
-    // returns that texture's name: RGBA8, sRGB-encoded, row 0 at the bottom; valid till the next
-    // call.
+    // Draws into a texture of its own, `size_px` large times the picture's scale (the camera's
+    // aspect follows it), and returns that texture's name: RGBA8, sRGB-encoded, row 0 at the
+    // bottom; valid till the next call.
     unsigned draw(const Picture& picture, glm::ivec2 size_px);
 
     // The same in pieces, so that a window on a slow machine stays awake: begin() drops what was
     // begun before, each advance() draws on for about so long (a pass at least) and tells whether
-    // the picture is whole. Until then texture() stays the last whole picture of this size.
+    // the picture is whole. Until then texture() stays the last whole picture.
     void begin(const Picture& picture, glm::ivec2 size_px);
     bool advance(double budget_ms);
     unsigned texture() const;
@@ -31,7 +31,8 @@ public:
     // The same as draw(), read back.
     Image render(const Picture& picture, glm::ivec2 size_px);
 
-    // The id of the instance under a pixel of the last picture drawn (0, 0 top left); 0: none.
+    // The id of the instance under a pixel of the last picture drawn (0, 0 top left, whatever its
+    // scale); 0: none.
     int pick(glm::ivec2 p_px);
 
     // How long the passes of the last picture took (by fences on software GL).

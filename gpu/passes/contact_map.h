@@ -11,6 +11,7 @@ class ContactMap {
 public:
     // Whether the map shows something else than this scene at this resolution (its side).
     bool stale(const Frame& frame, const Scene& scene, int resolution_px) const;
+    bool drawn() const { return open_.name() != 0; }
     void draw(Tools& tools, const Frame& frame, const Scene& scene, int resolution_px);
     void bind() const; // to unit 0, of shade.glsl and backdrop.frag
 

@@ -14,7 +14,7 @@ Targets::Targets(glm::ivec2 size)
       occlusion(GL_RGBA32F, (size + 1) / 2),
       color(GL_SRGB8_ALPHA8, size),
       color_bytes(color.view(GL_RGBA8)),
-      kept(GL_RGBA8, size),
+      kept(GL_RGBA8, size, true),
       sum(GL_RGBA16F, size),
       mask(GL_R8, size, true),
       to_surfaces({&surfaces, &ids_depths}, &depth),

@@ -115,6 +115,29 @@ TEST_F(TheRenderer, DrawsInPiecesWhatItDrawsAtOnceAndShowsTheLastPictureMeanwhil
     EXPECT_EQ(texels(renderer.draw(picture, size), size), whole);
 }
 
+TEST_F(TheRenderer, DrawsADraftSmallerAndStillPicksByThePlaceItIsShownAt)
+{
+    Picture picture;
+    picture.camera = looking_at_origin(4);
+    picture.instances = {instance_of(sphere_mesh(1, 48, 24))};
+    picture.instances[0].id = 3;
+    picture.draft = true;
+    picture.scale = 0.5;
+    const glm::ivec2 size(96, 64);
+    EXPECT_EQ(renderer.render(picture, size).size_px, size / 2);
+    EXPECT_EQ(renderer.pick({48, 32}), 3);
+    EXPECT_EQ(renderer.pick({95, 63}), 0);
+    EXPECT_EQ(renderer.pick({96, 32}), 0);
+    // A full picture follows in its own size, and the draft shows until it is there.
+    Picture full = picture;
+    full.draft = false;
+    full.scale = 1;
+    const unsigned draft = renderer.texture();
+    renderer.begin(full, size);
+    while (!renderer.advance(0)) ASSERT_EQ(renderer.texture(), draft);
+    EXPECT_EQ(texels(renderer.texture(), size), texels(Renderer().draw(full, size), size));
+}
+
 TEST_F(TheRenderer, RefusesSizesThatCannotBeDrawn)
 {
     EXPECT_THROW(renderer.draw({}, {0, 10}), Rejected);
