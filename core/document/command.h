@@ -17,9 +17,9 @@ namespace trivar {
 
 // Everything that a person can do to a document, by value.
 using Command = std::variant<ImportModel, AddPlane, AddBox, AddSphere, AddCylinder, AddTorus,
-                             AddMoebius, AddTeapot, SetTransform, SetMaterial, ClearMaterial,
-                             Rename, Hide, Show, Delete, Duplicate, Group, Ungroup, Place,
-                             EditPlacement, Unplace, SaveCamera, DeleteCamera, SetRender>;
+                             AddMoebius, AddTeapot, SetTransform, Arrange, SetMaterial,
+                             ClearMaterial, Rename, Hide, Show, Delete, Duplicate, Group, Ungroup,
+                             Place, EditPlacement, Unplace, SaveCamera, DeleteCamera, SetRender>;
 
 // The document after the command; objects that it does not touch keep their pointer. Pure: reads
 // no file. Throws Rejected (the field, what is wrong, what would be right) and nothing happened.

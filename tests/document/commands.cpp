@@ -95,6 +95,8 @@ std::vector<Command> fitting_commands()
             AddMoebius{},
             AddTeapot{},
             SetTransform{.object = 2, .transform = {.translation = {0.1, 1.0 / 3, -2e-7}}},
+            Arrange{.objects = {2, 1},
+                    .transforms = {{.rotation_deg = {0, 30, 0}}, {.scale = {2, 1, 1}}}},
             SetMaterial{.objects = {1, 2}, .surfacing = {.base_color = {0.1f, 0.2f, 0.3f, 1}}},
             ClearMaterial{.objects = {1}},
             Rename{.object = 1, .name = "Desk"},

@@ -49,6 +49,18 @@ TEST(Commands, ChangeOnlyTheObjectsTheyName)
     EXPECT_NE(result.objects.at(2), before.objects.at(2));
 }
 
+TEST(Commands, ArrangeGivesEachObjectItsOwnTransformOrNoneAny)
+{
+    const Document before = small_document();
+    const Transform moved{.translation = {1, 2, 3}}, turned{.rotation_deg = {0, 0, 30}};
+    const Document result = after(before, Arrange{{2, 1}, {moved, turned}});
+    EXPECT_EQ(object(result, 2).transform, moved);
+    EXPECT_EQ(object(result, 1).transform, turned);
+    EXPECT_EQ(result.objects.at(3), before.objects.at(3));
+    EXPECT_THAT(rejection(before, Arrange{{2, 1}, {moved}}), HasSubstr("\"transforms\""));
+    EXPECT_THAT(rejection(before, Arrange{{2}, {{.scale = {1, 0, 1}}}}), HasSubstr("\"scale\""));
+}
+
 TEST(Commands, NameTheFieldThatIsWrong)
 {
     const Document d = small_document();

@@ -17,6 +17,7 @@ Document applied(Document document, const AddTorus& command);
 Document applied(Document document, const AddMoebius& command);
 Document applied(Document document, const AddTeapot& command);
 Document applied(Document document, const SetTransform& command);
+Document applied(Document document, const Arrange& command);
 Document applied(Document document, const SetMaterial& command);
 Document applied(Document document, const ClearMaterial& command);
 Document applied(Document document, const Rename& command);

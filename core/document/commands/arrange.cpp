@@ -43,6 +43,20 @@ Document applied(Document document, const SetTransform& command)
                         [&](Object& o) { o.transform = command.transform; });
 }
 
+Document applied(Document document, const Arrange& command)
+{
+    distinct(document, command.objects);
+    if (command.transforms.size() != command.objects.size())
+        throw Rejected(fmt::format("field \"transforms\" has {} entries for {} objects",
+                                   command.transforms.size(), command.objects.size()));
+    for (std::size_t i = 0; i < command.objects.size(); ++i) {
+        check_transform(command.transforms[i]);
+        document = with_changed(std::move(document), command.objects[i],
+                                [&](Object& o) { o.transform = command.transforms[i]; });
+    }
+    return document;
+}
+
 Document applied(Document document, const Rename& command)
 {
     if (command.name.empty()) throw Rejected("field \"name\" is empty");

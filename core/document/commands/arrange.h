@@ -17,6 +17,18 @@ struct SetTransform {
         FieldsOf<Transform>::fields(c.transform, field);
     }
 };
+struct Arrange {
+    static constexpr std::string_view verb = "arrange",
+                                      summary = "Give objects new transforms, one each.";
+    std::vector<Id> objects;
+    std::vector<Transform> transforms;
+    bool operator==(const Arrange&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("objects", c.objects, "ids", required);
+        field("transforms", c.transforms, "of the objects, in the same order", required);
+    }
+};
 struct Rename {
     static constexpr std::string_view verb = "rename", summary = "Give an object another name.";
     Id object = 0;
