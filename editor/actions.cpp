@@ -2,8 +2,10 @@
 #include "editor/actions.h"
 
 #include "editor/editor.h"
+#include "editor/selection_actions.h"
 #include "ui/camera_control.h"
 
+#include <algorithm>
 #include <cassert>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -26,6 +28,11 @@ bool something_selected(const Editor& e)
 {
     return e.session.selected != 0;
 }
+// A group's members go where it goes.
+std::vector<Id> chosen(const Editor& e)
+{
+    return topmost(e.session.document(), e.session.selected.ids());
+}
 bool something_there(const Editor& e)
 {
     return !e.session.document().objects.empty();
@@ -41,7 +48,7 @@ void file_actions(std::vector<Action>& a)
     a.push_back({"File", "Save compact...", {}, [](Editor& e) { e.files.ask_save_compact(); }});
     a.push_back({"File",
                  "Import model...",
-                 {ctrl('I', true), ctrl('I')},
+                 {ctrl('I', true)},
                  [](Editor& e) { e.files.ask_import(); },
                  {},
                  true});
@@ -72,9 +79,9 @@ void edit_actions(std::vector<Action>& a)
                  "Duplicate",
                  {{.key = 'D', .shift = true}},
                  [](Editor& e) {
-                     const Id copy = e.session.committed().next_id;
-                     if (e.session.run(Duplicate{{e.session.selected}, {0, 0, 0}}))
-                         e.session.selected = copy;
+                     const Id first = e.session.committed().next_id;
+                     if (e.session.run(Duplicate{chosen(e), {0, 0, 0}}))
+                         e.session.select_new(first);
                  },
                  something_selected,
                  true});
@@ -91,7 +98,7 @@ void edit_actions(std::vector<Action>& a)
                  {ctrl('G')},
                  [](Editor& e) {
                      const Id group = e.session.committed().next_id;
-                     if (e.session.run(Group{{e.session.selected}})) e.session.selected = group;
+                     if (e.session.run(Group{chosen(e)})) e.session.selected = group;
                  },
                  something_selected});
     a.push_back({"Edit",
@@ -117,17 +124,20 @@ void edit_actions(std::vector<Action>& a)
                  "Hide or show",
                  {{'H'}},
                  [](Editor& e) {
-                     const Id id = e.session.selected;
-                     if (object(e.session.document(), id).hidden)
-                         e.session.run(Show{{id}});
+                     const auto hidden = [&](Id id) {
+                         return object(e.session.document(), id).hidden;
+                     };
+                     const std::vector<Id> ids = chosen(e);
+                     if (std::all_of(ids.begin(), ids.end(), hidden))
+                         e.session.run(Show{ids});
                      else
-                         e.session.run(Hide{{id}});
+                         e.session.run(Hide{ids});
                  },
                  something_selected});
     a.push_back({"Edit",
                  "Delete",
                  {{ui::key_delete}, {'X'}},
-                 [](Editor& e) { e.session.run(Delete{{e.session.selected}}); },
+                 [](Editor& e) { e.session.run(Delete{chosen(e)}); },
                  something_selected});
 }
 
@@ -153,8 +163,10 @@ void view_actions(std::vector<Action>& a)
                  "Frame selection",
                  {{ui::key_period}, {'F'}},
                  [](Editor& e) {
-                     e.session.camera =
-                         ui::framed(e.session.camera, bounds_of(e.session, e.session.selected));
+                     const Box box = e.session.selected == 0
+                                         ? bounds_of(e.session, 0)
+                                         : bounds_of(e.session, e.session.selected.ids());
+                     e.session.camera = ui::framed(e.session.camera, box);
                  },
                  something_there});
     a.push_back({"View",
@@ -213,6 +225,7 @@ std::vector<Action> all_actions(const Editor& editor)
     std::vector<Action> a;
     file_actions(a);
     edit_actions(a);
+    add_selection_actions(a);
     a.push_back(add_action<AddPlane>("Plane"));
     a.push_back(add_action<AddBox>("Box"));
     a.push_back(add_action<AddSphere>("Sphere"));

@@ -31,7 +31,7 @@ void Session::meet_document()
 void Session::refresh()
 {
     asked_ticket_ = evaluator_->submit(scene_.document());
-    if (selected != 0 && !scene_.document().objects.contains(selected)) selected = 0;
+    selected.keep_those_in(scene_.document());
     if (scene_.trouble() == told_trouble_) return;
     told_trouble_ = scene_.trouble();
     if (!told_trouble_.empty()) notices.say(ui::NoticeKind::error, "Not saved", told_trouble_);
@@ -119,7 +119,15 @@ void Session::redo()
     const Id next = committed().next_id;
     attempt([&] { scene_.redo(); });
     // What came back is what was selected when it first came.
-    if (committed().next_id > next && committed().objects.contains(next)) selected = next;
+    if (committed().next_id > next) select_new(next);
+}
+
+void Session::select_new(Id first)
+{
+    std::vector<Id> ids;
+    for (const auto& [id, each] : document().objects)
+        if (id >= first) ids.push_back(id);
+    if (!ids.empty()) selected.set(topmost(document(), ids));
 }
 
 void Session::go_to_step(std::size_t position)
@@ -230,6 +238,14 @@ Box bounds_of(const Session& session, Id id)
     for (const auto& [each, object] : session.evaluated().objects)
         if (belongs_to(session.document(), each, id) && !object->bounds.empty())
             box.add(object->bounds);
+    return box;
+}
+
+Box bounds_of(const Session& session, const std::vector<Id>& ids)
+{
+    Box box;
+    for (const Id id : ids)
+        if (const Box one = bounds_of(session, id); !one.empty()) box.add(one);
     return box;
 }
 

@@ -4,6 +4,7 @@
 #include "core/document/scene_file.h"
 #include "editor/background_evaluator.h"
 #include "editor/job.h"
+#include "editor/selection.h"
 #include "ui/notices.h"
 
 #include <memory>
@@ -61,7 +62,8 @@ public:
     const BackgroundEvaluator& evaluator() const { return *evaluator_; }
 
     // The person's own; not part of the document and of no undo step.
-    Id selected = 0;
+    Selection selected;
+    void select_new(Id first); // all from that id up, but not what is in groups among them
     Camera camera;
     bool frame_all_when_evaluated = false;
     std::optional<Camera> go_to; // a kept view, taken up by the next frame, which knows its size
@@ -93,6 +95,7 @@ private:
 
 // The box round an object, with what is in it if it is a group, or round everything for id 0.
 Box bounds_of(const Session& session, Id id);
+Box bounds_of(const Session& session, const std::vector<Id>& ids);
 // Whether it is that object or in that group, however deep; everything is in 0.
 bool belongs_to(const Document& document, Id id, Id group);
 // What the scene is called: its file's name, that of the file it is a copy of, or untitled; and

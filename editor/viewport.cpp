@@ -45,8 +45,8 @@ gpu::Picture picture_of(const Session& session, bool draft)
     picture.settings = *session.document().render;
     picture.draft = draft;
     for (const auto& [id, object] : session.evaluated().objects) {
-        const bool highlighted =
-            session.selected != 0 && belongs_to(session.document(), id, session.selected);
+        const bool highlighted = session.document().objects.contains(id) &&
+                                 belongs_to_one_of(session.document(), id, session.selected.ids());
         for (const Part& part : object->parts)
             picture.instances.push_back({.mesh = part.mesh,
                                          .to_world = part.to_world,
@@ -134,6 +134,11 @@ ViewportInput Viewport::take_input(Session& session, const ui::Frame& frame, con
         left_down_ = input.pressed = true;
         if (renderer_ && shown_) input.under = renderer_->pick(glm::ivec2(input.mouse));
     }
+    input.seen_in = [this](glm::dvec2 lo, glm::dvec2 hi) {
+        if (!renderer_ || !shown_) return std::vector<Id>{};
+        const glm::ivec2 first(glm::floor(lo)), last(glm::floor(hi));
+        return renderer_->pick_in(first, last + 1);
+    };
     const bool was_down = left_down_;
     if (left_down_ && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
         left_down_ = false;

@@ -32,7 +32,7 @@ private:
     struct Shown { // what the present picture was drawn from
         Camera camera;
         long evaluation = 0;
-        Id selected = 0;
+        Selection selected;
         glm::ivec2 size_px{0};
         int state = 0;
         bool draft = false;

@@ -15,6 +15,7 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace trivar::gpu {
@@ -293,17 +294,34 @@ Image Renderer::render(const Picture& picture, glm::ivec2 size_px)
 
 int Renderer::pick(glm::ivec2 p_px)
 {
+    const std::vector<int> ids = pick_in(p_px, p_px + 1);
+    return ids.empty() ? 0 : ids.front();
+}
+
+std::vector<int> Renderer::pick_in(glm::ivec2 lo_px, glm::ivec2 hi_px)
+{
     State& s = *state_;
-    if (!s.whole || glm::any(glm::lessThan(p_px, glm::ivec2(0))) ||
-        glm::any(glm::greaterThanEqual(p_px, s.whole_px)))
-        return 0;
+    if (!s.whole) return {};
+    const glm::ivec2 lo = glm::clamp(lo_px, glm::ivec2(0), s.whole_px);
+    const glm::ivec2 hi = glm::clamp(hi_px, lo, s.whole_px);
+    if (lo.x == hi.x || lo.y == hi.y) return {};
     const StateGuard guard;
-    const glm::ivec2 size = s.whole->size_px;
-    const glm::ivec2 at((glm::dvec2(p_px) + 0.5) * glm::dvec2(size) / glm::dvec2(s.whole_px));
-    std::array<GLuint, 2> id_depth{};
+    const glm::ivec2 whole = s.whole->size_px; // a draft may be smaller than it is shown
+    const auto drawn_at = [&](glm::ivec2 p_px) {
+        return glm::ivec2((glm::dvec2(p_px) + 0.5) * glm::dvec2(whole) / glm::dvec2(s.whole_px));
+    };
+    const glm::ivec2 first = drawn_at(lo), size = drawn_at(hi - 1) - first + 1;
+    struct IdDepth {
+        GLuint id, depth;
+    };
+    std::vector<IdDepth> pixels(static_cast<std::size_t>(size.x) * size.y);
     s.whole->to_ids.bind();
-    glReadPixels(at.x, size.y - 1 - at.y, 1, 1, GL_RG_INTEGER, GL_UNSIGNED_INT, id_depth.data());
-    return static_cast<int>(id_depth[0]);
+    glReadPixels(first.x, whole.y - first.y - size.y, size.x, size.y, GL_RG_INTEGER,
+                 GL_UNSIGNED_INT, pixels.data());
+    std::set<int> ids;
+    for (const IdDepth& pixel : pixels) ids.insert(static_cast<int>(pixel.id));
+    ids.erase(0);
+    return {ids.begin(), ids.end()};
 }
 
 const Timings& Renderer::timings() const

@@ -5,6 +5,7 @@
 #include "gpu/picture.h"
 
 #include <memory>
+#include <vector>
 
 namespace trivar::gpu {
 
@@ -34,6 +35,8 @@ public:
     // The id of the instance under a pixel of the last picture drawn (0, 0 top left, whatever its
     // scale); 0: none.
     int pick(glm::ivec2 p_px);
+    // The ids of all that is seen in a rectangle of it, ascending; `hi_px` is outside.
+    std::vector<int> pick_in(glm::ivec2 lo_px, glm::ivec2 hi_px);
 
     // How long the passes of the last picture took (by fences on software GL).
     const Timings& timings() const;

@@ -70,20 +70,44 @@ void row_menu(Editor& editor, const ui::Theme& theme)
     ImGui::PopStyleVar(2);
 }
 
+// A click selects, with Ctrl it adds or removes, with Shift it selects all from the active one.
+void select_row(Session& session, Id id, const std::vector<Entry>& entries)
+{
+    const ImGuiIO& io = ImGui::GetIO();
+    const Id active = session.selected;
+    const auto is = [](Id wanted) { return [wanted](const Entry& e) { return e.id == wanted; }; };
+    auto from = std::find_if(entries.begin(), entries.end(), is(active));
+    auto to = std::find_if(entries.begin(), entries.end(), is(id));
+    if (io.KeyShift && from != entries.end()) {
+        std::vector<Id> ids;
+        for (auto it = std::min(from, to); it <= std::max(from, to); ++it) ids.push_back(it->id);
+        if (!io.KeyCtrl) session.selected = 0;
+        session.selected.add(ids);
+        session.selected.add({active}); // the next range begins there again
+    } else if (io.KeyCtrl) {
+        session.selected.toggle(id);
+    } else {
+        session.selected = id;
+    }
+}
+
 // One row: triangle, icon, name, type, eye. Returns whether its menu was asked for.
-bool draw_row(Editor& editor, const ui::Theme& theme, const Entry& entry, const ui::Rect& row)
+bool draw_row(Editor& editor, const ui::Theme& theme, const std::vector<Entry>& entries,
+              const Entry& entry, const ui::Rect& row)
 {
     const ui::Palette& c = theme.color;
     Session& session = editor.session;
     const Ref<Object> held = session.document().objects.at(entry.id); // a rename replaces it
     const Object& each = *held;
-    const bool selected = session.selected == entry.id;
+    const bool selected = session.selected.contains(entry.id);
+    const bool active = session.selected == entry.id;
     const bool seen = visible(session.document(), entry.id);
     const ui::Rect band = {row.lo + glm::vec2(theme.px(4), 0), row.hi - glm::vec2(theme.px(4), 0)};
     ImGui::PushID(entry.id);
     const float eye = row.hi.x - theme.px(36);
     ImGui::SetCursorScreenPos({row.lo.x, row.lo.y});
-    if (ImGui::InvisibleButton("row", {eye - row.lo.x, row.height()})) session.selected = entry.id;
+    if (ImGui::InvisibleButton("row", {eye - row.lo.x, row.height()}))
+        select_row(session, entry.id, entries);
     const bool hovered = ImGui::IsItemHovered();
     bool menu = false;
     if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
@@ -91,7 +115,10 @@ bool draw_row(Editor& editor, const ui::Theme& theme, const Entry& entry, const 
         editor.new_name = each.name;
     }
     if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
-        session.selected = entry.id;
+        if (selected)
+            session.selected.add({entry.id});
+        else
+            session.selected = entry.id;
         menu = true;
     }
     if (selected)
@@ -109,7 +136,7 @@ bool draw_row(Editor& editor, const ui::Theme& theme, const Entry& entry, const 
     if (editor.renaming == entry.id) {
         rename_field(editor, theme, {{x - theme.px(6), row.lo.y}, {eye - theme.px(4), row.hi.y}});
     } else {
-        const ImFont* font = selected ? theme.font.strong : theme.font.body;
+        const ImFont* font = active ? theme.font.strong : theme.font.body;
         ui::paint_text(font, {{x, row.lo.y}, row.hi}, seen ? c.text : off,
                        ui::elided(font, each.name, type_x - x - theme.px(8)));
         ui::paint_text(theme.font.small, {{type_x, row.lo.y}, row.hi},
@@ -183,8 +210,9 @@ void draw_outliner(Editor& editor, const ui::Theme& theme, const Layout& layout)
     while (clipper.Step())
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             const float y = top + height * static_cast<float>(i);
-            const bool asked = draw_row(editor, theme, entries[static_cast<std::size_t>(i)],
-                                        {{list.lo.x, y}, {list.hi.x, y + height}});
+            const bool asked =
+                draw_row(editor, theme, entries, entries[static_cast<std::size_t>(i)],
+                         {{list.lo.x, y}, {list.hi.x, y + height}});
             menu = menu || asked;
         }
     if (menu) ImGui::OpenPopup("row menu");

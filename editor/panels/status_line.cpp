@@ -10,13 +10,17 @@ namespace {
 std::string facts(const Session& session)
 {
     if (session.document().objects.empty()) return "Empty scene  ·  m";
+    const auto counted = [&](Id id) {
+        return session.document().objects.contains(id) &&
+               belongs_to_one_of(session.document(), id, session.selected.ids());
+    };
     std::size_t vertices = 0;
     for (const auto& [id, object] : session.evaluated().objects)
-        if (belongs_to(session.document(), id, session.selected))
+        if (session.selected == 0 || counted(id))
             for (const Part& part : object->parts) vertices += part.mesh->vertex_count();
     const std::size_t count = session.document().objects.size();
     const std::string what = session.selected != 0
-                                 ? "1 selected"
+                                 ? fmt::format("{} selected", session.selected.size())
                                  : fmt::format("{} object{}", count, count == 1 ? "" : "s");
     return fmt::format("{}  ·  {} vertices  ·  m", what, ui::with_commas(vertices));
 }

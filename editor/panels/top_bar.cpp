@@ -52,7 +52,7 @@ void bookmarks(Editor& editor)
 
 void menus(Editor& editor, const ui::Theme& theme)
 {
-    for (const char* menu : {"File", "Edit", "Add", "View", "Tools", "Help"}) {
+    for (const char* menu : {"File", "Edit", "Select", "Add", "View", "Tools", "Help"}) {
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.px(8), theme.px(8)});
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {theme.px(10), theme.px(8)});
         ImGui::SetNextWindowSizeConstraints({theme.px(216), 0}, {1e6f, 1e6f});
@@ -95,7 +95,7 @@ void draw_top_bar(Editor& editor, const ui::Theme& theme, const Layout& layout)
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {theme.px(18), 0});
     ImGui::PushStyleColor(ImGuiCol_MenuBarBg, 0);
     // ImGui keeps a menu bar inside a window of its own kind; a child gives it one.
-    ImGui::BeginChild("menus", {theme.px(330), r.height()}, false,
+    ImGui::BeginChild("menus", {theme.px(390), r.height()}, false,
                       ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoScrollbar);
     float menus_end = 0;
     if (ImGui::BeginMenuBar()) {

@@ -8,6 +8,14 @@
 
 namespace trivar {
 
+void select_by_click(Session& session, Id under)
+{
+    if (ImGui::GetIO().KeyCtrl)
+        session.selected.toggle(under);
+    else
+        session.selected = under;
+}
+
 const char* SelectTool::icon() const
 {
     return ui::icon::select;
@@ -15,13 +23,57 @@ const char* SelectTool::icon() const
 
 void SelectTool::use(Session& session, const ViewportInput& input)
 {
-    if (input.pressed) session.selected = input.under;
+    constexpr double hand_px = 3; // a hand that clicks moves the mouse as far as this
+    if (input.pressed) {
+        corner_px_ = input.mouse;
+        if (box_ == Box::armed)
+            box_ = Box::drawn;
+        else if (input.under == 0)
+            box_ = Box::pressed;
+        else
+            select_by_click(session, input.under);
+    }
+    if (box_ == Box::pressed && glm::distance(input.mouse, corner_px_) > hand_px) box_ = Box::drawn;
+    if (!input.released) return;
+    if (box_ == Box::drawn) {
+        const std::vector<Id> seen =
+            input.seen_in(glm::min(corner_px_, input.mouse), glm::max(corner_px_, input.mouse));
+        if (ImGui::GetIO().KeyCtrl)
+            session.selected.add(seen);
+        else
+            session.selected.set(seen);
+    } else if (box_ == Box::pressed) {
+        select_by_click(session, 0);
+    }
+    box_ = Box::none;
+}
+
+void SelectTool::cancel(Session&)
+{
+    box_ = Box::none;
+}
+
+void SelectTool::overlay(const Session&, const ui::Theme& theme, const ViewportInput& input) const
+{
+    if (box_ != Box::drawn) return;
+    const glm::dvec2 size = input.rect.size();
+    const auto corner = [&](glm::dvec2 p) {
+        return glm::round(input.rect.lo + glm::vec2(glm::clamp(p, glm::dvec2(0), size)));
+    };
+    const glm::vec2 a = corner(corner_px_), b = corner(input.mouse);
+    const ui::Rect box{glm::min(a, b), glm::max(a, b)};
+    ui::paint_box(box, ui::faded(theme.color.selected, 0.08f));
+    ui::paint_rim(box.grown(theme.size.hairline), theme.color.halo, 0, theme.size.hairline);
+    ui::paint_rim(box, theme.color.selected, 0, theme.size.hairline);
 }
 
 void SelectTool::options(Session& session, const ui::Theme& theme, float width)
 {
-    const std::string name = name_of(session.document(), session.selected);
-    const std::string words = name.empty() ? "Click an object to see what can be changed" : name;
+    const std::size_t count = session.selected.size();
+    const std::string words = count == 0   ? "Click an object to see what can be changed"
+                              : count == 1 ? name_of(session.document(), session.selected)
+                                           : std::to_string(count) + " objects, active: " +
+                                                 name_of(session.document(), session.selected);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ui::paint_text(theme.font.body, ui::rect_at({at.x, at.y}, {width, theme.size.row}),
                    theme.color.text_2, ui::elided(theme.font.body, words, width));
@@ -29,17 +81,26 @@ void SelectTool::options(Session& session, const ui::Theme& theme, float width)
 
 std::vector<Hint> SelectTool::hints(const Session& session) const
 {
-    std::vector<Hint> hints{{{"left"}, "Select"},
-                            {{"middle"}, "Orbit"},
-                            {{"Shift", "middle"}, "Pan"},
-                            {{"wheel"}, "Zoom"}};
-    if (session.selected != 0) {
-        hints.push_back({{"."}, "Frame"});
-        hints.push_back({{"Del"}, "Delete"});
-    } else {
-        hints.push_back({{"Home"}, "Frame all"});
+    if (box_ == Box::armed)
+        return {{{"left"}, "Drag a box"},
+                {{"Ctrl", "left"}, "Add to the selection"},
+                {{"Esc", "/", "right"}, "Cancel"}};
+    if (box_ == Box::drawn)
+        return {{{"left"}, "Let go to select"},
+                {{"Ctrl"}, "Add to the selection"},
+                {{"Esc", "/", "right"}, "Cancel"}};
+    std::vector<Hint> hints{{{"left"}, "Select"}};
+    if (!session.document().objects.empty()) {
+        hints.push_back({{"Ctrl", "left"}, "Add or remove"});
+        hints.push_back({{"left"}, "Drag a box"});
     }
-    hints.push_back({{"D"}, "Place"});
+    if (session.selected != 0) {
+        hints.push_back({{"G"}, "Move"});
+        hints.push_back({{"R"}, "Rotate"});
+        hints.push_back({{"S"}, "Scale"});
+    }
+    hints.push_back({{"middle"}, "Orbit"});
+    hints.push_back({{"wheel"}, "Zoom"});
     return hints;
 }
 

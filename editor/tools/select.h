@@ -5,16 +5,32 @@
 
 namespace trivar {
 
-// Click to select what is under the mouse, click nothing to select nothing.
+// Click to select what is under the mouse, Ctrl click to add or remove it. A drag that begins on
+// nothing, or anywhere after begin_box(), selects what is seen in a box; with Ctrl it adds.
 class SelectTool : public Tool {
 public:
     std::string name() const override { return "Select"; }
     const char* icon() const override;
     std::string help() const override { return "Click an object to select it."; }
     std::vector<ui::Chord> keys() const override { return {{'Q'}, {'1'}}; }
+    bool crosshair() const override { return box_ == Box::armed || box_ == Box::drawn; }
     void use(Session& session, const ViewportInput& input) override;
+    bool busy() const override { return box_ == Box::armed || box_ == Box::drawn; }
+    void cancel(Session& session) override;
+    void overlay(const Session& session, const ui::Theme& theme,
+                 const ViewportInput& input) const override;
     void options(Session& session, const ui::Theme& theme, float width) override;
     std::vector<Hint> hints(const Session& session) const override;
+
+    void begin_box() { box_ = Box::armed; }
+
+private:
+    // armed: the next drag draws it; pressed: on nothing, a click as yet.
+    enum class Box { none, armed, pressed, drawn } box_ = Box::none;
+    glm::dvec2 corner_px_{0}; // of the box, where the drag began
 };
+
+// What a click on an object, or on nothing, does to the selection.
+void select_by_click(Session& session, Id under);
 
 } // namespace trivar

@@ -7,6 +7,7 @@
 #include "ui/keys.h"
 #include "ui/paint.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,9 @@ struct ViewportInput {
     bool released = false; // it was let go in this frame
     bool double_clicked = false;
     std::vector<StrokeSample> moves; // since the last frame, while down
-    Id under = 0;                    // the object under the mouse, where `pressed` or hovered
+    Id under = 0;                    // the object under the mouse, where `pressed`
+    // What is seen in a rectangle of the picture, pixels.
+    std::function<std::vector<Id>(glm::dvec2 lo, glm::dvec2 hi)> seen_in;
 };
 
 // A way of working in the viewport. A gesture shows its result as a proposal, commits at most once

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/document.h"
+
+#include <vector>
+
+namespace trivar {
+
+// The chosen objects in the order in which they were chosen. The last one is the active one: the
+// inspector shows it, and others are arranged by it. Where one object is meant the selection reads
+// as the active one's id, and an id that is assigned is the whole selection; 0: none.
+class Selection {
+public:
+    operator Id() const { return active(); } // NOLINT(google-explicit-constructor)
+    Selection& operator=(Id id);
+    bool operator==(const Selection&) const = default;
+
+    Id active() const { return ids_.empty() ? 0 : ids_.back(); }
+    const std::vector<Id>& ids() const { return ids_; }
+    std::size_t size() const { return ids_.size(); }
+    bool contains(Id id) const;
+
+    void set(const std::vector<Id>& ids); // one that is named twice counts once
+    void add(const std::vector<Id>& ids); // the last of them becomes the active one
+    void toggle(Id id);                   // one that is added becomes the active one
+    void keep_those_in(const Document& document);
+
+private:
+    std::vector<Id> ids_;
+};
+
+// Whether it is one of those objects or in one of those groups, however deep.
+bool belongs_to_one_of(const Document& document, Id id, const std::vector<Id>& ids);
+
+// Those that are in no group among them, in their order: what happens to a group happens to what
+// is in it.
+std::vector<Id> topmost(const Document& document, const std::vector<Id>& ids);
+
+} // namespace trivar
