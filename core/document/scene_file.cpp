@@ -50,6 +50,17 @@ History moved(const History& history, const std::filesystem::path& from,
     return result;
 }
 
+std::vector<std::string> lines_of(std::string_view text)
+{
+    std::vector<std::string> lines;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        lines.emplace_back(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return lines;
+}
+
 } // namespace
 
 struct SceneFile::State {
@@ -66,6 +77,7 @@ struct SceneFile::State {
     }
 
     History history;
+    std::vector<std::string> lines = lines_of(log_header());
     bool as_opened = true;
     std::string original; // of a copy
     std::string path, folder = absolute_folder("");
@@ -90,6 +102,7 @@ SceneFile::SceneFile(const std::string& path) : state_(std::make_unique<State>()
     std::string text = file.read();
     const Log log = read_log(text, path);
     state_->history = replay(log);
+    state_->lines = lines_of(std::string_view(text).substr(0, log.good_bytes));
     state_->folder = absolute_folder(path);
     state_->original = path; // till it turns out to be that very file
     if (!log.notice.empty()) state_->notices.push_back(log.notice);
@@ -113,10 +126,12 @@ SceneFile::SceneFile(const std::string& path) : state_(std::make_unique<State>()
 
 SceneFile SceneFile::copy_of(const std::string& path)
 {
-    const Log log = read_log(read_text_file(path), path);
+    const std::string text = read_text_file(path);
+    const Log log = read_log(text, path);
     SceneFile scene;
     State& s = *scene.state_;
     s.history = replay(log);
+    s.lines = lines_of(std::string_view(text).substr(0, log.good_bytes));
     s.folder = absolute_folder(path);
     s.original = path;
     if (!log.notice.empty()) s.notices.push_back(log.notice);
@@ -180,6 +195,7 @@ void SceneFile::start_kept()
         s.file.emplace(path(free), text);
         s.file_path = path(free);
         s.length = text.size();
+        s.lines = lines_of(text);
         s.trouble.clear();
     } catch (const Rejected& error) {
         s.trouble = error.what();
@@ -189,6 +205,11 @@ void SceneFile::start_kept()
 const History& SceneFile::history() const
 {
     return state_->history;
+}
+
+const std::vector<std::string>& SceneFile::lines() const
+{
+    return state_->lines;
 }
 
 void SceneFile::keep_torn()
@@ -202,6 +223,7 @@ void SceneFile::append(const std::string& line)
 {
     State& s = *state_;
     s.as_opened = false;
+    s.lines.push_back(line.substr(0, line.size() - 1));
     if (!s.file) return start_kept();
     s.missing += line;
     try {
@@ -279,6 +301,7 @@ void SceneFile::save(const std::string& path, bool compact)
     s.original.clear();
     s.folder = folder;
     s.length = text.size();
+    s.lines = lines_of(text);
     s.missing.clear();
     s.torn.clear();
     s.trouble.clear();

@@ -34,6 +34,8 @@ public:
     SceneFile& operator=(SceneFile&&) noexcept;
 
     const History& history() const;
+    // The lines of the file as they stand there, or would, header first, without line breaks.
+    const std::vector<std::string>& lines() const;
     const Document& document() const { return history().document(); }
 
     // As in History.

@@ -43,6 +43,30 @@ private:
     rlimit before_{};
 };
 
+TEST(SceneFile, TellsItsLinesAsTheyStandInTheFile)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.trivar");
+    const auto text_of = [](const SceneFile& scene) {
+        std::string text;
+        for (const std::string& line : scene.lines()) text += line + "\n";
+        return text;
+    };
+    SceneFile scene;
+    EXPECT_EQ(text_of(scene), log_header());
+    scene.run(AddBox{});
+    scene.undo();
+    EXPECT_EQ(text_of(scene), log_header() + command_line(AddBox{}) + undo_line());
+    scene.save_as(path);
+    scene.redo();
+    EXPECT_EQ(text_of(scene), read_text_file(path));
+    EXPECT_EQ(text_of(SceneFile::copy_of(path)), read_text_file(path));
+    scene.run(AddSphere{});
+    scene.undo();
+    scene.save_compact(path);
+    EXPECT_EQ(text_of(scene), log_header() + command_line(AddBox{}));
+}
+
 TEST(SceneFile, HoldsEachStepTheMomentItIsCommitted)
 {
     const TemporaryFolder folder;

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/step_title.h"
+
+#include "core/document/commands/changes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+std::string name_in(const Document& document, Id id)
+{
+    const auto found = document.objects.find(id);
+    return found == document.objects.end() ? "object " + std::to_string(id) : found->second->name;
+}
+
+std::string names_in(const Document& document, const std::vector<Id>& ids)
+{
+    if (ids.size() == 1) return name_in(document, ids[0]);
+    if (ids.size() == 2) return name_in(document, ids[0]) + " and " + name_in(document, ids[1]);
+    return fmt::format("{} objects", ids.size());
+}
+
+std::string shape_size(const PlaneShape& s)
+{
+    return fmt::format("{} × {} m", brief_number(s.size.x), brief_number(s.size.y));
+}
+std::string shape_size(const BoxShape& s)
+{
+    return fmt::format("{} × {} × {} m", brief_number(s.size.x), brief_number(s.size.y),
+                       brief_number(s.size.z));
+}
+std::string shape_size(const TeapotShape& s)
+{
+    return in_metres(s.height);
+}
+std::string shape_size(const auto& round)
+{
+    return "radius " + in_metres(round.radius);
+}
+
+// About one axis where only that number changed, else about whichever it is.
+std::string turn(const glm::dvec3& before, const glm::dvec3& after)
+{
+    int axes = 0, axis = 0;
+    for (int i = 0; i < 3; ++i)
+        if (before[i] != after[i]) {
+            ++axes;
+            axis = i;
+        }
+    if (axes == 1) return in_degrees(after[axis] - before[axis]) + " about " + "XYZ"[axis];
+    const glm::dmat3 a(Transform{{}, before, glm::dvec3(1)}.matrix());
+    const glm::dmat3 b(Transform{{}, after, glm::dvec3(1)}.matrix());
+    const glm::dmat3 between = glm::transpose(a) * b;
+    const double cosine = (between[0][0] + between[1][1] + between[2][2] - 1) / 2;
+    return in_degrees(std::acos(std::clamp(cosine, -1.0, 1.0)) * 57.29577951308232);
+}
+
+std::string growth(const glm::dvec3& before, const glm::dvec3& after)
+{
+    const glm::dvec3 ratio = after / before;
+    const auto same = [](double a, double b) { return std::abs(a - b) <= 1e-6 * std::abs(b); };
+    if (same(ratio.x, ratio.y) && same(ratio.y, ratio.z)) return "× " + brief_number(ratio.x);
+    int axes = 0, axis = 0;
+    for (int i = 0; i < 3; ++i)
+        if (before[i] != after[i]) {
+            ++axes;
+            axis = i;
+        }
+    if (axes == 1) return fmt::format("× {} along {}", brief_number(ratio[axis]), "XYZ"[axis]);
+    return fmt::format("× {}, {}, {}", brief_number(ratio.x), brief_number(ratio.y),
+                       brief_number(ratio.z));
+}
+
+StepTitle transform_title(const Transform& before, const Transform& after, const std::string& name)
+{
+    const bool moved = before.translation != after.translation;
+    const bool turned = before.rotation_deg != after.rotation_deg;
+    const bool scaled = before.scale != after.scale;
+    const std::string distance = in_metres(glm::length(after.translation - before.translation));
+    if (moved && turned && scaled) return {"Move, rotate and scale " + name, distance};
+    if (moved && turned) return {"Move and rotate " + name, distance};
+    if (moved && scaled) return {"Move and scale " + name, distance};
+    if (turned && scaled)
+        return {"Rotate and scale " + name, turn(before.rotation_deg, after.rotation_deg)};
+    if (turned) return {"Rotate " + name, turn(before.rotation_deg, after.rotation_deg)};
+    if (scaled) return {"Scale " + name, growth(before.scale, after.scale)};
+    return {"Move " + name, distance};
+}
+
+// Several objects keep their places to one another: where they turn or grow about a point, that
+// they move as well is not worth a word.
+StepTitle arranged_title(const Document& before, const Arrange& c)
+{
+    const auto was = [&](std::size_t i) -> Transform {
+        const auto found = before.objects.find(c.objects[i]);
+        return found == before.objects.end() ? Transform{} : found->second->transform;
+    };
+    const std::size_t count = std::min(c.objects.size(), c.transforms.size());
+    const std::string names = names_in(before, c.objects);
+    if (count == 0) return {"Arrange " + names, {}};
+    if (count == 1) return transform_title(was(0), c.transforms[0], names);
+    bool turned = false, scaled = false;
+    for (std::size_t i = 0; i < count; ++i) {
+        turned = turned || was(i).rotation_deg != c.transforms[i].rotation_deg;
+        scaled = scaled || was(i).scale != c.transforms[i].scale;
+    }
+    const Transform first = was(0), &now = c.transforms[0];
+    if (turned && scaled) return {"Rotate and scale " + names, {}};
+    if (turned) return {"Rotate " + names, turn(first.rotation_deg, now.rotation_deg)};
+    if (scaled) return {"Scale " + names, growth(first.scale, now.scale)};
+    return {"Move " + names, in_metres(glm::length(now.translation - first.translation))};
+}
+
+// A title for each command; a new command gets one here or does not compile.
+struct Titles {
+    const Document& before;
+    const Document& after;
+
+    std::string made() const { return name_in(after, before.next_id); } // what the command added
+    const Object* was(Id id) const
+    {
+        const auto found = before.objects.find(id);
+        return found == before.objects.end() ? nullptr : &*found->second;
+    }
+    const Object* is(Id id) const
+    {
+        const auto found = after.objects.find(id);
+        return found == after.objects.end() ? nullptr : &*found->second;
+    }
+    std::string support_of(Id id) const
+    {
+        const Object* laid = is(id);
+        if (!laid || !laid->placement || laid->placement->onto.empty()) return {};
+        return " on " + names_in(after, laid->placement->onto);
+    }
+
+    StepTitle operator()(const ImportModel& c) const
+    {
+        const std::filesystem::path file(c.file.path);
+        if (made() == file.stem().string()) return {"Import " + file.filename().string(), {}};
+        return {"Import " + made(), "from " + file.filename().string()};
+    }
+    template <class Shape> StepTitle operator()(const AddShape<Shape>& c) const
+    {
+        return {"Add " + made(), shape_size(c.shape)};
+    }
+    StepTitle operator()(const SetTransform& c) const
+    {
+        const Object* object = was(c.object);
+        return transform_title(object ? object->transform : Transform{}, c.transform,
+                               name_in(before, c.object));
+    }
+    StepTitle operator()(const Arrange& c) const { return arranged_title(before, c); }
+    StepTitle operator()(const SetMaterial& c) const
+    {
+        const Object* object = c.objects.empty() ? nullptr : was(c.objects.front());
+        const std::string names = names_in(before, c.objects);
+        if (!object || !object->surfacing) return {"Give " + names + " a plain material", {}};
+        return title_of_changes(changes(*object->surfacing, c.surfacing), "Material", names);
+    }
+    StepTitle operator()(const ClearMaterial& c) const
+    {
+        const bool one = c.objects.size() == 1;
+        return {fmt::format("Give {} {} own material back", names_in(before, c.objects),
+                            one ? "its" : "their"),
+                {}};
+    }
+    StepTitle operator()(const Rename& c) const
+    {
+        return {"Rename " + name_in(before, c.object) + " to " + c.name, {}};
+    }
+    StepTitle operator()(const Hide& c) const
+    {
+        return {"Hide " + names_in(before, c.objects), {}};
+    }
+    StepTitle operator()(const Show& c) const
+    {
+        return {"Show " + names_in(before, c.objects), {}};
+    }
+    StepTitle operator()(const Delete& c) const
+    {
+        return {"Delete " + names_in(before, c.objects), {}};
+    }
+    StepTitle operator()(const Duplicate& c) const
+    {
+        const double distance = glm::length(c.offset);
+        return {"Duplicate " + names_in(before, c.objects),
+                distance > 0 ? in_metres(distance) : std::string()};
+    }
+    StepTitle operator()(const Group& c) const
+    {
+        return {"Group " + names_in(before, c.objects), c.name == "Group" ? "" : "as " + c.name};
+    }
+    StepTitle operator()(const Ungroup& c) const
+    {
+        return {"Ungroup " + name_in(before, c.object), {}};
+    }
+    StepTitle operator()(const Place& c) const
+    {
+        const Object* object = was(c.object);
+        const bool again = object && object->placement;
+        return {"Place " + name_in(before, c.object) + (again ? " again" : "") +
+                    support_of(c.object),
+                c.parameters.width > 0 ? in_metres(c.parameters.width) : std::string()};
+    }
+    StepTitle operator()(const EditPlacement& c) const
+    {
+        const std::string name = name_in(before, c.object);
+        const Object *a = was(c.object), *b = is(c.object);
+        if (!a || !b || !a->placement || !b->placement) return {"Placement of " + name, {}};
+        const Changes found = changes(a->placement->parameters, b->placement->parameters);
+        if (!(a->placement->sketch == b->placement->sketch)) return {"Stroke of " + name, {}};
+        if (found.empty() && a->placement->onto != b->placement->onto)
+            return {"Lay " + name + support_of(c.object), {}};
+        return title_of_changes(found, "Placement", name);
+    }
+    StepTitle operator()(const Unplace& c) const
+    {
+        return {"Take " + name_in(before, c.object) + " off its stroke", {}};
+    }
+    StepTitle operator()(const SaveCamera& c) const
+    {
+        if (c.name == "picture") return {"Use this view for pictures", {}};
+        return {(before.bookmarks.contains(c.name) ? "Aim " : "Keep ") + c.name, {}};
+    }
+    StepTitle operator()(const DeleteCamera& c) const { return {"Forget " + c.name, {}}; }
+    StepTitle operator()(const SetRender& c) const
+    {
+        return title_of_changes(changes(*before.render, c.settings), "Picture settings", {});
+    }
+};
+
+} // namespace
+
+StepTitle step_title(const Command& command, const Document& before, const Document& after)
+{
+    return std::visit(Titles{before, after}, command);
+}
+
+} // namespace trivar

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/step_title.h"
+
+#include "core/base/rejected.h"
+#include "tests/document/commands.h"
+
+#include <gmock/gmock.h>
+
+namespace trivar {
+namespace {
+
+using testing::small_document;
+
+std::string said(const Document& before, const Command& command)
+{
+    return step_title(command, before, after(before, command)).text();
+}
+std::string said(const Command& command)
+{
+    return said(small_document(), command);
+}
+
+TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
+{
+    const std::vector<std::string> expected{
+        "Import snail.obj",
+        "Add Plane 4 × 4 m",
+        "Add Box 1 × 1 × 1 m",
+        "Add Sphere radius 0.5 m",
+        "Add Cylinder radius 0.5 m",
+        "Add Torus radius 0.5 m",
+        "Add Moebius band radius 0.5 m",
+        "Add Teapot 1 m",
+        "Move Ball 0.348 m",
+        "Rotate and scale Ball and Table",
+        "Give Table and Ball a plain material",
+        "Give Table its own material back",
+        "Rename Table to Desk",
+        "Hide Table and Ball",
+        "Show Ball",
+        "Delete Ball",
+        "Duplicate Pot and Furniture 1 m",
+        "Group Ball and Pot as Both",
+        "Ungroup Furniture",
+        "Place Ball on Table",
+        "Offset of Pot 1",
+        "Take Pot off its stroke",
+        "Keep side",
+        "Forget front",
+        "Look clay",
+    };
+    const std::vector<Command> commands = testing::fitting_commands();
+    ASSERT_EQ(commands.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(said(commands[i]), expected[i]);
+}
+
+TEST(StepTitle, NamesTheOneNumberOfAPlacementThatChanged)
+{
+    const auto edited = [](auto change) {
+        EditPlacement edit{.object = 3, .parameters = {}, .sketch = {}, .onto = {}};
+        change(edit.parameters);
+        return said(edit);
+    };
+    using P = PlacementParameters;
+    EXPECT_EQ(edited([](P& p) { p.width = 0.24; }), "Width of Pot 0.24 m");
+    EXPECT_EQ(edited([](P& p) { p.springs = false; }), "Gaps of Pot followed");
+    EXPECT_EQ(edited([](P& p) { p.grid = {40, 9, 4}; }), "Density of Pot 40 × 9 × 4");
+    EXPECT_EQ(edited([](P& p) { p.misses = Misses::ground; }), "Misses of Pot drop to the ground");
+    EXPECT_EQ(edited([](P& p) { p.roll_deg = 90; }), "Roll of Pot 90°");
+    EXPECT_EQ(edited([](P& p) { p.width = p.height = 1; }), "Width and height of Pot");
+    EXPECT_EQ(edited([](P& p) { p.width = p.height = p.offset = 1; }), "Placement of Pot 3 values");
+    EXPECT_EQ(edited([](P&) {}), "Placement of Pot as before");
+}
+
+TEST(StepTitle, TellsAStrokeDrawnAgainAndOneThatWasReshaped)
+{
+    Sketch other = testing::small_sketch();
+    other.samples.back().p_px.y += 9;
+    EXPECT_EQ(said(Place{.object = 3, .sketch = other, .parameters = {}, .onto = {1}}),
+              "Place Pot again on Table");
+    EXPECT_EQ(said(EditPlacement{.object = 3, .parameters = {}, .sketch = other, .onto = {}}),
+              "Stroke of Pot");
+    EXPECT_EQ(said(EditPlacement{
+                  .object = 3, .parameters = {}, .sketch = {}, .onto = std::vector<Id>{2}}),
+              "Lay Pot on Ball");
+}
+
+TEST(StepTitle, TellsMovingFromTurningAndScaling)
+{
+    const auto changed = [](const Transform& t) { return said(SetTransform{2, t}); };
+    EXPECT_EQ(changed({.translation = {0, 0, 1.2}}), "Move Ball 1.2 m");
+    EXPECT_EQ(changed({.rotation_deg = {0, 0, -30}}), "Rotate Ball -30° about Z");
+    EXPECT_EQ(changed({.rotation_deg = {90, 0, 90}}), "Rotate Ball 120°");
+    EXPECT_EQ(changed({.scale = {1.5, 1.5, 1.5}}), "Scale Ball × 1.5");
+    EXPECT_EQ(changed({.scale = {1, 2, 1}}), "Scale Ball × 2 along Y");
+    EXPECT_EQ(changed({.translation = {3, 4, 0}, .rotation_deg = {0, 0, 5}}),
+              "Move and rotate Ball 5 m");
+}
+
+TEST(StepTitle, TellsWhatHappenedToSeveralObjectsAtOnce)
+{
+    const auto arranged = [](const Transform& one, const Transform& other) {
+        return said(Arrange{{1, 2}, {one, other}});
+    };
+    EXPECT_EQ(arranged({.translation = {0, 0, 2}}, {.translation = {1, 0, 2}}),
+              "Move Table and Ball 2 m");
+    EXPECT_EQ(arranged({.rotation_deg = {0, 0, 30}},
+                       {.translation = {1, 2, 0}, .rotation_deg = {0, 0, 30}}),
+              "Rotate Table and Ball 30° about Z");
+    EXPECT_EQ(said(Arrange{{2}, {{.translation = {0, 0, 1.2}}}}), "Move Ball 1.2 m");
+}
+
+TEST(StepTitle, NamesTheValueOfAMaterialThatChanged)
+{
+    Surfacing first;
+    const Document plain = after(small_document(), SetMaterial{{2}, first});
+    Surfacing rough = first, red = first;
+    rough.roughness = 0.4f;
+    red.base_color = {1, 0, 0, 1};
+    EXPECT_EQ(said(plain, SetMaterial{{2}, rough}), "Roughness of Ball 0.4");
+    EXPECT_EQ(said(plain, SetMaterial{{2}, red}), "Colour of Ball #FF0000");
+}
+
+TEST(StepTitle, OfAnyAcceptedCommandIsNotEmpty)
+{
+    std::mt19937 random(41);
+    Document document = small_document();
+    for (int i = 0; i < 4000; ++i) {
+        const Command command = testing::random_command(random);
+        try {
+            EXPECT_FALSE(said(document, command).empty()) << verb(command);
+        } catch (const Rejected&) {
+        }
+    }
+}
+
+} // namespace
+} // namespace trivar
