@@ -24,18 +24,10 @@ constexpr Chord alt(int key)
     return {.key = key, .alt = true};
 }
 
-bool something_selected(const Editor& e)
-{
-    return e.session.selected != 0;
-}
 // A group's members go where it goes.
 std::vector<Id> chosen(const Editor& e)
 {
     return topmost(e.session.document(), e.session.selected.ids());
-}
-bool something_there(const Editor& e)
-{
-    return !e.session.document().objects.empty();
 }
 
 void file_actions(std::vector<Action>& a)
@@ -56,7 +48,7 @@ void file_actions(std::vector<Action>& a)
                  "Export...",
                  {ctrl('E')},
                  [](Editor& e) { e.files.ask_export(); },
-                 something_there});
+                 something_there()});
     a.push_back({"File", "Quit", {ctrl('Q')}, [](Editor& e) { e.files.ask_close(); }, {}, true});
 }
 
@@ -66,15 +58,17 @@ void edit_actions(std::vector<Action>& a)
                  "Undo",
                  {ctrl('Z')},
                  [](Editor& e) { e.session.undo(); },
-                 [](const Editor& e) { return e.session.scene().history().position() > 0; }});
+                 {[](const Editor& e) { return e.session.scene().history().position() > 0; },
+                  "nothing was done yet"}});
     a.push_back({"Edit",
                  "Redo",
                  {ctrl('Z', true), ctrl('Y')},
                  [](Editor& e) { e.session.redo(); },
-                 [](const Editor& e) {
-                     const History& h = e.session.scene().history();
-                     return h.position() < h.steps().size();
-                 }});
+                 {[](const Editor& e) {
+                      const History& h = e.session.scene().history();
+                      return h.position() < h.steps().size();
+                  },
+                  "nothing was undone"}});
     a.push_back({"Edit",
                  "Duplicate",
                  {{.key = 'D', .shift = true}},
@@ -83,7 +77,7 @@ void edit_actions(std::vector<Action>& a)
                      if (e.session.run(Duplicate{chosen(e), {0, 0, 0}}))
                          e.session.select_new(first);
                  },
-                 something_selected,
+                 something_selected(),
                  true});
     a.push_back({"Edit",
                  "Rename",
@@ -92,7 +86,7 @@ void edit_actions(std::vector<Action>& a)
                      e.renaming = e.session.selected;
                      e.new_name = name_of(e.session.document(), e.renaming);
                  },
-                 something_selected});
+                 something_selected()});
     a.push_back({"Edit",
                  "Group",
                  {ctrl('G')},
@@ -100,26 +94,28 @@ void edit_actions(std::vector<Action>& a)
                      const Id group = e.session.committed().next_id;
                      if (e.session.run(Group{chosen(e)})) e.session.selected = group;
                  },
-                 something_selected});
+                 something_selected()});
     a.push_back({"Edit",
                  "Ungroup",
                  {ctrl('G', true)},
                  [](Editor& e) { e.session.run(Ungroup{e.session.selected}); },
-                 [](const Editor& e) {
-                     const auto& objects = e.session.document().objects;
-                     const auto found = objects.find(e.session.selected);
-                     return found != objects.end() &&
-                            std::holds_alternative<GroupShape>(found->second->source);
-                 }});
+                 {[](const Editor& e) {
+                      const auto& objects = e.session.document().objects;
+                      const auto found = objects.find(e.session.selected);
+                      return found != objects.end() &&
+                             std::holds_alternative<GroupShape>(found->second->source);
+                  },
+                  "select a group first"}});
     a.push_back({"Edit",
                  "Take off the stroke",
                  {},
                  [](Editor& e) { e.session.run(Unplace{e.session.selected}); },
-                 [](const Editor& e) {
-                     const auto& objects = e.session.document().objects;
-                     const auto found = objects.find(e.session.selected);
-                     return found != objects.end() && found->second->placement.has_value();
-                 }});
+                 {[](const Editor& e) {
+                      const auto& objects = e.session.document().objects;
+                      const auto found = objects.find(e.session.selected);
+                      return found != objects.end() && found->second->placement.has_value();
+                  },
+                  "select a placed object first"}});
     a.push_back({"Edit",
                  "Hide or show",
                  {{'H'}},
@@ -133,12 +129,12 @@ void edit_actions(std::vector<Action>& a)
                      else
                          e.session.run(Hide{ids});
                  },
-                 something_selected});
+                 something_selected()});
     a.push_back({"Edit",
                  "Delete",
                  {{ui::key_delete}, {'X'}},
                  [](Editor& e) { e.session.run(Delete{chosen(e)}); },
-                 something_selected});
+                 something_selected()});
 }
 
 template <class Add> Action add_action(const std::string& name)
@@ -168,14 +164,14 @@ void view_actions(std::vector<Action>& a)
                                          : bounds_of(e.session, e.session.selected.ids());
                      e.session.camera = ui::framed(e.session.camera, box);
                  },
-                 something_there});
+                 something_there()});
     a.push_back({"View",
                  "Frame all",
                  {{ui::key_home}},
                  [](Editor& e) {
                      e.session.camera = ui::framed(e.session.camera, bounds_of(e.session, 0));
                  },
-                 something_there});
+                 something_there()});
     a.push_back({"View",
                  "Front",
                  {alt('1')},
@@ -215,10 +211,68 @@ void view_actions(std::vector<Action>& a)
                  [](Editor& e) { e.timing_open = !e.timing_open; },
                  {},
                  true});
-    a.push_back({"View", "Side panels", {{'N'}}, [](Editor& e) { e.show_dock = !e.show_dock; }});
+}
+
+void open_tab(Editor& e, Editor::Tab tab)
+{
+    e.tab = tab;
+    e.preferences.show_dock = true;
+    e.only_view = false;
+}
+
+void window_actions(std::vector<Action>& a)
+{
+    a.push_back({"View",
+                 "Side panels",
+                 {{'N'}},
+                 [](Editor& e) { e.preferences.show_dock = !e.preferences.show_dock; },
+                 {},
+                 true});
+    a.push_back({"View", "History", {}, [](Editor& e) { open_tab(e, Editor::Tab::history); }});
+    a.push_back({"View", "Log", {}, [](Editor& e) { open_tab(e, Editor::Tab::log); }});
+    a.push_back({"View", "Viewport only", {{.key = ui::key_space, .ctrl = true}}, [](Editor& e) {
+                     e.only_view = !e.only_view;
+                 }});
+    a.push_back({"View", "Full screen", {{ui::key_f1 + 10}}, [](Editor& e) {
+                     e.full_screen = !e.full_screen;
+                 }});
+    const auto scaled = [](int direction) {
+        return [direction](Editor& e) {
+            double& scale = e.preferences.scale;
+            scale = direction == 0 ? 1 : next_scale(scale, direction);
+        };
+    };
+    a.push_back({"View",
+                 "Larger interface",
+                 {ctrl(ui::key_plus), ctrl(ui::key_equal), ctrl(ui::key_equal, true),
+                  ctrl(ui::key_plus, true), ctrl(ui::key_keypad_plus)},
+                 scaled(1),
+                 {[](const Editor& e) { return e.preferences.scale < 2; }, "it is at 200 %"},
+                 true});
+    a.push_back({"View",
+                 "Smaller interface",
+                 {ctrl(ui::key_minus), ctrl(ui::key_keypad_minus)},
+                 scaled(-1),
+                 {[](const Editor& e) { return e.preferences.scale > 0.75; }, "it is at 75 %"}});
+    a.push_back({"View",
+                 "Usual size of the interface",
+                 {ctrl(ui::key_0)},
+                 scaled(0),
+                 {[](const Editor& e) { return e.preferences.scale != 1; }, "it is at 100 %"}});
 }
 
 } // namespace
+
+Condition something_selected()
+{
+    return {[](const Editor& e) { return e.session.selected != 0; }, "select an object first"};
+}
+
+Condition something_there()
+{
+    return {[](const Editor& e) { return !e.session.document().objects.empty(); },
+            "the scene is empty"};
+}
 
 std::vector<Action> all_actions(const Editor& editor)
 {
@@ -234,9 +288,13 @@ std::vector<Action> all_actions(const Editor& editor)
     a.push_back(add_action<AddMoebius>("Moebius band"));
     a.push_back(add_action<AddTeapot>("Teapot"));
     view_actions(a);
+    window_actions(a);
     for (std::size_t i = 0; i < editor.tools.size(); ++i)
         a.push_back({"Tools", editor.tools[i]->name(), editor.tools[i]->keys(),
                      [i](Editor& e) { e.choose_tool(i); }});
+    a.push_back({"Help", palette_action, {{ui::key_f1 + 2}, ctrl('P')}, [](Editor& e) {
+                     e.palette.show();
+                 }});
     a.push_back(
         {"Help", "Keys and mouse", {{ui::key_f1}}, [](Editor& e) { e.help_open = !e.help_open; }});
     return a;
@@ -252,7 +310,7 @@ const Action& action(const Editor& editor, const std::string& name)
 
 bool is_enabled(const Editor& editor, const Action& action)
 {
-    return !action.enabled || action.enabled(editor);
+    return !action.enabled.holds || action.enabled.holds(editor);
 }
 
 std::string key_text(const Action& action)

@@ -11,15 +11,32 @@ namespace trivar {
 
 struct Editor;
 
+// When an action can run, and what is missing where it cannot: "select an object first".
+struct Condition {
+    Condition() = default;
+    template <class Holds>
+    Condition(Holds when, std::string missing = {})
+        : holds(std::move(when)),
+          otherwise(std::move(missing))
+    {
+    }
+    std::function<bool(const Editor&)> holds; // empty: always
+    std::string otherwise;
+};
+Condition something_selected();
+Condition something_there(); // in the scene
+
 // Something that can be done from a menu or by a key. The one table of them makes menus, keys,
 // tooltips and the list of keys in Help.
 struct Action {
     std::string menu, name;
     std::vector<ui::Chord> keys; // the first is shown
     std::function<void(Editor&)> run;
-    std::function<bool(const Editor&)> enabled = {}; // empty: always
-    bool group_begins = false;                       // a rule above it in the menu
+    Condition enabled = {};
+    bool group_begins = false; // a rule above it in the menu
 };
+
+inline constexpr const char* palette_action = "Find a command...";
 
 std::vector<Action> all_actions(const Editor& editor);
 

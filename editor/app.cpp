@@ -9,18 +9,19 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <imgui.h>
 
 namespace trivar {
 namespace {
 
 // Where programs keep what is theirs between two runs (XDG Base Directory Specification).
-std::string unnamed_folder()
+std::string kept(const std::string& name)
 {
     const char* state = std::getenv("XDG_STATE_HOME");
     if (state && std::filesystem::path(state).is_absolute())
-        return state + std::string("/trivar/unnamed");
+        return state + std::string("/trivar/") + name;
     const char* home = std::getenv("HOME");
-    return home && *home ? home + std::string("/.local/state/trivar/unnamed") : std::string();
+    return home && *home ? home + std::string("/.local/state/trivar/") + name : std::string();
 }
 
 } // namespace
@@ -29,7 +30,9 @@ int run_editor(const EditorOptions& options)
 {
     try {
         ui::Window window({.scale = options.scale, .light = options.light});
-        Editor editor(window.waker(), unnamed_folder());
+        Editor editor(window.waker(), kept("unnamed"));
+        PreferencesFile preferences(kept("preferences.json"));
+        editor.preferences = preferences.read();
         editor.files.samples = options.samples;
         if (options.files.empty())
             editor.session.take_up_left_scene();
@@ -39,6 +42,11 @@ int run_editor(const EditorOptions& options)
         std::string title;
         window.run([&](ui::Frame& frame) {
             draw_editor(editor, frame);
+            // Not at each step of a drag, which always ends in a frame.
+            const bool dragging = ImGui::IsMouseDown(ImGuiMouseButton_Left);
+            const std::string trouble = dragging ? "" : preferences.keep(editor.preferences);
+            if (!trouble.empty())
+                editor.session.notices.say(ui::NoticeKind::warning, "Not remembered", trouble);
             const std::string now = title_of(editor.session.scene()) + " - Trivar";
             if (now == title) return;
             title = now;

@@ -44,27 +44,38 @@ void draw_editor(Editor& editor, ui::Frame& frame)
     if (frame.close_asked) editor.files.ask_close();
     run_keys(editor);
 
-    const Layout layout = layout_of(theme, frame.size_px, editor.show_dock);
+    const auto arranged = [&] {
+        return layout_of(theme, frame.size_px, editor.preferences, editor.only_view);
+    };
+    drag_splitters(editor, frame, arranged());
+    const Layout layout = arranged();
     paint_ground(theme, frame.size_px);
-    draw_top_bar(editor, theme, layout);
-    draw_tool_strip(editor, theme, layout);
-    draw_options_bar(editor, theme, layout);
+    if (!editor.only_view) {
+        draw_top_bar(editor, theme, layout);
+        draw_tool_strip(editor, theme, layout);
+        draw_options_bar(editor, theme, layout);
+    }
     if (layout.dock) {
         draw_outliner(editor, theme, layout);
         draw_tabs(editor, theme, layout);
         if (editor.tab == Editor::Tab::inspector)
             draw_inspector(editor, theme, layout);
-        else
+        else if (editor.tab == Editor::Tab::history)
             draw_history(editor, theme, layout);
+        else
+            draw_log(editor, theme, layout);
     }
     finish_edit(editor);
     draw_viewport(editor, frame, layout); // last of the panels: it shows what they changed
     draw_status_line(editor, theme, layout);
     editor.files.draw(theme);
     draw_help(editor, theme);
+    draw_command_palette(editor, theme);
     // Panels drawn before the change still show what was there.
     if (editor.session.change() != change) frame.again_in(0);
     frame.close = editor.files.close_agreed();
+    frame.interface_scale = editor.preferences.scale;
+    frame.full_screen = editor.full_screen;
 }
 
 } // namespace trivar

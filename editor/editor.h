@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "editor/command_palette.h"
 #include "editor/files.h"
+#include "editor/preferences.h"
 #include "editor/tools/tool.h"
 #include "editor/viewport.h"
 
@@ -27,13 +29,22 @@ struct Editor {
     std::vector<Action> actions;
 
     // Layout, and what panels remember.
-    bool show_dock = true, timing_open = false;
-    enum class Tab { inspector, history } tab = Tab::inspector;
+    Preferences preferences;
+    bool only_view = false, full_screen = false, timing_open = false;
+    enum class Tab { inspector, history, log } tab = Tab::inspector;
     std::string filter;      // of the outliner
     Id renaming = 0;         // in the outliner
     std::string new_name;    // of it, as typed so far
     bool inspecting = false; // a proposal of the inspector is pending
     bool help_open = false, hints_off = false;
+    CommandPalette palette;
+    struct CommandField { // at the foot of the log
+        std::string text, trouble;
+        std::vector<std::string> words; // that could follow
+        bool focus = false;             // takes the keyboard in the next frame
+        std::vector<std::string> before;
+        std::size_t recalled = 0; // steps back in `before`
+    } command_field;
 
     Tool& active_tool() { return *tools[tool]; }
     void choose_tool(std::size_t index);

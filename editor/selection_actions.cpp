@@ -9,15 +9,6 @@
 namespace trivar {
 namespace {
 
-bool something_selected(const Editor& e)
-{
-    return e.session.selected != 0;
-}
-bool something_there(const Editor& e)
-{
-    return !e.session.document().objects.empty();
-}
-
 std::vector<Id> objects_that(const Editor& e, const std::function<bool(Id)>& fits)
 {
     std::vector<Id> ids;
@@ -71,23 +62,23 @@ void add_selection_actions(std::vector<Action>& a)
                  "Select all",
                  {{'A'}},
                  [](Editor& e) { select_keeping_active(e, visible_ones(e)); },
-                 something_there});
+                 something_there()});
     a.push_back({"Select",
                  "Select nothing",
                  {{.key = 'A', .alt = true}},
                  [](Editor& e) { e.session.selected = 0; },
-                 something_selected});
+                 something_selected()});
     a.push_back(
         {"Select",
          "Select the others",
          {{.key = 'I', .ctrl = true}},
          [](Editor& e) { e.session.selected.set(topmost(e.session.document(), others(e))); },
-         something_there});
+         something_there()});
     a.push_back({"Select",
                  "Select the same type",
                  {{.key = 'G', .shift = true}},
                  [](Editor& e) { select_keeping_active(e, of_the_same_type(e)); },
-                 something_selected});
+                 something_selected()});
     a.push_back({"Select",
                  "Select in a box",
                  {{'B'}},
@@ -95,7 +86,7 @@ void add_selection_actions(std::vector<Action>& a)
                      e.choose_tool(0);
                      static_cast<SelectTool&>(e.active_tool()).begin_box();
                  },
-                 something_there});
+                 something_there()});
     a.push_back({"Select",
                  "Hide the others",
                  {{.key = 'H', .shift = true}},
@@ -103,7 +94,7 @@ void add_selection_actions(std::vector<Action>& a)
                      if (const auto ids = topmost(e.session.document(), others(e)); !ids.empty())
                          e.session.run(Hide{ids});
                  },
-                 something_selected,
+                 something_selected(),
                  true});
     a.push_back({"Select",
                  "Show all",
@@ -113,7 +104,7 @@ void add_selection_actions(std::vector<Action>& a)
                          e, [&](Id id) { return object(e.session.document(), id).hidden; });
                      if (!ids.empty()) e.session.run(Show{ids});
                  },
-                 something_there});
+                 something_there()});
 }
 
 } // namespace trivar

@@ -49,10 +49,28 @@ template <class Change> bool Session::attempt(Change&& change, bool quietly)
     return true;
 }
 
+void Session::refuse(const Command& command, const std::string& why)
+{
+    const std::size_t after = scene_.lines().size();
+    std::string line = to_json_line(command);
+    // A hand that goes on moving asks for the same again and again.
+    if (!refused_.empty() && refused_.back().after == after && refused_.back().why == why)
+        refused_.back().line = std::move(line);
+    else
+        refused_.push_back({after, std::move(line), why});
+}
+
 bool Session::propose(Command command)
 {
     check_.reset();
-    return attempt([&] { scene_.propose(std::move(command)); });
+    return attempt([&] {
+        try {
+            scene_.propose(command);
+        } catch (const Rejected& why) {
+            refuse(command, why.what());
+            throw;
+        }
+    });
 }
 
 bool Session::propose_quietly(Command command)
@@ -84,6 +102,7 @@ void Session::finish_check()
         std::string why = "The stroke could not be used.";
         if (found != evaluated_.objects.end() && !found->second->notices.empty())
             why = found->second->notices.front();
+        if (scene_.history().proposal()) refuse(scene_.history().proposal()->command, why);
         cancel();
         notices.say(ui::NoticeKind::warning, "Nothing was placed", why);
         return;
@@ -103,8 +122,22 @@ void Session::cancel()
 
 bool Session::run(Command command)
 {
+    const std::string why = try_run(std::move(command));
+    if (!why.empty()) notices.say(ui::NoticeKind::warning, why);
+    return why.empty();
+}
+
+std::string Session::try_run(Command command)
+{
     check_.reset();
-    return attempt([&] { scene_.run(std::move(command)); });
+    try {
+        scene_.run(command);
+    } catch (const Rejected& why) {
+        refuse(command, why.what());
+        return why.what();
+    }
+    refresh();
+    return {};
 }
 
 void Session::undo()
@@ -146,6 +179,7 @@ void Session::replace_scene(SceneFile scene)
     scene_ = std::move(scene);
     scene_.keep_in(unnamed_folder_);
     selected = 0;
+    refused_.clear();
     evaluated_ = {};
     ++evaluation_;
     told_trouble_.clear();

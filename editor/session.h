@@ -37,12 +37,20 @@ public:
     // says why. A stroke is checked this way, for only its evaluation knows what it hits.
     void commit_if_placed(Id object);
     void cancel();
-    bool run(Command command); // propose and commit
+    bool run(Command command);            // propose and commit
+    std::string try_run(Command command); // the same; why it was refused, and no notice
     void undo();
     void redo();
     void go_to_step(std::size_t position); // by undo and redo
     bool proposing() const { return scene_.history().proposal().has_value(); }
     bool committing() const { return check_.has_value(); }
+
+    // What was refused, of the present scene: for the log, not in the file.
+    struct Refused {
+        std::size_t after = 0; // lines of the file
+        std::string line, why;
+    };
+    const std::vector<Refused>& refused() const { return refused_; }
 
     // Another scene, or an empty one. Selection and effects start anew.
     void replace_scene(SceneFile scene);
@@ -79,11 +87,13 @@ private:
     void tell_what_is_missing();
     void meet_document(); // the scene changed as a whole
     template <class Change> bool attempt(Change&& change, bool quietly = false);
+    void refuse(const Command& command, const std::string& why);
 
     std::function<void()> wake_;
     std::string unnamed_folder_;
     SceneFile scene_;
     std::string told_trouble_;
+    std::vector<Refused> refused_;
     bool opened_ = false; // and not evaluated yet
     Ref<AssetStore> assets_;
     std::unique_ptr<BackgroundEvaluator> evaluator_;

@@ -9,11 +9,14 @@
 
 namespace trivar::ui {
 
-Rect begin_dialog(const Theme& theme, const char* name, glm::vec2 size)
+Rect begin_dialog(const Theme& theme, const char* name, glm::vec2 size, const DialogStyle& style)
 {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     size = glm::min(size, glm::vec2(window.x, window.y) - theme.px(32));
-    const glm::vec2 at = glm::round((glm::vec2(window.x, window.y) - size) / 2.0f);
+    glm::vec2 at = glm::round((glm::vec2(window.x, window.y) - size) / 2.0f);
+    if (style.from_top >= 0) at.y = std::min(at.y, std::round(style.from_top));
+    ImGui::GetStyle().Colors[ImGuiCol_ModalWindowDimBg] =
+        ImGui::ColorConvertU32ToFloat4(faded(theme.color.scrim, style.scrim));
     if (!ImGui::IsPopupOpen(name)) ImGui::OpenPopup(name);
     ImGui::SetNextWindowPos({at.x, at.y});
     ImGui::SetNextWindowSize({size.x, size.y});

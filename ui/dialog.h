@@ -24,7 +24,12 @@ struct Question {
 std::optional<int> ask(const Theme& theme, const Question& question);
 
 // A modal card in the middle of the window: begin, contents at the cursor, end.
-Rect begin_dialog(const Theme& theme, const char* name, glm::vec2 size);
+struct DialogStyle {
+    float from_top = -1; // pixels; below 0: in the middle
+    float scrim = 1;     // how dark the rest becomes, as a share of the theme's
+};
+Rect begin_dialog(const Theme& theme, const char* name, glm::vec2 size,
+                  const DialogStyle& style = {});
 void end_dialog();
 
 } // namespace trivar::ui

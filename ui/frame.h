@@ -17,8 +17,10 @@ struct Frame {
     double time_s = 0;        // on a steady clock
     bool close_asked = false; // somebody wants to close the window
 
-    double again_in_s = 1e300; // asked for: another frame after this time at the latest
-    bool close = false;        // asked for: the end
+    double again_in_s = 1e300;  // asked for: another frame after this time at the latest
+    bool close = false;         // asked for: the end
+    double interface_scale = 1; // asked for from the next frame on, times the monitor's, 0.75..2
+    bool full_screen = false;   // asked for from the next frame on
     void again_in(double seconds) { again_in_s = std::min(again_in_s, seconds); }
 };
 using DrawFrame = std::function<void(Frame&)>;

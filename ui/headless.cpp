@@ -8,7 +8,8 @@ namespace trivar::ui {
 
 HeadlessFrames::HeadlessFrames(glm::ivec2 size_px, const ThemeOptions& options)
     : gui_(options),
-      size_px_(size_px)
+      size_px_(size_px),
+      options_(options)
 {
     glGenTextures(1, &color_);
     glBindTexture(GL_TEXTURE_2D, color_);
@@ -31,7 +32,9 @@ void HeadlessFrames::frames(int count, const DrawFrame& body)
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_); // the body may have drawn elsewhere
     };
     for (int i = 0; i < count; ++i) {
-        gui_.frame(size_px_, time_s_, false, into_image);
+        const Frame frame = gui_.frame(size_px_, time_s_, false, into_image);
+        const float scale = combined_scale(options_.scale, frame.interface_scale);
+        if (scale != gui_.theme().scale) gui_.set_theme({scale, options_.light});
         time_s_ += 1.0 / 60;
         ++count_;
     }

@@ -29,6 +29,7 @@ private:
     gpu::HeadlessContext context_;
     Gui gui_;
     glm::ivec2 size_px_;
+    ThemeOptions options_;
     unsigned framebuffer_ = 0, color_ = 0;
     double time_s_ = 0;
     int count_ = 0;

@@ -17,6 +17,8 @@ inline constexpr const char *select = "\uf245", *place = "\uf040", *scene = "\uf
                             *folder = "\uf114", *open_file = "\uf07c", *import = "\uf019",
                             *save = "\uf0c7", *image = "\uf03e", *reset = "\uf021",
                             *target = "\uf05b", *level_up = "\uf148", *home = "\uf015",
-                            *link = "\uf0c1", *group = "\uf247", *grid = "\uf0ce";
+                            *link = "\uf0c1", *group = "\uf247", *grid = "\uf0ce", *log = "\uf120",
+                            *copy = "\uf0c5", *move = "\uf047", *pencil = "\uf044",
+                            *drop = "\uf043", *command = "\uf138";
 
 } // namespace trivar::ui::icon

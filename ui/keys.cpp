@@ -17,16 +17,38 @@ std::string name_of(int key)
     case key_backspace: return "Backspace";
     case key_delete: return "Del";
     case key_home: return "Home";
+    case key_insert: return "Ins";
+    case key_page_up: return "Page up";
+    case key_page_down: return "Page down";
+    case key_end: return "End";
+    case key_left: return "Left";
+    case key_right: return "Right";
+    case key_up: return "Up";
+    case key_down: return "Down";
+    case key_keypad_minus: return "Keypad -";
+    case key_keypad_plus: return "Keypad +";
+    case key_keypad_enter: return "Keypad Enter";
     default: return std::string(1, static_cast<char>(key));
     }
 }
 
 } // namespace
 
+std::vector<std::string> caps_of(const Chord& chord)
+{
+    std::vector<std::string> caps;
+    if (chord.ctrl) caps.emplace_back("Ctrl");
+    if (chord.alt) caps.emplace_back("Alt");
+    if (chord.shift) caps.emplace_back("Shift");
+    caps.push_back(name_of(chord.key));
+    return caps;
+}
+
 std::string text_of(const Chord& chord)
 {
-    return std::string(chord.ctrl ? "Ctrl+" : "") + (chord.alt ? "Alt+" : "") +
-           (chord.shift ? "Shift+" : "") + name_of(chord.key);
+    std::string text;
+    for (const std::string& cap : caps_of(chord)) text += (text.empty() ? "" : "+") + cap;
+    return text;
 }
 
 bool struck(const Chord& chord)

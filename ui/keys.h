@@ -2,16 +2,21 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace trivar::ui {
 
 // Key codes: a printable key is its capital letter in ASCII, the others are as GLFW numbers them.
 enum Key : int {
     key_space = 32,
+    key_plus = 43,
+    key_comma = 44,
+    key_minus = 45,
     key_period = 46,
     key_slash = 47,
     key_0 = 48,
     key_1 = 49,
+    key_equal = 61,
     key_a = 65,
     key_escape = 256,
     key_enter = 257,
@@ -28,6 +33,8 @@ enum Key : int {
     key_home = 268,
     key_end = 269,
     key_f1 = 290,
+    key_keypad_minus = 333,
+    key_keypad_plus = 334,
     key_keypad_enter = 335,
     key_left_shift = 340,
     key_left_control = 341,
@@ -45,8 +52,9 @@ struct Chord {
     bool operator==(const Chord&) const = default;
 };
 
-// As people write it: "Ctrl+Shift+S", "Esc", "F10".
+// As people write it: "Ctrl+Shift+S", "Esc", "F10"; and what stands on each of its keys.
 std::string text_of(const Chord& chord);
+std::vector<std::string> caps_of(const Chord& chord);
 
 // Whether the chord was struck in this frame (held keys do not repeat) and nobody types text.
 bool struck(const Chord& chord);

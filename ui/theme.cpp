@@ -133,6 +133,11 @@ float Theme::px(float at_scale_1) const
     return std::round(at_scale_1 * scale);
 }
 
+float combined_scale(double content, double interface)
+{
+    return static_cast<float>(std::clamp(content * interface, 0.75, 3.0));
+}
+
 Theme apply_theme(const ThemeOptions& options)
 {
     Theme theme;

@@ -33,6 +33,9 @@ struct Theme {
     float px(float at_scale_1) const; // scaled and rounded to whole pixels
 };
 
+// The monitor's scale times the person's, as far as the interface follows.
+float combined_scale(double content, double interface);
+
 // Sets style, colours and fonts of the current ImGui context; call again when the scale changes,
 // then renew the font texture. Throws Rejected naming each font that is missing and its package.
 Theme apply_theme(const ThemeOptions& options);

@@ -67,7 +67,10 @@ struct Window::State {
     Pace pace;
     std::array<GLFWcursor*, ImGuiMouseCursor_COUNT> cursors{};
     int cursor = -2;
-    std::atomic<bool> woken = false; // by another thread
+    double interface_scale = 1;
+    bool full_screen = false;
+    glm::ivec2 windowed_at{0}, windowed_size{0}; // before it was full screen
+    std::atomic<bool> woken = false;             // by another thread
     long frames = 0;
 
     explicit State(const WindowOptions& wanted)
@@ -107,10 +110,42 @@ struct Window::State {
 
     float wanted_scale() const
     {
-        if (const auto scale = scale_override(options.scale)) return static_cast<float>(*scale);
         float x = 1, y = 1;
         glfwGetWindowContentScale(window, &x, &y);
-        return x;
+        const double content = scale_override(options.scale).value_or(x);
+        return combined_scale(content, interface_scale);
+    }
+
+    // The whole of the monitor that most of the window lies on, and back to where it was.
+    void show_full_screen(bool wanted)
+    {
+        if (wanted == full_screen) return;
+        full_screen = wanted;
+        if (!wanted) {
+            const glm::ivec2 at = windowed_at, size = windowed_size;
+            glfwSetWindowMonitor(window, nullptr, at.x, at.y, size.x, size.y, GLFW_DONT_CARE);
+            return;
+        }
+        glfwGetWindowPos(window, &windowed_at.x, &windowed_at.y);
+        glfwGetWindowSize(window, &windowed_size.x, &windowed_size.y);
+        GLFWmonitor* monitor = monitor_under(windowed_at + windowed_size / 2);
+        const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+        if (!mode) return;
+        glfwSetWindowMonitor(window, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+    }
+    static GLFWmonitor* monitor_under(glm::ivec2 point)
+    {
+        int count = 0;
+        GLFWmonitor** all = glfwGetMonitors(&count);
+        for (int i = 0; i < count; ++i) {
+            glm::ivec2 at;
+            glfwGetMonitorPos(all[i], &at.x, &at.y);
+            const GLFWvidmode* mode = glfwGetVideoMode(all[i]);
+            if (mode && point.x >= at.x && point.y >= at.y && point.x < at.x + mode->width &&
+                point.y < at.y + mode->height)
+                return all[i];
+        }
+        return glfwGetPrimaryMonitor();
     }
 
     void push(Event event)
@@ -144,6 +179,8 @@ struct Window::State {
             // Letters are meant as they are printed on this keyboard, not where QWERTY has them.
             const char* name = glfwGetKeyName(key, code);
             if (name && name[0] >= 'a' && name[0] <= 'z' && name[1] == 0) key = name[0] - 'a' + 'A';
+            if (name && (name[0] == '+' || name[0] == '-' || name[0] == ',') && name[1] == 0)
+                key = name[0];
             of(w).push(press_key(key, action == GLFW_PRESS));
         });
         glfwSetCharCallback(window,
@@ -218,6 +255,9 @@ struct Window::State {
         pace.drawn(frame);
         show_cursor();
         glfwSwapBuffers(window);
+        if (frame.interface_scale != interface_scale) pace.input_came();
+        interface_scale = frame.interface_scale;
+        show_full_screen(frame.full_screen);
         ++frames;
         return !frame.close;
     }

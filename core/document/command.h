@@ -38,8 +38,6 @@ std::string to_json_line(const Command& command);
 Command command_from_json_line(std::string_view line);
 
 std::string_view verb(const Command& command);
-// What the command did, for a list of steps: "Rename Snake". `before` is what it was applied to.
-std::string title(const Command& command, const Document& before);
 
 // The reference of all commands with their fields, defaults and ranges; as text only what each
 // command does and takes.

@@ -7,22 +7,31 @@
 
 namespace trivar {
 
-Layout layout_of(const ui::Theme& theme, glm::vec2 size_px, bool wants_dock)
+Layout layout_of(const ui::Theme& theme, glm::vec2 size_px, const Preferences& preferences,
+                 bool only_view)
 {
     const ui::Metrics& m = theme.size;
     const float line = m.hairline, width = size_px.x, height = size_px.y;
-    const float dock = std::round(std::min(m.dock, std::max(theme.px(256), width * 0.34f)));
     Layout l;
-    l.dock = wants_dock && width > dock + m.tool_strip + theme.px(160);
+    l.status = {{0, height - m.status_bar}, {width, height}};
+    if (only_view) {
+        l.dock = false;
+        l.view = {{0, 0}, {width, l.status.lo.y - line}};
+        return l;
+    }
+    // What a person asked for, as far as a small window has room.
+    const float dock = std::round(std::min(theme.px(static_cast<float>(preferences.dock)),
+                                           std::max(theme.px(256), width * 0.34f)));
+    l.dock = preferences.show_dock && width > dock + m.tool_strip + theme.px(160);
     const float right = l.dock ? width - dock : width;
     const float y0 = m.top_bar + line, y1 = height - m.status_bar - line;
     l.top = {{0, 0}, {width, m.top_bar}};
-    l.status = {{0, height - m.status_bar}, {width, height}};
     l.strip = {{0, y0}, {m.tool_strip, y1}};
     const float left = m.tool_strip + line, view_right = l.dock ? right - line : right;
     l.options = {{left, y0}, {view_right, y0 + m.options_bar}};
     l.view = {{left, l.options.hi.y + line}, {view_right, y1}};
-    const float outliner = std::round(std::min(m.outliner, (y1 - y0) * 0.38f));
+    const float most = std::round((y1 - y0) * 0.6f);
+    const float outliner = std::min(theme.px(static_cast<float>(preferences.outliner)), most);
     l.outliner = {{right, y0}, {width, y0 + outliner}};
     l.tabs = {{right, l.outliner.hi.y + line}, {width, l.outliner.hi.y + line + theme.px(40)}};
     l.inspector = {{right, l.tabs.hi.y}, {width, y1}};

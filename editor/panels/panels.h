@@ -14,7 +14,10 @@ struct Layout {
     ui::Rect top, strip, options, view, outliner, tabs, inspector, status;
     bool dock = true; // whether the right column is there
 };
-Layout layout_of(const ui::Theme& theme, glm::vec2 size_px, bool wants_dock);
+// Pixels at scale 1; the outliner takes at most 60 % of the dock.
+inline constexpr float narrowest_dock = 280, widest_dock = 480, lowest_outliner = 120;
+Layout layout_of(const ui::Theme& theme, glm::vec2 size_px, const Preferences& preferences,
+                 bool only_view = false);
 
 // An undecorated window of a place; `scrolls` up and down. End with ImGui::End().
 void begin_panel(const char* name, const ui::Rect& rect, ui::Color color, bool scrolls = false);
@@ -27,8 +30,12 @@ void draw_outliner(Editor& editor, const ui::Theme& theme, const Layout& layout)
 void draw_tabs(Editor& editor, const ui::Theme& theme, const Layout& layout);
 void draw_inspector(Editor& editor, const ui::Theme& theme, const Layout& layout);
 void draw_history(Editor& editor, const ui::Theme& theme, const Layout& layout);
+void draw_log(Editor& editor, const ui::Theme& theme, const Layout& layout);
 void draw_status_line(Editor& editor, const ui::Theme& theme, const Layout& layout);
 void draw_help(Editor& editor, const ui::Theme& theme);
+void draw_command_palette(Editor& editor, const ui::Theme& theme);
+// The lines between the panels; before the panels, so that they lie over them.
+void drag_splitters(Editor& editor, ui::Frame& frame, const Layout& layout);
 
 // Parts of the viewport, drawn inside its window.
 void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& view);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/step_title.h"
 #include "editor/panels/panels.h"
 
 #include "ui/icons.h"
@@ -31,7 +32,9 @@ void menu_item(Editor& editor, const Action& each)
     if (each.group_begins) ImGui::Separator();
     const bool on = (each.name == "Perspective" && editor.session.camera.perspective) ||
                     (each.name == "Timing" && editor.timing_open) ||
-                    (each.name == "Side panels" && editor.show_dock);
+                    (each.name == "Side panels" && editor.preferences.show_dock) ||
+                    (each.name == "Viewport only" && editor.only_view) ||
+                    (each.name == "Full screen" && editor.full_screen);
     if (ImGui::MenuItem(each.name.c_str(), key_text(each).c_str(), on, is_enabled(editor, each)))
         each.run(editor);
 }
@@ -81,6 +84,40 @@ State state_of(const Editor& editor, const ui::Palette& c)
     return {name, nothing ? "Nothing to save" : "Has no name yet", nothing ? c.text_3 : c.warn};
 }
 
+// The way to every command, and to what its key is. Returns where it begins.
+float search_button(Editor& editor, const ui::Theme& theme, const ui::Rect& bar)
+{
+    const ui::Palette& c = theme.color;
+    const Action& find = action(editor, palette_action);
+    const float width = theme.px(bar.width() < theme.px(1200) ? 128 : 208);
+    const ui::Rect r = {{bar.hi.x - theme.px(12) - width, bar.lo.y + theme.px(6)},
+                        {bar.hi.x - theme.px(12), bar.hi.y - theme.px(6)}};
+    ImGui::SetCursorScreenPos({r.lo.x, r.lo.y});
+    if (ImGui::InvisibleButton("search", {r.width(), r.height()})) find.run(editor);
+    ui::paint_box(r, ImGui::IsItemHovered() ? c.field_hover : c.field, theme.size.rounding);
+    ui::tooltip(theme, "Find a command", "F3", "Every command by its letters, with its key.");
+    const ui::Rect in = {r.lo + glm::vec2(theme.px(8), 0), r.hi - glm::vec2(theme.px(8), 0)};
+    const std::string key = ui::text_of(find.keys.back());
+    const float left = in.lo.x + theme.px(22);
+    const bool roomy = width > theme.px(160);
+    ui::paint_text(theme.font.body, in, c.text_2, ui::icon::search);
+    ui::paint_text(theme.font.body, {{left, in.lo.y}, in.hi}, c.text_2,
+                   roomy ? "Search commands" : "Search");
+    ui::paint_text(theme.font.small, in, c.text_2, roomy ? key : ui::text_of(find.keys.front()),
+                   ui::Align::right);
+    return r.lo.x;
+}
+
+// "Undo Width of Snake 0.24 m": what the button would take back or bring back.
+std::string words_of_step(const History& history, bool undo)
+{
+    const std::size_t step = history.position() + (undo ? 0 : 1); // counted from 1
+    if (step == 0 || step > history.steps().size()) return {};
+    const Document& before = step == 1 ? history.start() : history.steps()[step - 2].result;
+    const History::Step& done = history.steps()[step - 1];
+    return " " + step_title(done.command, before, done.result).text();
+}
+
 } // namespace
 
 void draw_top_bar(Editor& editor, const ui::Theme& theme, const Layout& layout)
@@ -110,7 +147,8 @@ void draw_top_bar(Editor& editor, const ui::Theme& theme, const Layout& layout)
 
     const State state = state_of(editor, c);
     const glm::vec2 square(theme.size.icon_button);
-    const float buttons = r.hi.x - theme.px(12) - 2 * square.x - theme.px(4);
+    const float buttons =
+        search_button(editor, theme, r) - theme.px(16) - 2 * square.x - theme.px(4);
     const float left = menus_end + theme.px(16);
     const float words = ui::text_width(theme.font.small, state.words);
     const float room = buttons - left - words - theme.px(28);
@@ -127,7 +165,9 @@ void draw_top_bar(Editor& editor, const ui::Theme& theme, const Layout& layout)
         ImGui::SetCursorScreenPos({at, r.lo.y + theme.px(8)});
         const Action& each = action(editor, what);
         const char* icon = each.name == "Undo" ? ui::icon::undo : ui::icon::redo;
-        if (ui::icon_button(theme, what, icon, square, each.name, key_text(each),
+        const std::string step =
+            words_of_step(editor.session.scene().history(), each.name == "Undo");
+        if (ui::icon_button(theme, what, icon, square, each.name + step, key_text(each),
                             {.enabled = is_enabled(editor, each)}))
             each.run(editor);
         at += square.x + theme.px(4);

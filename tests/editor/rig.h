@@ -88,7 +88,7 @@ struct Rig {
         if (let_go) screen.input().push(ui::press(ui::Button::left, false));
         frames(3);
     }
-    Layout layout() const { return layout_of(screen.theme(), {720, 520}, true); }
+    Layout layout() const { return layout_of(screen.theme(), {720, 520}, editor.preferences); }
     std::size_t steps() const { return editor.session.scene().history().position(); }
 
     // A wide plane and a small box above it, seen from the front and above.

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/preferences.h"
+
+#include "core/base/rejected.h"
+#include "core/base/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace trivar {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr std::size_t longest_list = 16, longest_text = 4096, largest_file = std::size_t{1} << 20;
+
+// One list of what is kept and what may be read.
+struct Reading {
+    const json& from;
+    void operator()(const char* name, double& value, double lo, double hi) const
+    {
+        const auto found = from.find(name);
+        if (found == from.end() || !found->is_number()) return;
+        const auto number = found->get<double>();
+        if (std::isfinite(number)) value = std::clamp(number, lo, hi);
+    }
+    void operator()(const char* name, bool& value) const
+    {
+        const auto found = from.find(name);
+        if (found != from.end() && found->is_boolean()) value = found->get<bool>();
+    }
+    void operator()(const char* name, std::vector<std::string>& value) const
+    {
+        const auto found = from.find(name);
+        if (found == from.end() || !found->is_array()) return;
+        for (const json& each : *found) {
+            if (value.size() == longest_list) return;
+            if (!each.is_string()) continue;
+            const auto& text = each.get_ref<const std::string&>();
+            if (text.size() <= longest_text && !text.empty()) value.push_back(text);
+        }
+    }
+};
+struct Writing {
+    json& to;
+    void operator()(const char* name, const auto& value, auto...) const { to[name] = value; }
+};
+void each_preference(auto& p, const auto& field)
+{
+    field("scale", p.scale, 0.75, 2.0);
+    field("dock", p.dock, 280.0, 480.0);
+    field("outliner", p.outliner, 120.0, 4000.0);
+    field("show_dock", p.show_dock);
+    field("recent_commands", p.recent_commands);
+    field("recent_scenes", p.recent_scenes);
+}
+
+std::string read_small_file(const std::string& path)
+{
+    std::error_code ignored;
+    if (!fs::is_regular_file(path, ignored) || fs::file_size(path, ignored) > largest_file)
+        return {};
+    try {
+        return read_text_file(path);
+    } catch (const Rejected&) {
+        return {};
+    }
+}
+
+} // namespace
+
+Preferences preferences_from(std::string_view text)
+{
+    constexpr int deepest = 4; // so that brackets cannot exhaust the stack
+    const auto shallow = [](int depth, json::parse_event_t, json&) { return depth <= deepest; };
+    Preferences preferences;
+    const json object = json::parse(text, shallow, false);
+    if (object.is_object()) each_preference(preferences, Reading{object});
+    return preferences;
+}
+
+std::string text_of(const Preferences& preferences)
+{
+    json object = json::object();
+    each_preference(preferences, Writing{object});
+    return object.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+void remember(std::vector<std::string>& recent, const std::string& what)
+{
+    std::erase(recent, what);
+    recent.insert(recent.begin(), what);
+    if (recent.size() > longest_list) recent.resize(longest_list);
+}
+
+double next_scale(double scale, int direction)
+{
+    constexpr double steps[] = {0.75, 0.8, 0.9, 1, 1.1, 1.25, 1.5, 1.75, 2};
+    constexpr double nearly = 1e-6;
+    if (direction > 0) {
+        for (const double each : steps)
+            if (each > scale + nearly) return each;
+        return 2;
+    }
+    double lower = 0.75;
+    for (const double each : steps)
+        if (each < scale - nearly) lower = each;
+    return lower;
+}
+
+PreferencesFile::PreferencesFile(std::string path)
+    : path_(std::move(path)),
+      kept_(path_.empty() ? Preferences() : preferences_from(read_small_file(path_)))
+{
+}
+
+std::string PreferencesFile::keep(const Preferences& preferences)
+{
+    if (preferences == kept_) return {};
+    kept_ = preferences;
+    if (path_.empty()) return {};
+    std::error_code error;
+    fs::create_directories(fs::path(path_).parent_path(), error);
+    const std::string beside = path_ + ".new"; // so that a crash leaves the old one whole
+    std::ofstream file(beside, std::ios::binary | std::ios::trunc);
+    file << text_of(preferences);
+    file.close();
+    if (file) fs::rename(beside, path_, error);
+    const bool well = file && !error;
+    if (well || failed_) return {};
+    failed_ = true;
+    return path_ + " cannot be written. The arrangement of this window is gone when it closes.";
+}
+
+} // namespace trivar

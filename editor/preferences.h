@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace trivar {
+
+// What a person has arranged, for all scenes. Sizes are pixels at scale 1.
+struct Preferences {
+    double scale = 1; // of the interface, times the monitor's, 0.75..2
+    double dock = 320, outliner = 256;
+    bool show_dock = true;
+    std::vector<std::string> recent_commands, recent_scenes; // the newest first
+    bool operator==(const Preferences&) const = default;
+};
+
+// Text of JSON. Anything odd in it (another type, a size out of range, a list too long, no JSON at
+// all) is as if it were not there, for a program must start whatever its settings say.
+Preferences preferences_from(std::string_view text);
+std::string text_of(const Preferences& preferences);
+
+// Puts it in front of the list, once.
+void remember(std::vector<std::string>& recent, const std::string& what);
+
+// The scale after a step up or down, 0.75..2 in steps of 5, 10 and 25 %.
+double next_scale(double scale, int direction);
+
+// Preferences in a file, written when they differ from what it holds. Without a path in memory.
+class PreferencesFile {
+public:
+    explicit PreferencesFile(std::string path);
+    const Preferences& read() const { return kept_; } // as they were when it was opened
+    // Why they could not be written, once; else nothing.
+    std::string keep(const Preferences& preferences);
+
+private:
+    std::string path_;
+    Preferences kept_;
+    bool failed_ = false;
+};
+
+} // namespace trivar

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/log.h"
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace trivar {
+
+// A command as a person types it. Either a line of the scene file, {"do":"rename",...}, or
+//
+//   rename object=Snake name=Viper
+//   transform object=3 translation=[0,0,1.5]
+//   edit_placement object=Snake parameters.width=0.24
+//
+// Values are JSON or bare words, dots reach into what is nested, objects go by name or number. In
+// the short form a transform, a material, a placement and the picture keep what is not typed.
+using TypedLine = std::variant<Command, UndoLine, RedoLine>;
+TypedLine typed_line(std::string_view text, const Document& document); // throws Rejected
+
+// The inverse, in the short form.
+std::string typed_text(const Command& command, const Document& document);
+
+// One of each, with default fields.
+std::vector<Command> every_command();
+
+// The text with its last word continued as far as it is certain, and what could follow: verbs,
+// then the fields of the verb, then names of objects.
+struct Completion {
+    std::string text;
+    std::vector<std::string> words; // more than one: the choice that is left
+};
+Completion completed(std::string_view text, const Document& document);
+
+} // namespace trivar
