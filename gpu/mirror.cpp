@@ -64,6 +64,26 @@ MirroredMesh uploaded(const Mesh& mesh)
     return out;
 }
 
+std::vector<glm::uvec2> edges_of(const Mesh& mesh)
+{
+    std::vector<std::uint64_t> keys;
+    keys.reserve(mesh.corners.size());
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+        const std::uint32_t begin = mesh.face_begin[f], end = mesh.face_begin[f + 1];
+        for (std::uint32_t c = begin; c < end; ++c) {
+            const auto [a, b] =
+                std::minmax(mesh.corners[c], mesh.corners[c + 1 < end ? c + 1 : begin]);
+            keys.push_back(std::uint64_t{a} << 32 | b);
+        }
+    }
+    std::sort(keys.begin(), keys.end());
+    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+    std::vector<glm::uvec2> out;
+    out.reserve(keys.size());
+    for (const std::uint64_t key : keys) out.emplace_back(key >> 32, key & 0xffffffff);
+    return out;
+}
+
 template <class Entries> void erase_dead(Entries& entries)
 {
     std::erase_if(entries, [](const auto& item) { return item.second.alive.expired(); });
@@ -76,7 +96,7 @@ Mirror::MeshEntry& Mirror::entry(const Ref<Mesh>& mesh)
     MeshEntry& found = meshes_[mesh.get()];
     // A dead mesh's address may have been taken by another one.
     if (found.alive.lock() != mesh) {
-        found = {mesh, uploaded(*mesh), {}};
+        found = {mesh, uploaded(*mesh), {}, {}};
         found.mirrored.serial = ++uploads_;
     }
     return found;
@@ -85,6 +105,21 @@ Mirror::MeshEntry& Mirror::entry(const Ref<Mesh>& mesh)
 const MirroredMesh& Mirror::mesh(const Ref<Mesh>& mesh)
 {
     return entry(mesh).mirrored;
+}
+
+const MirroredEdges& Mirror::edges(const Ref<Mesh>& mesh)
+{
+    MeshEntry& found = entry(mesh);
+    if (!found.edges) {
+        found.edges = std::make_unique<MirroredEdges>();
+        MirroredEdges& out = *found.edges;
+        const std::vector<glm::uvec2> edges = edges_of(*mesh);
+        out.count = static_cast<int>(2 * edges.size());
+        out.indices.write(std::as_bytes(std::span(edges)));
+        out.vertices.attribute(0, found.mirrored.buffers.front(), 3, sizeof(glm::vec3));
+        out.vertices.indices(out.indices);
+    }
+    return *found.edges;
 }
 
 Box Mirror::box_world(const Ref<Mesh>& mesh, const glm::dmat4& to_world)

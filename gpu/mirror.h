@@ -24,11 +24,19 @@ struct MirroredMesh {
     std::uint64_t serial = 0; // no two uploads have the same
 };
 
+// The edges between a mesh's faces, each once, as lines; a polygon's diagonals are none.
+struct MirroredEdges {
+    VertexArray vertices;
+    Buffer indices;
+    int count = 0; // of the indices
+};
+
 // Uploads of immutable values, keyed by Ref identity. The mirror owns none of the values: what
 // nobody else holds any more is freed by drop_dead().
 class Mirror {
 public:
     const MirroredMesh& mesh(const Ref<Mesh>& mesh);
+    const MirroredEdges& edges(const Ref<Mesh>& mesh); // O(#C log #C) when first asked for
     // bounding_box(), remembered for the last few matrices a mesh was seen with.
     Box box_world(const Ref<Mesh>& mesh, const glm::dmat4& to_world);
     const Texture2D& texture(const Ref<Image>& image, bool srgb);
@@ -42,6 +50,7 @@ private:
         std::weak_ptr<const Mesh> alive;
         MirroredMesh mirrored;
         std::vector<std::pair<glm::dmat4, Box>> boxes;
+        std::unique_ptr<MirroredEdges> edges;
     };
     struct TextureEntry {
         std::weak_ptr<const Image> alive;

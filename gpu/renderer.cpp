@@ -8,6 +8,7 @@
 #include "gpu/passes/overlays.h"
 #include "gpu/passes/sample.h"
 #include "gpu/passes/shadow_map.h"
+#include "gpu/passes/wire.h"
 
 #include <algorithm>
 #include <array>
@@ -186,6 +187,8 @@ struct Renderer::State {
             clock.pass("backdrop", [&] { draw_backdrop(tools, *w.targets, w.picture.grid); });
             return false;
         default:
+            if (w.picture.settings.wire)
+                clock.pass("wire", [&] { draw_wire(tools, *w.targets, frame, w.scene); });
             if (any_see_through(w.scene))
                 clock.pass("ghosts",
                            [&] { draw_ghosts(tools, *w.targets, frame, w.scene, w.quality); });

@@ -15,11 +15,12 @@ bool drawable(const Box& box)
     return !box.empty();
 }
 
-SceneItem item_of(const Instance& instance, const Box& box, const glm::dvec3& origin_world,
-                  Mirror& mirror)
+SceneItem item_of(const Instance& instance, bool wire, const Box& box,
+                  const glm::dvec3& origin_world, Mirror& mirror)
 {
     SceneItem item;
     item.mesh = &mirror.mesh(instance.mesh);
+    item.edges = wire ? &mirror.edges(instance.mesh) : nullptr;
     item.materials = instance.materials;
     glm::dmat4 to_scene = instance.to_world;
     to_scene[3] -= glm::dvec4(origin_world, 0);
@@ -84,8 +85,8 @@ Scene scene_of(const Picture& picture, Mirror& mirror)
         static_cast<float>((standing.empty() ? all : standing).lo.z - scene.origin_world.z);
     for (std::size_t i = 0; i < boxes.size(); ++i)
         if (!boxes[i].empty())
-            scene.items.push_back(
-                item_of(picture.instances[i], boxes[i], scene.origin_world, mirror));
+            scene.items.push_back(item_of(picture.instances[i], picture.settings.wire, boxes[i],
+                                          scene.origin_world, mirror));
     return scene;
 }
 

@@ -10,6 +10,7 @@ namespace trivar::gpu {
 // that single precision is enough wherever in the world the scene lies.
 struct SceneItem {
     const MirroredMesh* mesh;
+    const MirroredEdges* edges;           // null unless the edges are drawn
     Ref<std::vector<Material>> materials; // may be null: the default material
     glm::mat4 to_scene;
     glm::mat3 normal_to_scene;

@@ -48,6 +48,7 @@ std::vector<ProgramName> every_program()
          {"shade", "occlusion_blur", "contact", "contact_blur", "average", "outline"})
         out.push_back(full_screen_program(fragment));
     out.push_back({"line", "line", {}});
+    out.push_back({"wire", "wire", {}});
     return out;
 }
 

@@ -33,8 +33,11 @@ Turn turn(double degrees)
 template <class T> void add(Digest& digest, const T& value)
 {
     if constexpr (Nested<T>)
-        each_field(value,
-                   [&](std::string_view, const auto& field, auto&&...) { add(digest, field); });
+        each_field(value, [&](std::string_view, const auto& field, std::string_view = {},
+                              const Rule& rule = {}) {
+            if (rule.later && field == std::remove_cvref_t<decltype(field)>{}) return;
+            add(digest, field);
+        });
     else if constexpr (std::is_convertible_v<T, std::string_view>)
         digest.add_text(value);
     else if constexpr (is_optional<T>) {

@@ -14,6 +14,7 @@ struct RenderSettings {
     double sun_elevation = 0.84; // radians above the horizon
     bool shadows = true;
     bool ambient_occlusion = true;
+    bool wire = false;  // the edges of the faces, drawn over them
     bool ground = true; // a shadow-catching ground under the scene
     bool operator==(const RenderSettings&) const = default;
 };

@@ -256,6 +256,8 @@ void draw_picture_settings(Editor& editor, const ui::Theme& theme)
     take(ui::check_box(theme, "shadows", s.shadows, "cast by the sun"));
     ui::label_row(theme, "Corners");
     take(ui::check_box(theme, "corners", s.ambient_occlusion, "darker"));
+    ui::label_row(theme, "Edges");
+    take(ui::check_box(theme, "edges", s.wire, "drawn over faces"));
     ui::label_row(theme, "Ground");
     take(ui::check_box(theme, "ground", s.ground, "catches shadows"));
     ui::gap(theme, 8);

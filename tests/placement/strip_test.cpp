@@ -19,9 +19,9 @@ using ::testing::ThrowsMessage;
 
 void expect_no_fold(const Strip& strip)
 {
-    for (double a = 0.01; a < 0.99; a += 0.002)
+    for (int i = 5; i < 495; ++i)
         for (const double v : {0.0, 0.5, 1.0}) {
-            const double e = 1e-5;
+            const double a = i / 500.0, e = 1e-5;
             const glm::dvec2 u = strip.at(a + e, v) - strip.at(a - e, v);
             const glm::dvec2 w = strip.at(a, 1) - strip.at(a, 0);
             EXPECT_LT(u.x * w.y - u.y * w.x, 0) << a << " " << v; // y goes down

@@ -141,6 +141,7 @@ Changes changes(const RenderSettings& before, const RenderSettings& after)
     compare("Sun height", before.sun_elevation, after.sun_elevation, angle);
     compare("Shadows", before.shadows, after.shadows, either("on", "off"));
     compare("Dark corners", before.ambient_occlusion, after.ambient_occlusion, either("on", "off"));
+    compare("Edges", before.wire, after.wire, either("on", "off"));
     compare("Ground", before.ground, after.ground, either("on", "off"));
     return compare.take();
 }

@@ -28,12 +28,15 @@ struct Rule {
     bool required = false;      // in JSON; else what is left out has its default
     double lo = -1e9, hi = 1e9; // of numbers; no coordinate or size of a scene is beyond
     std::string_view choices{}; // of texts, separated by |; empty: any
+    bool later = false;         // there were scenes without it, whose digests stay: no part of one
+                                // where it is zero
 };
 constexpr Rule required{.required = true};
 constexpr Rule between(double lo, double hi)
 {
     return {.lo = lo, .hi = hi};
 }
+constexpr Rule later{.later = true};
 constexpr Rule positive{.lo = 1e-9};
 constexpr Rule not_negative{.lo = 0};
 constexpr Rule one_of(std::string_view choices)

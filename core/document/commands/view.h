@@ -36,6 +36,7 @@ template <> struct FieldsOf<RenderSettings> {
         field("sun_elevation", s.sun_elevation, "radians above the horizon", between(-1.6, 1.6));
         field("shadows", s.shadows, "the sun casts shadows");
         field("ambient_occlusion", s.ambient_occlusion, "corners are darker");
+        field("wire", s.wire, "the edges of the faces are drawn over them", later);
         field("ground", s.ground, "a ground under the scene that catches shadows");
     }
 };

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gpu/passes/targets.h"
+#include "gpu/passes/tools.h"
+
+namespace trivar::gpu {
+
+// The edges of the scene's faces over the lit surfaces, for items that have them; fainter where
+// they lie so close that they would cover everything.
+void draw_wire(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene);
+
+} // namespace trivar::gpu

@@ -1,0 +1,11 @@
+// An edge of a face, a little nearer to the eye than the face itself.
+layout(location = 0) in vec3 position;
+uniform mat4 to_scene;
+uniform mat4 scene_to_clip;
+
+void main()
+{
+    const float PULL = 4e-5;
+    gl_Position = scene_to_clip * (to_scene * vec4(position, 1.0));
+    gl_Position.z -= PULL * gl_Position.w;
+}
