@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/expression.h"
 #include "core/base/text.h"
 #include "ui/keys.h"
 #include "ui/widgets.h"
@@ -71,7 +72,8 @@ void paint_number(const Theme& theme, const Rect& r, double value, const NumberS
     if (!style.axis.empty()) {
         paint_text(theme.font.small_strong, text, style.axis_color ? style.axis_color : c.text_2,
                    style.axis);
-        text.lo.x += theme.px(14);
+        text.lo.x += theme.px(13);
+        text.hi.x += theme.px(2);
     }
     const bool word = value == 0 && !style.zero.empty();
     const float unit_width = text_width(theme.font.small, style.unit);
@@ -80,11 +82,21 @@ void paint_number(const Theme& theme, const Rect& r, double value, const NumberS
         text.hi.x -= unit_width + theme.px(6);
     }
     const bool whole = style.step >= 1 && value == std::round(value);
-    const std::string shown = word    ? style.zero
-                              : whole ? fmt::format("{:.0f}", value)
-                                      : short_number(value);
+    std::string shown = word    ? style.zero
+                        : whole ? fmt::format("{:.0f}", value)
+                                : short_number(value);
+    // A narrow field says it less exactly rather than in part.
+    if (!word && std::abs(value) < 99 && text_width(theme.font.body, shown) > text.width())
+        shown = fmt::format("{:.2g}", value);
     paint_text(theme.font.body, text, word ? c.text_2 : c.text,
                elided(theme.font.body, shown, text.width()));
+}
+
+Measure measure_of(const NumberStyle& style)
+{
+    return style.unit == "m"     ? Measure::length
+           : style.unit == "deg" ? Measure::angle
+                                 : Measure::plain;
 }
 
 Edit type_number(const Theme& theme, const Memory& memory, double& value, const NumberStyle& style,
@@ -101,10 +113,10 @@ Edit type_number(const Theme& theme, const Memory& memory, double& value, const 
     ImGui::InputText("##typed", text.data(), text.size(), ImGuiInputTextFlags_AutoSelectAll);
     ImGui::PopStyleColor();
     const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
-    paint_rim({{lo.x, lo.y}, {hi.x, hi.y}}, theme.color.focus, theme.size.rounding_small,
-              1.5f * theme.scale);
-    const std::optional<double> typed = parse_number(text.c_str());
-    if (typed) memory.set(*typed);
+    const std::optional<double> typed = evaluate_expression(text.c_str(), measure_of(style), value);
+    memory.set(typed.value_or(value)); // what cannot be read changes nothing
+    paint_rim({{lo.x, lo.y}, {hi.x, hi.y}}, typed ? theme.color.focus : theme.color.bad,
+              theme.size.rounding_small, 1.5f * theme.scale);
     if (ImGui::IsItemActive()) return Edit::none;
     if (memory.travel() < 3) return Edit::none; // the keyboard arrives a frame later
     memory.set_mode(Memory::resting);

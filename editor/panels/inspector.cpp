@@ -176,7 +176,7 @@ void draw_transform(Editor& editor, const ui::Theme& theme, Id id)
     if (!each.placement) { // the stroke says where a placed object is
         take(vector_row(theme, "Position", t.translation, rest.translation, {.unit = "m"}));
         take(vector_row(theme, "Rotation", t.rotation_deg, rest.rotation_deg,
-                        {.lo = -36000, .hi = 36000, .step = 1}));
+                        {.lo = -36000, .hi = 36000, .step = 1, .unit = "deg"}));
     }
     take(vector_row(theme, "Scale", t.scale, rest.scale, {.lo = -1e6, .hi = 1e6}));
     const ui::Row row = ui::label_row(theme, "All alike");

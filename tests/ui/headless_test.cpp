@@ -30,6 +30,18 @@ struct FieldRig {
             ImGui::End();
         };
     }
+    void type(const std::string& text)
+    {
+        screen.frames(2, body());
+        screen.input().push(move_to({60, 32}));
+        screen.input().push(press(Button::left));
+        screen.input().push(press(Button::left, false)); // both before a frame could see either
+        screen.frames(6, body());
+        for (const char c : text) screen.input().push(type_text(static_cast<unsigned>(c)));
+        screen.input().push(press_key(key_enter));
+        screen.input().push(press_key(key_enter, false));
+        screen.frames(6, body());
+    }
     void drag(float from, float to, int steps)
     {
         screen.frames(2, body()); // a press finds only windows that were drawn before
@@ -74,18 +86,29 @@ TEST(NumberField, ADragStopsAtTheEndsOfTheRange)
 TEST(NumberField, AClickOpensItForTyping)
 {
     FieldRig rig;
-    rig.screen.frames(2, rig.body());
-    rig.screen.input().push(move_to({60, 32}));
-    rig.screen.input().push(press(Button::left));
-    rig.screen.input().push(press(Button::left, false)); // both before a frame could see either
-    rig.screen.frames(6, rig.body());
-    for (const char c : std::string("7.25"))
-        rig.screen.input().push(type_text(static_cast<unsigned>(c)));
-    rig.screen.input().push(press_key(key_enter));
-    rig.screen.input().push(press_key(key_enter, false));
-    rig.screen.frames(6, rig.body());
+    rig.type("7.25");
     EXPECT_EQ(rig.value, 7.25);
     EXPECT_EQ(rig.changes, 1);
+}
+
+TEST(NumberField, TakesExpressionsUnitsAndChangesOfWhatIsThere)
+{
+    FieldRig rig;
+    rig.type("2 * (1 + 0.5)");
+    EXPECT_EQ(rig.value, 3);
+    rig.type("+=0.5");
+    EXPECT_EQ(rig.value, 3.5);
+    rig.style.unit = "m";
+    rig.type("50 cm");
+    EXPECT_EQ(rig.value, 0.5);
+}
+
+TEST(NumberField, WhatCannotBeReadChangesNothing)
+{
+    FieldRig rig;
+    for (const char* text : {"7 +", "7 deg", "seven", "1/0"}) rig.type(text);
+    EXPECT_EQ(rig.value, 2);
+    EXPECT_EQ(rig.changes, 0);
 }
 
 TEST(Frames, AnIdleWindowDrawsNothing)

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace trivar {
+
+// What a number that somebody types is of; says which units it may carry, and what it is in.
+enum class Measure {
+    plain,  // no unit
+    length, // mm cm m km in ft; metres
+    angle   // deg rad; degrees
+};
+
+// The value of a number as people type it: "1.25", "3 * (2 + 1)", "-2^2", "12 mm + 0.5 in",
+// "sqrt(2)", "max(1, pi)". Functions take and give the field's own number: sin(30) of an angle is
+// 0.5. "+=", "-=", "*=" and "/=" before it work on `present`; a plain "=" is passed over. Nothing
+// where it cannot be read, or where the result is not finite.
+std::optional<double> evaluate_expression(std::string_view text, Measure measure,
+                                          double present = 0);
+
+} // namespace trivar
