@@ -2,6 +2,7 @@
 #include "editor/actions.h"
 
 #include "editor/editor.h"
+#include "editor/reset_actions.h"
 #include "editor/selection_actions.h"
 #include "ui/camera_control.h"
 
@@ -280,6 +281,7 @@ std::vector<Action> all_actions(const Editor& editor)
     file_actions(a);
     edit_actions(a);
     add_selection_actions(a);
+    add_reset_actions(a);
     a.push_back(add_action<AddPlane>("Plane"));
     a.push_back(add_action<AddBox>("Box"));
     a.push_back(add_action<AddSphere>("Sphere"));
@@ -290,8 +292,10 @@ std::vector<Action> all_actions(const Editor& editor)
     view_actions(a);
     window_actions(a);
     for (std::size_t i = 0; i < editor.tools.size(); ++i)
-        a.push_back({"Tools", editor.tools[i]->name(), editor.tools[i]->keys(),
-                     [i](Editor& e) { e.choose_tool(i); }});
+        a.push_back({"Tools", editor.tools[i]->name(), editor.tools[i]->keys(), [i](Editor& e) {
+                         e.choose_tool(i);
+                         e.active_tool().begin(e.session);
+                     }});
     a.push_back({"Help", palette_action, {{ui::key_f1 + 2}, ctrl('P')}, [](Editor& e) {
                      e.palette.show();
                  }});
@@ -323,7 +327,10 @@ void run_keys(Editor& editor)
     const auto escape = [] { return ui::struck({ui::key_escape}); };
     Tool& tool = editor.active_tool();
     if (tool.busy()) { // a gesture has the keyboard: only it and the camera go on
-        if (escape() || ImGui::IsMouseClicked(ImGuiMouseButton_Right)) tool.cancel(editor.session);
+        if (escape() || ImGui::IsMouseClicked(ImGuiMouseButton_Right))
+            tool.cancel(editor.session);
+        else
+            tool.take_keys(editor.session);
         return;
     }
     if (editor.files.asking()) return;

@@ -120,6 +120,7 @@ ViewportInput Viewport::take_input(Session& session, const ui::Frame& frame, con
 {
     ViewportInput input;
     input.rect = rect;
+    input.scale = frame.theme.scale;
     input.mouse = mouse_in(rect);
     input.hovered = ImGui::IsItemHovered();
     const glm::dvec2 drag = input.mouse - last_mouse_;

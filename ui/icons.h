@@ -5,7 +5,8 @@
 
 namespace trivar::ui::icon {
 
-inline constexpr const char *select = "\uf245", *place = "\uf040", *scene = "\uf0e8",
+inline constexpr const char *select = "\uf245", *move = "\uf047", *rotate = "\uf01e",
+                            *scale = "\uf065", *place = "\uf040", *scene = "\uf0e8",
                             *mesh = "\uf1b2", *volume = "\uf1b3", *camera = "\uf03d",
                             *sliders = "\uf1de", *eye = "\uf06e", *hidden = "\uf070",
                             *add = "\uf067", *trash = "\uf1f8", *close = "\uf00d",
@@ -18,7 +19,7 @@ inline constexpr const char *select = "\uf245", *place = "\uf040", *scene = "\uf
                             *save = "\uf0c7", *image = "\uf03e", *reset = "\uf021",
                             *target = "\uf05b", *level_up = "\uf148", *home = "\uf015",
                             *link = "\uf0c1", *group = "\uf247", *grid = "\uf0ce", *log = "\uf120",
-                            *copy = "\uf0c5", *move = "\uf047", *pencil = "\uf044",
-                            *drop = "\uf043", *command = "\uf138";
+                            *copy = "\uf0c5", *pencil = "\uf044", *drop = "\uf043",
+                            *command = "\uf138";
 
 } // namespace trivar::ui::icon

@@ -23,7 +23,13 @@ std::vector<Line> lines_of(const Editor& editor)
                             {"Zoom to the mouse", "wheel, or Ctrl+middle"},
                             {"Cancel a gesture", "right, or Esc"},
                             {"Type a number", "click it"},
-                            {"Drag finely", "hold Shift"}};
+                            {"Drag finely", "hold Shift"},
+                            {"While moving, rotating or scaling", ""},
+                            {"Along one axis; again: the object's own", "X, Y, Z"},
+                            {"In the plane across it", "Shift+X, Shift+Y, Shift+Z"},
+                            {"An exact amount, then the next", "type it, Tab"},
+                            {"Snap", "hold Ctrl"},
+                            {"Done", "left, or Enter"}};
     std::string menu;
     for (const Action& each : editor.actions) {
         if (each.keys.empty()) continue;

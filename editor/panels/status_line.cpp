@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/panels.h"
 
+#include <cmath>
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -72,8 +73,12 @@ void draw_status_line(Editor& editor, const ui::Theme& theme, const Layout& layo
             x += input_width(theme, input) + theme.px(4);
         }
         x += theme.px(2);
-        ui::paint_text(theme.font.small, {{x, r.lo.y}, r.hi}, c.text_2, hint.verb);
-        x += ui::text_width(theme.font.small, hint.verb) + theme.px(18);
+        const bool tells = hint.inputs.empty(); // what the hand does now
+        ui::paint_text(theme.font.small, {{x, r.lo.y}, r.hi}, tells ? c.text : c.text_2, hint.verb);
+        float verb_width = ui::text_width(theme.font.small, hint.verb);
+        // It grows in steps, so that the others do not dance with its digits.
+        if (tells) verb_width = theme.px(32) * std::ceil(verb_width / theme.px(32));
+        x += verb_width + theme.px(18);
     }
     ImGui::End();
 }

@@ -3,6 +3,7 @@
 
 #include "editor/tools/place.h"
 #include "editor/tools/select.h"
+#include "editor/tools/transform.h"
 
 namespace trivar {
 
@@ -10,6 +11,9 @@ std::vector<std::unique_ptr<Tool>> all_tools()
 {
     std::vector<std::unique_ptr<Tool>> tools;
     tools.push_back(std::make_unique<SelectTool>());
+    const auto choices = std::make_shared<TransformChoices>();
+    for (const MotionKind kind : {MotionKind::move, MotionKind::rotate, MotionKind::scale})
+        tools.push_back(std::make_unique<TransformTool>(kind, choices));
     tools.push_back(std::make_unique<PlaceTool>());
     return tools;
 }

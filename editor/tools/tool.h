@@ -23,6 +23,7 @@ struct Hint {
 // What a tool sees of the viewport in one frame.
 struct ViewportInput {
     ui::Rect rect;         // of the picture in the window
+    double scale = 1;      // of the interface
     glm::dvec2 mouse{0};   // in the picture, pixels
     bool hovered = false;  // the mouse is over the picture and nothing lies above it
     bool pressed = false;  // the left button went down over the picture in this frame
@@ -47,9 +48,11 @@ public:
     virtual std::vector<ui::Chord> keys() const = 0; // the first is shown
     virtual bool crosshair() const { return false; }
 
+    virtual void begin(Session& session) { (void)session; } // it was chosen by its key
     virtual void use(Session& session, const ViewportInput& input) = 0;
-    virtual bool busy() const { return false; }              // a gesture is going on
-    virtual void cancel(Session& session) { (void)session; } // the gesture
+    virtual bool busy() const { return false; }                 // a gesture is going on
+    virtual void take_keys(Session& session) { (void)session; } // while busy
+    virtual void cancel(Session& session) { (void)session; }    // the gesture
 
     // What it draws: in the scene, over the picture, and its settings in the options bar.
     virtual std::vector<gpu::Line> lines(const Session&, const ui::Theme&) const { return {}; }

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/camera.h"
+#include "editor/tools/gizmo.h"
+#include "editor/tools/motion.h"
+#include "editor/tools/typed_amounts.h"
+
+#include <string>
+#include <vector>
+
+namespace trivar {
+
+enum class Orientation { world, local, view }; // whose axes; local: each object's own
+enum class Pivot { center, each, active };     // of the origins, each its own, the active one's
+
+// What the options bar says; the tools share it.
+struct TransformChoices {
+    Orientation orientation = Orientation::world;
+    Pivot pivot = Pivot::center;
+    double step_m = 0.25, step_deg = 5, step_factor = 0.1; // what Ctrl snaps to
+    double step(MotionKind kind) const
+    {
+        return kind == MotionKind::move     ? step_m
+               : kind == MotionKind::rotate ? step_deg
+                                            : step_factor;
+    }
+};
+
+// What all of the objects are moved about: where the handles stand. `active` is one of them.
+MotionFrame shared_frame(const std::vector<Stand>& stands, Id active, Orientation orientation,
+                         Pivot pivot, const Camera& camera);
+
+// How a gesture is begun: on a handle, or on none by its key.
+struct Grasp {
+    Handle handle;
+    glm::dvec2 from_px{0};
+    double scale = 1; // of the interface
+};
+
+// Moving, turning or scaling by hand, from its beginning to its end, without anything that shows
+// it: where the mouse went, which axes were asked for and what was typed give a motion.
+class TransformGesture {
+public:
+    TransformGesture(MotionKind kind, std::vector<Stand> stands, Id active,
+                     const TransformChoices& choices, const Camera& camera, const Grasp& grasp);
+
+    struct Held {
+        bool snap = false, fine = false;
+    };
+    // Where the camera moved instead, the mouse only goes with it.
+    void move_hand(const Camera& camera, glm::dvec2 to_px, Held held);
+    // An axis by its key: that one; the same again: of the other orientation; again: none.
+    void choose_axis(int axis, bool plane);
+    TypedAmounts& typed() { return typed_; }
+    const TypedAmounts& typed() const { return typed_; }
+    int numbers() const { return static_cast<int>(named_axes().size()); } // that can be typed
+
+    Motion motion() const;
+    std::vector<Id> ids() const;
+    std::vector<Transform> transforms() const;
+    std::string words() const;  // "Move X 1.25 m"
+    std::string amount() const; // "X 1.25 m"
+
+    const Handle& constraint() const { return constraint_; } // none: free
+    MotionFrame frame() const;                               // the handles', as it began
+    glm::dvec3 turn_axis_world() const;
+    double travelled_px() const { return travelled_px_; }
+    glm::dvec2 from_px() const { return from_px_; }
+
+private:
+    bool about_view() const; // a turn with no axis is about the line of sight
+    std::vector<int> named_axes() const;
+    glm::dvec3 offset_by_hand() const; // in the world; before any snapping, as the two below
+    double factor_by_hand() const;
+    double turned_deg(glm::dvec2 from_px, glm::dvec2 to_px) const;
+    Motion by_hand() const;
+    Motion by_numbers() const;
+    double snapped(double amount) const;
+    std::string amount_of(int number, double value) const;
+
+    MotionKind kind_;
+    std::vector<Stand> stands_;
+    Id active_;
+    TransformChoices choices_;
+    Orientation asked_; // of the options bar, while a key asked for the other one
+    Camera camera_;
+    Handle constraint_;
+    bool by_handle_;
+    double scale_;
+    glm::dvec2 from_px_, hand_px_, mouse_px_; // the hand goes slower than the mouse while fine
+    glm::dvec3 offset_before_{0};             // what was done before the camera moved, in the world
+    double factor_before_ = 1, turned_deg_ = 0, travelled_px_ = 0;
+    Held held_;
+    TypedAmounts typed_;
+};
+
+} // namespace trivar

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/tools/transform.h"
+
+#include "editor/tools/select.h"
+#include "ui/icons.h"
+
+#include <imgui.h>
+
+namespace trivar {
+namespace {
+
+constexpr double hand_px = 3; // a hand that clicks moves the mouse as far as this
+
+// Whatever is held beside it: Ctrl and Shift say how the hand moves.
+bool struck_anyhow(int key)
+{
+    return !ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(key, false);
+}
+
+} // namespace
+
+std::string TransformTool::name() const
+{
+    return kind_ == MotionKind::move ? "Move" : kind_ == MotionKind::rotate ? "Rotate" : "Scale";
+}
+
+const char* TransformTool::icon() const
+{
+    return kind_ == MotionKind::move     ? ui::icon::move
+           : kind_ == MotionKind::rotate ? ui::icon::rotate
+                                         : ui::icon::scale;
+}
+
+std::string TransformTool::help() const
+{
+    return kind_ == MotionKind::move     ? "Drag an arrow, a plane or the middle."
+           : kind_ == MotionKind::rotate ? "Drag a ring round the selected objects."
+                                         : "Drag a box, a plane or the middle.";
+}
+
+std::vector<ui::Chord> TransformTool::keys() const
+{
+    return {{kind_ == MotionKind::move ? 'G' : kind_ == MotionKind::rotate ? 'R' : 'S'}};
+}
+
+std::optional<MotionFrame> TransformTool::handles_at(const Session& session) const
+{
+    const std::vector<Stand> stands = stands_of(session.document(), session.selected.ids());
+    if (stands.empty()) return {};
+    return shared_frame(stands, session.selected, choices_->orientation, choices_->pivot,
+                        session.camera);
+}
+
+void TransformTool::begin(Session& session)
+{
+    if (session.selected == 0 || session.committing()) return;
+    if (!handles_at(session)) {
+        session.notices.say(ui::NoticeKind::warning,
+                            name_of(session.document(), session.selected) + " lies on its stroke",
+                            "Draw another stroke to lay it elsewhere, or take it off the stroke "
+                            "first.");
+        return;
+    }
+    beginning_ = by_key_ = true;
+}
+
+void TransformTool::start(const Session& session, const Grasp& grasp)
+{
+    gesture_.emplace(kind_, stands_of(session.document(), session.selected.ids()),
+                     session.selected.active(), *choices_, session.camera, grasp);
+    shown_.clear();
+}
+
+void TransformTool::use(Session& session, const ViewportInput& input)
+{
+    outside_ = !input.hovered;
+    const auto frame = gesture_ ? std::nullopt : handles_at(session);
+    if (beginning_ && frame) start(session, {{}, input.mouse, input.scale});
+    beginning_ = false;
+    if (!gesture_) {
+        hovered_ = {};
+        const double scale = input.scale;
+        if (frame && (input.hovered || input.pressed))
+            hovered_ = handle_at(gizmo_shapes(kind_, session.camera, *frame, scale),
+                                 glm::vec2(input.mouse), scale);
+        if (hovered_.grip != Grip::none) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+        if (!input.pressed || session.committing()) return;
+        if (hovered_.grip == Grip::none) {
+            select_by_click(session, input.under);
+            return;
+        }
+        by_key_ = false;
+        start(session, {hovered_, input.mouse, input.scale});
+        return;
+    }
+    const ImGuiIO& io = ImGui::GetIO();
+    gesture_->move_hand(session.camera, input.mouse, {.snap = io.KeyCtrl, .fine = io.KeyShift});
+    if (by_key_ ? input.pressed : input.released)
+        finish(session);
+    else if (by_key_ || gesture_->typed().open() || gesture_->travelled_px() >= hand_px)
+        show(session);
+}
+
+void TransformTool::show(Session& session)
+{
+    // One proposal at a time: the next waits until the last one can be seen.
+    if (!session.up_to_date()) return;
+    std::vector<Transform> wanted = gesture_->transforms();
+    if (wanted == shown_) return;
+    if (session.propose_quietly(arranged(gesture_->ids(), wanted))) shown_ = std::move(wanted);
+}
+
+void TransformTool::finish(Session& session)
+{
+    const TransformGesture done = *gesture_;
+    gesture_.reset();
+    const bool by_hand = by_key_ || done.travelled_px() >= hand_px;
+    const bool nothing = done.motion().is_nothing();
+    if (nothing || !(by_hand || done.typed().open()) ||
+        !session.propose(arranged(done.ids(), done.transforms())))
+        session.cancel();
+    else
+        session.commit();
+}
+
+void TransformTool::cancel(Session& session)
+{
+    beginning_ = false;
+    if (!gesture_) return;
+    gesture_.reset();
+    session.cancel();
+}
+
+void TransformTool::take_keys(Session& session)
+{
+    if (!gesture_) return;
+    TypedAmounts& typed = gesture_->typed();
+    const bool writes = typed.text(typed.at()).starts_with('=');
+    for (int axis = 0; axis < 3 && !writes; ++axis)
+        if (struck_anyhow('X' + axis)) gesture_->choose_axis(axis, ImGui::GetIO().KeyShift);
+    for (const ImWchar c : ImGui::GetIO().InputQueueCharacters)
+        if (c < 128) typed.take(static_cast<char>(c));
+    if (ImGui::IsKeyPressed(ui::key_backspace, true)) typed.erase_last();
+    if (struck_anyhow(ui::key_tab)) typed.next(gesture_->numbers());
+    // A click elsewhere in the window ends it too, before the panel there sees the click.
+    const bool elsewhere = by_key_ && outside_ && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+    if (struck_anyhow(ui::key_enter) || struck_anyhow(ui::key_keypad_enter) || elsewhere)
+        finish(session);
+}
+
+} // namespace trivar

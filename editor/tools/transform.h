@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "editor/tools/gesture.h"
+#include "editor/tools/tool.h"
+
+#include <memory>
+#include <optional>
+
+namespace trivar {
+
+// Moves, turns or scales what is selected: by a drag on a handle, or from its key on with the mouse
+// free until a click. What is seen is the proposal; a gesture is one step. A click beside the
+// handles selects.
+class TransformTool : public Tool {
+public:
+    TransformTool(MotionKind kind, std::shared_ptr<TransformChoices> choices)
+        : kind_(kind),
+          choices_(std::move(choices))
+    {
+    }
+    std::string name() const override;
+    const char* icon() const override;
+    std::string help() const override;
+    std::vector<ui::Chord> keys() const override;
+    void begin(Session& session) override;
+    void use(Session& session, const ViewportInput& input) override;
+    bool busy() const override { return gesture_.has_value() || beginning_; }
+    void take_keys(Session& session) override;
+    void cancel(Session& session) override;
+    void overlay(const Session& session, const ui::Theme& theme,
+                 const ViewportInput& input) const override;
+    void options(Session& session, const ui::Theme& theme, float width) override;
+    std::vector<Hint> hints(const Session& session) const override;
+
+private:
+    std::optional<MotionFrame> handles_at(const Session& session) const;
+    void start(const Session& session, const Grasp& grasp);
+    void show(Session& session); // proposes what the gesture says now
+    void finish(Session& session);
+    void gesture_overlay(const Camera& camera, const ui::Theme& theme,
+                         const ViewportInput& input) const;
+    std::vector<Hint> hints_at_work() const;
+    std::vector<Hint> hints_at_rest(const Session& session) const;
+
+    MotionKind kind_;
+    std::shared_ptr<TransformChoices> choices_;
+    std::optional<TransformGesture> gesture_;
+    bool by_key_ = false;    // the gesture ends with a click, not with letting go
+    bool beginning_ = false; // by its key, as soon as it is known where the mouse is
+    bool outside_ = false;   // the mouse is not over the picture
+    Handle hovered_;
+    std::vector<Transform> shown_; // proposed last
+};
+
+} // namespace trivar

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the transform tools show: handles, the axis at work, the amount, settings and hints.
+#include "editor/tools/hand_motion.h"
+#include "editor/tools/transform.h"
+#include "ui/widgets.h"
+
+#include <algorithm>
+#include <imgui.h>
+
+namespace trivar {
+namespace {
+
+void amount_chip(const ui::Theme& theme, const ViewportInput& input, const std::string& words)
+{
+    const float width = ui::text_width(theme.font.small, words) + theme.px(16);
+    const glm::vec2 lo = input.rect.lo + theme.px(8);
+    const glm::vec2 hi = input.rect.hi - theme.px(8) - glm::vec2(width, theme.size.row);
+    const glm::vec2 at =
+        input.rect.lo + glm::vec2(input.mouse) + glm::vec2(theme.px(24), theme.px(-32));
+    ui::paint_chip(theme, glm::round(glm::clamp(at, lo, glm::max(lo, hi))), {words});
+}
+
+Hint hint(std::vector<std::string> inputs, std::string verb)
+{
+    return {std::move(inputs), std::move(verb)};
+}
+
+} // namespace
+
+void TransformTool::overlay(const Session& session, const ui::Theme& theme,
+                            const ViewportInput& input) const
+{
+    const glm::vec2 at = input.rect.lo;
+    ImGui::PushClipRect({at.x, at.y}, {input.rect.hi.x, input.rect.hi.y}, true);
+    if (gesture_)
+        gesture_overlay(session.camera, theme, input);
+    else if (const auto frame = handles_at(session))
+        paint_gizmo(theme, at, gizmo_shapes(kind_, session.camera, *frame, theme.scale), hovered_);
+    ImGui::PopClipRect();
+}
+
+void TransformTool::gesture_overlay(const Camera& camera, const ui::Theme& theme,
+                                    const ViewportInput& input) const
+{
+    const MotionFrame frame = gesture_->frame();
+    const Handle& held = gesture_->constraint();
+    const bool free = held.grip == Grip::none, plane = held.grip == Grip::plane;
+    for (int axis = 0; axis < 3; ++axis)
+        if (!free && (axis == held.axis) != plane)
+            paint_axis_line(theme, input.rect, camera, frame, axis);
+    const glm::vec2 pivot = input.rect.lo + glm::vec2(project(camera, frame.pivot).p_px);
+    const glm::vec2 hand = input.rect.lo + glm::vec2(input.mouse);
+    if (kind_ == MotionKind::scale) {
+        ui::paint_line(pivot, hand, theme.color.halo, 3 * theme.scale);
+        ui::paint_line(pivot, hand, theme.color.selected, theme.scale);
+    }
+    if (kind_ == MotionKind::rotate) {
+        const glm::dvec3 about = gesture_->turn_axis_world();
+        const auto from = point_in_plane(camera, frame.pivot, about, gesture_->from_px());
+        paint_turn(theme, input.rect.lo, camera, frame.pivot, about,
+                   from ? *from - frame.pivot : view_axes(camera)[0], gesture_->motion().angle_deg,
+                   free ? theme.color.selected : axis_color(theme, held.axis));
+    }
+    ui::paint_dot(pivot, theme.px(4), theme.color.selected, theme.color.halo, 1.5f * theme.scale);
+    if (input.rect.contains(hand)) amount_chip(theme, input, gesture_->amount());
+}
+
+void TransformTool::options(Session& session, const ui::Theme& theme, float width)
+{
+    (void)session;
+    const float end = ImGui::GetCursorScreenPos().x + width;
+    // A label and its field, or neither where they do not fit.
+    const auto setting = [&](const char* words, float field_px, auto&& field) {
+        const ImVec2 p = ImGui::GetCursorScreenPos();
+        const float label = ui::text_width(theme.font.body, words) + theme.px(8);
+        if (p.x + label + theme.px(field_px) > end) return;
+        ui::paint_text(theme.font.body, ui::rect_at({p.x, p.y}, {label, theme.size.row}),
+                       theme.color.text_2, words);
+        ImGui::SetCursorScreenPos({p.x + label, p.y});
+        field(theme.px(field_px));
+        ImGui::SetCursorScreenPos({p.x + label + theme.px(field_px + 16), p.y});
+    };
+    const auto one_of = [&](const char* id, auto& value, const std::vector<std::string>& names) {
+        return [&theme, &value, id, names](float field) {
+            int chosen = static_cast<int>(value);
+            ui::segments(theme, id, chosen, names, field);
+            value = static_cast<std::remove_reference_t<decltype(value)>>(chosen);
+        };
+    };
+    TransformChoices& c = *choices_;
+    setting("Axes", 168, one_of("axes", c.orientation, {"World", "Local", "View"}));
+    setting("Pivot", 168, one_of("pivot", c.pivot, {"Centre", "Each", "Active"}));
+    setting("Ctrl snaps to", 88, [&](float field) {
+        ui::NumberStyle style{.lo = 1e-6, .hi = 1e6};
+        if (kind_ == MotionKind::move) style.unit = "m";
+        if (kind_ == MotionKind::rotate) style.unit = "deg";
+        double& step = kind_ == MotionKind::move     ? c.step_m
+                       : kind_ == MotionKind::rotate ? c.step_deg
+                                                     : c.step_factor;
+        ui::number_field(theme, "step", step, style, field);
+    });
+}
+
+std::vector<Hint> TransformTool::hints(const Session& session) const
+{
+    return gesture_ ? hints_at_work() : hints_at_rest(session);
+}
+
+std::vector<Hint> TransformTool::hints_at_work() const
+{
+    std::vector<Hint> hints;
+    hints.push_back(hint({}, gesture_->words()));
+    const bool typing = gesture_->typed().open();
+    if (typing)
+        hints.push_back(hint({"Enter"}, "Done"));
+    else if (by_key_)
+        hints.push_back(hint({"left", "/", "Enter"}, "Done"));
+    else
+        hints.push_back(hint({"left"}, "Let go when done"));
+    hints.push_back(hint({"Esc", "/", "right"}, "Cancel"));
+    if (typing && gesture_->numbers() > 1) hints.push_back(hint({"Tab"}, "Next number"));
+    hints.push_back(hint({"X", "Y", "Z"}, "Axis"));
+    if (kind_ != MotionKind::rotate) hints.push_back(hint({"Shift", "X", "Y", "Z"}, "Plane"));
+    if (typing) return hints;
+    hints.push_back(hint({"0-9"}, "Type it"));
+    hints.push_back(hint({"Ctrl"}, "Snap"));
+    hints.push_back(hint({"Shift"}, "Fine"));
+    return hints;
+}
+
+std::vector<Hint> TransformTool::hints_at_rest(const Session& session) const
+{
+    std::vector<Hint> hints;
+    const std::string key = ui::text_of(keys().front());
+    if (const auto frame = handles_at(session)) {
+        const Projected middle = project(session.camera, frame->pivot);
+        const bool seen = middle.depth_world > 0 &&
+                          glm::all(glm::greaterThan(middle.p_px, {0, 0})) &&
+                          glm::all(glm::lessThan(middle.p_px, session.camera.size_px));
+        if (seen) hints.push_back(hint({"left"}, "Drag a handle"));
+        hints.push_back(hint({key}, name() + " freely"));
+        hints.push_back(hint({"Alt", key}, "Reset"));
+        if (!seen) hints.push_back(hint({"."}, "Frame it, to see the handles"));
+    }
+    hints.push_back(hint({"left"}, "Select"));
+    hints.push_back(hint({"Ctrl", "left"}, "Add or remove"));
+    hints.push_back(hint({"middle"}, "Orbit"));
+    hints.push_back(hint({"Esc"}, "Back to Select"));
+    return hints;
+}
+
+} // namespace trivar

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/command.h"
+#include "tests/editor/rig.h"
+
+namespace trivar::testing {
+
+// Two boxes side by side, the left one selected, seen from the front.
+struct Boxes : Rig {
+    Boxes()
+    {
+        for (const double x : {-1.5, 1.5}) {
+            AddBox box;
+            box.transform.translation = {x, 0, 0};
+            editor.session.run(box);
+        }
+        editor.session.selected = 1;
+        editor.session.camera.eye = {0, -12, 3};
+        editor.session.camera.target = {0, 0, 0};
+        wait();
+        move(layout().view.center() + glm::vec2(60, 90));
+    }
+    Transform of(Id id) const { return object(editor.session.document(), id).transform; }
+    void let_go()
+    {
+        screen.input().push(ui::press(ui::Button::left, false));
+        wait();
+    }
+    glm::vec2 away() const { return layout().view.center() + glm::vec2(60, 90); }
+};
+
+} // namespace trivar::testing
