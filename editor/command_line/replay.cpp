@@ -18,6 +18,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 
 namespace trivar {
 namespace {
@@ -61,6 +62,25 @@ Ref<AssetStore> asset_store(const ReplayOptions& options)
     return std::make_shared<const AssetStore>(
         std::filesystem::absolute(options.log).lexically_normal().parent_path().string(),
         relinked_files(options.relinked));
+}
+
+// Whoever relinks a file means one that the scene names and one that is there.
+void check_relinked(const ReplayOptions& options, const Document& document)
+{
+    std::set<std::string> named;
+    for (const auto& [id, object] : document.objects)
+        if (const auto* file = std::get_if<ImportedFile>(&object->source)) {
+            named.insert(file->path);
+            named.insert(std::filesystem::path(file->path).filename().string());
+        }
+    std::error_code ignored;
+    for (const auto& [name, file] : relinked_files(options.relinked)) {
+        if (!named.contains(name))
+            throw Rejected(
+                fmt::format("--set {}={}: the scene names no file {}", name, file, name));
+        if (!std::filesystem::exists(file, ignored))
+            throw Rejected(fmt::format("--set {}={}: there is no file {}", name, file, file));
+    }
 }
 
 struct Replayed {
@@ -126,6 +146,7 @@ Replayed replay(const ReplayOptions& options, const Streams& streams)
             check_line(result, line, log.name, history.document(), evaluator, streams);
     }
     result.document = history.document();
+    check_relinked(options, result.document);
     result.evaluated = evaluator(result.document, shown_progress(streams));
     if (streams.terminal) streams.talk << "\r\x1b[K";
     result.timings.add(result.evaluated.timings);

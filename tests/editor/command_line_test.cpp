@@ -147,6 +147,11 @@ TEST(Replay, RelinksFilesByName)
     const Ran ran =
         run({"replay", path, "--set", "triangle.obj=" + folder.file("other.obj"), "--check"});
     EXPECT_EQ(ran.status, Status::done) << ran.talk;
+    for (const char* wrong : {"circle.obj=other.obj", "triangle.obj=nowhere.obj"}) {
+        const Ran refused = run({"replay", path, "--set", wrong});
+        EXPECT_EQ(refused.status, Status::rejected);
+        EXPECT_THAT(refused.talk, HasSubstr(wrong));
+    }
 }
 
 TEST(Replay, ExportsTheResultAndItsTimings)
