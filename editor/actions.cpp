@@ -209,7 +209,7 @@ void view_actions(std::vector<Action>& a)
     a.push_back({"View",
                  "Timing",
                  {{ui::key_f1 + 9}},
-                 [](Editor& e) { e.timing_open = !e.timing_open; },
+                 [](Editor& e) { e.timing.open = !e.timing.open; },
                  {},
                  true});
 }

@@ -6,6 +6,7 @@
 #include "editor/preferences.h"
 #include "editor/tools/tool.h"
 #include "editor/viewport.h"
+#include "ui/timing_overlay.h"
 
 #include <functional>
 #include <string>
@@ -30,7 +31,8 @@ struct Editor {
 
     // Layout, and what panels remember.
     Preferences preferences;
-    bool only_view = false, full_screen = false, timing_open = false;
+    bool only_view = false, full_screen = false;
+    ui::TimingView timing;
     enum class Tab { inspector, history, log } tab = Tab::inspector;
     std::string filter;      // of the outliner
     Id renaming = 0;         // in the outliner

@@ -248,9 +248,7 @@ void Session::poll()
     if (auto result = evaluator_->poll()) {
         evaluated_ticket_ = result->ticket;
         if (result->problem.empty()) {
-            // Where nothing had to be computed, the last times that say something stay.
-            if (result->evaluated.timings.stages.empty())
-                result->evaluated.timings = std::move(evaluated_.timings);
+            if (!result->evaluated.timings.stages.empty()) timings_ = result->evaluated.timings;
             evaluated_ = std::move(result->evaluated);
             ++evaluation_;
         } else {

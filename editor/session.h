@@ -25,6 +25,7 @@ public:
     const Evaluated& evaluated() const { return evaluated_; } // may be a moment behind
     // Counts up with every new evaluation; equal numbers mean equal effects.
     long evaluation() const { return evaluation_; }
+    const Timings& timings() const { return timings_; } // of the last that had something to do
     // Counts up with every change of the document, proposed or committed.
     long change() const { return asked_ticket_; }
     bool up_to_date() const { return evaluated_ticket_ == asked_ticket_; }
@@ -99,6 +100,7 @@ private:
     std::unique_ptr<BackgroundEvaluator> evaluator_;
     Jobs jobs_;
     Evaluated evaluated_;
+    Timings timings_;
     long evaluation_ = 0, evaluated_ticket_ = 0, asked_ticket_ = 0;
     std::optional<Check> check_;
 };

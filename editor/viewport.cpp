@@ -3,7 +3,6 @@
 
 #include "gpu/context.h"
 #include "ui/camera_control.h"
-#include "ui/timing_overlay.h"
 
 #include <algorithm>
 #include <cmath>
@@ -192,8 +191,10 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
         if (wanted.draft) {
             picture.scale = pace_->scale();
             renderer_->draw(picture, size_px);
-            draft_timings_ = renderer_->timings();
-            pace_->drew(ui::total_ms(draft_timings_), frame.time_s);
+            const bool first =
+                std::exchange(timed_evaluation_, session.evaluation()) != session.evaluation();
+            drafts_.add({first ? session.evaluated().timings : Timings{}, renderer_->timings()});
+            pace_->drew(ui::total_ms(renderer_->timings()), frame.time_s);
             shown_ = wanted;
             return renderer_->texture();
         }

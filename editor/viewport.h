@@ -4,6 +4,7 @@
 #include "editor/draft_pace.h"
 #include "editor/tools/tool.h"
 #include "gpu/renderer.h"
+#include "ui/timing_history.h"
 
 #include <memory>
 #include <optional>
@@ -24,8 +25,9 @@ public:
     // for frames. The draft stays until all of it is there.
     unsigned draw(const Session& session, ui::Frame& frame, glm::ivec2 size_px, bool moving,
                   int state, const std::function<std::vector<gpu::Line>()>& lines);
-    const Timings& draft_timings() const { return draft_timings_; } // of the last one
-    const Timings& full_timings() const { return full_timings_; }
+    const ui::TimingHistory& drafts() const { return drafts_; }
+    const Timings& full_timings() const { return full_timings_; } // of the last one
+    std::size_t uploaded_bytes() const { return renderer_ ? renderer_->uploaded_bytes() : 0; }
     long pictures() const { return pictures_; } // begun so far
 
 private:
@@ -47,7 +49,9 @@ private:
     std::optional<DraftPace> pace_;           // as well
     std::optional<Shown> shown_;
     std::optional<Shown> begun_; // the full picture that is being drawn
-    Timings draft_timings_, full_timings_;
+    ui::TimingHistory drafts_;
+    long timed_evaluation_ = 0; // the last one that is in the history
+    Timings full_timings_;
     long pictures_ = 0;
     double moved_s_ = -1e9;
 

@@ -17,9 +17,11 @@ public:
     // Replaces the contents; the old storage is orphaned, so nothing waits for draws under way.
     void write(std::span<const std::byte> bytes);
     unsigned name() const { return name_; }
+    std::size_t bytes() const { return bytes_; }
 
 private:
     unsigned name_ = 0;
+    std::size_t bytes_ = 0;
 };
 
 } // namespace trivar::gpu

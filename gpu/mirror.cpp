@@ -144,6 +144,20 @@ const Texture2D& Mirror::texture(const Ref<Image>& image, bool srgb)
     return found.texture;
 }
 
+std::size_t Mirror::bytes() const
+{
+    std::size_t sum = 0;
+    for (const auto& [mesh, entry] : meshes_) {
+        for (const Buffer& buffer : entry.mirrored.buffers) sum += buffer.bytes();
+        if (entry.edges) sum += entry.edges->indices.bytes();
+    }
+    for (const auto& [image, entry] : textures_) { // the smaller levels are a third more
+        const glm::ivec2 size = entry.texture.size_px();
+        sum += static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * 16 / 3;
+    }
+    return sum;
+}
+
 void Mirror::drop_dead()
 {
     erase_dead(meshes_);

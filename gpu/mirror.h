@@ -42,6 +42,7 @@ public:
     const Texture2D& texture(const Ref<Image>& image, bool srgb);
     void drop_dead();
 
+    std::size_t bytes() const; // of all uploads
     std::size_t mesh_count() const { return meshes_.size(); }
     std::size_t texture_count() const { return textures_.size(); }
 

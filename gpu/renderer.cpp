@@ -327,6 +327,11 @@ std::vector<int> Renderer::pick_in(glm::ivec2 lo_px, glm::ivec2 hi_px)
     return {ids.begin(), ids.end()};
 }
 
+std::size_t Renderer::uploaded_bytes() const
+{
+    return state_->tools.mirror().bytes();
+}
+
 const Timings& Renderer::timings() const
 {
     return state_->clock.timings();

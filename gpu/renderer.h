@@ -40,6 +40,7 @@ public:
 
     // How long the passes of the last picture took (by fences on software GL).
     const Timings& timings() const;
+    std::size_t uploaded_bytes() const; // of meshes and their textures
 
 private:
     struct State;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/timing_overlay.h"
 
-#include "ui/icons.h"
+#include "ui/timing_graph.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -11,34 +11,50 @@
 namespace trivar::ui {
 namespace {
 
+constexpr float width_px = 340, margin_px = 14, row_px = 20, graph_px = 56, gap_px = 8;
+
+struct Group {
+    std::string title;
+    const Timings& timings;
+    Color color = 0;
+    bool folded = false; // the heading alone
+};
+
 std::string milliseconds(double ms)
 {
     return ms < 10 ? fmt::format("{:.2f} ms", ms) : fmt::format("{:.1f} ms", ms);
 }
 
-// Good within a frame of 60 Hz, tolerable within one of 30.
-Color verdict(const Theme& theme, double ms)
+std::string megabytes(std::size_t bytes)
 {
-    return ms < 16.7 ? theme.color.good : ms < 33 ? theme.color.warn : theme.color.bad;
+    return fmt::format("{:.0f} MB", static_cast<double>(bytes) / (1024 * 1024));
 }
 
-void draw_group(const Theme& theme, const TimingGroup& group, float& y, float left, float right)
+// Rows one below the other between two margins.
+struct Rows {
+    const Theme& theme;
+    float y, left, right;
+    Rect next()
+    {
+        const Rect row{{left, y}, {right, y + theme.px(row_px)}};
+        y = row.hi.y;
+        return row;
+    }
+};
+
+void draw_group(const Group& group, Rows& rows)
 {
+    const Theme& theme = rows.theme;
     const Palette& c = theme.color;
-    const float line = theme.px(20);
-    const auto row = [&] {
-        const Rect r{{left, y}, {right, y + line}};
-        y += line;
-        return r;
-    };
-    const double total = total_ms(*group.timings);
-    Rect head = row();
+    const double total = total_ms(group.timings);
+    const Rect head = rows.next();
     paint_text(theme.font.strong, head, c.text, group.title);
     paint_text(theme.font.strong, head, c.text, milliseconds(total), Align::right);
-    for (const Timings::Stage& stage : group.timings->stages) {
-        const Rect r = row();
+    for (const Timings::Stage& stage : group.timings.stages) {
+        if (group.folded) break;
+        const Rect r = rows.next();
         const auto share = static_cast<float>(stage.time_ms / std::max(total, 1e-9));
-        const float bar_left = left + theme.px(128), bar_right = right - theme.px(72);
+        const float bar_left = rows.left + theme.px(128), bar_right = rows.right - theme.px(72);
         paint_text(theme.font.small, r, c.text_2,
                    elided(theme.font.small, stage.name, theme.px(120)));
         paint_text(theme.font.small, r, c.text, milliseconds(stage.time_ms), Align::right);
@@ -48,47 +64,99 @@ void draw_group(const Theme& theme, const TimingGroup& group, float& y, float le
         paint_box({bar.lo, {bar.lo.x + std::max(theme.px(2), bar.width() * share), bar.hi.y}},
                   group.color, theme.px(3));
     }
-    y += theme.px(8);
+    rows.y += theme.px(gap_px);
+}
+
+float height_of(const Theme& theme, const Group& group)
+{
+    const std::size_t lines = 1 + (group.folded ? 0 : group.timings.stages.size());
+    return theme.px(row_px) * static_cast<float>(lines) + theme.px(gap_px);
+}
+
+void draw_card(const Theme& theme, glm::vec2 at, float max_height, const TimingSources& s,
+               TimingView& view)
+{
+    const Palette& c = theme.color;
+    const float foot_height = theme.px(24), graph_height = theme.px(row_px + graph_px + gap_px);
+    const glm::vec2 graph_at = at + theme.px(margin_px) + glm::vec2(0, theme.px(row_px));
+    const Rect graph = rect_at(graph_at, {theme.px(width_px - 2 * margin_px), theme.px(graph_px)});
+
+    // What is shown has to be known before the card is drawn under it.
+    ImGui::SetCursorScreenPos({graph.lo.x, graph.lo.y});
+    const bool clicked = ImGui::InvisibleButton("graph", {graph.width(), graph.height()});
+    const long under =
+        ImGui::IsItemHovered() ? picture_at(s.history, graph, ImGui::GetIO().MousePos.x) : 0;
+    if (clicked) view.held = view.held != under ? under : 0;
+    if (!s.history.find(view.held)) view.held = 0; // it has left the graph
+    const long chosen = under > 0 ? under : view.held;
+
+    std::vector<Group> groups;
+    const auto add = [&groups](const char* title, const Timings& timings, Color color) {
+        if (!timings.stages.empty()) groups.push_back({title, timings, color});
+    };
+    if (const TimedPicture* picture = s.history.find(chosen)) {
+        add("Evaluation", picture->evaluation, c.cpu);
+        add("Picture", picture->passes, c.gpu);
+    } else {
+        add("Evaluation", s.evaluation, c.cpu);
+        if (s.history.count() > 0)
+            add("Picture while moving", s.history.pictures().back().passes, c.gpu);
+        add("Picture at rest", s.at_rest, c.gpu);
+    }
+    const auto height = [&] {
+        float sum = graph_height + foot_height + theme.px(2 * margin_px);
+        for (const Group& group : groups) sum += height_of(theme, group);
+        return sum;
+    };
+    for (std::size_t i = groups.size(); i-- > 0 && height() > max_height;) groups[i].folded = true;
+
+    const Rect card = rect_at(at, {theme.px(width_px), std::min(height(), max_height)});
+    paint_box(card, faded(c.raised, 0.94f), theme.size.rounding_card);
+    paint_rim(card, c.raised_rim, theme.size.rounding_card, theme.size.hairline);
+    ImGui::PushClipRect({card.lo.x, card.lo.y}, {card.hi.x, card.hi.y}, true);
+    Rows rows{theme, card.lo.y + theme.px(margin_px - 4), graph.lo.x, graph.hi.x};
+    const Rect head = rows.next();
+    paint_text(theme.font.strong, head, c.text,
+               chosen > 0 ? fmt::format("{} before the newest", s.history.count() - chosen)
+                          : "Last pictures");
+    paint_text(theme.font.small, head, c.text_2,
+               chosen > 0 && chosen == view.held ? "held, click to let go" : "16.7 and 33 ms",
+               Align::right);
+    draw_timing_graph(theme, s.history, graph, chosen);
+    rows.y = graph.hi.y + theme.px(gap_px);
+    for (const Group& group : groups) draw_group(group, rows);
+
+    const Rect foot{{rows.left, card.hi.y - foot_height - theme.px(margin_px - 4)},
+                    {rows.right, card.hi.y - theme.px(margin_px - 4)}};
+    std::string facts = megabytes(s.program_bytes) + ", " + megabytes(s.uploaded_bytes) + " drawn";
+    for (const Timings::Stage& stage : s.evaluation.stages)
+        if (stage.vertices > 0 && stage.time_ms > 0)
+            facts = fmt::format("{:.1f} M vertices/s, ",
+                                static_cast<double>(stage.vertices) / stage.time_ms / 1000) +
+                    facts;
+    paint_text(theme.font.small, foot, c.text_2, facts);
+    ImGui::SetCursorScreenPos({foot.hi.x - button_width(theme, "Copy"), foot.lo.y});
+    if (button(theme, "Copy", ButtonKind::quiet)) ImGui::SetClipboardText(timing_text(s).c_str());
+    tooltip(theme, "Copy as text", {}, "All of these times, with the names --timings writes.");
+    ImGui::PopClipRect();
 }
 
 } // namespace
 
-double total_ms(const Timings& timings)
+void draw_timing(const Theme& theme, glm::vec2 at, float max_height, const TimingSources& sources,
+                 TimingView& view)
 {
-    double total = 0;
-    for (const Timings::Stage& stage : timings.stages) total += stage.time_ms;
-    return total;
-}
-
-void draw_timing(const Theme& theme, glm::vec2 at, float max_height,
-                 const std::vector<TimingGroup>& groups, bool& open)
-{
-    double slowest = 0;
-    std::size_t lines = 0;
-    for (const TimingGroup& group : groups) {
-        if (group.waited_for) slowest = std::max(slowest, total_ms(*group.timings));
-        lines += group.timings->stages.size() + 1;
-    }
+    const double median = sources.history.median_ms();
     ImGui::SetCursorScreenPos({at.x, at.y});
     ImGui::PushID("timing");
-    const Chip pill{milliseconds(slowest), verdict(theme, slowest)};
+    const Chip pill{milliseconds(median), timing_color(theme, median)};
     const float width = text_width(theme.font.small, pill.text) + theme.px(30);
-    if (ImGui::InvisibleButton("pill", {width, theme.size.row})) open = !open;
-    tooltip(theme, "Timing", "F10", "The slower of the last evaluation and the last picture.");
+    if (ImGui::InvisibleButton("pill", {width, theme.size.row})) view.open = !view.open;
+    tooltip(theme, "Timing", "F10",
+            "The median of the last pictures while something moved, with what they show.");
     paint_chip(theme, at, pill);
-    if (open) {
-        const float height = theme.px(20) * static_cast<float>(lines) +
-                             theme.px(8) * static_cast<float>(groups.size()) + theme.px(16);
-        const Rect card =
-            rect_at(at + glm::vec2(0, theme.px(28)), {theme.px(340), std::min(height, max_height)});
-        paint_box(card, faded(theme.color.raised, 0.94f), theme.size.rounding_card);
-        paint_rim(card, theme.color.raised_rim, theme.size.rounding_card, theme.size.hairline);
-        ImGui::PushClipRect({card.lo.x, card.lo.y}, {card.hi.x, card.hi.y}, true);
-        float y = card.lo.y + theme.px(12);
-        for (const TimingGroup& group : groups)
-            draw_group(theme, group, y, card.lo.x + theme.px(14), card.hi.x - theme.px(14));
-        ImGui::PopClipRect();
-    }
+    if (view.open)
+        draw_card(theme, at + glm::vec2(0, theme.px(28)), max_height - theme.px(28), sources, view);
     ImGui::PopID();
 }
 

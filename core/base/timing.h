@@ -13,21 +13,23 @@ struct Timings {
     struct Stage {
         std::string name; // the same name in the overlay, the benchmark and the docs
         double time_ms = 0;
+        std::size_t vertices = 0; // it worked on, where that is what it does
     };
     std::vector<Stage> stages; // in the order they first ran; one entry a name
 
-    void add(std::string name, double time_ms)
+    void add(std::string name, double time_ms, std::size_t vertices = 0)
     {
         for (Stage& stage : stages)
             if (stage.name == name) {
                 stage.time_ms += time_ms;
+                stage.vertices += vertices;
                 return;
             }
-        stages.push_back({std::move(name), time_ms});
+        stages.push_back({std::move(name), time_ms, vertices});
     }
     void add(const Timings& other)
     {
-        for (const Stage& stage : other.stages) add(stage.name, stage.time_ms);
+        for (const Stage& stage : other.stages) add(stage.name, stage.time_ms, stage.vertices);
     }
 };
 

@@ -89,6 +89,7 @@ Laid Laying::lay(const Shape& shape, const glm::dmat3& turned, const PlacementSt
             {timed(timings, "deform",
                    [&] { return deformed(mesh, embedding, placement.volume, used); }),
              glm::dmat4(1)});
+        timings.add("deform", 0, mesh->vertex_count());
     }
     sorted_ = std::move(used);
     laid.placement = make_ref(std::move(placement));

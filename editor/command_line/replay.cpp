@@ -180,8 +180,10 @@ void draw(const ReplayOptions& options, Replayed& replayed)
 void write_timings(const std::string& path, const Timings& timings)
 {
     nlohmann::ordered_json stages = nlohmann::ordered_json::array();
-    for (const Timings::Stage& stage : timings.stages)
+    for (const Timings::Stage& stage : timings.stages) {
         stages.push_back({{"name", stage.name}, {"time_ms", stage.time_ms}});
+        if (stage.vertices > 0) stages.back()["vertices"] = stage.vertices;
+    }
     std::ofstream file(path);
     file << nlohmann::ordered_json{{"stages", stages}}.dump(2) << "\n";
     file.flush();

@@ -31,7 +31,7 @@ void menu_item(Editor& editor, const Action& each)
 {
     if (each.group_begins) ImGui::Separator();
     const bool on = (each.name == "Perspective" && editor.session.camera.perspective) ||
-                    (each.name == "Timing" && editor.timing_open) ||
+                    (each.name == "Timing" && editor.timing.open) ||
                     (each.name == "Side panels" && editor.preferences.show_dock) ||
                     (each.name == "Viewport only" && editor.only_view) ||
                     (each.name == "Full screen" && editor.full_screen);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/panels.h"
 
+#include "core/base/memory.h"
 #include "ui/icons.h"
 #include "ui/timing_overlay.h"
 #include "ui/widgets.h"
@@ -36,16 +37,13 @@ void labels(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
     const float room = view.width() - theme.px(12 + 130); // the axes stand at the right
     ui::paint_chip(theme, at, {ui::elided(theme.font.small, label, room)});
     at.y += theme.px(28);
-    const bool evaluated = !session.evaluated().timings.stages.empty();
-    std::vector<ui::TimingGroup> groups;
-    if (evaluated) groups.push_back({"Evaluation", &session.evaluated().timings, theme.color.cpu});
     const Viewport& shown = editor.viewport;
-    if (!shown.draft_timings().stages.empty())
-        groups.push_back({"Picture while moving", &shown.draft_timings(), theme.color.gpu});
-    if (!shown.full_timings().stages.empty())
-        groups.push_back({"Picture at rest", &shown.full_timings(), theme.color.gpu, false});
-    if (!groups.empty())
-        ui::draw_timing(theme, at, view.hi.y - at.y - theme.px(40), groups, editor.timing_open);
+    if (shown.drafts().count() == 0) return;
+    const std::size_t bytes = editor.timing.open ? resident_bytes() : 0;
+    ui::draw_timing(
+        theme, at, view.hi.y - at.y - theme.px(40),
+        {shown.drafts(), session.timings(), shown.full_timings(), bytes, shown.uploaded_bytes()},
+        editor.timing);
 }
 
 // Long work is said after a moment, so that quick work does not flicker.

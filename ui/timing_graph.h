@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/paint.h"
+#include "ui/timing_history.h"
+
+namespace trivar::ui {
+
+// Good within a frame of 60 Hz, tolerable within one of 30.
+Color timing_color(const Theme& theme, double ms);
+
+// A bar a picture, the newest at the right: the passes stand on the evaluation. Lines show the
+// frames of 60 and of 30 Hz. The picture of the number `marked` is marked; 0: none.
+void draw_timing_graph(const Theme& theme, const TimingHistory& history, const Rect& in,
+                       long marked);
+
+// The number of the picture whose bar is at x; 0: none.
+long picture_at(const TimingHistory& history, const Rect& graph, float x);
+
+} // namespace trivar::ui
