@@ -136,7 +136,8 @@ void draw_card(const Theme& theme, glm::vec2 at, float max_height, const TimingS
                     facts;
     paint_text(theme.font.small, foot, c.text_2, facts);
     ImGui::SetCursorScreenPos({foot.hi.x - button_width(theme, "Copy"), foot.lo.y});
-    if (button(theme, "Copy", ButtonKind::quiet)) ImGui::SetClipboardText(timing_text(s).c_str());
+    if (button(theme, "Copy", ButtonKind::quiet, {0, foot.height()}))
+        ImGui::SetClipboardText(timing_text(s).c_str());
     tooltip(theme, "Copy as text", {}, "All of these times, with the names --timings writes.");
     ImGui::PopClipRect();
 }
