@@ -56,6 +56,15 @@ double per_px(double start, const NumberStyle& style)
     return std::max(std::abs(start), 0.04) * 0.01 / 4 * 2;
 }
 
+// What a drag goes in while Ctrl is held: about a tenth of the value or of the range.
+double round_step(double start, const NumberStyle& style)
+{
+    if (style.step > 0) return 5 * style.step;
+    const bool bar = style.bar_hi > style.lo;
+    const double size = bar ? style.bar_hi - style.lo : std::max(std::abs(start), 0.04);
+    return std::pow(10, std::floor(std::log10(size)) - 1);
+}
+
 void paint_number(const Theme& theme, const Rect& r, double value, const NumberStyle& style,
                   bool hot)
 {
@@ -99,6 +108,23 @@ Measure measure_of(const NumberStyle& style)
                                  : Measure::plain;
 }
 
+// Tab ends typing in one field of a window and begins it in the next that is drawn.
+ImGuiID tab_key()
+{
+    return ImHashStr("the next number is typed");
+}
+void pass_on_typing()
+{
+    ImGui::ClearActiveID();
+    ImGui::GetStateStorage()->SetInt(tab_key(), ImGui::GetFrameCount() + 1); // the first, if last
+}
+bool takes_typing()
+{
+    if (ImGui::GetStateStorage()->GetInt(tab_key(), -1) < ImGui::GetFrameCount()) return false;
+    ImGui::GetStateStorage()->SetInt(tab_key(), -1);
+    return true;
+}
+
 Edit type_number(const Theme& theme, const Memory& memory, double& value, const NumberStyle& style,
                  float width)
 {
@@ -117,8 +143,10 @@ Edit type_number(const Theme& theme, const Memory& memory, double& value, const 
     memory.set(typed.value_or(value)); // what cannot be read changes nothing
     paint_rim({{lo.x, lo.y}, {hi.x, hi.y}}, typed ? theme.color.focus : theme.color.bad,
               theme.size.rounding_small, 1.5f * theme.scale);
-    if (ImGui::IsItemActive()) return Edit::none;
+    const bool tab = ImGui::IsItemActive() && ImGui::IsKeyPressed(key_tab, false);
+    if (ImGui::IsItemActive() && !tab) return Edit::none;
     if (memory.travel() < 3) return Edit::none; // the keyboard arrives a frame later
+    if (tab) pass_on_typing();
     memory.set_mode(Memory::resting);
     const double result = std::clamp(memory.get(), style.lo, style.hi);
     if (ImGui::IsKeyPressed(key_escape, false) || result == value) return Edit::none;
@@ -153,6 +181,11 @@ Edit number_field(const Theme& theme, const std::string& id, double& value,
     ImGui::PushID(id.c_str());
     const Memory memory{ImGui::GetID("number")};
     Edit edit = Edit::none;
+    if (memory.mode() == Memory::resting && takes_typing()) {
+        memory.set(value);
+        memory.set_travel(0);
+        memory.set_mode(Memory::typing);
+    }
     if (memory.mode() == Memory::typing) {
         edit = type_number(theme, memory, value, style, width);
         ImGui::PopID();
@@ -175,7 +208,8 @@ Edit number_field(const Theme& theme, const std::string& id, double& value,
             memory.set_travel(memory.travel() + io.MouseDelta.x * (io.KeyShift ? 0.1f : 1.0f));
             const double start = memory.get();
             const double moved = start + memory.travel() / theme.scale * per_px(start, style);
-            const double next = std::clamp(rounded(moved, style.step), style.lo, style.hi);
+            const double step = io.KeyCtrl ? round_step(start, style) : style.step;
+            const double next = std::clamp(rounded(moved, step), style.lo, style.hi);
             if (next != value && memory.travel() != 0) edit = Edit::changed;
             if (edit == Edit::changed) value = next;
         }

@@ -12,8 +12,9 @@ namespace trivar::ui {
 
 enum class Edit { none, changed, cancelled }; // cancelled: the value is as it was before the drag
 
-// A number that is dragged sideways (1 % of the range, or of the value, each 4 px; Shift a tenth)
-// or clicked and typed. Values out of range are cut to it.
+// A number that is dragged sideways (1 % of the range, or of the value, each 4 px; Shift a tenth,
+// Ctrl in round steps) or clicked and typed; Tab goes to the next one. Values out of range are cut
+// to it.
 struct NumberStyle {
     double lo = -1e9, hi = 1e9;
     double bar_hi =

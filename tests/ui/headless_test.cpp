@@ -30,7 +30,7 @@ struct FieldRig {
             ImGui::End();
         };
     }
-    void type(const std::string& text)
+    void type(const std::string& text, int end = key_enter)
     {
         screen.frames(2, body());
         screen.input().push(move_to({60, 32}));
@@ -38,8 +38,8 @@ struct FieldRig {
         screen.input().push(press(Button::left, false)); // both before a frame could see either
         screen.frames(6, body());
         for (const char c : text) screen.input().push(type_text(static_cast<unsigned>(c)));
-        screen.input().push(press_key(key_enter));
-        screen.input().push(press_key(key_enter, false));
+        screen.input().push(press_key(end));
+        screen.input().push(press_key(end, false));
         screen.frames(6, body());
     }
     void drag(float from, float to, int steps)
@@ -101,6 +101,28 @@ TEST(NumberField, TakesExpressionsUnitsAndChangesOfWhatIsThere)
     rig.style.unit = "m";
     rig.type("50 cm");
     EXPECT_EQ(rig.value, 0.5);
+}
+
+TEST(NumberField, CtrlDragsInRoundSteps)
+{
+    FieldRig rig;
+    rig.value = 1.37;
+    rig.style = {.lo = -100, .hi = 100};
+    rig.screen.input().push(press_key(key_left_control));
+    rig.drag(60, 97, 5);
+    EXPECT_EQ(rig.value, 1.6);
+}
+
+TEST(NumberField, TabGoesToTheNextAndFromTheLastToTheFirst)
+{
+    FieldRig rig;
+    rig.type("3", key_tab);
+    EXPECT_EQ(rig.value, 3);
+    for (const char c : std::string("4"))
+        rig.screen.input().push(type_text(static_cast<unsigned>(c)));
+    rig.screen.input().push(press_key(key_enter));
+    rig.screen.frames(6, rig.body());
+    EXPECT_EQ(rig.value, 4) << "the only one is its own next";
 }
 
 TEST(NumberField, WhatCannotBeReadChangesNothing)
