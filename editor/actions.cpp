@@ -136,6 +136,12 @@ void edit_actions(std::vector<Action>& a)
                  {{ui::key_delete}, {'X'}},
                  [](Editor& e) { e.session.run(Delete{chosen(e)}); },
                  something_selected()});
+    a.push_back({"Edit",
+                 preferences_action,
+                 {ctrl(ui::key_comma)},
+                 [](Editor& e) { e.preferences_dialog.open = true; },
+                 {},
+                 true});
 }
 
 template <class Add> Action add_action(const std::string& name)
@@ -301,6 +307,7 @@ std::vector<Action> all_actions(const Editor& editor)
                  }});
     a.push_back(
         {"Help", "Keys and mouse", {{ui::key_f1}}, [](Editor& e) { e.help_open = !e.help_open; }});
+    for (Action& each : a) each.usual_keys = each.keys;
     return a;
 }
 

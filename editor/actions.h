@@ -33,10 +33,12 @@ struct Action {
     std::vector<ui::Chord> keys; // the first is shown
     std::function<void(Editor&)> run;
     Condition enabled = {};
-    bool group_begins = false; // a rule above it in the menu
+    bool group_begins = false;              // a rule above it in the menu
+    std::vector<ui::Chord> usual_keys = {}; // before anybody changed them
 };
 
 inline constexpr const char* palette_action = "Find a command...";
+inline constexpr const char* preferences_action = "Preferences...";
 
 std::vector<Action> all_actions(const Editor& editor);
 

@@ -126,7 +126,7 @@ std::vector<PaletteEntry> palette_commands(const Editor& editor)
         if (!each.keys.empty()) caps = ui::caps_of(each.keys.front());
         entries.push_back({add ? "Add " + each.name : each.name, each.menu, icon_of(editor, each),
                            caps, is_enabled(editor, each) ? "" : each.enabled.otherwise,
-                           [name = each.name](Editor& e) { action(e, name).run(e); }});
+                           [name = each.name](Editor& e) { action(e, name).run(e); }, each.name});
     }
     for (const Command& each : every_command()) {
         if (has_an_action(verb(each))) continue;

@@ -26,6 +26,7 @@ struct PaletteEntry {
     std::vector<std::string> key_caps;
     std::string why_not; // empty: it can run
     std::function<void(Editor&)> run;
+    std::string action = {}; // whose key can be changed; empty: it is none
 };
 // Every action and every command of the document; or, after ">", the objects.
 std::vector<PaletteEntry> palette_commands(const Editor& editor);

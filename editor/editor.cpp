@@ -15,6 +15,14 @@ void paint_ground(const ui::Theme& theme, glm::vec2 size_px)
     ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, {size_px.x, size_px.y}, theme.color.gap);
 }
 
+// For the list of what was worked on; a scene without a name is in no list.
+void remember_scene(Editor& editor)
+{
+    const std::string& path = editor.session.scene().path();
+    std::vector<std::string>& recent = editor.preferences.recent_scenes;
+    if (!path.empty() && (recent.empty() || recent.front() != path)) remember(recent, path);
+}
+
 } // namespace
 
 Editor::Editor(std::function<void()> wake, std::string unnamed_folder)
@@ -34,6 +42,7 @@ void draw_editor(Editor& editor, ui::Frame& frame)
 {
     const ui::Theme& theme = frame.theme;
     editor.session.poll();
+    remember_scene(editor);
     const long change = editor.session.change();
     for (const ui::Event& event : frame.events) {
         if (event.kind == ui::Event::Kind::drop) editor.files.take_dropped(event.paths);
@@ -70,6 +79,7 @@ void draw_editor(Editor& editor, ui::Frame& frame)
     draw_status_line(editor, theme, layout);
     editor.files.draw(theme);
     draw_help(editor, theme);
+    draw_preferences(editor, theme);
     draw_command_palette(editor, theme);
     // Panels drawn before the change still show what was there.
     if (editor.session.change() != change) frame.again_in(0);

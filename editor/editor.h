@@ -4,6 +4,7 @@
 #include "editor/command_palette.h"
 #include "editor/files.h"
 #include "editor/preferences.h"
+#include "editor/recent_scenes.h"
 #include "editor/tools/tool.h"
 #include "editor/viewport.h"
 #include "ui/timing_overlay.h"
@@ -38,7 +39,17 @@ struct Editor {
     Id renaming = 0;         // in the outliner
     std::string new_name;    // of it, as typed so far
     bool inspecting = false; // a proposal of the inspector is pending
-    bool help_open = false, hints_off = false;
+    bool help_open = false;
+    RecentScenes recent_scenes;
+    struct PreferencesDialog {
+        bool open = false;
+        int page = 0;
+        std::string filter;              // of the key map
+        std::string asking;              // the action whose new key is waited for
+        std::string given;               // the action that got one last ...
+        std::vector<std::string> losers; // ... and those that lost it
+        bool show_asking = false;        // scroll to it
+    } preferences_dialog;
     CommandPalette palette;
     struct CommandField { // at the foot of the log
         std::string text, trouble;

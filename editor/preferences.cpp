@@ -16,7 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr std::size_t longest_list = 16, longest_text = 4096, largest_file = std::size_t{1} << 20;
+constexpr std::size_t longest_list = 16, longest_text = 4096, largest_file = std::size_t{1} << 20,
+                      most_keys = 1000;
 
 // One list of what is kept and what may be read.
 struct Reading {
@@ -44,10 +45,39 @@ struct Reading {
             if (text.size() <= longest_text && !text.empty()) value.push_back(text);
         }
     }
+    void operator()(const char* name, KeyMap& value) const
+    {
+        const auto found = from.find(name);
+        if (found == from.end() || !found->is_object()) return;
+        for (const auto& [action, keys] : found->items()) {
+            if (!keys.is_array() || value.size() == most_keys) continue;
+            std::vector<ui::Chord>& chords = value[action];
+            for (const json& each : keys)
+                if (each.is_string() && chords.size() < longest_list)
+                    if (const auto chord = ui::chord_from(each.get_ref<const std::string&>()))
+                        chords.push_back(*chord);
+        }
+    }
 };
+json written(const auto& value)
+{
+    return value;
+}
+json written(const KeyMap& map)
+{
+    json object = json::object();
+    for (const auto& [name, keys] : map) {
+        object[name] = json::array();
+        for (const ui::Chord& chord : keys) object[name].push_back(ui::text_of(chord));
+    }
+    return object;
+}
 struct Writing {
     json& to;
-    void operator()(const char* name, const auto& value, auto...) const { to[name] = value; }
+    void operator()(const char* name, const auto& value, auto...) const
+    {
+        to[name] = written(value);
+    }
 };
 void each_preference(auto& p, const auto& field)
 {
@@ -55,6 +85,8 @@ void each_preference(auto& p, const auto& field)
     field("dock", p.dock, 280.0, 480.0);
     field("outliner", p.outliner, 120.0, 4000.0);
     field("show_dock", p.show_dock);
+    field("hints", p.hints);
+    field("keys", p.keys);
     field("recent_commands", p.recent_commands);
     field("recent_scenes", p.recent_scenes);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "editor/key_map.h"
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,7 +13,8 @@ namespace trivar {
 struct Preferences {
     double scale = 1; // of the interface, times the monitor's, 0.75..2
     double dock = 320, outliner = 256;
-    bool show_dock = true;
+    bool show_dock = true, hints = true;
+    KeyMap keys;
     std::vector<std::string> recent_commands, recent_scenes; // the newest first
     bool operator==(const Preferences&) const = default;
 };

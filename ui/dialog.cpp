@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 namespace trivar::ui {
 
@@ -17,6 +18,7 @@ Rect begin_dialog(const Theme& theme, const char* name, glm::vec2 size, const Di
     if (style.from_top >= 0) at.y = std::min(at.y, std::round(style.from_top));
     ImGui::GetStyle().Colors[ImGuiCol_ModalWindowDimBg] =
         ImGui::ColorConvertU32ToFloat4(faded(theme.color.scrim, style.scrim));
+    GImGui->DimBgRatio = 1; // at once: a window that sleeps would stop in the middle of a fade
     if (!ImGui::IsPopupOpen(name)) ImGui::OpenPopup(name);
     ImGui::SetNextWindowPos({at.x, at.y});
     ImGui::SetNextWindowSize({size.x, size.y});

@@ -28,8 +28,24 @@ std::string name_of(int key)
     case key_keypad_minus: return "Keypad -";
     case key_keypad_plus: return "Keypad +";
     case key_keypad_enter: return "Keypad Enter";
-    default: return std::string(1, static_cast<char>(key));
+    default: break;
     }
+    const bool printed = key > key_space && key < 127 && (key < 'a' || key > 'z');
+    return printed ? std::string(1, static_cast<char>(key)) : std::string();
+}
+
+bool pressed(const Chord& chord)
+{
+    const ImGuiIO& io = ImGui::GetIO();
+    return chord.key > 0 && io.KeyCtrl == chord.ctrl && io.KeyShift == chord.shift &&
+           io.KeyAlt == chord.alt && ImGui::IsKeyPressed(chord.key, false);
+}
+
+bool take(std::string_view& text, std::string_view word)
+{
+    if (!text.starts_with(word)) return false;
+    text.remove_prefix(word.size());
+    return true;
 }
 
 } // namespace
@@ -51,12 +67,34 @@ std::string text_of(const Chord& chord)
     return text;
 }
 
-bool struck(const Chord& chord)
+std::optional<Chord> chord_from(std::string_view text)
+{
+    Chord chord;
+    chord.ctrl = take(text, "Ctrl+");
+    chord.alt = take(text, "Alt+");
+    chord.shift = take(text, "Shift+");
+    for (chord.key = 1; chord.key < key_count; ++chord.key)
+        if (!text.empty() && name_of(chord.key) == text) return chord;
+    return std::nullopt;
+}
+
+std::optional<Chord> struck_chord()
 {
     const ImGuiIO& io = ImGui::GetIO();
-    return !io.WantTextInput && chord.key > 0 && io.KeyCtrl == chord.ctrl &&
-           io.KeyShift == chord.shift && io.KeyAlt == chord.alt &&
-           ImGui::IsKeyPressed(chord.key, false);
+    Chord chord{.ctrl = io.KeyCtrl, .shift = io.KeyShift, .alt = io.KeyAlt};
+    for (chord.key = 1; chord.key < key_count; ++chord.key)
+        if (!name_of(chord.key).empty() && struck(chord)) return chord;
+    return std::nullopt;
+}
+
+bool struck(const Chord& chord)
+{
+    return !ImGui::GetIO().WantTextInput && pressed(chord);
+}
+
+bool struck_while_typing(const Chord& chord)
+{
+    return (chord.ctrl || chord.alt || chord.key >= key_escape) && pressed(chord);
 }
 
 } // namespace trivar::ui

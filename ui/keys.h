@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace trivar::ui {
@@ -55,8 +57,13 @@ struct Chord {
 // As people write it: "Ctrl+Shift+S", "Esc", "F10"; and what stands on each of its keys.
 std::string text_of(const Chord& chord);
 std::vector<std::string> caps_of(const Chord& chord);
+std::optional<Chord> chord_from(std::string_view text); // the inverse of text_of
 
 // Whether the chord was struck in this frame (held keys do not repeat) and nobody types text.
 bool struck(const Chord& chord);
+// The same while somebody types, of chords that are no letter.
+bool struck_while_typing(const Chord& chord);
+// Whichever was struck in this frame: a key that is not only held beside others.
+std::optional<Chord> struck_chord();
 
 } // namespace trivar::ui

@@ -111,6 +111,7 @@ void draw_hints(const ui::Theme& theme, const ui::Rect& r, bool objects)
     };
     hint({"Enter"}, objects ? "Select" : "Run");
     hint({"Up", "Down"}, "Choose");
+    if (!objects) hint({"Alt", "Enter"}, "Change its key");
     if (!objects) hint({">"}, "Objects");
     hint({"Esc"}, "Close");
 }
@@ -185,6 +186,7 @@ void draw_command_palette(Editor& editor, const ui::Theme& theme)
 {
     CommandPalette& palette = editor.palette;
     if (!palette.open) return;
+    const bool fresh = palette.fresh; // the key that opened it is still struck
     const float head = theme.px(56), foot = theme.px(40);
     const float top = std::min(theme.px(120), ImGui::GetIO().DisplaySize.y * 0.14f);
     const ui::Rect r = ui::begin_dialog(theme, "command palette", {theme.px(640), theme.px(480)},
@@ -194,7 +196,6 @@ void draw_command_palette(Editor& editor, const ui::Theme& theme)
     draw_field(palette, theme, {r.lo, {r.hi.x, r.lo.y + head}},
                fmt::format("{} of {} {}", count, list.entries.size(),
                            list.objects ? "objects" : "commands"));
-    const std::string typed = palette.typed;
     list = list_of(editor); // by what was typed in this frame
     const bool down = ImGui::IsKeyPressed(ui::key_down), up = ImGui::IsKeyPressed(ui::key_up);
     const std::size_t found = list.found.size();
@@ -202,31 +203,35 @@ void draw_command_palette(Editor& editor, const ui::Theme& theme)
     if (down && palette.chosen + 1 < found) ++palette.chosen;
     if (up && palette.chosen > 0) --palette.chosen;
     const ui::Rect rows = {{r.lo.x, r.lo.y + head + theme.px(4)}, {r.hi.x, r.hi.y - foot}};
-    std::optional<std::size_t> run;
+    const auto entry_at = [&](std::size_t i) { return &list.entries[list.found[i].index]; };
+    const PaletteEntry* picked = nullptr;
     if (found == 0)
         ui::empty_state(theme, rows, ui::icon::search,
                         list.objects ? "No object is called that" : "No command is called that",
                         list.objects ? "Take letters away to see more of them."
                                      : "Take letters away, or begin with > to find an object.");
-    else
-        run = draw_list(palette, theme, rows, list, down || up);
+    else if (const auto clicked = draw_list(palette, theme, rows, list, down || up))
+        picked = entry_at(*clicked);
     draw_hints(theme, {{r.lo.x, r.hi.y - foot}, r.hi}, list.objects);
     const bool enter = ImGui::IsKeyPressed(ui::key_enter, false) ||
                        ImGui::IsKeyPressed(ui::key_keypad_enter, false);
-    if (enter && found > 0) run = palette.chosen;
-    if (run && !list.entries[list.found[*run].index].why_not.empty()) run.reset();
+    if (enter && found > 0) picked = entry_at(palette.chosen);
+    const bool key_wanted = enter && ImGui::GetIO().KeyAlt;
+    if (picked && (key_wanted ? picked->action.empty() : !picked->why_not.empty()))
+        picked = nullptr;
     // A click beside it closes it, as does the key that opened it.
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const bool beside =
         ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !r.contains({mouse.x, mouse.y});
-    palette.open = !run && !beside && !ImGui::IsKeyPressed(ui::key_escape, false) &&
-                   !ImGui::IsKeyPressed(ui::key_f1 + 2, false);
+    const bool again =
+        !fresh && std::ranges::any_of(action(editor, palette_action).keys, ui::struck_while_typing);
+    palette.open = !picked && !beside && !again && !ImGui::IsKeyPressed(ui::key_escape, false);
     if (!palette.open) ImGui::CloseCurrentPopup();
     ui::end_dialog();
-    if (!run) return;
-    const PaletteEntry& entry = list.entries[list.found[*run].index];
-    if (!list.objects) remember(editor.preferences.recent_commands, entry.name);
-    entry.run(editor);
+    if (!picked) return;
+    if (key_wanted) return ask_for_key(editor, picked->action);
+    if (!list.objects) remember(editor.preferences.recent_commands, picked->name);
+    picked->run(editor);
 }
 
 } // namespace trivar

@@ -34,6 +34,7 @@ void draw_log(Editor& editor, const ui::Theme& theme, const Layout& layout);
 void draw_status_line(Editor& editor, const ui::Theme& theme, const Layout& layout);
 void draw_help(Editor& editor, const ui::Theme& theme);
 void draw_command_palette(Editor& editor, const ui::Theme& theme);
+void draw_preferences(Editor& editor, const ui::Theme& theme);
 // The lines between the panels; before the panels, so that they lie over them.
 void drag_splitters(Editor& editor, ui::Frame& frame, const Layout& layout);
 
@@ -47,6 +48,10 @@ void draw_transform(Editor& editor, const ui::Theme& theme, Id id);
 void draw_material(Editor& editor, const ui::Theme& theme, Id id);
 void draw_placement(Editor& editor, const ui::Theme& theme, Id id);
 void draw_picture_settings(Editor& editor, const ui::Theme& theme);
+
+// The page of the preferences that shows every key and changes it.
+void draw_key_map(Editor& editor, const ui::Theme& theme, const ui::Rect& page);
+void ask_for_key(Editor& editor, const std::string& action); // opens that page
 
 const char* icon_of(const Object& object);
 std::string type_of(const Object& object);

@@ -16,7 +16,7 @@ void draw_tool_strip(Editor& editor, const ui::Theme& theme, const Layout& layou
         const Tool& tool = *editor.tools[i];
         ImGui::SetCursorScreenPos({r.lo.x + theme.px(6), y});
         if (ui::icon_button(theme, tool.name(), tool.icon(), square, tool.name(),
-                            ui::text_of(tool.keys().front()), {.on = i == editor.tool}))
+                            key_text(action(editor, tool.name())), {.on = i == editor.tool}))
             editor.choose_tool(i);
         y += square.y + theme.px(4);
     }

@@ -53,6 +53,21 @@ void bookmarks(Editor& editor)
     if (!forget.empty()) editor.session.run(DeleteCamera{forget});
 }
 
+void recent_scenes(Editor& editor)
+{
+    constexpr std::size_t most = 8;
+    const auto& recent = editor.recent_scenes.of(editor.preferences.recent_scenes);
+    if (recent.empty() || !ImGui::BeginMenu("Open recent")) return;
+    for (std::size_t i = 0; i < std::min(most, recent.size()); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        if (ImGui::MenuItem(recent[i].name.c_str(), recent[i].folder.c_str(), false,
+                            recent[i].there))
+            editor.files.open_scene(std::string(recent[i].path));
+        ImGui::PopID();
+    }
+    ImGui::EndMenu();
+}
+
 void menus(Editor& editor, const ui::Theme& theme)
 {
     for (const char* menu : {"File", "Edit", "Select", "Add", "View", "Tools", "Help"}) {
@@ -61,7 +76,10 @@ void menus(Editor& editor, const ui::Theme& theme)
         ImGui::SetNextWindowSizeConstraints({theme.px(216), 0}, {1e6f, 1e6f});
         if (ImGui::BeginMenu(menu)) {
             for (std::size_t i = 0; i < editor.actions.size(); ++i)
-                if (editor.actions[i].menu == menu) menu_item(editor, editor.actions[i]);
+                if (editor.actions[i].menu == menu) {
+                    menu_item(editor, editor.actions[i]);
+                    if (editor.actions[i].name == "Open...") recent_scenes(editor);
+                }
             if (std::string_view(menu) == "View") bookmarks(editor);
             ImGui::EndMenu();
         }
@@ -95,16 +113,19 @@ float search_button(Editor& editor, const ui::Theme& theme, const ui::Rect& bar)
     ImGui::SetCursorScreenPos({r.lo.x, r.lo.y});
     if (ImGui::InvisibleButton("search", {r.width(), r.height()})) find.run(editor);
     ui::paint_box(r, ImGui::IsItemHovered() ? c.field_hover : c.field, theme.size.rounding);
-    ui::tooltip(theme, "Find a command", "F3", "Every command by its letters, with its key.");
+    ui::tooltip(theme, "Find a command", key_text(find),
+                "Every command by its letters, with its key.");
     const ui::Rect in = {r.lo + glm::vec2(theme.px(8), 0), r.hi - glm::vec2(theme.px(8), 0)};
-    const std::string key = ui::text_of(find.keys.back());
+    const auto key = [&](bool last) {
+        if (find.keys.empty()) return std::string();
+        return ui::text_of(last ? find.keys.back() : find.keys.front());
+    };
     const float left = in.lo.x + theme.px(22);
     const bool roomy = width > theme.px(160);
     ui::paint_text(theme.font.body, in, c.text_2, ui::icon::search);
     ui::paint_text(theme.font.body, {{left, in.lo.y}, in.hi}, c.text_2,
                    roomy ? "Search commands" : "Search");
-    ui::paint_text(theme.font.small, in, c.text_2, roomy ? key : ui::text_of(find.keys.front()),
-                   ui::Align::right);
+    ui::paint_text(theme.font.small, in, c.text_2, key(roomy), ui::Align::right);
     return r.lo.x;
 }
 

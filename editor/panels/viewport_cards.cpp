@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <imgui.h>
 
 namespace trivar {
@@ -19,18 +18,6 @@ struct Axis {
     ui::Color color;
     const char* name; // empty: the negative end
 };
-
-// first_placement: First placement; f1_f2: F1 F2
-std::string title(std::string name)
-{
-    std::replace(name.begin(), name.end(), '_', ' ');
-    for (std::size_t i = 0; i < name.size(); ++i) {
-        const bool symbol = i + 1 < name.size() && name[i + 1] >= '0' && name[i + 1] <= '9';
-        if ((i == 0 || symbol) && name[i] >= 'a' && name[i] <= 'z')
-            name[i] = static_cast<char>(name[i] - 'a' + 'A');
-    }
-    return name;
-}
 
 } // namespace
 
@@ -91,82 +78,21 @@ void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& vie
     button(ui::icon::camera, "Perspective");
 }
 
-void draw_welcome(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
-{
-    const ui::Palette& c = theme.color;
-    const float pad = theme.px(28), row = theme.px(36), step = theme.px(44);
-    const bool samples = !editor.files.samples.empty();
-    const auto shown = std::min<std::size_t>(editor.files.samples.size(), 5);
-    const auto rows = static_cast<float>(std::max<std::size_t>(shown, 3));
-    const bool two_columns = samples && view.width() >= theme.px(544);
-    const float height = two_columns ? theme.px(100) + rows * theme.px(38) : theme.px(212);
-    const glm::vec2 wanted{theme.px(two_columns ? 620 : 360), height};
-    const glm::vec2 size = glm::min(wanted, view.size() - theme.px(24));
-    const ui::Rect r = ui::rect_at(glm::round(view.center() - size / 2.0f), size);
-    ui::paint_card(theme, r);
-    const float column = two_columns ? theme.px(280) : r.width() - 2 * pad;
-    float y = r.lo.y + pad;
-    const float left = r.lo.x + pad;
-    ui::paint_text(theme.font.display, {{left, y}, {r.hi.x, y + theme.px(36)}}, c.text, "Trivar");
-    y += theme.px(42);
-    for (const std::string& words :
-         ui::wrapped(theme.font.body, "Draw one stroke. The model lies along it.", column)) {
-        ui::paint_text(theme.font.body, {{left, y}, {r.hi.x, y + theme.px(20)}}, c.text_2, words);
-        y += theme.px(20);
-    }
-    y += theme.px(16);
-    const auto line = [&](const char* words, const char* icon, const char* what,
-                          ui::ButtonKind kind) {
-        if (y + row > r.hi.y - theme.px(8)) return;
-        ImGui::SetCursorScreenPos({left, y});
-        const Action& each = action(editor, what);
-        if (ui::button(theme, words, kind, {column, row}, icon, key_text(each))) each.run(editor);
-        y += step;
-    };
-    line("Import a model...", ui::icon::import, "Import model...", ui::ButtonKind::primary);
-    line("Open a scene...", ui::icon::open_file, "Open...", ui::ButtonKind::plain);
-    if (two_columns) {
-        const float x = left + column + pad;
-        ui::paint_box(
-            {{x - pad / 2, r.lo.y + pad}, {x - pad / 2 + theme.size.hairline, r.hi.y - pad}},
-            c.line_soft);
-        float at = r.lo.y + pad + theme.px(8);
-        ui::paint_text(theme.font.small_strong, {{x, at}, {r.hi.x, at + theme.px(20)}}, c.text_3,
-                       "SAMPLE SCENES");
-        at += theme.px(28);
-        for (std::size_t i = 0; i < shown; ++i) {
-            const std::string name = title(std::filesystem::path(editor.files.samples[i]).stem());
-            ImGui::SetCursorScreenPos({x, at});
-            if (ui::button(theme, name, ui::ButtonKind::plain, {r.hi.x - pad - x, theme.px(32)},
-                           ui::icon::scene))
-                editor.files.open_scene(editor.files.samples[i]);
-            at += theme.px(38);
-        }
-    }
-    // A drop needs no button, only to be known.
-    const ui::Rect drop = {{r.lo.x, r.hi.y + theme.px(12)}, {r.hi.x, r.hi.y + theme.px(52)}};
-    if (drop.hi.y < view.hi.y - theme.px(8)) {
-        ui::paint_box(drop, c.chip, theme.size.rounding_card);
-        const std::string words = "Or drop a file anywhere:  glTF, OBJ, PLY, STL, OFF, .trivar";
-        ui::paint_text(theme.font.body, drop, c.chip_text,
-                       ui::elided(theme.font.body, words, drop.width() - theme.px(24)),
-                       ui::Align::center);
-    }
-}
-
 void draw_first_steps(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
 {
     const Session& session = editor.session;
-    if (editor.hints_off || editor.active_tool().busy() || session.jobs().status()) return;
+    if (!editor.preferences.hints || editor.active_tool().busy() || session.jobs().status()) return;
     std::size_t shapes = 0;
     for (const auto& [id, each] : session.document().objects) {
         if (each->placement) return; // the first stroke is done
         if (!std::holds_alternative<GroupShape>(each->source)) ++shapes;
     }
     const bool placing = editor.active_tool().name() == "Place";
+    const std::string key = key_text(action(editor, "Place"));
     const std::string bold = shapes < 2 ? "Now drop the model to lay on it"
                              : placing  ? "Draw across the scene"
-                                        : "Press D, then draw across the scene";
+                                        : (key.empty() ? "Choose Place" : "Press " + key) +
+                                             ", then draw across the scene";
     const std::string body = shapes < 2 ? "Or add one from the Add menu."
                              : placing  ? "Keep the left button down; let go to place the model."
                                         : "The model will lie along the stroke.";
@@ -192,7 +118,7 @@ void draw_first_steps(Editor& editor, const ui::Theme& theme, const ui::Rect& vi
     ImGui::SetCursorScreenPos({r.hi.x - theme.px(34), r.lo.y + theme.px(8)});
     if (ui::icon_button(theme, "silence", ui::icon::close, glm::vec2(theme.size.icon_button),
                         "Show no hints"))
-        editor.hints_off = true;
+        editor.preferences.hints = false;
 }
 
 } // namespace trivar

@@ -4,6 +4,7 @@
 #include "editor/actions.h"
 #include "editor/editor.h"
 #include "editor/letters_in_order.h"
+#include "tests/editor/rig.h"
 
 #include <gmock/gmock.h>
 
@@ -73,6 +74,33 @@ TEST(CommandPalette, HoldsEveryActionAndSaysWhyOneCannotRun)
             << each.name << " does not say what is missing";
     }
     EXPECT_TRUE(names.contains("Set material"));
+}
+
+TEST(CommandPalette, OpensByItsKeysAndRunsWhatWasFound)
+{
+    testing::Rig rig;
+    rig.frames();
+    rig.key({.key = ui::key_f1 + 2});
+    EXPECT_TRUE(rig.editor.palette.open);
+    rig.key({.key = ui::key_f1 + 2});
+    EXPECT_FALSE(rig.editor.palette.open);
+    rig.key({.key = 'P', .ctrl = true});
+    rig.type("addbox");
+    rig.key({.key = ui::key_enter});
+    EXPECT_FALSE(rig.editor.palette.open);
+    EXPECT_EQ(rig.steps(), 1u);
+    EXPECT_EQ(rig.editor.preferences.recent_commands.front(), "Add Box");
+}
+
+TEST(CommandPalette, LeadsToTheKeyOfACommand)
+{
+    testing::Rig rig;
+    rig.frames();
+    rig.key({.key = 'P', .ctrl = true});
+    rig.type("frameall");
+    rig.key({.key = ui::key_enter, .alt = true});
+    EXPECT_TRUE(rig.editor.preferences_dialog.open);
+    EXPECT_EQ(rig.editor.preferences_dialog.asking, "Frame all");
 }
 
 } // namespace

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/panels/panels.h"
+#include "ui/dialog.h"
+#include "ui/icons.h"
+#include "ui/widgets.h"
+
+#include <cmath>
+#include <imgui.h>
+
+namespace trivar {
+namespace {
+
+constexpr const char* pages[] = {"Interface", "Key map"};
+
+void draw_page_names(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
+{
+    const ui::Palette& c = theme.color;
+    auto& dialog = editor.preferences_dialog;
+    float y = r.lo.y + theme.px(12);
+    for (int i = 0; i < 2; ++i) {
+        const ui::Rect row = {{r.lo.x + theme.px(12), y},
+                              {r.hi.x - theme.px(12), y + theme.px(32)}};
+        ImGui::SetCursorScreenPos({row.lo.x, row.lo.y});
+        if (ImGui::InvisibleButton(pages[i], {row.width(), row.height()})) {
+            dialog.page = i;
+            dialog.asking.clear();
+        }
+        const bool on = dialog.page == i;
+        if (on || ImGui::IsItemHovered())
+            ui::paint_box(row, on ? c.row_selected : c.row_hover, theme.size.rounding);
+        ui::paint_text(on ? theme.font.strong : theme.font.body,
+                       {row.lo + glm::vec2(theme.px(12), 0), row.hi}, on ? c.text : c.text_2,
+                       pages[i]);
+        y += theme.px(34);
+    }
+    ui::paint_box({{r.hi.x - theme.size.hairline, r.lo.y}, r.hi}, c.line_soft);
+}
+
+void draw_interface_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
+{
+    constexpr double scales[] = {0.75, 0.9, 1, 1.1, 1.25, 1.5, 2};
+    Preferences& p = editor.preferences;
+    ImGui::SetCursorScreenPos({r.lo.x, r.lo.y + theme.px(12)});
+    ImGui::BeginChild("interface", {r.width(), r.height() - theme.px(12)});
+    int nearest = 0;
+    for (int i = 0; i < 7; ++i)
+        if (std::abs(scales[i] - p.scale) < std::abs(scales[nearest] - p.scale)) nearest = i;
+    const float width = std::min(theme.px(420), ui::label_row(theme, "Size").width);
+    if (ui::segments(theme, "scale", nearest,
+                     {"75 %", "90 %", "100 %", "110 %", "125 %", "150 %", "200 %"},
+                     width) == ui::Edit::changed)
+        p.scale = scales[nearest];
+    ui::label_row(theme, "Side panels");
+    ui::check_box(theme, "dock", p.show_dock, "outliner and inspector at the right");
+    ui::label_row(theme, "Hints");
+    ui::check_box(theme, "hints", p.hints, "what to do first, at the foot of the picture");
+    ui::gap(theme, 12);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    float y = at.y;
+    for (const std::string& words :
+         ui::wrapped(theme.font.small,
+                     "The size is times the monitor's own scale. Panels are as wide as the lines "
+                     "between them are dragged; a double click on a line restores it.",
+                     r.width() - 2 * theme.size.padding)) {
+        ui::paint_text(theme.font.small,
+                       {{at.x + theme.size.padding, y}, {r.hi.x, y + theme.px(18)}},
+                       theme.color.text_3, words);
+        y += theme.px(18);
+    }
+    ImGui::EndChild();
+}
+
+void reset_page(Editor& editor)
+{
+    Preferences& p = editor.preferences;
+    const Preferences usual;
+    auto& dialog = editor.preferences_dialog;
+    if (dialog.page == 0) {
+        p.scale = usual.scale;
+        p.dock = usual.dock;
+        p.outliner = usual.outliner;
+        p.show_dock = usual.show_dock;
+        p.hints = usual.hints;
+        return;
+    }
+    p.keys.clear();
+    use_keys(editor.actions, p.keys);
+    dialog.asking.clear();
+    dialog.given.clear();
+}
+
+} // namespace
+
+void draw_preferences(Editor& editor, const ui::Theme& theme)
+{
+    auto& dialog = editor.preferences_dialog;
+    if (!dialog.open) return;
+    const ui::Palette& c = theme.color;
+    const ui::Rect r = ui::begin_dialog(theme, "preferences", {theme.px(840), theme.px(620)});
+    const float head = theme.px(56), foot = theme.px(60), left = theme.px(184);
+    const float pad = theme.px(24);
+    // Read before the page, which takes the key that is waited for.
+    const bool leave = dialog.asking.empty() && ImGui::IsKeyPressed(ui::key_escape, false);
+    ui::paint_text(theme.font.title, {r.lo + glm::vec2(pad, 0), {r.hi.x, r.lo.y + head}}, c.text,
+                   "Preferences");
+    ui::paint_box({{r.lo.x, r.lo.y + head}, {r.hi.x, r.lo.y + head + theme.size.hairline}},
+                  c.line_soft);
+    const float y0 = r.lo.y + head + theme.size.hairline, y1 = r.hi.y - foot;
+    draw_page_names(editor, theme, {{r.lo.x, y0}, {r.lo.x + left, y1}});
+    const ui::Rect page = {{r.lo.x + left + theme.px(12), y0}, {r.hi.x - theme.px(12), y1}};
+    if (dialog.page == 0)
+        draw_interface_page(editor, theme, page);
+    else
+        draw_key_map(editor, theme, page);
+    ui::paint_box({{r.lo.x, y1}, {r.hi.x, y1 + theme.size.hairline}}, c.line_soft);
+    const float y = std::round(y1 + (foot - theme.px(32)) / 2);
+    ImGui::SetCursorScreenPos({r.lo.x + theme.px(16), y});
+    const std::string reset = dialog.page == 0 ? "Reset this page" : "Reset key map";
+    const float width = ui::text_width(theme.font.body, reset) + theme.px(56);
+    if (ui::button(theme, reset, ui::ButtonKind::plain, {width, theme.px(32)}, ui::icon::reset))
+        reset_page(editor);
+    ImGui::SetCursorScreenPos({r.hi.x - pad - theme.px(88), y});
+    const bool done =
+        ui::button(theme, "Done", ui::ButtonKind::primary, {theme.px(88), theme.px(32)});
+    if (done || leave) {
+        const int shown = dialog.page;
+        dialog = {};
+        dialog.page = shown;
+        ImGui::CloseCurrentPopup();
+    }
+    ui::end_dialog();
+}
+
+} // namespace trivar

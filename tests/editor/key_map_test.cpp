@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/key_map.h"
+
+#include "editor/actions.h"
+#include "tests/editor/rig.h"
+
+#include <gmock/gmock.h>
+
+namespace trivar {
+namespace {
+
+using ::testing::ElementsAre, ::testing::IsEmpty;
+using testing::Rig, ui::Chord;
+
+TEST(KeyMap, NoTwoActionsShareAKey)
+{
+    const Editor editor([] {});
+    std::map<std::string, std::string> taken;
+    for (const Action& each : editor.actions)
+        for (const Chord& chord : each.keys) {
+            const auto [found, fresh] = taken.emplace(ui::text_of(chord), each.name);
+            EXPECT_TRUE(fresh) << each.name << " and " << found->second << " share "
+                               << ui::text_of(chord);
+        }
+}
+
+TEST(KeyMap, EveryKeyComesBackFromItsText)
+{
+    for (int key = 33; key < ui::key_count; ++key) {
+        const Chord chord{.key = key, .ctrl = key % 2 == 0, .shift = key % 3 == 0, .alt = true};
+        if (ui::caps_of(chord).back().empty()) continue;
+        EXPECT_EQ(ui::chord_from(ui::text_of(chord)), chord) << ui::text_of(chord);
+    }
+    EXPECT_EQ(ui::chord_from(""), std::nullopt);
+    EXPECT_EQ(ui::chord_from("Ctrl+"), std::nullopt);
+    EXPECT_EQ(ui::chord_from("Ctrl+nonsense"), std::nullopt);
+}
+
+TEST(KeyMap, AGivenKeyIsTakenFromTheActionThatHadIt)
+{
+    Editor editor([] {});
+    const Chord undo = action(editor, "Undo").keys.front();
+    EXPECT_THAT(give_key(editor.actions, "Delete", undo), ElementsAre("Undo"));
+    EXPECT_THAT(action(editor, "Delete").keys, ElementsAre(undo));
+    EXPECT_THAT(action(editor, "Undo").keys, IsEmpty());
+    EXPECT_THAT(give_usual_keys(editor.actions, "Undo"), ElementsAre("Delete"));
+    EXPECT_THAT(action(editor, "Undo").keys, ElementsAre(undo));
+}
+
+TEST(KeyMap, HoldsOnlyWhatWasChangedAndBringsItBack)
+{
+    Editor editor([] {});
+    EXPECT_THAT(changed_keys(editor.actions), IsEmpty());
+    give_key(editor.actions, "Undo", {.key = 'U', .alt = true});
+    KeyMap map = changed_keys(editor.actions);
+    EXPECT_EQ(map.size(), 1u);
+    map["An action that is gone"] = {{'Y'}};
+    Editor other([] {});
+    use_keys(other.actions, map);
+    EXPECT_EQ(key_text(action(other, "Undo")), "Alt+U");
+    use_keys(other.actions, {});
+    EXPECT_EQ(key_text(action(other, "Undo")), "Ctrl+Z");
+}
+
+TEST(KeyMap, IsChangedByPressingTheNewKey)
+{
+    Rig rig;
+    rig.editor.preferences_dialog.open = true;
+    rig.editor.preferences_dialog.page = 1;
+    rig.editor.preferences_dialog.asking = "Frame all";
+    rig.frames();
+    rig.key({.key = 'J', .shift = true});
+    EXPECT_EQ(key_text(action(rig.editor, "Frame all")), "Shift+J");
+    EXPECT_EQ(rig.editor.preferences.keys.size(), 1u);
+    EXPECT_TRUE(rig.editor.preferences_dialog.asking.empty());
+    rig.editor.preferences_dialog.asking = "Frame all";
+    rig.frames();
+    rig.key({.key = ui::key_escape}); // leaves the key, and the dialog open
+    EXPECT_EQ(key_text(action(rig.editor, "Frame all")), "Shift+J");
+    EXPECT_TRUE(rig.editor.preferences_dialog.open);
+    rig.key({.key = ui::key_escape});
+    EXPECT_FALSE(rig.editor.preferences_dialog.open);
+}
+
+} // namespace
+} // namespace trivar
