@@ -17,12 +17,6 @@ const Stand& active_of(const std::vector<Stand>& stands, Id active)
     return stands.back();
 }
 
-glm::dmat3 axes_of(const Stand& stand, Orientation orientation, const Camera& camera)
-{
-    if (orientation == Orientation::view) return view_axes(camera);
-    return orientation == Orientation::local ? stand.axes_world() : glm::dmat3(1);
-}
-
 Measure measure_of(MotionKind kind)
 {
     return kind == MotionKind::move     ? Measure::length
@@ -40,16 +34,23 @@ glm::dvec3 factors_along(const Handle& constraint, double factor)
 
 } // namespace
 
-MotionFrame shared_frame(const std::vector<Stand>& stands, Id active, Orientation orientation,
-                         Pivot pivot, const Camera& camera)
+glm::dvec3 pivot_of(const std::vector<Stand>& stands, Id active, Pivot pivot, const Box& seen_world)
 {
-    const Stand& first = active_of(stands, active);
-    MotionFrame frame{first.origin_world(), axes_of(first, orientation, camera)};
-    if (pivot != Pivot::center) return frame;
-    frame.pivot = {0, 0, 0};
+    if (pivot == Pivot::each || pivot == Pivot::active)
+        return active_of(stands, active).origin_world();
+    if (pivot == Pivot::center && !seen_world.empty()) return seen_world.center();
+    glm::dvec3 middle{0};
     for (const Stand& stand : stands)
-        frame.pivot += stand.origin_world() / static_cast<double>(stands.size());
-    return frame;
+        middle += stand.origin_world() / static_cast<double>(stands.size());
+    return middle;
+}
+
+glm::dmat3 shared_axes(const std::vector<Stand>& stands, Id active, Orientation orientation,
+                       const Camera& camera)
+{
+    if (orientation == Orientation::view) return view_axes(camera);
+    return orientation == Orientation::local ? active_of(stands, active).axes_world()
+                                             : glm::dmat3(1);
 }
 
 TransformGesture::TransformGesture(MotionKind kind, std::vector<Stand> stands, Id active,
@@ -61,6 +62,7 @@ TransformGesture::TransformGesture(MotionKind kind, std::vector<Stand> stands, I
       choices_(choices),
       asked_(choices.orientation),
       camera_(camera),
+      pivot_world_(grasp.pivot_world),
       constraint_(grasp.handle),
       by_handle_(grasp.handle.grip != Grip::none),
       scale_(grasp.scale),
@@ -79,8 +81,8 @@ bool TransformGesture::about_view() const
 
 MotionFrame TransformGesture::frame() const
 {
-    return shared_frame(stands_, active_, about_view() ? Orientation::view : choices_.orientation,
-                        choices_.pivot, camera_);
+    const Orientation whose = about_view() ? Orientation::view : choices_.orientation;
+    return {pivot_world_, shared_axes(stands_, active_, whose, camera_)};
 }
 
 glm::dvec3 TransformGesture::turn_axis_world() const

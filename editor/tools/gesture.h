@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/box.h"
 #include "core/base/camera.h"
 #include "editor/tools/gizmo.h"
 #include "editor/tools/motion.h"
@@ -12,12 +13,14 @@
 namespace trivar {
 
 enum class Orientation { world, local, view }; // whose axes; local: each object's own
-enum class Pivot { center, each, active };     // of the origins, each its own, the active one's
+// About what: the middle of the origins, that of the box round what is seen, each its own origin,
+// the active one's.
+enum class Pivot { origin, center, each, active };
 
 // What the options bar says; the tools share it.
 struct TransformChoices {
     Orientation orientation = Orientation::world;
-    Pivot pivot = Pivot::center;
+    Pivot pivot = Pivot::origin;
     double step_m = 0.25, step_deg = 5, step_factor = 0.1; // what Ctrl snaps to
     double step(MotionKind kind) const
     {
@@ -27,13 +30,16 @@ struct TransformChoices {
     }
 };
 
-// What all of the objects are moved about: where the handles stand. `active` is one of them.
-MotionFrame shared_frame(const std::vector<Stand>& stands, Id active, Orientation orientation,
-                         Pivot pivot, const Camera& camera);
+// Where the handles stand, in the world. `active` is one of the objects.
+glm::dvec3 pivot_of(const std::vector<Stand>& stands, Id active, Pivot pivot,
+                    const Box& seen_world);
+glm::dmat3 shared_axes(const std::vector<Stand>& stands, Id active, Orientation orientation,
+                       const Camera& camera);
 
 // How a gesture is begun: on a handle, or on none by its key.
 struct Grasp {
-    Handle handle;
+    glm::dvec3 pivot_world{0};
+    Handle handle = {};
     glm::dvec2 from_px{0};
     double scale = 1; // of the interface
 };
@@ -85,6 +91,7 @@ private:
     TransformChoices choices_;
     Orientation asked_; // of the options bar, while a key asked for the other one
     Camera camera_;
+    glm::dvec3 pivot_world_;
     Handle constraint_;
     bool by_handle_;
     double scale_;

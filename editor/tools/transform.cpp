@@ -47,8 +47,11 @@ std::optional<MotionFrame> TransformTool::handles_at(const Session& session) con
 {
     const std::vector<Stand> stands = stands_of(session.document(), session.selected.ids());
     if (stands.empty()) return {};
-    return shared_frame(stands, session.selected, choices_->orientation, choices_->pivot,
-                        session.camera);
+    const Id active = session.selected;
+    const Box seen =
+        choices_->pivot == Pivot::center ? bounds_of(session, session.selected.ids()) : Box{};
+    return MotionFrame{pivot_of(stands, active, choices_->pivot, seen),
+                       shared_axes(stands, active, choices_->orientation, session.camera)};
 }
 
 void TransformTool::begin(Session& session)
@@ -75,7 +78,7 @@ void TransformTool::use(Session& session, const ViewportInput& input)
 {
     outside_ = !input.hovered;
     const auto frame = gesture_ ? std::nullopt : handles_at(session);
-    if (beginning_ && frame) start(session, {{}, input.mouse, input.scale});
+    if (beginning_ && frame) start(session, {frame->pivot, {}, input.mouse, input.scale});
     beginning_ = false;
     if (!gesture_) {
         hovered_ = {};
@@ -85,12 +88,12 @@ void TransformTool::use(Session& session, const ViewportInput& input)
                                  glm::vec2(input.mouse), scale);
         if (hovered_.grip != Grip::none) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
         if (!input.pressed || session.committing()) return;
-        if (hovered_.grip == Grip::none) {
+        if (!frame || hovered_.grip == Grip::none) {
             select_by_click(session, input.under);
             return;
         }
         by_key_ = false;
-        start(session, {hovered_, input.mouse, input.scale});
+        start(session, {frame->pivot, hovered_, input.mouse, input.scale});
         return;
     }
     const ImGuiIO& io = ImGui::GetIO();

@@ -89,7 +89,7 @@ void TransformTool::options(Session& session, const ui::Theme& theme, float widt
     };
     TransformChoices& c = *choices_;
     setting("Axes", 168, one_of("axes", c.orientation, {"World", "Local", "View"}));
-    setting("Pivot", 168, one_of("pivot", c.pivot, {"Centre", "Each", "Active"}));
+    setting("Pivot", 216, one_of("pivot", c.pivot, {"Origin", "Centre", "Each", "Active"}));
     setting("Ctrl snaps to", 88, [&](float field) {
         ui::NumberStyle style{.lo = 1e-6, .hi = 1e6};
         if (kind_ == MotionKind::move) style.unit = "m";

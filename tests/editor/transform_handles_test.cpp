@@ -12,8 +12,8 @@ glm::vec2 handle_of(const Boxes& rig, MotionKind kind, Handle wanted)
 {
     const auto stands = stands_of(rig.editor.session.document(), rig.editor.session.selected.ids());
     const Camera& camera = rig.editor.session.camera;
-    const MotionFrame frame = shared_frame(stands, rig.editor.session.selected, Orientation::world,
-                                           Pivot::center, camera);
+    const MotionFrame frame{pivot_of(stands, rig.editor.session.selected, Pivot::origin, {}),
+                            glm::dmat3(1)};
     for (const HandleShape& shape : gizmo_shapes(kind, camera, frame, 1))
         if (shape.handle == wanted)
             return rig.layout().view.lo + (shape.area.empty() ? shape.line[10] : shape.area[0]);
