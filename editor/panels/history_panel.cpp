@@ -24,7 +24,7 @@ const char* icon_of(const Command& command)
     if (what.starts_with("add_")) return ui::icon::add;
     if (what == "import") return ui::icon::import;
     if (what == "place" || what == "edit_placement" || what == "unplace") return ui::icon::place;
-    if (what == "transform") return ui::icon::move;
+    if (what == "transform" || what == "arrange") return ui::icon::move;
     if (what.ends_with("material")) return ui::icon::drop;
     if (what == "rename") return ui::icon::pencil;
     if (what == "hide") return ui::icon::hidden;
