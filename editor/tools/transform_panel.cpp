@@ -80,16 +80,21 @@ void TransformTool::options(Session& session, const ui::Theme& theme, float widt
         field(theme.px(field_px));
         ImGui::SetCursorScreenPos({p.x + label + theme.px(field_px + 16), p.y});
     };
+    const bool roomy = width >= theme.px(640); // else the choices are lists
     const auto one_of = [&](const char* id, auto& value, const std::vector<std::string>& names) {
-        return [&theme, &value, id, names](float field) {
+        return [&theme, &value, roomy, id, names](float field) {
             int chosen = static_cast<int>(value);
-            ui::segments(theme, id, chosen, names, field);
+            if (roomy)
+                ui::segments(theme, id, chosen, names, field);
+            else
+                ui::choice(theme, id, chosen, names, field);
             value = static_cast<std::remove_reference_t<decltype(value)>>(chosen);
         };
     };
     TransformChoices& c = *choices_;
-    setting("Axes", 168, one_of("axes", c.orientation, {"World", "Local", "View"}));
-    setting("Pivot", 216, one_of("pivot", c.pivot, {"Origin", "Centre", "Each", "Active"}));
+    setting("Axes", roomy ? 168 : 88, one_of("axes", c.orientation, {"World", "Local", "View"}));
+    setting("Pivot", roomy ? 216 : 88,
+            one_of("pivot", c.pivot, {"Origin", "Centre", "Each", "Active"}));
     setting("Ctrl snaps to", 88, [&](float field) {
         ui::NumberStyle style{.lo = 1e-6, .hi = 1e6};
         if (kind_ == MotionKind::move) style.unit = "m";
