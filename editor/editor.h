@@ -53,7 +53,8 @@ struct Editor {
     CommandPalette palette;
     struct CommandField { // at the foot of the log
         std::string text, trouble;
-        std::vector<std::string> words; // that could follow
+        std::string offered;            // the text after which ...
+        std::vector<std::string> words; // ... these could follow
         bool focus = false;             // takes the keyboard in the next frame
         std::vector<std::string> before;
         std::size_t recalled = 0; // steps back in `before`

@@ -122,10 +122,18 @@ void draw_entries(const Session& session, const ui::Theme& theme, const ui::Rect
     }
     ImGui::SetCursorScreenPos(top);
     ImGui::Dummy({1, y - top.y});
-    // The newest line comes into view when it is written.
-    const auto count = static_cast<int>(entries.size());
-    int& shown = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("shown"), -1);
-    if (std::exchange(shown, count) != count) ImGui::SetScrollHereY(1);
+    // The newest line comes into view when it is written, and stays there in a smaller panel.
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    const auto count = static_cast<int>(entries.size()), height = static_cast<int>(r.height());
+    int& shown = *storage.GetIntRef(ImGui::GetID("shown"), -1);
+    int& shown_height = *storage.GetIntRef(ImGui::GetID("height"), -1);
+    int& at_end = *storage.GetIntRef(ImGui::GetID("end"), 1);
+    const bool more = std::exchange(shown, count) != count;
+    const bool resized = std::exchange(shown_height, height) != height;
+    if (more || (resized && at_end))
+        ImGui::SetScrollY(y - top.y);
+    else
+        at_end = ImGui::GetScrollY() >= ImGui::GetScrollMaxY() - 1;
     ImGui::EndChild();
     ImGui::PopStyleVar();
 }
@@ -172,6 +180,7 @@ int help_typing(ImGuiInputTextCallbackData* data)
             {data->Buf, static_cast<std::size_t>(data->BufTextLen)}, editor.session.committed());
         field.words = completion.words;
         if (completion.words.size() == 1) field.words.clear();
+        field.offered = completion.text;
         put(completion.text);
     } else if (data->EventFlag == ImGuiInputTextFlags_CallbackHistory) {
         const bool back = data->EventKey == ImGuiKey_UpArrow;
@@ -215,10 +224,13 @@ void draw_field(Editor& editor, const ui::Theme& theme, const ui::Rect& r,
     }
     const float left = r.lo.x + theme.size.padding, right = r.hi.x - theme.size.padding;
     const ui::Rect box = {{left, r.hi.y - theme.px(32)}, {right, r.hi.y - theme.px(8)}};
-    ImGui::SetCursorScreenPos({box.lo.x, box.lo.y});
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {theme.px(24), theme.px(5)});
+    // A frame of its own, so that a long line does not run below the mark before it.
+    ui::paint_box(box, c.field, theme.size.rounding_small);
+    ImGui::SetCursorScreenPos({box.lo.x + theme.px(24), box.lo.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, theme.px(5)});
+    ImGui::PushStyleColor(ImGuiCol_FrameBg, 0);
     ImGui::PushFont(theme.font.mono);
-    ImGui::SetNextItemWidth(box.width());
+    ImGui::SetNextItemWidth(box.width() - theme.px(32));
     if (std::exchange(field.focus, false)) ImGui::SetKeyboardFocusHere();
     const std::string was = field.text;
     const bool enter = ImGui::InputText("##command", &field.text,
@@ -227,8 +239,10 @@ void draw_field(Editor& editor, const ui::Theme& theme, const ui::Rect& r,
                                             ImGuiInputTextFlags_CallbackHistory,
                                         help_typing, &editor);
     const bool active = ImGui::IsItemActive();
+    if (!active || field.text != field.offered) field.words.clear();
     if (ImGui::IsItemEdited() && field.text != was) field.trouble.clear();
     ImGui::PopFont();
+    ImGui::PopStyleColor();
     ImGui::PopStyleVar();
     if (active) ui::paint_rim(box, c.focus, theme.size.rounding_small, 1.5f * theme.scale);
     ui::paint_text(theme.font.body, {box.lo + glm::vec2(theme.px(9), 0), box.hi}, c.text_2,

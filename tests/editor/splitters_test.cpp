@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/editor/rig.h"
+
+namespace trivar {
+namespace {
+
+using testing::Rig;
+
+void drag(Rig& rig, glm::vec2 from, glm::vec2 to)
+{
+    rig.move(from);
+    rig.screen.input().push(ui::press(ui::Button::left));
+    rig.frames(2);
+    rig.move((from + to) / 2.0f);
+    rig.move(to);
+    rig.screen.input().push(ui::press(ui::Button::left, false));
+    rig.frames(2);
+}
+
+TEST(Splitters, GiveThePanelsTheSizesTheyAreDraggedTo)
+{
+    Rig rig;
+    rig.frames();
+    const Layout before = rig.layout();
+    const glm::vec2 dock{before.outliner.lo.x - 1, 400};
+    drag(rig, dock, dock - glm::vec2(60, 0));
+    EXPECT_NEAR(rig.editor.preferences.dock, 720 - dock.x + 60, 2);
+    const glm::vec2 below{600, before.outliner.hi.y};
+    drag(rig, below, below - glm::vec2(0, 40));
+    EXPECT_NEAR(rig.layout().outliner.hi.y, before.outliner.hi.y - 40, 2);
+}
+
+TEST(Splitters, HideTheDockAtTheEdgeAndBringItBack)
+{
+    Rig rig;
+    rig.frames();
+    const glm::vec2 dock{rig.layout().outliner.lo.x - 1, 400};
+    drag(rig, dock, {715, 400});
+    EXPECT_FALSE(rig.editor.preferences.show_dock);
+    drag(rig, {719, 400}, {400, 400});
+    EXPECT_TRUE(rig.editor.preferences.show_dock);
+}
+
+} // namespace
+} // namespace trivar
