@@ -145,9 +145,10 @@ std::vector<PaletteEntry> palette_objects(const Editor& editor)
 {
     std::vector<PaletteEntry> entries;
     for (const auto& [id, each] : editor.session.document().objects)
-        entries.push_back({each->name, type_of(*each), icon_of(*each), {}, {}, [id](Editor& e) {
-                               e.session.selected = id;
-                           }});
+        entries.push_back(
+            {each->name, type_of(*each), icon_of(*each), {}, {}, [id = id](Editor& e) {
+                 e.session.selected = id;
+             }});
     return entries;
 }
 

@@ -127,11 +127,17 @@ List list_of(const Editor& editor)
     List list;
     list.objects = typed.starts_with('>');
     list.entries = list.objects ? palette_objects(editor) : palette_commands(editor);
-    std::vector<std::string> names;
-    for (const PaletteEntry& each : list.entries) names.push_back(each.name);
+    const std::string_view letters = std::string_view(typed).substr(list.objects ? 1 : 0);
+    std::vector<std::string> names, notes;
+    for (const PaletteEntry& each : list.entries) {
+        names.push_back(each.name);
+        notes.push_back(each.note);
+    }
     const std::vector<std::string> none;
-    list.found = ranked(std::string_view(typed).substr(list.objects ? 1 : 0), names,
-                        list.objects ? none : editor.preferences.recent_commands);
+    list.found = ranked(letters, names, list.objects ? none : editor.preferences.recent_commands);
+    if (!list.found.empty()) return list;
+    list.found = ranked(letters, notes, none); // by its menu or by what it is for
+    for (Ranked& each : list.found) each.letters.clear();
     return list;
 }
 

@@ -16,6 +16,7 @@ void draw_page_names(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
 {
     const ui::Palette& c = theme.color;
     auto& dialog = editor.preferences_dialog;
+    const int shown = dialog.page;
     float y = r.lo.y + theme.px(12);
     for (int i = 0; i < 2; ++i) {
         const ui::Rect row = {{r.lo.x + theme.px(12), y},
@@ -25,7 +26,7 @@ void draw_page_names(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
             dialog.page = i;
             dialog.asking.clear();
         }
-        const bool on = dialog.page == i;
+        const bool on = shown == i;
         if (on || ImGui::IsItemHovered())
             ui::paint_box(row, on ? c.row_selected : c.row_hover, theme.size.rounding);
         ui::paint_text(on ? theme.font.strong : theme.font.body,

@@ -92,6 +92,16 @@ TEST(CommandPalette, OpensByItsKeysAndRunsWhatWasFound)
     EXPECT_EQ(rig.editor.preferences.recent_commands.front(), "Add Box");
 }
 
+TEST(CommandPalette, FindsByTheMenuWhatHasNoSuchName)
+{
+    testing::Rig rig;
+    rig.frames();
+    rig.key({.key = 'P', .ctrl = true});
+    rig.type("help");
+    rig.key({.key = ui::key_enter});
+    EXPECT_TRUE(rig.editor.help_open);
+}
+
 TEST(CommandPalette, LeadsToTheKeyOfACommand)
 {
     testing::Rig rig;
