@@ -2,6 +2,7 @@
 #include "editor/actions.h"
 
 #include "editor/editor.h"
+#include "editor/relink.h"
 #include "editor/reset_actions.h"
 #include "editor/selection_actions.h"
 #include "ui/camera_control.h"
@@ -45,6 +46,17 @@ void file_actions(std::vector<Action>& a)
                  [](Editor& e) { e.files.ask_import(); },
                  {},
                  true});
+    a.push_back({"File",
+                 "Find missing file...",
+                 {},
+                 [](Editor& e) { e.files.ask_relink(missing_files(e.session).front()); },
+                 {[](const Editor& e) { return !missing_files(e.session).empty(); },
+                  "no file of this scene is missing"}});
+    a.push_back({"File",
+                 "Read files anew",
+                 {},
+                 [](Editor& e) { read_anew(e.session, e.session.selected.ids()); },
+                 something_selected()});
     a.push_back({"File",
                  "Export...",
                  {ctrl('E')},

@@ -3,6 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/files/write_model.h"
+#include "editor/relink.h"
 
 #include <algorithm>
 #include <cctype>
@@ -40,6 +41,17 @@ std::string reason(const std::string& why, const std::string& path)
         return "line " + rest; // "scene.trivar:4: ..."
     }
     return why;
+}
+
+// Where an imported model's file is looked for, if there is such a folder.
+std::optional<fs::path> folder_of(const Session& session, Id id)
+{
+    const auto* file = std::get_if<ImportedFile>(&object(session.committed(), id).source);
+    if (!file) return {};
+    const fs::path folder = fs::path(session.assets()->resolve(file->path)).parent_path();
+    std::error_code ignored;
+    if (!fs::is_directory(folder, ignored)) return {};
+    return folder;
 }
 
 } // namespace
@@ -88,6 +100,7 @@ void Files::ask_for_file(Purpose purpose, ui::FileRequest request)
     fs::path start;
     if (!session_->scene().path().empty()) start = session_->scene().folder();
     if (purpose == Purpose::import && !import_folder_.empty()) start = import_folder_;
+    if (purpose == Purpose::relink) start = folder_of(*session_, relinked_).value_or(start);
     dialog_.open(std::move(request), start);
 }
 
@@ -102,6 +115,15 @@ void Files::ask_import()
 {
     ask_for_file(Purpose::import, {.title = "Import a model",
                                    .action = "Import",
+                                   .extensions = model_extensions(),
+                                   .name = {}});
+}
+
+void Files::ask_relink(Id object)
+{
+    relinked_ = object;
+    ask_for_file(Purpose::relink, {.title = "The file of " + name_of(session_->committed(), object),
+                                   .action = "Take it",
                                    .extensions = model_extensions(),
                                    .name = {}});
 }
@@ -275,6 +297,7 @@ void Files::use_file(const std::string& path)
     case Purpose::import:
         import_folder_ = fs::path(path).parent_path().string();
         return import(path);
+    case Purpose::relink: return relink(*session_, relinked_, path);
     case Purpose::write_model: return write_model_to(path);
     case Purpose::save_as: return write_scene(path, false);
     case Purpose::save_compact: return write_scene(path, true);

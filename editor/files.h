@@ -25,6 +25,7 @@ public:
     void new_scene();
     void ask_open();
     void ask_import();
+    void ask_relink(Id object); // another file for an imported model
     void ask_export();
     void save(); // a scene with a name is on disk already: says so; else asks for one
     void ask_save_as();
@@ -43,7 +44,7 @@ public:
     std::vector<std::string> samples;
 
 private:
-    enum class Purpose { open, import, write_model, save_as, save_compact };
+    enum class Purpose { open, import, relink, write_model, save_as, save_compact };
     struct Asked {
         ui::Question question;
         std::function<void(int)> answer;
@@ -58,6 +59,7 @@ private:
     ui::FileDialog dialog_;
     std::string import_folder_; // of the last model that was imported by the dialog
     Purpose purpose_ = Purpose::open;
+    Id relinked_ = 0;
     std::optional<Asked> question_;
     std::function<void()> after_save_;
     bool close_agreed_ = false;

@@ -69,4 +69,12 @@ AssetStore::Loaded AssetStore::load(const ImportedFile& file, const Progress& pr
     return result;
 }
 
+void AssetStore::forget(const std::string& path) const
+{
+    const std::lock_guard guard(state_->mutex);
+    std::erase_if(state_->loaded, [file = resolve(path)](const auto& entry) {
+        return std::get<0>(entry.first) == file;
+    });
+}
+
 } // namespace trivar

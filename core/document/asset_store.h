@@ -29,6 +29,7 @@ public:
     };
     // Throws Cancelled only.
     Loaded load(const ImportedFile& file, const Progress& progress = {}) const;
+    void forget(const std::string& path) const; // it is read again when it is next asked for
     std::string resolve(const std::string& path) const; // the file that would be opened
     const std::string& folder() const;
 

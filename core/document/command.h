@@ -16,8 +16,8 @@
 namespace trivar {
 
 // Everything that a person can do to a document, by value.
-using Command = std::variant<ImportModel, AddPlane, AddBox, AddSphere, AddCylinder, AddTorus,
-                             AddMoebius, AddTeapot, SetTransform, Arrange, SetMaterial,
+using Command = std::variant<ImportModel, EditImport, AddPlane, AddBox, AddSphere, AddCylinder,
+                             AddTorus, AddMoebius, AddTeapot, SetTransform, Arrange, SetMaterial,
                              ClearMaterial, Rename, Hide, Show, Delete, Duplicate, Group, Ungroup,
                              Place, EditPlacement, Unplace, SaveCamera, DeleteCamera, SetRender>;
 
@@ -26,8 +26,9 @@ using Command = std::variant<ImportModel, AddPlane, AddBox, AddSphere, AddCylind
 // A new object's id is the old document's next_id.
 Document after(const Document& document, const Command& command);
 
-// Fills in what only the outside knows before a command is proposed: for an import the hash, the
-// path relative to the store's folder and the name. Throws Rejected if the file cannot be read.
+// Fills in what only the outside knows before a command is proposed: for an import and its edit the
+// hash, the path relative to the store's folder and the name. Throws Rejected if the file cannot be
+// read.
 Command prepare(Command command, const AssetStore& assets, const Progress& progress = {});
 
 // One line of JSON without its line break: {"do":"rename","object":3,"name":"Snake"}. Every field

@@ -19,22 +19,30 @@ std::string path_in_log(const std::string& path, const std::string& folder)
     return relative.empty() || ups > near ? named.lexically_normal().string() : relative.string();
 }
 
+// The file as the log names it, with the hash of what it holds now.
+ImportedFile prepared(ImportedFile file, const AssetStore& assets, const Progress& progress)
+{
+    file.path = path_in_log(file.path, assets.folder());
+    file.hash.clear(); // any content
+    const AssetStore::Loaded loaded = assets.load(file, progress);
+    if (!loaded.model)
+        throw Rejected(loaded.notices.empty() ? file.path + ": cannot be read"
+                                              : loaded.notices.front());
+    file.hash = loaded.hash;
+    return file;
+}
+
 } // namespace
 
 Command prepare(Command command, const AssetStore& assets, const Progress& progress)
 {
-    auto* import = std::get_if<ImportModel>(&command);
-    if (!import) return command;
-    import->file.path = path_in_log(import->file.path, assets.folder());
-    ImportedFile any_content = import->file;
-    any_content.hash.clear();
-    const AssetStore::Loaded loaded = assets.load(any_content, progress);
-    if (!loaded.model)
-        throw Rejected(loaded.notices.empty() ? import->file.path + ": cannot be read"
-                                              : loaded.notices.front());
-    import->file.hash = loaded.hash;
-    if (import->name.empty())
-        import->name = std::filesystem::path(import->file.path).stem().string();
+    if (auto* import = std::get_if<ImportModel>(&command)) {
+        import->file = prepared(std::move(import->file), assets, progress);
+        if (import->name.empty())
+            import->name = std::filesystem::path(import->file.path).stem().string();
+    } else if (auto* edit = std::get_if<EditImport>(&command)) {
+        edit->file = prepared(std::move(edit->file), assets, progress);
+    }
     return command;
 }
 

@@ -94,11 +94,32 @@ float draw_notices(const ui::Theme& theme, const ui::Rect& panel,
     return shown;
 }
 
+// Where an imported model comes from, and how smooth its cage is drawn.
+void draw_file(Editor& editor, const ui::Theme& theme, const ImportedFile& file, Id id)
+{
+    const float width = ui::label_row(theme, "File").width;
+    const std::string name = std::filesystem::path(file.path).filename().string();
+    const std::string shown = ui::elided(theme.font.body, name, width - theme.px(84));
+    if (ui::button(theme, shown, ui::ButtonKind::plain, {width, theme.size.row}, nullptr, "Other"))
+        editor.files.ask_relink(id);
+    ui::tooltip(theme, file.path, {}, "Click to take another file.");
+    EditImport edit{id, file};
+    const ui::Row row =
+        ui::label_row(theme, "Subdivide", file.subdivisions != 0, "Catmull-Clark levels");
+    ui::Edit one = ui::integer_field(theme, "subdivisions", edit.file.subdivisions,
+                                     {.lo = 0, .hi = 6, .bar_hi = 6}, row.width);
+    if (row.reset) {
+        edit.file.subdivisions = 0;
+        one = ui::Edit::changed;
+    }
+    propose_edit(editor, one, [&] { return edit; });
+}
+
 void facts(Editor& editor, const ui::Theme& theme, const Object& each, Id id)
 {
     if (!ui::section(theme, "Shape")) return;
     if (const auto* file = std::get_if<ImportedFile>(&each.source))
-        ui::fact_row(theme, "File", std::filesystem::path(file->path).filename().string());
+        draw_file(editor, theme, *file, id);
     const Session& session = editor.session;
     const glm::dvec3 size = bounds_of(session, id).size();
     std::size_t faces = 0, vertices = 0, members = 0;

@@ -55,6 +55,13 @@ template <class T> void randomize(std::mt19937& random, T& value, const Rule& ru
         for (int i = 0; i < T::length(); ++i) randomize(random, value[i], rule);
 }
 
+ImportModel import_of(const std::string& path)
+{
+    ImportModel import;
+    import.file.path = path;
+    return import;
+}
+
 } // namespace
 
 Sketch small_sketch()
@@ -80,13 +87,17 @@ Document small_document()
     return document;
 }
 
+Document fitting_document()
+{
+    return after(small_document(), import_of("snail.obj"));
+}
+
 std::vector<Command> fitting_commands()
 {
-    ImportModel import;
-    import.file.path = "snail.obj";
     PlacementParameters flat;
     flat.offset = 1;
-    return {import,
+    return {import_of("snail.obj"),
+            EditImport{.object = 5, .file = import_of("shell.obj").file},
             AddPlane{},
             AddBox{},
             AddSphere{},

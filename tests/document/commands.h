@@ -22,7 +22,10 @@ inline std::vector<Command> all_commands()
 // A box 1, a sphere 2, a teapot 3 lying on both, a group 4 with the box, a bookmark "front".
 Document small_document();
 
-// For every verb one command that small_document() accepts.
+// With an imported model 5 as well.
+Document fitting_document();
+
+// For every verb one command that fitting_document() accepts.
 std::vector<Command> fitting_commands();
 
 // A command whose fields are random: mostly sensible, now and then extreme, NaN or no text.

@@ -8,7 +8,7 @@
 namespace trivar {
 namespace {
 
-using testing::all_commands, testing::fitting_commands, testing::small_document;
+using testing::all_commands, testing::fitting_commands, testing::fitting_document;
 
 std::map<Id, Ref<Object>> pointers(const Document& document)
 {
@@ -39,7 +39,7 @@ TEST(EveryCommand, ComesBackFromItsLineOfJson)
 
 TEST(EveryCommand, LeavesItsInputUntouched)
 {
-    const Document before = small_document();
+    const Document before = fitting_document();
     const Document kept = before;
     const std::string digest_before = digest(before);
     for (const Command& command : fitting_commands()) {
@@ -52,15 +52,15 @@ TEST(EveryCommand, LeavesItsInputUntouched)
 TEST(EveryCommand, GivesTheSameResultWheneverItIsApplied)
 {
     for (const Command& command : fitting_commands())
-        EXPECT_EQ(digest(after(small_document(), command)),
-                  digest(after(small_document(), command)))
+        EXPECT_EQ(digest(after(fitting_document(), command)),
+                  digest(after(fitting_document(), command)))
             << verb(command);
 }
 
 TEST(EveryCommand, IsUndoneToTheVeryObjectsAndRedoneToTheOthers)
 {
     for (const Command& command : fitting_commands()) {
-        History history(small_document());
+        History history(fitting_document());
         const Document before = history.document();
         history.run(command);
         const Document result = history.document();
@@ -73,7 +73,7 @@ TEST(EveryCommand, IsUndoneToTheVeryObjectsAndRedoneToTheOthers)
 
 TEST(EveryCommand, ReplaysFromTheLogToTheSameDigest)
 {
-    const Document start = small_document();
+    const Document start = fitting_document();
     for (const Command& command : fitting_commands()) {
         const Document live = after(start, command);
         const Log log = read_log(log_header() + command_line(command), "log");
@@ -99,7 +99,7 @@ TEST(EveryCommand, HasASummaryAndAHelpForEachField)
 TEST(EveryCommand, WithRandomFieldsIsAppliedOrRejectedAndNothingElse)
 {
     std::mt19937 random(2006);
-    const Document start = small_document();
+    const Document start = fitting_document();
     const std::string digest_before = digest(start);
     int applied = 0;
     for (int i = 0; i < 20000; ++i) {
@@ -121,7 +121,7 @@ TEST(EveryCommand, WithRandomFieldsIsAppliedOrRejectedAndNothingElse)
 TEST(EveryCommand, AppliedAtRandomNeverBreaksWhatTheDocumentPromises)
 {
     std::mt19937 random(7);
-    History history(small_document());
+    History history(fitting_document());
     for (int i = 0; i < 5000; ++i) {
         try {
             history.run(testing::random_command(random));
@@ -143,7 +143,7 @@ TEST(EveryCommand, AppliedAtRandomNeverBreaksWhatTheDocumentPromises)
             }
         }
     }
-    History again(small_document());
+    History again(fitting_document());
     const Log log = read_log(log_text(history), "log");
     for (const LogLine& line : log.lines) apply(again, line, log.name);
     EXPECT_EQ(digest(again.document()), digest(history.document()));

@@ -24,6 +24,7 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
 {
     const std::vector<std::string> expected{
         "Import snail.obj",
+        "File of snail shell.obj",
         "Add Plane 4 × 4 m",
         "Add Box 1 × 1 × 1 m",
         "Add Sphere radius 0.5 m",
@@ -51,7 +52,8 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
     };
     const std::vector<Command> commands = testing::fitting_commands();
     ASSERT_EQ(commands.size(), expected.size());
-    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(said(commands[i]), expected[i]);
+    for (std::size_t i = 0; i < expected.size(); ++i)
+        EXPECT_EQ(said(testing::fitting_document(), commands[i]), expected[i]);
 }
 
 TEST(StepTitle, NamesTheOneNumberOfAPlacementThatChanged)

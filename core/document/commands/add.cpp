@@ -3,6 +3,7 @@
 #include "core/document/commands/apply.h"
 
 #include <filesystem>
+#include <fmt/format.h>
 
 namespace trivar {
 namespace {
@@ -32,6 +33,14 @@ Document applied(Document document, const ImportModel& command)
                                             .transform = command.transform,
                                             .surfacing = {},
                                             .placement = {}});
+}
+Document applied(Document document, const EditImport& command)
+{
+    if (command.file.path.empty()) throw Rejected("field \"path\" names no file");
+    if (!std::holds_alternative<ImportedFile>(object(document, command.object).source))
+        throw Rejected(fmt::format("field \"object\": {} comes from no file", command.object));
+    return with_changed(std::move(document), command.object,
+                        [&](Object& o) { o.source = command.file; });
 }
 Document applied(Document document, const AddPlane& command)
 {

@@ -30,4 +30,18 @@ struct ImportModel {
     }
 };
 
+struct EditImport {
+    static constexpr std::string_view verb = "edit_import",
+                                      summary = "Take a model from another file, or read it "
+                                                "otherwise. It stays where it is.";
+    Id object = 0;
+    ImportedFile file;
+    bool operator==(const EditImport&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("object", c.object, "id of an imported model", required);
+        FieldsOf<ImportedFile>::fields(c.file, field);
+    }
+};
+
 } // namespace trivar

@@ -144,6 +144,17 @@ struct Titles {
         if (made() == file.stem().string()) return {"Import " + file.filename().string(), {}};
         return {"Import " + made(), "from " + file.filename().string()};
     }
+    StepTitle operator()(const EditImport& c) const
+    {
+        const std::string name = name_in(before, c.object);
+        const Object* object = was(c.object);
+        const auto* file = object ? std::get_if<ImportedFile>(&object->source) : nullptr;
+        if (!file || file->path != c.file.path)
+            return {"File of " + name, std::filesystem::path(c.file.path).filename().string()};
+        if (file->subdivisions != c.file.subdivisions)
+            return {"Subdivision of " + name, fmt::format("{} levels", c.file.subdivisions)};
+        return {"Read " + name + (file->hash != c.file.hash ? " anew" : " otherwise"), {}};
+    }
     template <class Shape> StepTitle operator()(const AddShape<Shape>& c) const
     {
         return {"Add " + made(), shape_size(c.shape)};
