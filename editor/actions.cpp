@@ -178,17 +178,15 @@ void view_actions(std::vector<Action>& a)
                  "Frame selection",
                  {{ui::key_period}, {'F'}},
                  [](Editor& e) {
-                     const Box box = e.session.selected == 0
-                                         ? bounds_of(e.session, 0)
-                                         : bounds_of(e.session, e.session.selected.ids());
-                     e.session.camera = ui::framed(e.session.camera, box);
+                     e.session.camera = ui::framed(e.session.camera,
+                                                   points_of(e.session, e.session.selected.ids()));
                  },
                  something_there()});
     a.push_back({"View",
                  "Frame all",
                  {{ui::key_home}},
                  [](Editor& e) {
-                     e.session.camera = ui::framed(e.session.camera, bounds_of(e.session, 0));
+                     e.session.camera = ui::framed(e.session.camera, points_of(e.session, {}));
                  },
                  something_there()});
     a.push_back({"View",

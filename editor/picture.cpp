@@ -22,14 +22,21 @@ gpu::Picture picture_of(const Evaluated& evaluated, const Document& document, co
     return picture;
 }
 
+void add_points(std::vector<glm::dvec3>& points, const EvaluatedObject& object)
+{
+    for (const Part& part : object.parts)
+        for (const glm::vec3& p : part.mesh->positions)
+            points.emplace_back(part.to_world * glm::dvec4(p, 1));
+}
+
 Camera picture_camera(const Evaluated& evaluated, const Document& document, glm::ivec2 size_px)
 {
     const auto bookmark = document.bookmarks.find("picture");
     if (bookmark != document.bookmarks.end()) return ui::reshaped(bookmark->second, size_px);
     Camera camera;
     camera.size_px = size_px;
-    Box all;
-    for (const auto& [id, ref] : evaluated.objects) all.add(ref->bounds);
+    std::vector<glm::dvec3> all;
+    for (const auto& [id, ref] : evaluated.objects) add_points(all, *ref);
     return ui::framed(ui::seen_from(camera, glm::normalize(glm::dvec3(0.45, -1, 0.55))), all);
 }
 

@@ -10,6 +10,9 @@ namespace trivar {
 // their id.
 gpu::Picture picture_of(const Evaluated& evaluated, const Document& document, const Camera& camera);
 
+// Adds the vertices of an object, in world space.
+void add_points(std::vector<glm::dvec3>& points, const EvaluatedObject& object);
+
 // The bookmark "picture" if there is one, else a view of everything from the front, somewhat from
 // the right and above. An empty scene gives the camera that a new document starts with.
 Camera picture_camera(const Evaluated& evaluated, const Document& document, glm::ivec2 size_px);

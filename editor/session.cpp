@@ -2,6 +2,8 @@
 #include "editor/session.h"
 
 #include "core/base/rejected.h"
+#include "editor/picture.h"
+#include "editor/selection.h"
 #include "ui/camera_control.h"
 
 #include <filesystem>
@@ -258,7 +260,7 @@ void Session::poll()
         if (up_to_date() && std::exchange(opened_, false)) tell_what_is_missing();
         if (frame_all_when_evaluated && up_to_date() && !evaluated_.objects.empty()) {
             frame_all_when_evaluated = false;
-            camera = ui::framed(camera, bounds_of(*this, 0));
+            camera = ui::framed(camera, points_of(*this, {}));
         }
     }
     finish_check();
@@ -279,6 +281,15 @@ Box bounds_of(const Session& session, const std::vector<Id>& ids)
     for (const Id id : ids)
         if (const Box one = bounds_of(session, id); !one.empty()) box.add(one);
     return box;
+}
+
+std::vector<glm::dvec3> points_of(const Session& session, const std::vector<Id>& ids)
+{
+    std::vector<glm::dvec3> points;
+    for (const auto& [id, object] : session.evaluated().objects)
+        if (ids.empty() || belongs_to_one_of(session.document(), id, ids))
+            add_points(points, *object);
+    return points;
 }
 
 bool belongs_to(const Document& document, Id id, Id group)

@@ -108,6 +108,8 @@ private:
 // The box round an object, with what is in it if it is a group, or round everything for id 0.
 Box bounds_of(const Session& session, Id id);
 Box bounds_of(const Session& session, const std::vector<Id>& ids);
+// All vertices of these objects, in world space; of everything where there is none.
+std::vector<glm::dvec3> points_of(const Session& session, const std::vector<Id>& ids);
 // Whether it is that object or in that group, however deep; everything is in 0.
 bool belongs_to(const Document& document, Id id, Id group);
 // What the scene is called: its file's name, that of the file it is a copy of, or untitled; and

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/camera_control.h"
 
+#include "core/base/box.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
@@ -78,19 +80,47 @@ Camera zoomed(const Camera& camera, const glm::dvec3& anchor_world, double facto
     return result;
 }
 
-Camera framed(const Camera& camera, const Box& box)
+Camera framed(const Camera& camera, std::span<const glm::dvec3> points)
 {
-    if (box.empty()) return camera;
-    constexpr double margin = 1.1;
-    const double radius = std::max(glm::length(box.size()) / 2 * margin, nearest_world);
+    if (points.empty()) return camera;
+    constexpr double share = 0.8; // of the picture that the points fill
+    Box box;
+    for (const glm::dvec3& p : points) box.add(p);
+    const glm::dvec3 middle = box.center(), forward = forward_of(camera);
+    const glm::dvec3 across = glm::cross(forward, camera.up);
+    const glm::dvec3 right =
+        glm::length(across) > 1e-9 ? glm::normalize(across) : right_of(forward);
+    const glm::dvec3 up = glm::cross(right, forward);
     const double aspect = camera.size_px.x / std::max(1.0, camera.size_px.y);
-    const double half_y = camera.fov_y / 2;
-    const double half_x = std::atan(std::tan(half_y) * aspect);
+    const double slope_y = camera.perspective ? std::tan(camera.fov_y / 2) * share : 0;
+    const glm::dvec2 slope{slope_y * aspect, slope_y};
+
+    // A point is inside where |x - center| <= slope (z + distance), and likewise y: two bounds that
+    // have to meet at the least distance.
+    glm::dvec2 above(-1e300), below(-1e300);
+    double nearest = 1e300;
+    for (const glm::dvec3& p : points) {
+        const glm::dvec3 d = p - middle;
+        const glm::dvec2 at{glm::dot(d, right), glm::dot(d, up)};
+        const double z = glm::dot(d, forward);
+        above = glm::max(above, at - slope * z);
+        below = glm::max(below, -at - slope * z);
+        nearest = std::min(nearest, z);
+    }
+    const glm::dvec2 center = (above - below) / 2.0, width = above + below;
     Camera result = camera;
-    result.target = box.center();
-    result.height_world = 2 * radius / std::min(1.0, aspect);
-    const double distance = std::min(radius / std::sin(std::min(half_x, half_y)), farthest_world);
-    result.eye = result.target - forward_of(camera) * distance;
+    double distance = 0; // from the eye to the middle
+    if (camera.perspective) {
+        distance = std::max(width.x / (2 * slope.x), width.y / (2 * slope.y));
+        distance = std::max(distance, nearest_world - nearest);
+    } else {
+        result.height_world = std::max(nearest_world, std::max(width.x / aspect, width.y) / share);
+        distance = result.height_world - nearest;
+    }
+    distance = std::clamp(distance, nearest_world, farthest_world);
+    const glm::dvec3 aim = middle + right * center.x + up * center.y;
+    result.eye = aim - forward * distance;
+    result.target = aim;
     return result;
 }
 

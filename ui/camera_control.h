@@ -2,7 +2,8 @@
 #pragma once
 
 #include "core/base/camera.h"
-#include "core/mesh/mesh.h"
+
+#include <span>
 
 namespace trivar::ui {
 
@@ -19,9 +20,9 @@ Camera panned(const Camera& camera, const glm::dvec3& anchor_world, glm::dvec2 d
 // 1e-4 and 1e6 metres from the target the factor is obeyed, beyond that it is cut.
 Camera zoomed(const Camera& camera, const glm::dvec3& anchor_world, double factor);
 
-// The same direction, so near that the box's bounding sphere just fits the picture with a margin.
-// An empty box gives the camera as it was.
-Camera framed(const Camera& camera, const Box& box);
+// The same direction, so near that the points just fit the picture with a margin of a tenth at each
+// side, and turned about at the depth of their middle. No points give the camera as it was.
+Camera framed(const Camera& camera, std::span<const glm::dvec3> points);
 
 // The same view in a picture of another shape, wide enough for all that was in it.
 Camera reshaped(const Camera& camera, glm::dvec2 size_px);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/camera_control.h"
 
+#include "core/base/box.h"
+
 #include <cmath>
 #include <gmock/gmock.h>
 
@@ -90,33 +92,43 @@ TEST(CameraControl, ZoomStopsBeforeTheCameraReachesItsTargetOrLeavesTheWorld)
     EXPECT_LE(glm::distance(out.eye, out.target), 1.01e6);
 }
 
-TEST(CameraControl, AFramedBoxIsWhollyInThePictureAndFillsAThirdOfIt)
+TEST(CameraControl, FramedPointsFillFourFifthsOfThePictureOneWay)
 {
     Box box;
     box.add({-2, 1, 0});
     box.add({3, 2, 4});
+    std::vector<glm::dvec3> points;
+    for (int corner = 0; corner < 8; ++corner)
+        points.emplace_back((corner & 1 ? box.hi : box.lo).x, (corner & 2 ? box.hi : box.lo).y,
+                            (corner & 4 ? box.hi : box.lo).z);
     for (const glm::dvec2 size : {glm::dvec2(1600, 400), glm::dvec2(300, 900)})
         for (Camera camera : both_kinds()) {
             camera.size_px = size;
-            const Camera framed_camera = framed(camera, box);
+            const Camera result = framed(camera, points);
             Box seen;
-            for (int corner = 0; corner < 8; ++corner) {
-                const glm::dvec3 p((corner & 1 ? box.hi : box.lo).x,
-                                   (corner & 2 ? box.hi : box.lo).y,
-                                   (corner & 4 ? box.hi : box.lo).z);
-                seen.add(glm::dvec3(project(framed_camera, p).p_px, 0));
-            }
-            EXPECT_GE(seen.lo.x, 0);
-            EXPECT_GE(seen.lo.y, 0);
-            EXPECT_LE(seen.hi.x, size.x);
-            EXPECT_LE(seen.hi.y, size.y);
-            EXPECT_GT(std::max(seen.size().x / size.x, seen.size().y / size.y), 0.33);
+            for (const glm::dvec3& p : points) seen.add(glm::dvec3(project(result, p).p_px, 0));
+            const glm::dvec2 share = glm::dvec2(seen.size()) / size;
+            EXPECT_NEAR(std::max(share.x, share.y), 0.8, 1e-9);
+            const double off_x = seen.center().x - size.x / 2, off_y = seen.center().y - size.y / 2;
+            EXPECT_NEAR(share.x > share.y ? off_x : off_y, 0, 1e-6);
+            EXPECT_TRUE(seen.lo.x >= 0 && seen.lo.y >= 0 && seen.hi.x <= size.x &&
+                        seen.hi.y <= size.y);
         }
+}
+
+TEST(CameraControl, OnePointIsFramedFromNearby)
+{
+    for (const Camera& camera : both_kinds()) {
+        const std::vector<glm::dvec3> point{{1, 2, 3}};
+        const Camera result = framed(camera, point);
+        EXPECT_NEAR(glm::distance(project(result, point[0]).p_px, camera.size_px / 2.0), 0, 1e-3);
+        EXPECT_GT(glm::distance(result.eye, point[0]), 0);
+    }
 }
 
 TEST(CameraControl, FramingNothingChangesNothing)
 {
-    EXPECT_EQ(framed(somewhere(), Box{}), somewhere());
+    EXPECT_EQ(framed(somewhere(), {}), somewhere());
 }
 
 TEST(CameraControl, AnotherShapeOfPictureShowsAllThatWasInTheViewBefore)
