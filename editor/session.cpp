@@ -122,14 +122,14 @@ void Session::cancel()
     refresh();
 }
 
-bool Session::run(Command command)
+bool Session::run(const Command& command)
 {
-    const std::string why = try_run(std::move(command));
+    const std::string why = try_run(command);
     if (!why.empty()) notices.say(ui::NoticeKind::warning, why);
     return why.empty();
 }
 
-std::string Session::try_run(Command command)
+std::string Session::try_run(const Command& command)
 {
     check_.reset();
     try {

@@ -38,8 +38,8 @@ public:
     // says why. A stroke is checked this way, for only its evaluation knows what it hits.
     void commit_if_placed(Id object);
     void cancel();
-    bool run(Command command);            // propose and commit
-    std::string try_run(Command command); // the same; why it was refused, and no notice
+    bool run(const Command& command);            // propose and commit
+    std::string try_run(const Command& command); // the same; why it was refused, and no notice
     void undo();
     void redo();
     void go_to_step(std::size_t position); // by undo and redo
