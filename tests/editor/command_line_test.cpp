@@ -58,6 +58,7 @@ TEST(CommandLine, HelpIsAResultAndSpeaksOfExitStatuses)
         EXPECT_THAT(ran.talk, IsEmpty());
     }
     EXPECT_THAT(run({"--help"}).out, HasSubstr("3 a check failed"));
+    EXPECT_THAT(run({"--version"}).out, HasSubstr("Trivar "));
 }
 
 TEST(CommandLine, WrongUsageIsStatusTwoAndNoResult)
