@@ -49,9 +49,8 @@ void file_actions(std::vector<Action>& a)
     a.push_back({"File",
                  "Find missing file...",
                  {},
-                 [](Editor& e) { e.files.ask_relink(missing_files(e.session).front()); },
-                 {[](const Editor& e) { return !missing_files(e.session).empty(); },
-                  "no file of this scene is missing"}});
+                 [](Editor& e) { e.files.ask_missing(); },
+                 something_there()});
     a.push_back({"File",
                  "Read files anew",
                  {},
@@ -145,7 +144,7 @@ void edit_actions(std::vector<Action>& a)
                  something_selected()});
     a.push_back({"Edit",
                  "Delete",
-                 {{ui::key_delete}, {'X'}},
+                 {{ui::key_delete}},
                  [](Editor& e) { e.session.run(Delete{chosen(e)}); },
                  something_selected()});
     a.push_back({"Edit",

@@ -39,8 +39,9 @@ std::string words_of(std::string_view verb)
 // Commands that an action or a tool runs already, with all that they need.
 bool has_an_action(std::string_view verb)
 {
-    constexpr std::array<std::string_view, 8> known{"import", "rename",  "delete", "duplicate",
-                                                    "group",  "ungroup", "place",  "unplace"};
+    constexpr std::array<std::string_view, 9> known{"import",    "rename",  "delete",
+                                                    "duplicate", "group",   "ungroup",
+                                                    "place",     "unplace", "arrange"};
     return verb.starts_with("add_") || std::ranges::find(known, verb) != known.end();
 }
 
@@ -50,7 +51,8 @@ Command about_selection(Command command, const Editor& editor)
     const Session& session = editor.session;
     std::visit(
         [&](auto& c) {
-            if constexpr (requires { c.objects; }) c.objects = {session.selected};
+            if constexpr (requires { c.objects; })
+                c.objects = topmost(session.document(), session.selected.ids());
             if constexpr (requires { c.object; }) c.object = session.selected;
         },
         command);
@@ -58,6 +60,8 @@ Command about_selection(Command command, const Editor& editor)
     const Object* object = found == session.document().objects.end() ? nullptr : &*found->second;
     if (auto* c = std::get_if<SetTransform>(&command); c && object)
         c->transform = object->transform;
+    if (auto* c = std::get_if<EditImport>(&command); c && object)
+        if (const auto* file = std::get_if<ImportedFile>(&object->source)) c->file = *file;
     if (auto* c = std::get_if<SetMaterial>(&command); c && object && object->surfacing)
         c->surfacing = *object->surfacing;
     if (auto* c = std::get_if<EditPlacement>(&command); c && object && object->placement)
@@ -88,6 +92,9 @@ std::string why_not(const Command& command, const Editor& editor)
     if (needs_object && found == document.objects.end()) return "select an object first";
     if (std::holds_alternative<EditPlacement>(command) && !found->second->placement)
         return "select a placed object first";
+    if (std::holds_alternative<EditImport>(command) &&
+        !std::holds_alternative<ImportedFile>(found->second->source))
+        return "select an imported model first";
     if (std::holds_alternative<DeleteCamera>(command) && document.bookmarks.empty())
         return "no view is kept";
     return {};

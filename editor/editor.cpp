@@ -4,6 +4,8 @@
 #include "editor/actions.h"
 #include "editor/panels/inspect.h"
 #include "editor/panels/panels.h"
+
+#include <filesystem>
 #include <imgui.h>
 
 namespace trivar {
@@ -18,9 +20,21 @@ void paint_ground(const ui::Theme& theme, glm::vec2 size_px)
 // For the list of what was worked on; a scene without a name is in no list.
 void remember_scene(Editor& editor)
 {
-    const std::string& path = editor.session.scene().path();
+    const std::string& named = editor.session.scene().path();
+    if (named.empty()) return;
+    const std::string path = std::filesystem::absolute(named).lexically_normal().string();
     std::vector<std::string>& recent = editor.preferences.recent_scenes;
-    if (!path.empty() && (recent.empty() || recent.front() != path)) remember(recent, path);
+    if (recent.empty() || recent.front() != path) remember(recent, path);
+}
+
+// What was under way belongs to a scene that is gone.
+void meet_scene(Editor& editor)
+{
+    if (editor.scene == editor.session.scenes()) return;
+    editor.scene = editor.session.scenes();
+    editor.active_tool().cancel(editor.session);
+    editor.renaming = 0;
+    editor.inspecting = false;
 }
 
 } // namespace
@@ -52,6 +66,7 @@ void draw_editor(Editor& editor, ui::Frame& frame)
     }
     if (frame.close_asked) editor.files.ask_close();
     run_keys(editor);
+    meet_scene(editor);
 
     const auto arranged = [&] {
         return layout_of(theme, frame.size_px, editor.preferences, editor.only_view);

@@ -36,6 +36,7 @@ struct Editor {
     ui::TimingView timing;
     enum class Tab { inspector, history, log } tab = Tab::inspector;
     std::string filter;      // of the outliner
+    long scene = 0;          // number of the session's scene that the tools know
     Id renaming = 0;         // in the outliner
     std::string new_name;    // of it, as typed so far
     bool inspecting = false; // a proposal of the inspector is pending

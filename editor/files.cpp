@@ -128,6 +128,14 @@ void Files::ask_relink(Id object)
                                    .name = {}});
 }
 
+void Files::ask_missing()
+{
+    const std::vector<Id> missing = missing_files(*session_);
+    if (!missing.empty()) return ask_relink(missing.front());
+    session_->notices.say(ui::NoticeKind::good, "No file is missing",
+                          "Every imported model's file is where the scene looks for it.");
+}
+
 void Files::ask_export()
 {
     ask_for_file(Purpose::write_model,
@@ -202,34 +210,35 @@ void Files::open_scene(const std::string& path)
 
 void Files::import(const std::string& path, bool frame_all)
 {
-    session_->jobs().start({"Reading " + file_name(path),
-                            [this, path, frame_all,
-                             store = session_->assets()](const Progress& progress) -> Jobs::Finish {
-                                ImportModel import;
-                                import.file.path = fs::absolute(path).string();
-                                const Command command = prepare(import, *store, progress);
-                                const auto& ready = std::get<ImportModel>(command);
-                                const AssetStore::Loaded loaded = store->load(ready.file, progress);
-                                if (!loaded.model)
-                                    throw Rejected(loaded.notices.empty() ? "It cannot be read."
-                                                                          : loaded.notices.front());
-                                return [this, command, frame_all, said = loaded.notices] {
-                                    const Id id = session_->committed().next_id;
-                                    const bool first = session_->committed().objects.empty();
-                                    session_->cancel();
-                                    if (!session_->run(command)) return;
-                                    session_->selected = id;
-                                    if (first || frame_all)
-                                        session_->frame_all_when_evaluated = true;
-                                    for (const std::string& notice : said)
-                                        session_->notices.say(ui::NoticeKind::warning, notice);
-                                };
-                            },
-                            [this, path](const std::string& why) {
-                                session_->notices.say(ui::NoticeKind::error,
-                                                      file_name(path) + " was not imported",
-                                                      reason(why, path));
-                            }});
+    session_->jobs().start(
+        {"Reading " + file_name(path),
+         [this, path, frame_all,
+          store = session_->assets()](const Progress& progress) -> Jobs::Finish {
+             ImportModel import;
+             import.file.path = fs::absolute(path).string();
+             const Command command = prepare(import, *store, progress);
+             const auto& ready = std::get<ImportModel>(command);
+             const AssetStore::Loaded loaded = store->load(ready.file, progress);
+             if (!loaded.model)
+                 throw Rejected(loaded.notices.empty() ? "It cannot be read."
+                                                       : loaded.notices.front());
+             return [this, command, frame_all, store, path, said = loaded.notices] {
+                 // Paths are told from the folder of the scene there is now.
+                 if (session_->assets() != store) return this->import(path, frame_all);
+                 const Id id = session_->committed().next_id;
+                 const bool first = session_->committed().objects.empty();
+                 session_->cancel();
+                 if (!session_->run(command)) return;
+                 session_->selected = id;
+                 if (first || frame_all) session_->frame_all_when_evaluated = true;
+                 for (const std::string& notice : said)
+                     session_->notices.say(ui::NoticeKind::warning, notice);
+             };
+         },
+         [this, path](const std::string& why) {
+             session_->notices.say(ui::NoticeKind::error, file_name(path) + " was not imported",
+                                   reason(why, path));
+         }});
 }
 
 void Files::take_dropped(const std::vector<std::string>& paths)

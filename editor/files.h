@@ -26,6 +26,7 @@ public:
     void ask_open();
     void ask_import();
     void ask_relink(Id object); // another file for an imported model
+    void ask_missing();         // for the first whose file is not there
     void ask_export();
     void save(); // a scene with a name is on disk already: says so; else asks for one
     void ask_save_as();

@@ -41,6 +41,14 @@ void use_keys(std::vector<Action>& actions, const KeyMap& map)
         const auto found = map.find(each.name);
         each.keys = found == map.end() ? each.usual_keys : found->second;
     }
+    // Another action may have been given what is usual here.
+    for (Action& each : actions)
+        if (!map.contains(each.name))
+            std::erase_if(each.keys, [&](const ui::Chord& chord) {
+                return std::ranges::any_of(map, [&](const auto& changed) {
+                    return std::ranges::find(changed.second, chord) != changed.second.end();
+                });
+            });
 }
 
 std::vector<std::string> give_key(std::vector<Action>& actions, const std::string& name,

@@ -16,27 +16,40 @@ const ImportedFile* file_of(const Session& session, Id id)
     return std::get_if<ImportedFile>(&found->second->source);
 }
 
-// Hashes are read from the files, which may be large.
+std::string name_of_file(const EditImport& edit)
+{
+    return fs::path(edit.file.path).filename().string();
+}
+
+// Hashes are read from the files, which may be large. What cannot be read is left as it is.
 void run_prepared(Session& session, std::vector<EditImport> edits)
 {
     if (edits.empty()) return;
-    const std::string name = fs::path(edits.front().file.path).filename().string();
-    session.jobs().start({"Reading " + name,
-                          [&session, edits = std::move(edits),
-                           store = session.assets()](const Progress& progress) -> Jobs::Finish {
-                              std::vector<Command> commands;
-                              for (const EditImport& edit : edits)
-                                  commands.push_back(prepare(edit, *store, progress));
-                              return [&session, commands = std::move(commands)] {
-                                  session.cancel();
-                                  for (const Command& command : commands)
-                                      if (!session.run(command)) return;
-                              };
-                          },
-                          [&session, name](const std::string& why) {
-                              session.notices.say(ui::NoticeKind::error, name + " cannot be used",
-                                                  why);
-                          }});
+    const std::string first = name_of_file(edits.front());
+    session.jobs().start(
+        {"Reading " + first,
+         [&session, edits = std::move(edits),
+          store = session.assets()](const Progress& progress) -> Jobs::Finish {
+             std::vector<Command> commands;
+             std::vector<std::string> refused;
+             for (const EditImport& edit : edits) try {
+                     commands.push_back(prepare(edit, *store, progress));
+                 } catch (const Rejected& why) {
+                     refused.emplace_back(why.what());
+                 }
+             return
+                 [&session, store, commands = std::move(commands), refused = std::move(refused)] {
+                     if (session.assets() != store) return; // another scene, or another folder
+                     for (const std::string& why : refused)
+                         session.notices.say(ui::NoticeKind::error, "A file cannot be used", why);
+                     session.cancel();
+                     for (const Command& command : commands)
+                         if (!session.run(command)) return;
+                 };
+         },
+         [&session, first](const std::string& why) {
+             session.notices.say(ui::NoticeKind::error, first + " cannot be used", why);
+         }});
 }
 
 } // namespace

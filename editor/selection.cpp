@@ -42,18 +42,32 @@ void Selection::keep_those_in(const Document& document)
     std::erase_if(ids_, [&](Id id) { return !document.objects.contains(id); });
 }
 
-bool belongs_to_one_of(const Document& document, Id id, const std::vector<Id>& ids)
+Members::Members(const Document& document, const std::vector<Id>& ids)
+    : document_(&document),
+      ids_(ids)
 {
-    for (; id != 0; id = object(document, id).parent)
-        if (std::find(ids.begin(), ids.end(), id) != ids.end()) return true;
+    std::sort(ids_.begin(), ids_.end());
+}
+
+bool Members::contain(Id id) const
+{
+    while (id != 0) {
+        if (std::binary_search(ids_.begin(), ids_.end(), id)) return true;
+        const auto found = document_->objects.find(id);
+        id = found == document_->objects.end() ? 0 : found->second->parent;
+    }
     return false;
 }
 
 std::vector<Id> topmost(const Document& document, const std::vector<Id>& ids)
 {
+    const Members members(document, ids);
     std::vector<Id> result;
-    for (const Id id : ids)
-        if (!belongs_to_one_of(document, object(document, id).parent, ids)) result.push_back(id);
+    for (const Id id : ids) {
+        const auto found = document.objects.find(id);
+        if (found != document.objects.end() && !members.contain(found->second->parent))
+            result.push_back(id);
+    }
     return result;
 }
 

@@ -30,8 +30,17 @@ private:
     std::vector<Id> ids_;
 };
 
-// Whether it is one of those objects or in one of those groups, however deep.
-bool belongs_to_one_of(const Document& document, Id id, const std::vector<Id>& ids);
+// Which objects are among those chosen or in a group among them, however deep. What the document
+// does not have, say because the picture is older than it, is not.
+class Members {
+public:
+    Members(const Document& document, const std::vector<Id>& ids);
+    bool contain(Id id) const; // O(depth log #ids)
+
+private:
+    const Document* document_;
+    std::vector<Id> ids_; // ascending
+};
 
 // Those that are in no group among them, in their order: what happens to a group happens to what
 // is in it.

@@ -27,8 +27,9 @@ std::vector<Id> others(const Editor& e)
 {
     const Document& document = e.session.document();
     const std::vector<Id>& ids = e.session.selected.ids();
+    const Members chosen(document, ids);
     return objects_that(e, [&](Id id) {
-        if (!visible(document, id) || belongs_to_one_of(document, id, ids)) return false;
+        if (!visible(document, id) || chosen.contain(id)) return false;
         for (const Id each : ids)
             if (belongs_to(document, each, id)) return false;
         return true;

@@ -179,6 +179,7 @@ void Session::go_to_step(std::size_t position)
 void Session::replace_scene(SceneFile scene)
 {
     scene_ = std::move(scene);
+    ++scenes_;
     scene_.keep_in(unnamed_folder_);
     selected = 0;
     refused_.clear();
@@ -277,18 +278,19 @@ Box bounds_of(const Session& session, Id id)
 
 Box bounds_of(const Session& session, const std::vector<Id>& ids)
 {
+    const Members members(session.document(), ids);
     Box box;
-    for (const Id id : ids)
-        if (const Box one = bounds_of(session, id); !one.empty()) box.add(one);
+    for (const auto& [id, object] : session.evaluated().objects)
+        if (!object->bounds.empty() && members.contain(id)) box.add(object->bounds);
     return box;
 }
 
 std::vector<glm::dvec3> points_of(const Session& session, const std::vector<Id>& ids)
 {
+    const Members members(session.document(), ids);
     std::vector<glm::dvec3> points;
     for (const auto& [id, object] : session.evaluated().objects)
-        if (ids.empty() || belongs_to_one_of(session.document(), id, ids))
-            add_points(points, *object);
+        if (ids.empty() || members.contain(id)) add_points(points, *object);
     return points;
 }
 

@@ -55,6 +55,7 @@ public:
 
     // Another scene, or an empty one. Selection and effects start anew.
     void replace_scene(SceneFile scene);
+    long scenes() const { return scenes_; } // there have been
     // The scene without a name of a program that was killed, if there is one: goes on with it, or
     // only tells of it.
     void take_up_left_scene();
@@ -99,6 +100,7 @@ private:
     Ref<AssetStore> assets_;
     std::unique_ptr<BackgroundEvaluator> evaluator_;
     Jobs jobs_;
+    long scenes_ = 0;
     Evaluated evaluated_;
     Timings timings_;
     long evaluation_ = 0, evaluated_ticket_ = 0, asked_ticket_ = 0;

@@ -115,6 +115,9 @@ json present_values(const json& typed, const Document& document)
     if (name == SetRender::verb) return fields_of(SetRender{*document.render});
     const Object* object = found();
     if (!object) return json::object();
+    if (const auto* file = std::get_if<ImportedFile>(&object->source);
+        file && name == EditImport::verb)
+        return fields_of(EditImport{0, *file});
     if (name == SetTransform::verb) return fields_of(SetTransform{0, object->transform});
     if (name == SetMaterial::verb && object->surfacing)
         return fields_of(SetMaterial{{}, *object->surfacing});

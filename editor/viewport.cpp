@@ -43,9 +43,9 @@ gpu::Picture picture_of(const Session& session, bool draft)
     picture.camera = session.camera;
     picture.settings = *session.document().render;
     picture.draft = draft;
+    const Members selected(session.document(), session.selected.ids());
     for (const auto& [id, object] : session.evaluated().objects) {
-        const bool highlighted = session.document().objects.contains(id) &&
-                                 belongs_to_one_of(session.document(), id, session.selected.ids());
+        const bool highlighted = selected.contain(id);
         for (const Part& part : object->parts)
             picture.instances.push_back({.mesh = part.mesh,
                                          .to_world = part.to_world,
@@ -133,11 +133,14 @@ ViewportInput Viewport::take_input(Session& session, const ui::Frame& frame, con
     if (ImGui::IsItemActive() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !alt) {
         left_down_ = input.pressed = true;
         if (renderer_ && shown_) input.under = renderer_->pick(glm::ivec2(input.mouse));
+        if (!session.document().objects.contains(input.under)) input.under = 0;
     }
-    input.seen_in = [this](glm::dvec2 lo, glm::dvec2 hi) {
+    input.seen_in = [this, &session](glm::dvec2 lo, glm::dvec2 hi) {
         if (!renderer_ || !shown_) return std::vector<Id>{};
         const glm::ivec2 first(glm::floor(lo)), last(glm::floor(hi));
-        return renderer_->pick_in(first, last + 1);
+        std::vector<Id> seen = renderer_->pick_in(first, last + 1);
+        std::erase_if(seen, [&](Id id) { return !session.document().objects.contains(id); });
+        return seen;
     };
     const bool was_down = left_down_;
     if (left_down_ && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
@@ -166,14 +169,15 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
     constexpr double budget_ms = 40; // of it in one frame: the mouse must not wait
     Shown wanted{session.camera, session.evaluation(),           session.selected, size_px, state,
                  false,          session.document().render.get()};
-    if (shown_) { // what was drawn as a draft is compared without that
+    const bool held = moving; // what ends that makes a frame of its own
+    if (shown_) {             // what was drawn as a draft is compared without that
         Shown before = *shown_;
         before.draft = false;
         if (before != wanted) moving = true;
     }
     if (moving || move_ != Move::none) moved_s_ = frame.time_s;
     wanted.draft = !shown_ || frame.time_s - moved_s_ < rest_s;
-    if (wanted.draft) frame.again_in(rest_s - (frame.time_s - moved_s_) + 0.01);
+    if (wanted.draft && !held) frame.again_in(rest_s - (frame.time_s - moved_s_) + 0.01);
     // A full picture of the same thing does for a draft.
     Shown as_full = wanted;
     as_full.draft = false;

@@ -145,7 +145,7 @@ void draw_card(const Theme& theme, glm::vec2 at, float max_height, const TimingS
 } // namespace
 
 void draw_timing(const Theme& theme, glm::vec2 at, float max_height, const TimingSources& sources,
-                 TimingView& view)
+                 TimingView& view, const std::string& key)
 {
     const double median = sources.history.median_ms();
     ImGui::SetCursorScreenPos({at.x, at.y});
@@ -153,7 +153,7 @@ void draw_timing(const Theme& theme, glm::vec2 at, float max_height, const Timin
     const Chip pill{milliseconds(median), timing_color(theme, median)};
     const float width = text_width(theme.font.small, pill.text) + theme.px(30);
     if (ImGui::InvisibleButton("pill", {width, theme.size.row})) view.open = !view.open;
-    tooltip(theme, "Timing", "F10",
+    tooltip(theme, "Timing", key,
             "The median of the last pictures while something moved, with what they show.");
     paint_chip(theme, at, pill);
     if (view.open)

@@ -22,8 +22,9 @@ struct TimingView {
 // A pill with the median; pressed, it opens a card with a bar for each of the last pictures and
 // the stages of one with their times and shares: the newest, the one under the mouse, or the one
 // that was clicked.
+// `key` opens and closes it as well.
 void draw_timing(const Theme& theme, glm::vec2 at, float max_height, const TimingSources& sources,
-                 TimingView& view);
+                 TimingView& view, const std::string& key);
 
 // All of the card as text, with the names that `--timings` writes.
 std::string timing_text(const TimingSources& sources);

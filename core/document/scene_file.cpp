@@ -27,10 +27,18 @@ std::string absolute_folder(const std::string& path)
     return std::filesystem::absolute(path).lexically_normal().parent_path().string();
 }
 
+ImportedFile* file_of(Command& command)
+{
+    if (auto* import = std::get_if<ImportModel>(&command)) return &import->file;
+    if (auto* edit = std::get_if<EditImport>(&command)) return &edit->file;
+    return nullptr;
+}
+
 bool imports_by_relative_path(const History::Step& step)
 {
-    const auto* import = std::get_if<ImportModel>(&step.command);
-    return import && std::filesystem::path(import->file.path).is_relative();
+    Command command = step.command;
+    const ImportedFile* file = file_of(command);
+    return file && std::filesystem::path(file->path).is_relative();
 }
 
 // The history with the paths of imports as they are from another folder.
@@ -41,7 +49,7 @@ History moved(const History& history, const std::filesystem::path& from,
     for (const History::Step& step : history.steps()) {
         Command command = step.command;
         if (imports_by_relative_path(step)) {
-            std::string& path = std::get<ImportModel>(command).file.path;
+            std::string& path = file_of(command)->path;
             path = (from / path).lexically_normal().lexically_relative(to).string();
         }
         result.run(std::move(command));

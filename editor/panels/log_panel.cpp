@@ -149,7 +149,7 @@ void run_field(Editor& editor)
         const TypedLine line = typed_line(field.text, session.committed());
         const History& history = session.scene().history();
         if (const auto* command = std::get_if<Command>(&line))
-            field.trouble = session.try_run(*command);
+            field.trouble = session.try_run(prepare(*command, *session.assets()));
         else if (std::holds_alternative<UndoLine>(line)) {
             if (history.position() == 0) throw Rejected("There is nothing to undo.");
             session.undo();

@@ -148,7 +148,7 @@ bool draw_row(Editor& editor, const ui::Theme& theme, const std::vector<Entry>& 
     ImGui::SetCursorScreenPos({eye, row.lo.y});
     const glm::vec2 square(theme.size.icon_button);
     if (ui::icon_button(theme, "eye", each.hidden ? ui::icon::hidden : ui::icon::eye, square,
-                        each.hidden ? "Show" : "Hide", "H")) {
+                        each.hidden ? "Show" : "Hide")) {
         if (each.hidden)
             session.run(Show{{entry.id}});
         else

@@ -11,13 +11,10 @@ namespace {
 std::string facts(const Session& session)
 {
     if (session.document().objects.empty()) return "Empty scene  ·  m";
-    const auto counted = [&](Id id) {
-        return session.document().objects.contains(id) &&
-               belongs_to_one_of(session.document(), id, session.selected.ids());
-    };
+    const Members selected(session.document(), session.selected.ids());
     std::size_t vertices = 0;
     for (const auto& [id, object] : session.evaluated().objects)
-        if (session.selected == 0 || counted(id))
+        if (session.selected == 0 || selected.contain(id))
             for (const Part& part : object->parts) vertices += part.mesh->vertex_count();
     const std::size_t count = session.document().objects.size();
     const std::string what = session.selected != 0
@@ -51,6 +48,18 @@ void paint_input(const ui::Theme& theme, glm::vec2 at, float height, const std::
         ui::paint_keycap(theme, at, height, input);
 }
 
+// The inputs with the keys that actions have at present; nothing where one has no key.
+std::vector<std::string> inputs_now(const Editor& editor, const Hint& hint)
+{
+    std::vector<std::string> inputs = hint.inputs;
+    for (std::string& input : inputs) {
+        if (!input.starts_with('@')) continue;
+        input = key_text(action(editor, input.substr(1)));
+        if (input.empty()) return {};
+    }
+    return inputs;
+}
+
 } // namespace
 
 void draw_status_line(Editor& editor, const ui::Theme& theme, const Layout& layout)
@@ -64,11 +73,12 @@ void draw_status_line(Editor& editor, const ui::Theme& theme, const Layout& layo
                    ui::Align::right);
     float x = r.lo.x + theme.px(12);
     for (const Hint& hint : editor.active_tool().hints(editor.session)) {
+        const std::vector<std::string> inputs = inputs_now(editor, hint);
+        if (inputs.empty() && !hint.inputs.empty()) continue;
         float width = ui::text_width(theme.font.small, hint.verb) + theme.px(2);
-        for (const std::string& input : hint.inputs)
-            width += input_width(theme, input) + theme.px(4);
+        for (const std::string& input : inputs) width += input_width(theme, input) + theme.px(4);
         if (x + width > room) break; // hints drop from the right, facts never
-        for (const std::string& input : hint.inputs) {
+        for (const std::string& input : inputs) {
             paint_input(theme, {x, r.lo.y}, r.height(), input);
             x += input_width(theme, input) + theme.px(4);
         }

@@ -43,7 +43,7 @@ void labels(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
     ui::draw_timing(
         theme, at, view.hi.y - at.y - theme.px(40),
         {shown.drafts(), session.timings(), shown.full_timings(), bytes, shown.uploaded_bytes()},
-        editor.timing);
+        editor.timing, key_text(action(editor, "Timing")));
 }
 
 // Long work is said after a moment, so that quick work does not flicker.

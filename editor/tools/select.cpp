@@ -95,9 +95,8 @@ std::vector<Hint> SelectTool::hints(const Session& session) const
         hints.push_back({{"left"}, "Drag a box"});
     }
     if (session.selected != 0) {
-        hints.push_back({{"G"}, "Move"});
-        hints.push_back({{"R"}, "Rotate"});
-        hints.push_back({{"S"}, "Scale"});
+        for (const char* tool : {"Move", "Rotate", "Scale"})
+            hints.push_back({{std::string("@") + tool}, tool});
     }
     hints.push_back({{"middle"}, "Orbit"});
     hints.push_back({{"wheel"}, "Zoom"});

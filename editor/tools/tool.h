@@ -16,7 +16,7 @@ namespace trivar {
 // One hint of the status line: "left", "middle", "right", "wheel" are drawn as mice, anything else
 // as a key.
 struct Hint {
-    std::vector<std::string> inputs;
+    std::vector<std::string> inputs; // "left", "Ctrl"; "@Move": the key of the action of that name
     std::string verb;
 };
 

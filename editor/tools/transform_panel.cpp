@@ -136,16 +136,18 @@ std::vector<Hint> TransformTool::hints_at_work() const
 std::vector<Hint> TransformTool::hints_at_rest(const Session& session) const
 {
     std::vector<Hint> hints;
-    const std::string key = ui::text_of(keys().front());
+    const char* reset = kind_ == MotionKind::move     ? "@Reset position"
+                        : kind_ == MotionKind::rotate ? "@Reset rotation"
+                                                      : "@Reset scale";
     if (const auto frame = handles_at(session)) {
         const Projected middle = project(session.camera, frame->pivot);
         const bool seen = middle.depth_world > 0 &&
                           glm::all(glm::greaterThan(middle.p_px, {0, 0})) &&
                           glm::all(glm::lessThan(middle.p_px, session.camera.size_px));
         if (seen) hints.push_back(hint({"left"}, "Drag a handle"));
-        hints.push_back(hint({key}, name() + " freely"));
-        hints.push_back(hint({"Alt", key}, "Reset"));
-        if (!seen) hints.push_back(hint({"."}, "Frame it, to see the handles"));
+        hints.push_back(hint({"@" + name()}, name() + " freely"));
+        hints.push_back(hint({reset}, "Reset"));
+        if (!seen) hints.push_back(hint({"@Frame selection"}, "Frame it, to see the handles"));
     }
     hints.push_back(hint({"left"}, "Select"));
     hints.push_back(hint({"Ctrl", "left"}, "Add or remove"));

@@ -28,6 +28,12 @@ bool TypedAmounts::take(char c)
     return true;
 }
 
+void TypedAmounts::begin_anew()
+{
+    texts_ = {texts_[static_cast<std::size_t>(at_)], {}, {}};
+    at_ = 0;
+}
+
 void TypedAmounts::erase_last()
 {
     std::string& text = texts_[static_cast<std::size_t>(at_)];

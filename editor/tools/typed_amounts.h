@@ -18,7 +18,7 @@ public:
     bool take(char c); // whether it belongs to the number
     void erase_last();
     void next(int count) { at_ = (at_ + 1) % count; }
-    void begin_anew() { at_ = 0; } // other axes are meant now; what was typed stays
+    void begin_anew(); // other axes are meant now; the number that was being typed is the first
     int at() const { return at_; }
     const std::string& text(int i) const { return texts_[static_cast<std::size_t>(i)]; }
     // The last value of a number that could be read; nothing where nothing was.

@@ -160,6 +160,27 @@ TEST(SceneFile, ACopyLeavesItsOriginalAsItIsAndIsKeptFromItsFirstStep)
     EXPECT_EQ(scene.original(), "");
 }
 
+TEST(SceneFile, NamesTheFilesOfModelsFromItsNewFolder)
+{
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder.file("v2"));
+    SceneFile scene;
+    scene.save_as(folder.file("a.trivar"));
+    ImportModel import;
+    import.file.path = "models/a.obj";
+    scene.run(import);
+    EditImport edit{1, import.file};
+    edit.file.subdivisions = 2;
+    scene.run(edit);
+    scene.save_as(folder.file("v2/a.trivar"));
+    const auto path_now = [&] {
+        return std::get<ImportedFile>(object(scene.history().document(), 1).source).path;
+    };
+    EXPECT_EQ(path_now(), "../models/a.obj");
+    scene.undo();
+    EXPECT_EQ(path_now(), "../models/a.obj");
+}
+
 TEST(SceneFile, KeepsTheFileWithATornLineBesideBeforeItGoesOn)
 {
     const TemporaryFolder folder;

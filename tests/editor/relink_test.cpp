@@ -60,6 +60,29 @@ TEST(Relink, RefusesWhatCannotBeRead)
     ASSERT_FALSE(rig.editor.session.notices.all().empty());
 }
 
+TEST(Relink, TakesTheChosenFileWhereItsNeighbourCannotBeRead)
+{
+    ThreeImports rig;
+    fs::create_directory(rig.folder.file("moved"));
+    fs::rename(rig.folder.file("a.obj"), rig.folder.file("moved/a.obj"));
+    fs::remove(rig.folder.file("b.obj"));
+    std::ofstream(rig.folder.file("moved/b.obj")) << "f 1 2 3\n";
+    const std::size_t said = rig.editor.session.notices.all().size();
+    relink(rig.editor.session, 1, rig.folder.file("moved/a.obj"));
+    rig.wait();
+    EXPECT_THAT(missing_files(rig.editor.session), ElementsAre(2));
+    EXPECT_EQ(rig.editor.session.notices.all().size(), said + 1);
+}
+
+TEST(Relink, LeavesAnotherSceneAlone)
+{
+    ThreeImports rig;
+    read_anew(rig.editor.session, {1, 2, 3});
+    rig.editor.session.replace_scene(SceneFile());
+    rig.wait();
+    EXPECT_EQ(rig.steps(), 0u);
+}
+
 TEST(Relink, ReadsAFileAnewThatHasChanged)
 {
     ThreeImports rig;

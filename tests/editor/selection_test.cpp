@@ -34,8 +34,10 @@ TEST(Selection, OfAGroupAndAMemberIsTheGroupWhereBothWouldBeMoved)
     for (const Command& c : {Command(AddBox{}), Command(AddBox{}), Command(Group{{2}})})
         d = after(d, c);
     EXPECT_THAT(topmost(d, {2, 1, 3}), ElementsAre(1, 3));
-    EXPECT_TRUE(belongs_to_one_of(d, 2, {3}));
-    EXPECT_FALSE(belongs_to_one_of(d, 1, {3}));
+    EXPECT_TRUE(Members(d, {3}).contain(2));
+    EXPECT_FALSE(Members(d, {3}).contain(1));
+    EXPECT_FALSE(Members(d, {3}).contain(9)) << "there is no such object";
+    EXPECT_THAT(topmost(d, {9, 1}), ElementsAre(1));
 }
 
 // Three boxes in a row on nothing, seen from the front.

@@ -5,7 +5,7 @@
 namespace trivar {
 namespace {
 
-using testing::Boxes;
+using testing::Boxes, testing::Rig;
 
 TEST(TransformByKey, FollowsTheMouseAndAClickIsOneStep)
 {
@@ -158,13 +158,35 @@ TEST(TransformByKey, AltResets)
 
 TEST(TransformByKey, WhatLiesOnAStrokeSaysWhyItStaysWhereItIs)
 {
+    Rig rig;
+    rig.two_objects();
+    rig.key({'P'});
+    rig.draw(rig.stroke());
+    rig.wait();
+    ASSERT_TRUE(object(rig.editor.session.document(), 2).placement);
+    EXPECT_EQ(stands_of(rig.editor.session.document(), {1, 2}).size(), 1u);
+    rig.editor.session.selected = 2;
+    const std::size_t said = rig.editor.session.notices.all().size();
+    rig.key({'G'});
+    EXPECT_FALSE(rig.editor.active_tool().busy());
+    ASSERT_EQ(rig.editor.session.notices.all().size(), said + 1);
+    rig.key({'X'});
+    EXPECT_EQ(rig.steps(), 3u) << "an axis is no command of its own";
+}
+
+TEST(TransformByKey, EndsWithTheSceneItBeganIn)
+{
     Boxes rig;
-    Object placed = object(rig.editor.session.document(), 1);
-    EXPECT_EQ(stands_of(rig.editor.session.document(), {1, 2}).size(), 2u);
-    Document d = rig.editor.session.document();
-    placed.placement.emplace();
-    d.objects.set(1, make_ref(std::move(placed)));
-    EXPECT_EQ(stands_of(d, {1, 2}).size(), 1u);
+    rig.key({'G'});
+    rig.move(rig.away() + glm::vec2(60, 0));
+    ASSERT_TRUE(rig.editor.active_tool().busy());
+    SceneFile other;
+    other.run(AddSphere{});
+    rig.editor.session.replace_scene(std::move(other));
+    rig.wait();
+    EXPECT_FALSE(rig.editor.active_tool().busy());
+    rig.click(rig.away());
+    EXPECT_EQ(rig.of(1), Transform{});
 }
 
 TEST(TransformByKey, SaysHowFarWhileItGoesOn)
