@@ -251,7 +251,7 @@ void Files::take_dropped(const std::vector<std::string>& paths)
         else if (is_model(path))
             import(path, fresh);
         else
-            session_->notices.say(ui::NoticeKind::warning, file_name(path) + " cannot be used here",
+            session_->notices.say(ui::NoticeKind::warning, "Trivar cannot open " + file_name(path),
                                   "Drop a scene (.trivar) or a model: glTF, OBJ, PLY, STL, OFF.");
     }
     if (!scene.empty()) open_scene(scene);
