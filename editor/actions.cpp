@@ -86,8 +86,9 @@ void edit_actions(std::vector<Action>& a)
                  {{.key = 'D', .shift = true}},
                  [](Editor& e) {
                      const Id first = e.session.committed().next_id;
-                     if (e.session.run(Duplicate{chosen(e), {0, 0, 0}}))
-                         e.session.select_new(first);
+                     if (!e.session.run(Duplicate{chosen(e), {0, 0, 0}})) return;
+                     e.session.select_new(first);
+                     action(e, "Move").run(e); // else the copies hide in what they are copies of
                  },
                  something_selected(),
                  true});

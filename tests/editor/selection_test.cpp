@@ -129,6 +129,8 @@ TEST(SelectingByHand, WhatIsDoneToSeveralIsOneStep)
     rig.key({.key = 'D', .shift = true});
     EXPECT_EQ(rig.steps(), 4u);
     EXPECT_THAT(rig.ids(), ElementsAre(4, 5));
+    rig.key({ui::key_escape}); // they would follow the mouse
+    EXPECT_EQ(rig.steps(), 4u);
     rig.key({'H'});
     EXPECT_TRUE(object(rig.editor.session.document(), 4).hidden);
     EXPECT_TRUE(object(rig.editor.session.document(), 5).hidden);

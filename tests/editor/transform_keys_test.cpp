@@ -174,6 +174,20 @@ TEST(TransformByKey, WhatLiesOnAStrokeSaysWhyItStaysWhereItIs)
     EXPECT_EQ(rig.steps(), 3u) << "an axis is no command of its own";
 }
 
+TEST(TransformByKey, MovesACopyFromWhereItsOriginalIs)
+{
+    Boxes rig;
+    rig.key({.key = 'D', .shift = true});
+    ASSERT_TRUE(rig.editor.active_tool().busy());
+    rig.move(rig.away() + glm::vec2(60, 0));
+    rig.click(rig.away() + glm::vec2(60, 0));
+    rig.wait();
+    EXPECT_EQ(rig.steps(), 4u);
+    EXPECT_EQ(rig.editor.session.selected, 3);
+    EXPECT_EQ(rig.of(1).translation, glm::dvec3(-1.5, 0, 0));
+    EXPECT_GT(rig.of(3).translation.x, -1.5);
+}
+
 TEST(TransformByKey, EndsWithTheSceneItBeganIn)
 {
     Boxes rig;
