@@ -180,7 +180,7 @@ struct Window::State {
             const char* name = glfwGetKeyName(key, code);
             if (name && name[0] >= 'a' && name[0] <= 'z' && name[1] == 0) key = name[0] - 'a' + 'A';
             if (name && (name[0] == '+' || name[0] == '-' || name[0] == ',') && name[1] == 0)
-                key = name[0];
+                key = static_cast<unsigned char>(name[0]);
             of(w).push(press_key(key, action == GLFW_PRESS));
         });
         glfwSetCharCallback(window,
