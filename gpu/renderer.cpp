@@ -208,8 +208,9 @@ struct Renderer::State {
                 lines.draw(tools, *w.targets, w.frame, w.picture.lines, w.scene.origin_world);
             });
         if (std::ranges::any_of(w.scene.items, &SceneItem::highlighted))
-            clock.pass("outline",
-                       [&] { draw_outline(tools, *w.targets, w.frame, w.scene, w.look.accent); });
+            clock.pass("outline", [&] {
+                draw_outline(tools, *w.targets, w.frame, w.scene, {w.look.accent, w.picture.draft});
+            });
         whole = w.targets;
         whole_px = w.shown_px;
         kept = false;

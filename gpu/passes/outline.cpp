@@ -36,7 +36,7 @@ Rectangle bounds_px(const Frame& frame, const Scene& scene, glm::ivec2 size_px)
 } // namespace
 
 void draw_outline(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
-                  const glm::vec3& color)
+                  const OutlineLook& look)
 {
     const Rectangle part = bounds_px(frame, scene, targets.size_px);
     const auto only_part = [&] {
@@ -67,8 +67,9 @@ void draw_outline(Tools& tools, const Targets& targets, const Frame& frame, cons
     set_state({.blend = true});
     only_part();
     const Program& program = tools.use(full_screen_program("outline"));
-    program.set("color", glm::vec4(color, 1));
+    program.set("color", glm::vec4(look.color, 1));
     program.set("width_px", outline_px);
+    program.set("taps", look.draft ? 8 : 12);
     targets.mask.bind(0);
     tools.full_screen();
 }

@@ -18,8 +18,12 @@ private:
     VertexArray vertices_;
 };
 
-// An outline in the accent colour round highlighted instances.
+// An outline round highlighted instances; that of a draft costs half and is rougher.
+struct OutlineLook {
+    glm::vec3 color{1};
+    bool draft = false;
+};
 void draw_outline(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
-                  const glm::vec3& color);
+                  const OutlineLook& look);
 
 } // namespace trivar::gpu
