@@ -31,6 +31,8 @@ void draw_tabs(Editor& editor, const ui::Theme& theme, const Layout& layout);
 void draw_inspector(Editor& editor, const ui::Theme& theme, const Layout& layout);
 void draw_history(Editor& editor, const ui::Theme& theme, const Layout& layout);
 void draw_log(Editor& editor, const ui::Theme& theme, const Layout& layout);
+// The inputs of a hint with the keys that actions have at present; nothing where one has no key.
+std::vector<std::string> inputs_now(const Editor& editor, const Hint& hint);
 void draw_status_line(Editor& editor, const ui::Theme& theme, const Layout& layout);
 void draw_help(Editor& editor, const ui::Theme& theme);
 void draw_command_palette(Editor& editor, const ui::Theme& theme);

@@ -48,7 +48,8 @@ void paint_input(const ui::Theme& theme, glm::vec2 at, float height, const std::
         ui::paint_keycap(theme, at, height, input);
 }
 
-// The inputs with the keys that actions have at present; nothing where one has no key.
+} // namespace
+
 std::vector<std::string> inputs_now(const Editor& editor, const Hint& hint)
 {
     std::vector<std::string> inputs = hint.inputs;
@@ -59,8 +60,6 @@ std::vector<std::string> inputs_now(const Editor& editor, const Hint& hint)
     }
     return inputs;
 }
-
-} // namespace
 
 void draw_status_line(Editor& editor, const ui::Theme& theme, const Layout& layout)
 {

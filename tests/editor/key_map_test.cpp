@@ -62,6 +62,25 @@ TEST(KeyMap, HoldsOnlyWhatWasChangedAndBringsItBack)
     EXPECT_EQ(key_text(action(other, "Undo")), "Ctrl+Z");
 }
 
+TEST(KeyMap, GivesAUsualKeyToNobodyWhereItWasGivenAway)
+{
+    Editor editor([] {});
+    use_keys(editor.actions, {{"Undo", {{'G'}}}}); // Move's
+    EXPECT_EQ(key_text(action(editor, "Undo")), "G");
+    EXPECT_EQ(key_text(action(editor, "Move")), "");
+}
+
+TEST(KeyMap, IsWhatHintsName)
+{
+    Editor editor([] {});
+    const Hint hint{{"Shift", "@Move"}, "Move"};
+    EXPECT_THAT(inputs_now(editor, hint), ElementsAre("Shift", "G"));
+    give_key(editor.actions, "Move", {'J'});
+    EXPECT_THAT(inputs_now(editor, hint), ElementsAre("Shift", "J"));
+    use_keys(editor.actions, {{"Move", {}}});
+    EXPECT_THAT(inputs_now(editor, hint), IsEmpty());
+}
+
 TEST(KeyMap, IsChangedByPressingTheNewKey)
 {
     Rig rig;
