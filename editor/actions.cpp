@@ -264,13 +264,15 @@ void window_actions(std::vector<Action>& a)
                  {ctrl(ui::key_plus), ctrl(ui::key_equal), ctrl(ui::key_equal, true),
                   ctrl(ui::key_plus, true), ctrl(ui::key_keypad_plus)},
                  scaled(1),
-                 {[](const Editor& e) { return e.preferences.scale < 2; }, "it is at 200 %"},
+                 {[](const Editor& e) { return e.preferences.scale < interface_scales.back(); },
+                  "it is the largest"},
                  true});
     a.push_back({"View",
                  "Smaller interface",
                  {ctrl(ui::key_minus), ctrl(ui::key_keypad_minus)},
                  scaled(-1),
-                 {[](const Editor& e) { return e.preferences.scale > 0.75; }, "it is at 75 %"}});
+                 {[](const Editor& e) { return e.preferences.scale > interface_scales.front(); },
+                  "it is the smallest"}});
     a.push_back({"View",
                  "Usual size of the interface",
                  {ctrl(ui::key_0)},

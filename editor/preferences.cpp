@@ -81,7 +81,7 @@ struct Writing {
 };
 void each_preference(auto& p, const auto& field)
 {
-    field("scale", p.scale, 0.75, 2.0);
+    field("scale", p.scale, interface_scales.front(), interface_scales.back());
     field("dock", p.dock, 280.0, 480.0);
     field("outliner", p.outliner, 120.0, 4000.0);
     field("show_dock", p.show_dock);
@@ -131,15 +131,14 @@ void remember(std::vector<std::string>& recent, const std::string& what)
 
 double next_scale(double scale, int direction)
 {
-    constexpr double steps[] = {0.75, 0.8, 0.9, 1, 1.1, 1.25, 1.5, 1.75, 2};
     constexpr double nearly = 1e-6;
     if (direction > 0) {
-        for (const double each : steps)
+        for (const double each : interface_scales)
             if (each > scale + nearly) return each;
-        return 2;
+        return interface_scales.back();
     }
-    double lower = 0.75;
-    for (const double each : steps)
+    double lower = interface_scales.front();
+    for (const double each : interface_scales)
         if (each < scale - nearly) lower = each;
     return lower;
 }

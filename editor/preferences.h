@@ -3,6 +3,7 @@
 
 #include "editor/key_map.h"
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,7 +28,8 @@ std::string text_of(const Preferences& preferences);
 // Puts it in front of the list, once.
 void remember(std::vector<std::string>& recent, const std::string& what);
 
-// The scale after a step up or down, 0.75..2 in steps of 5, 10 and 25 %.
+// The scales of the interface that can be chosen, rising; and the next one up or down.
+inline constexpr std::array interface_scales{0.75, 0.9, 1.0, 1.1, 1.25, 1.5, 2.0};
 double next_scale(double scale, int direction);
 
 // Preferences in a file, written when they differ from what it holds. Without a path in memory.

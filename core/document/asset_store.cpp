@@ -32,10 +32,15 @@ const std::string& AssetStore::folder() const
     return state_->folder;
 }
 
+std::array<std::string, 2> AssetStore::names_of(const std::string& path)
+{
+    return {path, std::filesystem::path(path).filename().string()};
+}
+
 std::string AssetStore::resolve(const std::string& path) const
 {
     const std::filesystem::path named(path);
-    for (const std::string& name : {path, named.filename().string()})
+    for (const std::string& name : names_of(path))
         if (const auto found = state_->relinked.find(name); found != state_->relinked.end())
             return found->second;
     if (named.is_absolute()) return path;

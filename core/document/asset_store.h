@@ -5,6 +5,7 @@
 #include "core/document/document.h"
 #include "core/mesh/model.h"
 
+#include <array>
 #include <map>
 #include <memory>
 #include <string>
@@ -31,6 +32,8 @@ public:
     Loaded load(const ImportedFile& file, const Progress& progress = {}) const;
     void forget(const std::string& path) const; // it is read again when it is next asked for
     std::string resolve(const std::string& path) const; // the file that would be opened
+    // What --set may call the file of that path: the path itself, or its last part.
+    static std::array<std::string, 2> names_of(const std::string& path);
     const std::string& folder() const;
 
 private:

@@ -27,17 +27,17 @@ std::string absolute_folder(const std::string& path)
     return std::filesystem::absolute(path).lexically_normal().parent_path().string();
 }
 
-ImportedFile* file_of(Command& command)
+// The file that a command names, which may be changed where the command may; else nothing.
+auto* file_of(auto& command)
 {
     if (auto* import = std::get_if<ImportModel>(&command)) return &import->file;
-    if (auto* edit = std::get_if<EditImport>(&command)) return &edit->file;
-    return nullptr;
+    auto* edit = std::get_if<EditImport>(&command);
+    return edit ? &edit->file : nullptr;
 }
 
 bool imports_by_relative_path(const History::Step& step)
 {
-    Command command = step.command;
-    const ImportedFile* file = file_of(command);
+    const ImportedFile* file = file_of(step.command);
     return file && std::filesystem::path(file->path).is_relative();
 }
 

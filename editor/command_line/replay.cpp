@@ -69,10 +69,9 @@ void check_relinked(const ReplayOptions& options, const Document& document)
 {
     std::set<std::string> named;
     for (const auto& [id, object] : document.objects)
-        if (const auto* file = std::get_if<ImportedFile>(&object->source)) {
-            named.insert(file->path);
-            named.insert(std::filesystem::path(file->path).filename().string());
-        }
+        if (const auto* file = std::get_if<ImportedFile>(&object->source))
+            for (std::string& name : AssetStore::names_of(file->path))
+                named.insert(std::move(name));
     std::error_code ignored;
     for (const auto& [name, file] : relinked_files(options.relinked)) {
         if (!named.contains(name))

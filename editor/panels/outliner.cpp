@@ -1,25 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/letters_in_order.h"
 #include "editor/panels/panels.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
-#include <cctype>
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
 namespace trivar {
 namespace {
-
-// Letters in order, whatever lies between and whatever their case.
-bool matches(const std::string& name, const std::string& filter)
-{
-    std::size_t at = 0;
-    const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
-    for (const char c : name)
-        if (at < filter.size() && lower(c) == lower(filter[at])) ++at;
-    return at == filter.size();
-}
 
 struct Entry {
     Id id = 0;
@@ -188,7 +178,7 @@ void draw_outliner(Editor& editor, const ui::Theme& theme, const Layout& layout)
     std::vector<Entry> entries;
     gather(editor.session.document(), 0, 0, entries);
     std::erase_if(entries, [&](const Entry& e) {
-        return !matches(name_of(editor.session.document(), e.id), editor.filter);
+        return !letters_in_order(editor.filter, name_of(editor.session.document(), e.id));
     });
     const ui::Rect list = {{r.lo.x, r.lo.y + theme.px(72)}, r.hi};
     if (entries.empty()) {

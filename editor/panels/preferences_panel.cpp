@@ -5,6 +5,7 @@
 #include "ui/widgets.h"
 
 #include <cmath>
+#include <fmt/format.h>
 #include <imgui.h>
 
 namespace trivar {
@@ -39,18 +40,22 @@ void draw_page_names(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
 
 void draw_interface_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
 {
-    constexpr double scales[] = {0.75, 0.9, 1, 1.1, 1.25, 1.5, 2};
     Preferences& p = editor.preferences;
     ImGui::SetCursorScreenPos({r.lo.x, r.lo.y + theme.px(12)});
     ImGui::BeginChild("interface", {r.width(), r.height() - theme.px(12)});
     int nearest = 0;
-    for (int i = 0; i < 7; ++i)
-        if (std::abs(scales[i] - p.scale) < std::abs(scales[nearest] - p.scale)) nearest = i;
+    std::vector<std::string> names;
+    const auto off = [&](int i) {
+        return std::abs(interface_scales[static_cast<std::size_t>(i)] - p.scale);
+    };
+    for (int i = 0; i < std::ssize(interface_scales); ++i) {
+        if (off(i) < off(nearest)) nearest = i;
+        names.push_back(
+            fmt::format("{:.0f} %", 100 * interface_scales[static_cast<std::size_t>(i)]));
+    }
     const float width = std::min(theme.px(420), ui::label_row(theme, "Size").width);
-    if (ui::segments(theme, "scale", nearest,
-                     {"75 %", "90 %", "100 %", "110 %", "125 %", "150 %", "200 %"},
-                     width) == ui::Edit::changed)
-        p.scale = scales[nearest];
+    if (ui::segments(theme, "scale", nearest, names, width) == ui::Edit::changed)
+        p.scale = interface_scales[static_cast<std::size_t>(nearest)];
     ui::label_row(theme, "Side panels");
     ui::check_box(theme, "dock", p.show_dock, "outliner and inspector at the right");
     ui::label_row(theme, "Hints");

@@ -28,9 +28,8 @@ const Placement* placement_of(const Session& session, Id id)
 // Nobody means a stroke that never left the place where it began.
 bool is_click(const Sketch& sketch)
 {
-    constexpr double hand_px = 3; // a hand that clicks moves the mouse as far as this
     return std::all_of(sketch.samples.begin(), sketch.samples.end(), [&](const StrokeSample& s) {
-        return glm::distance(s.p_px, sketch.samples.front().p_px) <= hand_px;
+        return glm::distance(s.p_px, sketch.samples.front().p_px) <= click_slip_px;
     });
 }
 

@@ -23,7 +23,6 @@ const char* SelectTool::icon() const
 
 void SelectTool::use(Session& session, const ViewportInput& input)
 {
-    constexpr double hand_px = 3; // a hand that clicks moves the mouse as far as this
     if (input.pressed) {
         corner_px_ = input.mouse;
         if (box_ == Box::armed)
@@ -33,7 +32,8 @@ void SelectTool::use(Session& session, const ViewportInput& input)
         else
             select_by_click(session, input.under);
     }
-    if (box_ == Box::pressed && glm::distance(input.mouse, corner_px_) > hand_px) box_ = Box::drawn;
+    if (box_ == Box::pressed && glm::distance(input.mouse, corner_px_) > click_slip_px)
+        box_ = Box::drawn;
     if (!input.released) return;
     if (box_ == Box::drawn) {
         const std::vector<Id> seen =

@@ -20,6 +20,9 @@ struct Hint {
     std::string verb;
 };
 
+// A hand that clicks moves the mouse as far as this.
+inline constexpr double click_slip_px = 3;
+
 // What a tool sees of the viewport in one frame.
 struct ViewportInput {
     ui::Rect rect;         // of the picture in the window

@@ -9,8 +9,6 @@
 namespace trivar {
 namespace {
 
-constexpr double hand_px = 3; // a hand that clicks moves the mouse as far as this
-
 // Whatever is held beside it: Ctrl and Shift say how the hand moves.
 bool struck_anyhow(int key)
 {
@@ -100,7 +98,7 @@ void TransformTool::use(Session& session, const ViewportInput& input)
     gesture_->move_hand(session.camera, input.mouse, {.snap = io.KeyCtrl, .fine = io.KeyShift});
     if (by_key_ ? input.pressed : input.released)
         finish(session);
-    else if (by_key_ || gesture_->typed().open() || gesture_->travelled_px() >= hand_px)
+    else if (by_key_ || gesture_->typed().open() || gesture_->travelled_px() >= click_slip_px)
         show(session);
 }
 
@@ -117,7 +115,7 @@ void TransformTool::finish(Session& session)
 {
     const TransformGesture done = *gesture_;
     gesture_.reset();
-    const bool by_hand = by_key_ || done.travelled_px() >= hand_px;
+    const bool by_hand = by_key_ || done.travelled_px() >= click_slip_px;
     const bool nothing = done.motion().is_nothing();
     if (nothing || !(by_hand || done.typed().open()) ||
         !session.propose(arranged(done.ids(), done.transforms())))
