@@ -5,6 +5,7 @@
 #include "ui/camera_control.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <imgui.h>
 #include <utility>
@@ -163,7 +164,7 @@ ViewportInput Viewport::take_input(Session& session, const ui::Frame& frame, con
 }
 
 unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 size_px, bool moving,
-                        int state, const std::function<std::vector<gpu::Line>()>& lines)
+                        int state, const std::function<Helpers()>& helpers)
 {
     constexpr double rest_s = 0.3;   // so long nothing moves before a full picture is begun
     constexpr double budget_ms = 40; // of it in one frame: the mouse must not wait
@@ -189,7 +190,9 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
     }
     if (wanted.draft || begun_ != wanted) {
         gpu::Picture picture = picture_of(session, wanted.draft);
-        picture.lines = lines();
+        Helpers shown = helpers();
+        picture.lines = std::move(shown.lines);
+        picture.translucent = std::move(shown.veils);
         ++pictures_;
         begun_.reset();
         if (wanted.draft) {
@@ -245,6 +248,38 @@ std::vector<gpu::Line> placement_lines(const Placement& placement, const ui::The
     stroke.points.assign(placement.strip.front().begin(), placement.strip.front().end());
     lines.push_back(std::move(stroke));
     return lines;
+}
+
+gpu::Translucent placement_veil(const Placement& placement, const ui::Theme& theme)
+{
+    constexpr float share = 0.05f; // of the light: looks like 7 % of the encoded colour
+    gpu::Translucent veil;
+    veil.colors = {ui::linear_light(ui::faded(theme.color.lattice, share))};
+    const std::array<int, 3> steps{96, 12, 8};
+    for (int across = 0; across < 3; ++across) {
+        const int s = (across + 1) % 3, t = (across + 2) % 3;
+        for (const int end : {0, 1}) {
+            const auto first = static_cast<std::uint32_t>(veil.points.size());
+            const auto row = static_cast<std::uint32_t>(steps[t] + 1);
+            for (int i = 0; i <= steps[s]; ++i)
+                for (int j = 0; j <= steps[t]; ++j) {
+                    glm::dvec3 uvw(0);
+                    uvw[across] = end;
+                    uvw[s] = static_cast<double>(i) / steps[s];
+                    uvw[t] = static_cast<double>(j) / steps[t];
+                    veil.points.emplace_back(evaluate(placement.volume, uvw).value);
+                    if (i == 0 || j == 0) continue;
+                    const std::uint32_t d =
+                        first + static_cast<std::uint32_t>(i) * row + static_cast<std::uint32_t>(j);
+                    const std::uint32_t a = d - row - 1, b = d - 1, c = d - row; // b: i, c: j
+                    if (end == 1)
+                        veil.triangles.insert(veil.triangles.end(), {a, b, d, a, d, c});
+                    else
+                        veil.triangles.insert(veil.triangles.end(), {a, d, b, a, c, d});
+                }
+        }
+    }
+    return veil;
 }
 
 } // namespace trivar

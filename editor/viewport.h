@@ -11,6 +11,12 @@
 
 namespace trivar {
 
+// What is drawn over the scene to work on it.
+struct Helpers {
+    std::vector<gpu::Line> lines;
+    std::vector<gpu::Translucent> veils;
+};
+
 // The picture in the middle: moves the camera, draws the scene when something changed, and tells
 // what lies under the mouse. Needs the window's OpenGL context.
 class Viewport {
@@ -24,7 +30,7 @@ public:
     // is a draft; a moment after they rest it is drawn in full, a piece a frame, for which it asks
     // for frames. The draft stays until all of it is there.
     unsigned draw(const Session& session, ui::Frame& frame, glm::ivec2 size_px, bool moving,
-                  int state, const std::function<std::vector<gpu::Line>()>& lines);
+                  int state, const std::function<Helpers()>& helpers);
     const ui::TimingHistory& drafts() const { return drafts_; }
     const Timings& full_timings() const { return full_timings_; } // of the last one
     std::size_t uploaded_bytes() const { return renderer_ ? renderer_->uploaded_bytes() : 0; }
@@ -66,5 +72,7 @@ std::optional<glm::dvec3> first_hit(const EvaluatedObject& object, const Ray& ra
 
 // The lines that show how a placed object lies: its stroke, the strip's rims and the volume.
 std::vector<gpu::Line> placement_lines(const Placement& placement, const ui::Theme& theme);
+// The outer faces of that volume.
+gpu::Translucent placement_veil(const Placement& placement, const ui::Theme& theme);
 
 } // namespace trivar

@@ -14,7 +14,7 @@ struct DepthRange {
     double near_world, far_world;
 };
 
-// What the scene and the lines occupy along the view direction, with a little air.
+// What the scene and its helpers occupy along the view direction, with a little air.
 DepthRange depth_range(const Picture& picture, const Camera& camera, const Scene& scene)
 {
     double lo = 1e300, hi = -1e300;
@@ -31,10 +31,13 @@ DepthRange depth_range(const Picture& picture, const Camera& camera, const Scene
                                                 (k & 2 ? item.hi : item.lo).y,
                                                 (k & 4 ? item.hi : item.lo).z));
     const double target = glm::length(camera.target - camera.eye);
-    const double reach = 100 * (target + scene.radius); // a line that leaves it may be cut
-    for (const Line& line : picture.lines)
-        for (const glm::vec3& p : line.points)
+    const double reach = 100 * (target + scene.radius); // what leaves it may be cut
+    const auto add_helper = [&](const std::vector<glm::vec3>& points) {
+        for (const glm::vec3& p : points)
             if (glm::distance(glm::dvec3(p), camera.eye) < reach) add(p);
+    };
+    for (const Line& line : picture.lines) add_helper(line.points);
+    for (const Translucent& veil : picture.translucent) add_helper(veil.points);
     if (lo > hi) lo = target * 0.5, hi = target * 2;
     const double air = 0.01 * (hi - lo) + 1e-4 * target;
     if (!camera.perspective) return {lo - air, hi + air};

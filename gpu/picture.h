@@ -6,6 +6,7 @@
 #include "core/document/render_settings.h"
 #include "core/mesh/model.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace trivar::gpu {
@@ -27,10 +28,21 @@ struct Line {
     float width_px = 2;
 };
 
+// A see-through surface over the scene: the faces of a volume, a strip, a tool. Unlit but for a rim
+// where it has normals and turns away. Seen from behind it is fainter, and more so behind solid
+// things. Their order does not matter.
+struct Translucent {
+    std::vector<glm::vec3> points;        // world
+    std::vector<glm::vec4> colors;        // linear, with coverage; one a point, or one for all
+    std::vector<std::uint32_t> triangles; // three points each, anticlockwise from the front
+    std::vector<glm::vec3> normals = {};  // one a point, or none: flat, without a rim
+};
+
 struct Picture {
     Camera camera;
     RenderSettings settings;
     std::vector<Instance> instances;
+    std::vector<Translucent> translucent;
     std::vector<Line> lines;
     int samples = 4;    // of antialiasing
     bool draft = false; // leave out the slow parts while something is being dragged

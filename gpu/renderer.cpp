@@ -5,6 +5,7 @@
 #include "gpu/context.h"
 #include "gpu/pass_clock.h"
 #include "gpu/passes/contact_map.h"
+#include "gpu/passes/layers.h"
 #include "gpu/passes/overlays.h"
 #include "gpu/passes/sample.h"
 #include "gpu/passes/shadow_map.h"
@@ -100,6 +101,7 @@ struct Renderer::State {
     ShadowMap shadow_map;
     ContactMap contact_map;
     LinePass lines;
+    VeilPass veils;
     std::optional<Targets> drafts, pictures; // apart, for they may differ in size
     const Targets* whole = nullptr;          // those of the last whole picture
     glm::ivec2 whole_px{0};                  // its size before scaling
@@ -135,6 +137,7 @@ struct Renderer::State {
         clock.pass("upload", [&] {
             tools.mirror().drop_dead();
             scene = scene_of(picture, tools.mirror());
+            veils.load(picture.translucent, scene.origin_world);
         });
         const Frame frame = frame_of(picture, camera, scene, look, light);
         std::optional<Targets>& targets = picture.draft ? drafts : pictures;
@@ -192,6 +195,8 @@ struct Renderer::State {
             if (any_see_through(w.scene))
                 clock.pass("ghosts",
                            [&] { draw_ghosts(tools, *w.targets, frame, w.scene, w.quality); });
+            if (!w.picture.translucent.empty())
+                clock.pass("veils", [&] { veils.draw(tools, *w.targets, frame); });
             if (w.samples > 1)
                 clock.pass("average", [&] { add_sample(tools, *w.targets, w.sample); });
             return true;

@@ -13,17 +13,18 @@
 namespace trivar {
 namespace {
 
-// The lines that go with the selection, and those of the tool at work.
-std::vector<gpu::Line> lines_of(Editor& editor, const ui::Theme& theme)
+// What goes with the selection, and with the tool at work.
+Helpers helpers_of(Editor& editor, const ui::Theme& theme)
 {
-    std::vector<gpu::Line> lines = editor.active_tool().lines(editor.session, theme);
+    const Tool& tool = editor.active_tool();
+    Helpers helpers{tool.lines(editor.session, theme), tool.veils(editor.session, theme)};
     const auto& objects = editor.session.evaluated().objects;
     const auto found = objects.find(editor.session.selected);
-    if (found == objects.end() || !found->second->placement || editor.active_tool().busy())
-        return lines;
+    if (found == objects.end() || !found->second->placement || tool.busy()) return helpers;
     for (gpu::Line& line : placement_lines(*found->second->placement, theme))
-        lines.push_back(std::move(line));
-    return lines;
+        helpers.lines.push_back(std::move(line));
+    helpers.veils.push_back(placement_veil(*found->second->placement, theme));
+    return helpers;
 }
 
 void labels(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
@@ -90,7 +91,7 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     const bool moving = tool.busy() || editor.inspecting || !session.up_to_date();
     const int state = static_cast<int>(editor.tool) * 2 + (tool.busy() ? 1 : 0);
     const unsigned texture = editor.viewport.draw(session, frame, size_px, moving, state,
-                                                  [&] { return lines_of(editor, theme); });
+                                                  [&] { return helpers_of(editor, theme); });
     const auto name = static_cast<std::uintptr_t>(texture);
     ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(name), lo, hi, {0, 1},
                                          {1, 0});

@@ -59,6 +59,10 @@ public:
 
     // What it draws: in the scene, over the picture, and its settings in the options bar.
     virtual std::vector<gpu::Line> lines(const Session&, const ui::Theme&) const { return {}; }
+    virtual std::vector<gpu::Translucent> veils(const Session&, const ui::Theme&) const
+    {
+        return {};
+    }
     virtual void overlay(const Session&, const ui::Theme&, const ViewportInput&) const {}
     virtual void options(Session&, const ui::Theme&, float width) { (void)width; }
     virtual std::vector<Hint> hints(const Session& session) const = 0;

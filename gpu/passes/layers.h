@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gpu/passes/targets.h"
+#include "gpu/passes/tools.h"
+
+#include <functional>
+#include <span>
+
+namespace trivar::gpu {
+
+// Where layers are in the picture, and how far along the view direction.
+struct LayerBounds {
+    glm::ivec2 lo_px{0}, size_px{0};
+    glm::vec2 range_world{0};
+    bool empty() const { return size_px.x <= 0 || size_px.y <= 0; }
+};
+LayerBounds bounds_of_layers(const Frame& frame, std::span<const glm::vec3> points_scene);
+
+// Lays see-through layers over a sample of the picture, whatever order they come in: layers.glsl.
+class LayerPass {
+public:
+    // `draw_all` draws every layer; it runs twice, its programs with these defines.
+    using DrawAll = std::function<void(const std::vector<std::string>& defines)>;
+    void draw(Tools& tools, const Targets& targets, const LayerBounds& bounds,
+              const DrawAll& draw_all);
+
+private:
+    Texture2D near_depths_, far_depths_, weighed_; // as large as the largest picture yet
+    Framebuffer to_depths_, to_weighed_;
+};
+
+// The see-through helpers of a picture.
+class VeilPass {
+public:
+    VeilPass();
+    void load(const std::vector<Translucent>& veils, const glm::dvec3& origin_world);
+    void draw(Tools& tools, const Targets& targets, const Frame& frame);
+
+private:
+    std::vector<glm::vec3> corners_; // that some triangle has, scene
+    int count_ = 0;                  // of the indices
+    Buffer points_, indices_;
+    VertexArray vertices_;
+    LayerPass layers_;
+};
+
+} // namespace trivar::gpu
