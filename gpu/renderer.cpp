@@ -70,14 +70,6 @@ void check_size(glm::ivec2 size_px)
                                    size_px.x, size_px.y, largest));
 }
 
-bool any_see_through(const Scene& scene)
-{
-    for (const SceneItem& item : scene.items)
-        for (const MirroredMesh::Part& part : item.mesh->parts)
-            if (item.see_through(part)) return true;
-    return false;
-}
-
 } // namespace
 
 // A picture that is being drawn: what from, and how far it is.
@@ -101,7 +93,7 @@ struct Renderer::State {
     ShadowMap shadow_map;
     ContactMap contact_map;
     LinePass lines;
-    VeilPass veils;
+    SeeThroughPass see_through;
     std::optional<Targets> drafts, pictures; // apart, for they may differ in size
     const Targets* whole = nullptr;          // those of the last whole picture
     glm::ivec2 whole_px{0};                  // its size before scaling
@@ -137,7 +129,7 @@ struct Renderer::State {
         clock.pass("upload", [&] {
             tools.mirror().drop_dead();
             scene = scene_of(picture, tools.mirror());
-            veils.load(picture.translucent, scene.origin_world);
+            see_through.load(picture.translucent, scene.origin_world);
         });
         const Frame frame = frame_of(picture, camera, scene, look, light);
         std::optional<Targets>& targets = picture.draft ? drafts : pictures;
@@ -192,11 +184,9 @@ struct Renderer::State {
         default:
             if (w.picture.settings.wire)
                 clock.pass("wire", [&] { draw_wire(tools, *w.targets, frame, w.scene); });
-            if (any_see_through(w.scene))
-                clock.pass("ghosts",
-                           [&] { draw_ghosts(tools, *w.targets, frame, w.scene, w.quality); });
-            if (!w.picture.translucent.empty())
-                clock.pass("veils", [&] { veils.draw(tools, *w.targets, frame); });
+            if (see_through.any(w.scene))
+                clock.pass("see-through",
+                           [&] { see_through.draw(tools, *w.targets, frame, w.scene, w.quality); });
             if (w.samples > 1)
                 clock.pass("average", [&] { add_sample(tools, *w.targets, w.sample); });
             return true;

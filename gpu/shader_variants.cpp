@@ -27,6 +27,7 @@ std::vector<ProgramName> every_program()
         for (const char* fragment : {"depth", "ids", "mask"})
             out.push_back({"mesh", fragment, material});
         out.push_back({"mesh", "surfaces", material});
+        out.push_back({"mesh", "ghost", with({"LAYER_DEPTHS"}, material)});
         out.push_back({"mesh", "surfaces", with({"CLAY"}, material)});
     }
     out.push_back({"mesh", "surfaces", {"PLAIN"}});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "gpu/passes/targets.h"
+#include "gpu/passes/sample.h"
 #include "gpu/passes/tools.h"
 
 #include <functional>
@@ -30,16 +30,17 @@ private:
     Framebuffer to_depths_, to_weighed_;
 };
 
-// The see-through helpers of a picture.
-class VeilPass {
+// What a picture has that one can see through: blended materials, previews and helpers.
+class SeeThroughPass {
 public:
-    VeilPass();
+    SeeThroughPass();
     void load(const std::vector<Translucent>& veils, const glm::dvec3& origin_world);
-    void draw(Tools& tools, const Targets& targets, const Frame& frame);
+    bool any(const Scene& scene) const;
+    void draw(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
+              const Quality& quality);
 
 private:
-    std::vector<glm::vec3> corners_; // that some triangle has, scene
-    int count_ = 0;                  // of the indices
+    std::vector<glm::vec3> corners_; // of the helpers' triangles, scene
     Buffer points_, indices_;
     VertexArray vertices_;
     LayerPass layers_;

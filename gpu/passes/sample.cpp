@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gpu/passes/sample.h"
 
-#include <algorithm>
 #include <array>
 #include <epoxy/gl.h>
 #include <fmt/format.h>
@@ -95,54 +94,6 @@ void draw_backdrop(Tools& tools, const Targets& targets, bool grid)
     if (grid) defines.emplace_back("GRID");
     tools.use(full_screen_program("backdrop", defines));
     tools.full_screen();
-}
-
-void draw_ghosts(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
-                 const Quality& quality)
-{
-    struct Ghost {
-        const SceneItem* item;
-        const MirroredMesh::Part* part;
-        float distance;
-    };
-    std::vector<Ghost> ghosts;
-    for (const SceneItem& item : scene.items)
-        for (const MirroredMesh::Part& part : item.mesh->parts)
-            if (item.see_through(part)) {
-                const glm::vec4 middle((item.lo + item.hi) * 0.5f, 1);
-                ghosts.push_back({&item, &part, -(frame.view * middle).z});
-            }
-    std::stable_sort(ghosts.begin(), ghosts.end(),
-                     [](const Ghost& a, const Ghost& b) { return a.distance > b.distance; });
-
-    // From back to front, of each only the layer nearest to the eye: its depth first.
-    MeshPass depth;
-    depth.fragment = "depth";
-    depth.scene_to_clip = frame.view_clip;
-    depth.reads_material = false;
-    MeshPass light;
-    light.fragment = "ghost";
-    light.defines = quality.shadow_defines();
-    light.scene_to_clip = frame.view_clip;
-    light.prepare = [](const Program& program, const SceneItem& item) {
-        program.set("opacity", item.opacity);
-    };
-    MeshPass ids = depth;
-    ids.fragment = "ids";
-    ids.prepare = [](const Program& program, const SceneItem& item) {
-        program.set("id", static_cast<unsigned>(item.id));
-    };
-    for (const Ghost& ghost : ghosts) {
-        targets.to_color.bind();
-        set_state({.depth = DepthTest::less, .write_depth = true, .write_color = false});
-        tools.draw(*ghost.item, *ghost.part, depth);
-        set_state({.depth = DepthTest::less_equal, .blend = true});
-        tools.draw(*ghost.item, *ghost.part, light);
-        if (ghost.item->id == 0) continue;
-        targets.to_ids.bind();
-        set_state({.depth = DepthTest::less_equal});
-        tools.draw(*ghost.item, *ghost.part, ids);
-    }
 }
 
 void add_sample(Tools& tools, const Targets& targets, int index)

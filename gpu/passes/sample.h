@@ -23,8 +23,6 @@ void draw_surfaces(Tools& tools, const Targets& targets, const Frame& frame, con
 void draw_occlusion(Tools& tools, const Targets& targets, const Quality& quality);
 void draw_light(Tools& tools, const Targets& targets);
 void draw_backdrop(Tools& tools, const Targets& targets, bool grid);
-void draw_ghosts(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
-                 const Quality& quality);
 // Mixes the sample into the average of those before; `index` counts from 0.
 void add_sample(Tools& tools, const Targets& targets, int index);
 void draw_average(Tools& tools, const Targets& targets);

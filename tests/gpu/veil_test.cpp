@@ -132,4 +132,36 @@ TEST_F(Veils, LeaveTheRestOfThePictureAlone)
     EXPECT_EQ(renderer.pick(middle), 4);
 }
 
+Instance pane(float y, glm::vec3 color, float opacity)
+{
+    const Translucent square = sheet(y, red);
+    Mesh mesh;
+    mesh.positions = square.points;
+    mesh.corners = {0, 1, 2, 3};
+    mesh.face_begin = {0, 4};
+    Material glass;
+    glass.base_color = glm::vec4(color, opacity);
+    glass.alpha = Material::Alpha::blend;
+    glass.double_sided = true;
+    return instance_of(std::move(mesh), glm::dmat4(1), glass);
+}
+
+TEST_F(Veils, ShowEveryLayerOfABlendedMaterialInOrder)
+{
+    // Two panes, one behind the other, given in either order.
+    const auto seen = [&](double side, bool swapped) {
+        Picture picture = from(5 * side);
+        picture.settings.shadows = false;
+        picture.instances = {pane(-0.5f, red, 0.5f), pane(0.5f, green, 0.5f)};
+        if (swapped) std::swap(picture.instances[0], picture.instances[1]);
+        return rgb_at(renderer.render(picture, size_px), middle);
+    };
+    for (const double side : {-1.0, 1.0})
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen(side, false)[c], seen(side, true)[c], 1);
+    EXPECT_GT(seen(-1, false).r, seen(-1, false).g + 10); // the nearer one counts for more
+    EXPECT_GT(seen(1, false).g, seen(1, false).r + 10);
+    EXPECT_GT(seen(-1, false).g, seen(-1, false).b + 10); // but both are there
+    EXPECT_GT(seen(1, false).r, seen(1, false).b + 10);
+}
+
 } // namespace trivar::gpu::testing
