@@ -8,6 +8,7 @@
 #include "core/document/commands/primitives.h"
 #include "core/document/commands/view.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -68,6 +69,7 @@ void add(Digest& digest, const Object& object)
     }
     digest.add(object.parent);
     digest.add(object.hidden);
+    if (object.locked) digest.add_text("locked"); // there were scenes without it
     digest.add(object.placement.has_value());
     if (object.placement) {
         add(digest, object.placement->sketch);
@@ -105,6 +107,25 @@ bool visible(const Document& document, Id id)
     return true;
 }
 
+bool locked(const Document& document, Id id)
+{
+    for (; id != 0; id = object(document, id).parent)
+        if (object(document, id).locked) return true;
+    return false;
+}
+
+std::vector<Id> in_row_order(const Document& document)
+{
+    std::vector<Id> ids, arranged(*document.rows);
+    ids.reserve(document.objects.size());
+    for (const Id id : arranged)
+        if (document.objects.contains(id)) ids.push_back(id);
+    std::sort(arranged.begin(), arranged.end());
+    for (const auto& [id, ref] : document.objects)
+        if (!std::binary_search(arranged.begin(), arranged.end(), id)) ids.push_back(id);
+    return ids;
+}
+
 glm::dmat4 to_world(const Document& document, Id id)
 {
     glm::dmat4 matrix(1);
@@ -126,6 +147,7 @@ std::string digest(const Document& document)
         add(digest, camera);
     }
     add(digest, *document.render);
+    if (!document.rows->empty()) add(digest, *document.rows);
     return digest.hex();
 }
 

@@ -98,6 +98,7 @@ struct Object {
     std::optional<Surfacing> surfacing;
     Id parent = 0;
     bool hidden = false;
+    bool locked = false; // no hand takes it by accident; a command that names it may
     std::optional<PlacementStep>
         placement; // a placed object's translation waits; its rotation and scale turn it first
     bool operator==(const Object&) const = default;
@@ -109,11 +110,16 @@ struct Document {
     Id next_id = 1;
     std::map<std::string, Camera> bookmarks;
     Ref<RenderSettings> render = make_ref(RenderSettings{});
+    // The order of the outliner's rows where it was arranged; the others follow by id.
+    Ref<std::vector<Id>> rows = make_ref(std::vector<Id>{});
 };
 
 // The object, or Rejected naming the id.
 const Object& object(const Document& document, Id id);
 bool visible(const Document& document, Id id); // neither it nor a parent is hidden
+bool locked(const Document& document, Id id);  // it or a parent is
+// All objects in the order of the outliner's rows, whatever is in which group.
+std::vector<Id> in_row_order(const Document& document);
 // The object's transform under its parents'. What is placed lies in the world without it.
 glm::dmat4 to_world(const Document& document, Id id);
 // Digest of the causes, 32 hexadecimal digits.

@@ -61,6 +61,41 @@ TEST(Commands, ArrangeGivesEachObjectItsOwnTransformOrNoneAny)
     EXPECT_THAT(rejection(before, Arrange{{2}, {{.scale = {1, 0, 1}}}}), HasSubstr("\"scale\""));
 }
 
+TEST(Commands, LockIsNoPartOfADocumentThatWasNeverLocked)
+{
+    const Document before = small_document();
+    const Document result = after(before, Lock{{4}});
+    EXPECT_TRUE(locked(result, 1)) << "what is in a locked group is locked";
+    EXPECT_FALSE(locked(result, 2));
+    EXPECT_NE(digest(result), digest(before));
+    EXPECT_EQ(digest(after(result, Unlock{{4}})), digest(before));
+}
+
+TEST(Commands, ReorderPutsRowsBeforeAnotherAndLaterObjectsLast)
+{
+    const Document d = with({}, {AddBox{}, AddBox{}, AddBox{}, AddBox{}});
+    EXPECT_THAT(in_row_order(d), ElementsAre(1, 2, 3, 4));
+    const Document up = after(d, Reorder{.objects = {4, 3}, .before = 1});
+    EXPECT_THAT(in_row_order(up), ElementsAre(4, 3, 1, 2));
+    const Document last = with(up, {Reorder{.objects = {4}}, AddBox{}, Delete{{1}}});
+    EXPECT_THAT(in_row_order(last), ElementsAre(3, 2, 4, 5));
+}
+
+TEST(Commands, ReorderIntoAGroupAndOutOfItLeavesObjectsWhereTheyStand)
+{
+    Document d = with({}, {AddBox{}, AddBox{}, Group{{1}}});
+    d = after(d, SetTransform{2, {.translation = {3, 0, 0}}});
+    d = after(d, SetTransform{3, {.translation = {0, 5, 0}, .rotation_deg = {0, 0, 90}}});
+    const Document in = after(d, Reorder{.objects = {2}, .parent = 3, .before = 1});
+    EXPECT_EQ(object(in, 2).parent, 3);
+    EXPECT_LT(glm::distance(glm::dvec3(to_world(in, 2)[3]), glm::dvec3(3, 0, 0)), 1e-12);
+    EXPECT_THAT(in_row_order(in), ElementsAre(2, 1, 3));
+    EXPECT_EQ(object(after(in, Reorder{.objects = {2}}), 2).parent, 0);
+    EXPECT_THAT(rejection(in, Reorder{.objects = {3}, .parent = 3}), HasSubstr("in itself"));
+    EXPECT_THAT(rejection(in, Reorder{.objects = {2}, .parent = 1}), HasSubstr("no group"));
+    EXPECT_THAT(rejection(in, Reorder{.objects = {3}, .before = 1}), HasSubstr("\"before\""));
+}
+
 TEST(Commands, NameTheFieldThatIsWrong)
 {
     const Document d = small_document();

@@ -76,6 +76,18 @@ Document applied(Document document, const Show& command)
                             [](Object& o) { o.hidden = false; });
 }
 
+Document applied(Document document, const Lock& command)
+{
+    return with_all_changed(std::move(document), command.objects,
+                            [](Object& o) { o.locked = true; });
+}
+
+Document applied(Document document, const Unlock& command)
+{
+    return with_all_changed(std::move(document), command.objects,
+                            [](Object& o) { o.locked = false; });
+}
+
 Document applied(Document document, const Delete& command)
 {
     const std::set<Id> gone = with_contents(document, distinct(document, command.objects));

@@ -52,6 +52,20 @@ struct Show {
     bool operator==(const Show&) const = default;
     static void fields(auto& c, auto&& field) { field("objects", c.objects, "ids", required); }
 };
+struct Lock {
+    static constexpr std::string_view verb = "lock",
+                                      summary = "Keep objects from being picked, moved and deleted "
+                                                "by hand.";
+    std::vector<Id> objects;
+    bool operator==(const Lock&) const = default;
+    static void fields(auto& c, auto&& field) { field("objects", c.objects, "ids", required); }
+};
+struct Unlock {
+    static constexpr std::string_view verb = "unlock", summary = "Let hands take objects again.";
+    std::vector<Id> objects;
+    bool operator==(const Unlock&) const = default;
+    static void fields(auto& c, auto&& field) { field("objects", c.objects, "ids", required); }
+};
 struct Delete {
     static constexpr std::string_view verb = "delete",
                                       summary = "Delete objects, groups with what is in them. "
@@ -93,6 +107,23 @@ struct Ungroup {
     Id object = 0;
     bool operator==(const Ungroup&) const = default;
     static void fields(auto& c, auto&& field) { field("object", c.object, "id", required); }
+};
+
+struct Reorder {
+    static constexpr std::string_view verb = "reorder",
+                                      summary = "Give objects another place in the outliner, in a "
+                                                "group or out of one; in the scene they stay where "
+                                                "they are, but for shear.";
+    std::vector<Id> objects;
+    Id parent = 0, before = 0;
+    bool operator==(const Reorder&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("objects", c.objects, "ids, in their new order", required);
+        field("parent", c.parent, "id of the group they go into; 0: none");
+        field("before", c.before,
+              "id of the one in that group that follows them; 0: they are last");
+    }
 };
 
 } // namespace trivar

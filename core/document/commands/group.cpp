@@ -2,6 +2,7 @@
 #include "core/base/rejected.h"
 #include "core/document/commands/apply.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace trivar {
@@ -42,15 +43,29 @@ bool inside_one_of(const Document& document, Id id, const std::set<Id>& ids)
     return false;
 }
 
+// What is inside another of them comes along with it.
+std::vector<Id> outermost(const Document& document, const std::vector<Id>& ids)
+{
+    const std::set<Id> chosen = distinct(document, ids);
+    std::vector<Id> result;
+    for (const Id id : ids)
+        if (!inside_one_of(document, id, chosen)) result.push_back(id);
+    return result;
+}
+
+void check_depth(const Document& document, Id group)
+{
+    for (const Id id : with_contents(document, {group}))
+        if (depth(document, id) > deepest)
+            throw Rejected(fmt::format("groups nest at most {} deep", deepest));
+}
+
 } // namespace
 
 Document applied(Document document, const Group& command)
 {
     if (command.name.empty()) throw Rejected("field \"name\" is empty");
-    const std::set<Id> chosen = distinct(document, command.objects);
-    std::vector<Id> members; // what is inside another member comes along with it
-    for (const Id id : command.objects)
-        if (!inside_one_of(document, id, chosen)) members.push_back(id);
+    const std::vector<Id> members = outermost(document, command.objects);
     Id parent = object(document, members.front()).parent;
     for (const Id id : members)
         if (object(document, id).parent != parent) parent = 0;
@@ -62,9 +77,7 @@ Document applied(Document document, const Group& command)
                                                 .parent = parent,
                                                 .placement = {}});
     for (const Id id : members) document = hung(std::move(document), id, group);
-    for (const Id id : with_contents(document, {group}))
-        if (depth(document, id) > deepest)
-            throw Rejected(fmt::format("groups nest at most {} deep", deepest));
+    check_depth(document, group);
     return document;
 }
 
@@ -79,6 +92,35 @@ Document applied(Document document, const Ungroup& command)
         if (ref->parent == command.object) members.push_back(id);
     for (const Id id : members) document = hung(std::move(document), id, parent);
     document.objects.erase(command.object);
+    return document;
+}
+
+Document applied(Document document, const Reorder& command)
+{
+    const std::vector<Id> members = outermost(document, command.objects);
+    const auto moves = [&](Id id) { return std::ranges::find(members, id) != members.end(); };
+    const Id parent = command.parent, before = command.before;
+    if (parent != 0) {
+        const Object& group = object(document, parent);
+        if (!std::holds_alternative<GroupShape>(group.source))
+            throw Rejected(fmt::format("object {} ({}) is no group", parent, group.name));
+        for (Id id = parent; id != 0; id = object(document, id).parent)
+            if (moves(id))
+                throw Rejected(fmt::format("{} cannot be in itself", object(document, id).name));
+    }
+    if (before != 0 && (object(document, before).parent != parent || moves(before)))
+        throw Rejected(
+            fmt::format("field \"before\" names object {}, which is not among the others "
+                        "in that group",
+                        before));
+    std::vector<Id> rows = in_row_order(document);
+    std::erase_if(rows, moves);
+    const auto at = before == 0 ? rows.end() : std::ranges::find(rows, before);
+    rows.insert(at, members.begin(), members.end());
+    for (const Id id : members)
+        if (object(document, id).parent != parent) document = hung(std::move(document), id, parent);
+    if (parent != 0) check_depth(document, parent);
+    document.rows = make_ref(std::move(rows));
     return document;
 }
 

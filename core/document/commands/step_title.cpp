@@ -192,6 +192,14 @@ struct Titles {
     {
         return {"Show " + names_in(before, c.objects), {}};
     }
+    StepTitle operator()(const Lock& c) const
+    {
+        return {"Lock " + names_in(before, c.objects), {}};
+    }
+    StepTitle operator()(const Unlock& c) const
+    {
+        return {"Unlock " + names_in(before, c.objects), {}};
+    }
     StepTitle operator()(const Delete& c) const
     {
         return {"Delete " + names_in(before, c.objects), {}};
@@ -209,6 +217,15 @@ struct Titles {
     StepTitle operator()(const Ungroup& c) const
     {
         return {"Ungroup " + name_in(before, c.object), {}};
+    }
+    StepTitle operator()(const Reorder& c) const
+    {
+        const std::string names = names_in(before, c.objects);
+        const Object* first = c.objects.empty() ? nullptr : was(c.objects.front());
+        if (!first || first->parent == c.parent) return {"Reorder " + names, {}};
+        if (c.parent == 0)
+            return {"Take " + names + " out of " + name_in(before, first->parent), {}};
+        return {"Put " + names + " into " + name_in(before, c.parent), {}};
     }
     StepTitle operator()(const Place& c) const
     {
