@@ -96,8 +96,11 @@ void edit_actions(std::vector<Action>& a)
                  "Rename",
                  {{ui::key_f1 + 1}},
                  [](Editor& e) {
-                     e.renaming = e.session.selected;
-                     e.new_name = name_of(e.session.document(), e.renaming);
+                     const Id id = e.session.selected;
+                     e.outliner.renaming = id;
+                     e.outliner.new_name = name_of(e.session.document(), id);
+                     e.preferences.show_dock = true;
+                     e.only_view = false;
                  },
                  something_selected()});
     a.push_back({"Edit",
@@ -144,10 +147,41 @@ void edit_actions(std::vector<Action>& a)
                  },
                  something_selected()});
     a.push_back({"Edit",
+                 "Lock or unlock",
+                 {},
+                 [](Editor& e) {
+                     const auto is_locked = [&](Id id) {
+                         return object(e.session.document(), id).locked;
+                     };
+                     const std::vector<Id> ids = chosen(e);
+                     if (std::all_of(ids.begin(), ids.end(), is_locked))
+                         e.session.run(Unlock{ids});
+                     else
+                         e.session.run(Lock{ids});
+                 },
+                 something_selected()});
+    a.push_back({"Edit",
                  "Delete",
                  {{ui::key_delete}},
-                 [](Editor& e) { e.session.run(Delete{chosen(e)}); },
+                 [](Editor& e) {
+                     std::vector<Id> ids = chosen(e);
+                     std::erase_if(ids, [&](Id id) { return locked(e.session.document(), id); });
+                     if (!ids.empty())
+                         e.session.run(Delete{ids});
+                     else
+                         e.session.notices.say(ui::NoticeKind::warning, "Nothing was deleted",
+                                               "What is selected is locked. Unlock it first.");
+                 },
                  something_selected()});
+    a.push_back({"Edit",
+                 "Find in the outliner",
+                 {ctrl('F')},
+                 [](Editor& e) {
+                     e.preferences.show_dock = true;
+                     e.only_view = false;
+                     e.outliner.focus_filter = true;
+                 },
+                 something_there()});
     a.push_back({"Edit",
                  preferences_action,
                  {ctrl(ui::key_comma)},

@@ -33,8 +33,22 @@ void meet_scene(Editor& editor)
     if (editor.scene == editor.session.scenes()) return;
     editor.scene = editor.session.scenes();
     editor.active_tool().cancel(editor.session);
-    editor.renaming = 0;
+    editor.outliner = {};
     editor.inspecting = false;
+}
+
+// The keyboard is where the mouse was pressed last.
+void follow_click(Editor& editor, const Layout& layout)
+{
+    using Panel = Editor::Panel;
+    if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return;
+    const ImVec2 p = ImGui::GetIO().MousePos;
+    const glm::vec2 at{p.x, p.y};
+    editor.show_focus = false;
+    editor.panel = !layout.dock                    ? Panel::view
+                   : layout.outliner.contains(at)  ? Panel::outliner
+                   : layout.inspector.contains(at) ? Panel::dock
+                                                   : Panel::view;
 }
 
 } // namespace
@@ -73,6 +87,7 @@ void draw_editor(Editor& editor, ui::Frame& frame)
     };
     drag_splitters(editor, frame, arranged());
     const Layout layout = arranged();
+    follow_click(editor, layout);
     paint_ground(theme, frame.size_px);
     if (!editor.only_view) {
         draw_top_bar(editor, theme, layout);

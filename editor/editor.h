@@ -3,6 +3,7 @@
 
 #include "editor/command_palette.h"
 #include "editor/files.h"
+#include "editor/outline.h"
 #include "editor/preferences.h"
 #include "editor/recent_scenes.h"
 #include "editor/tools/tool.h"
@@ -35,10 +36,10 @@ struct Editor {
     bool only_view = false, full_screen = false;
     ui::TimingView timing;
     enum class Tab { inspector, history, log } tab = Tab::inspector;
-    std::string filter;      // of the outliner
+    OutlinerState outliner;
+    enum class Panel { view, outliner, dock } panel = Panel::view; // the keyboard's
+    bool show_focus = false;                                       // it came there by a key
     long scene = 0;          // number of the session's scene that the tools know
-    Id renaming = 0;         // in the outliner
-    std::string new_name;    // of it, as typed so far
     bool inspecting = false; // a proposal of the inspector is pending
     bool help_open = false;
     RecentScenes recent_scenes;

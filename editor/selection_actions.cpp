@@ -17,9 +17,15 @@ std::vector<Id> objects_that(const Editor& e, const std::function<bool(Id)>& fit
     return ids;
 }
 
+// What a click on it would select.
+bool in_reach(const Document& document, Id id)
+{
+    return visible(document, id) && !locked(document, id);
+}
+
 std::vector<Id> visible_ones(const Editor& e)
 {
-    return objects_that(e, [&](Id id) { return visible(e.session.document(), id); });
+    return objects_that(e, [&](Id id) { return in_reach(e.session.document(), id); });
 }
 
 // Neither among the selected ones, nor in them, nor round them.
@@ -42,7 +48,7 @@ std::vector<Id> of_the_same_type(const Editor& e)
     const Object& active = object(document, e.session.selected);
     return objects_that(e, [&](Id id) {
         const Object& each = object(document, id);
-        return visible(document, id) && each.source.index() == active.source.index() &&
+        return in_reach(document, id) && each.source.index() == active.source.index() &&
                each.placement.has_value() == active.placement.has_value();
     });
 }
@@ -69,12 +75,15 @@ void add_selection_actions(std::vector<Action>& a)
                  {{.key = 'A', .alt = true}},
                  [](Editor& e) { e.session.selected = 0; },
                  something_selected()});
-    a.push_back(
-        {"Select",
-         "Select the others",
-         {{.key = 'I', .ctrl = true}},
-         [](Editor& e) { e.session.selected.set(topmost(e.session.document(), others(e))); },
-         something_there()});
+    a.push_back({"Select",
+                 "Select the others",
+                 {{.key = 'I', .ctrl = true}},
+                 [](Editor& e) {
+                     std::vector<Id> ids = topmost(e.session.document(), others(e));
+                     std::erase_if(ids, [&](Id id) { return locked(e.session.document(), id); });
+                     e.session.selected.set(ids);
+                 },
+                 something_there()});
     a.push_back({"Select",
                  "Select the same type",
                  {{.key = 'G', .shift = true}},

@@ -38,6 +38,12 @@ glm::dvec2 mouse_in(const ui::Rect& rect)
     return glm::dvec2(p.x, p.y) - glm::dvec2(rect.lo);
 }
 
+// The picture may be older than the document.
+bool can_be_picked(const Document& document, Id id)
+{
+    return document.objects.contains(id) && !locked(document, id);
+}
+
 gpu::Picture picture_of(const Session& session, bool draft)
 {
     gpu::Picture picture;
@@ -134,13 +140,13 @@ ViewportInput Viewport::take_input(Session& session, const ui::Frame& frame, con
     if (ImGui::IsItemActive() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !alt) {
         left_down_ = input.pressed = true;
         if (renderer_ && shown_) input.under = renderer_->pick(glm::ivec2(input.mouse));
-        if (!session.document().objects.contains(input.under)) input.under = 0;
+        if (!can_be_picked(session.document(), input.under)) input.under = 0;
     }
     input.seen_in = [this, &session](glm::dvec2 lo, glm::dvec2 hi) {
         if (!renderer_ || !shown_) return std::vector<Id>{};
         const glm::ivec2 first(glm::floor(lo)), last(glm::floor(hi));
         std::vector<Id> seen = renderer_->pick_in(first, last + 1);
-        std::erase_if(seen, [&](Id id) { return !session.document().objects.contains(id); });
+        std::erase_if(seen, [&](Id id) { return !can_be_picked(session.document(), id); });
         return seen;
     };
     const bool was_down = left_down_;

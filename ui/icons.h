@@ -20,6 +20,6 @@ inline constexpr const char *select = "\uf245", *move = "\uf047", *rotate = "\uf
                             *target = "\uf05b", *level_up = "\uf148", *home = "\uf015",
                             *link = "\uf0c1", *group = "\uf247", *grid = "\uf0ce", *log = "\uf120",
                             *copy = "\uf0c5", *pencil = "\uf044", *drop = "\uf043",
-                            *command = "\uf138";
+                            *command = "\uf138", *lock = "\uf023", *open_lock = "\uf09c";
 
 } // namespace trivar::ui::icon

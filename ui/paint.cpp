@@ -55,13 +55,11 @@ void paint_text(const ImFont* font, const Rect& in, Color color, std::string_vie
 std::string elided(const ImFont* font, std::string text, float width)
 {
     if (text_width(font, text) <= width) return text;
-    const auto last_byte_is_inside = [&text] {
-        return !text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0u) == 0x80u;
-    };
-    while (!text.empty() && text_width(font, text + "…") > width) {
-        while (last_byte_is_inside()) text.pop_back();
-        if (!text.empty()) text.pop_back();
-    }
+    const char* rest = text.data();
+    const float room = width - text_width(font, "…");
+    if (room > 0)
+        font->CalcTextSizeA(font->FontSize, room, 0, text.data(), text.data() + text.size(), &rest);
+    text.resize(static_cast<std::size_t>(rest - text.data()));
     return text + "…";
 }
 

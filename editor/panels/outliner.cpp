@@ -1,56 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/letters_in_order.h"
 #include "editor/panels/panels.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 namespace trivar {
 namespace {
 
-struct Entry {
-    Id id = 0;
-    int depth = 0;
-};
-void gather(const Document& document, Id parent, int depth, std::vector<Entry>& entries)
-{
-    constexpr int deepest = 64; // deeper ones are still in the scene, only not indented
-    for (const auto& [id, each] : document.objects) {
-        if (each->parent != parent || id == parent) continue;
-        entries.push_back({id, std::min(depth, deepest)});
-        if (std::holds_alternative<GroupShape>(each->source))
-            gather(document, id, depth + 1, entries);
-    }
-}
-
-void rename_field(Editor& editor, const ui::Theme& theme, const ui::Rect& at)
-{
-    ImGui::SetCursorScreenPos({at.lo.x, at.lo.y});
-    ImGui::SetNextItemWidth(at.width());
-    const bool fresh = !ImGui::GetStateStorage()->GetBool(ImGui::GetID("renaming"));
-    if (fresh) ImGui::SetKeyboardFocusHere();
-    ImGui::GetStateStorage()->SetBool(ImGui::GetID("renaming"), true);
-    ImGui::InputText("##name", &editor.new_name, ImGuiInputTextFlags_AutoSelectAll);
-    ui::paint_rim(at, theme.color.focus, theme.size.rounding_small, 1.5f * theme.scale);
-    if (!ImGui::IsItemDeactivated()) return;
-    ImGui::GetStateStorage()->SetBool(ImGui::GetID("renaming"), false);
-    const Id id = std::exchange(editor.renaming, 0);
-    const bool cancelled = ImGui::IsKeyPressed(ui::key_escape, false);
-    if (!cancelled && !editor.new_name.empty() &&
-        editor.new_name != name_of(editor.session.document(), id))
-        editor.session.run(Rename{id, editor.new_name});
-}
+using Column = OutlinerState::Column;
 
 void row_menu(Editor& editor, const ui::Theme& theme)
 {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.px(8), theme.px(8)});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {theme.px(10), theme.px(8)});
     if (ImGui::BeginPopup("row menu")) {
-        for (const char* name : {"Frame selection", "Rename", "Duplicate", "Group", "Ungroup",
-                                 "Hide or show", "Take off the stroke", "Delete"}) {
+        for (const char* name :
+             {"Frame selection", "Rename", "Duplicate", "Group", "Ungroup", "Hide or show",
+              "Lock or unlock", "Take off the stroke", "Delete"}) {
             const Action& each = action(editor, name);
             if (ImGui::MenuItem(name, key_text(each).c_str(), false, is_enabled(editor, each)))
                 each.run(editor);
@@ -60,128 +29,170 @@ void row_menu(Editor& editor, const ui::Theme& theme)
     ImGui::PopStyleVar(2);
 }
 
-// A click selects, with Ctrl it adds or removes, with Shift it selects all from the active one.
-void select_row(Session& session, Id id, const std::vector<Entry>& entries)
-{
-    const ImGuiIO& io = ImGui::GetIO();
-    const Id active = session.selected;
-    const auto is = [](Id wanted) { return [wanted](const Entry& e) { return e.id == wanted; }; };
-    auto from = std::find_if(entries.begin(), entries.end(), is(active));
-    auto to = std::find_if(entries.begin(), entries.end(), is(id));
-    if (io.KeyShift && from != entries.end()) {
-        std::vector<Id> ids;
-        for (auto it = std::min(from, to); it <= std::max(from, to); ++it) ids.push_back(it->id);
-        if (!io.KeyCtrl) session.selected = 0;
-        session.selected.add(ids);
-        session.selected.add({active}); // the next range begins there again
-    } else if (io.KeyCtrl) {
-        session.selected.toggle(id);
-    } else {
-        session.selected = id;
-    }
-}
-
-// One row: triangle, icon, name, type, eye. Returns whether its menu was asked for.
-bool draw_row(Editor& editor, const ui::Theme& theme, const std::vector<Entry>& entries,
-              const Entry& entry, const ui::Rect& row)
+// Rows in the hand: where they would go, and the step when it lets go.
+void drag_rows(Editor& editor, const ui::Theme& theme, const std::vector<OutlineRow>& rows,
+               const ui::Rect& list, float top)
 {
     const ui::Palette& c = theme.color;
+    OutlinerState& o = editor.outliner;
+    if (o.dragged.empty()) return;
+    if (ImGui::IsKeyPressed(ui::key_escape, false)) {
+        o.dragged.clear();
+        return;
+    }
+    const ImVec2 p = ImGui::GetIO().MousePos;
+    const glm::vec2 mouse{p.x, p.y};
+    const float height = theme.size.row;
+    const Document& document = editor.session.committed();
+    RowDrop drop = row_drop(document, rows, o.dragged, (mouse.y - top) / height);
+    const bool inside = list.contains(mouse);
+    if (inside && !o.filter.empty() && drop.line >= 0)
+        drop.refused = "Clear the filter to change the order.";
+    if (inside && drop.refused.empty() && drop.line >= 0) {
+        const auto above = static_cast<std::size_t>(drop.line);
+        float left = list.lo.x + theme.px(6);
+        const auto parent = std::ranges::find(rows, drop.command.parent, &OutlineRow::id);
+        if (parent != rows.end()) left += theme.px(16) * static_cast<float>(parent->depth + 1);
+        const float y = top + height * static_cast<float>(above);
+        ui::paint_box({{left, y - theme.px(1)}, {list.hi.x - theme.px(8), y + theme.px(1)}},
+                      c.focus);
+        ui::paint_dot({left, y}, theme.px(3), c.focus);
+    }
+    if (inside && drop.refused.empty() && drop.onto >= 0) {
+        const float y = top + height * static_cast<float>(drop.onto);
+        ui::paint_rim({{list.lo.x + theme.px(4), y}, {list.hi.x - theme.px(4), y + height}},
+                      c.focus, theme.size.rounding_small, theme.px(2));
+    }
+    const std::string what = o.dragged.size() == 1 ? name_of(document, o.dragged.front())
+                                                   : fmt::format("{} objects", o.dragged.size());
+    ImGui::SetNextWindowPos({mouse.x + theme.px(14), mouse.y + theme.px(14)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.px(10), theme.px(6)});
+    ImGui::BeginTooltip();
+    ImGui::TextUnformatted(ui::elided(theme.font.body, what, theme.px(220)).c_str());
+    if (inside && !drop.refused.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, c.warn);
+        for (const std::string& line : ui::wrapped(theme.font.body, drop.refused, theme.px(220)))
+            ImGui::TextUnformatted(line.c_str());
+        ImGui::PopStyleColor();
+        ImGui::SetMouseCursor(ImGuiMouseCursor_NotAllowed);
+    }
+    ImGui::EndTooltip();
+    ImGui::PopStyleVar();
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
+    o.dragged.clear();
+    if (!inside || !drop.refused.empty() || drop.command.objects.empty()) return;
+    o.closed.erase(drop.command.parent); // what was put there is seen there
+    editor.session.run(drop.command);
+}
+
+void finish_painting(Editor& editor)
+{
+    OutlinerState& o = editor.outliner;
+    if (o.painting == Column::none) return;
+    const bool cancelled = ImGui::IsKeyPressed(ui::key_escape, false);
+    if (!cancelled && ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
+    if (cancelled) {
+        editor.session.cancel();
+    } else if (editor.session.proposing()) {
+        editor.session.commit();
+    }
+    o.painting = Column::none;
+    o.painted.clear();
+}
+
+// The arrows go from row to row, into groups and out of them.
+void take_keys(Editor& editor, const std::vector<OutlineRow>& rows)
+{
+    OutlinerState& o = editor.outliner;
+    if (editor.panel != Editor::Panel::outliner || rows.empty() || o.renaming != 0 ||
+        ImGui::GetIO().WantTextInput || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup))
+        return;
     Session& session = editor.session;
-    const Ref<Object> held = session.document().objects.at(entry.id); // a rename replaces it
-    const Object& each = *held;
-    const bool selected = session.selected.contains(entry.id);
-    const bool active = session.selected == entry.id;
-    const bool seen = visible(session.document(), entry.id);
-    const ui::Rect band = {row.lo + glm::vec2(theme.px(4), 0), row.hi - glm::vec2(theme.px(4), 0)};
-    ImGui::PushID(entry.id);
-    const float eye = row.hi.x - theme.px(36);
-    ImGui::SetCursorScreenPos({row.lo.x, row.lo.y});
-    if (ImGui::InvisibleButton("row", {eye - row.lo.x, row.height()}))
-        select_row(session, entry.id, entries);
-    const bool hovered = ImGui::IsItemHovered();
-    bool menu = false;
-    if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-        editor.renaming = entry.id;
-        editor.new_name = each.name;
-    }
-    if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
-        if (selected)
-            session.selected.add({entry.id});
+    const auto here = std::ranges::find(rows, session.selected.active(), &OutlineRow::id);
+    const auto at = here == rows.end() ? -1 : here - rows.begin();
+    const auto struck = [](int key) { return ImGui::IsKeyPressed(key, true); };
+    const auto go = [&](std::ptrdiff_t row) {
+        const Id id =
+            rows[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(row, 0, std::ssize(rows) - 1))]
+                .id;
+        if (ImGui::GetIO().KeyShift)
+            session.selected.add({id});
         else
-            session.selected = entry.id;
-        menu = true;
+            session.selected = id;
+    };
+    if (struck(ui::key_down)) go(at + 1);
+    if (struck(ui::key_up)) go(at < 0 ? std::ssize(rows) - 1 : at - 1);
+    if (struck(ui::key_page_down)) go(at + 8);
+    if (struck(ui::key_page_up)) go(at - 8);
+    if (at < 0) return;
+    const OutlineRow& row = *here;
+    if (struck(ui::key_right) && row.group) {
+        if (!row.open)
+            o.closed.erase(row.id);
+        else if (at + 1 < std::ssize(rows) && here[1].depth > row.depth)
+            go(at + 1);
     }
-    if (selected)
-        ui::paint_box(band, c.row_selected, theme.size.rounding_small);
-    else if (hovered)
-        ui::paint_box(band, c.row_hover, theme.size.rounding_small);
-    float x = row.lo.x + theme.px(16) + theme.px(16) * static_cast<float>(entry.depth);
-    // "Off" cannot be read on the selection's blue.
-    const ui::Color off = selected ? c.text_2 : c.text_off;
-    const ui::Color quiet = !seen ? off : selected ? c.text : c.text_2;
-    ui::paint_text(theme.font.body, {{x, row.lo.y}, row.hi}, quiet, icon_of(each));
-    x += theme.px(24);
-    const std::string type = type_of(each);
-    const float type_x = eye - theme.px(8) - ui::text_width(theme.font.small, type);
-    if (editor.renaming == entry.id) {
-        rename_field(editor, theme, {{x - theme.px(6), row.lo.y}, {eye - theme.px(4), row.hi.y}});
-    } else {
-        const ImFont* font = active ? theme.font.strong : theme.font.body;
-        ui::paint_text(font, {{x, row.lo.y}, row.hi}, seen ? c.text : off,
-                       ui::elided(font, each.name, type_x - x - theme.px(8)));
-        ui::paint_text(theme.font.small, {{type_x, row.lo.y}, row.hi},
-                       !seen      ? off
-                       : selected ? c.text_2
-                                  : c.text_3,
-                       type);
+    if (struck(ui::key_left)) {
+        if (row.group && row.open && o.filter.empty())
+            o.closed.insert(row.id);
+        else if (const Id parent = object(session.document(), row.id).parent; parent != 0)
+            session.selected = parent;
     }
-    ImGui::SetCursorScreenPos({eye, row.lo.y});
-    const glm::vec2 square(theme.size.icon_button);
-    if (ui::icon_button(theme, "eye", each.hidden ? ui::icon::hidden : ui::icon::eye, square,
-                        each.hidden ? "Show" : "Hide")) {
-        if (each.hidden)
-            session.run(Show{{entry.id}});
-        else
-            session.run(Hide{{entry.id}});
-    }
-    ImGui::PopID();
-    return menu;
+    const bool enter = ImGui::IsKeyPressed(ui::key_enter, false) ||
+                       ImGui::IsKeyPressed(ui::key_keypad_enter, false);
+    if (enter) action(editor, "Rename").run(editor);
+}
+
+// What was chosen elsewhere is looked for here: its groups open and its row scrolls into view.
+void reveal(Editor& editor)
+{
+    OutlinerState& o = editor.outliner;
+    const auto& objects = editor.session.document().objects;
+    const auto found = objects.find(editor.session.selected);
+    if (found == objects.end()) return;
+    for (Id id = found->second->parent; id != 0; id = object(editor.session.document(), id).parent)
+        o.closed.erase(id);
+}
+
+void scroll_to(const std::vector<OutlineRow>& rows, Id id, float height)
+{
+    const auto found = std::ranges::find(rows, id, &OutlineRow::id);
+    if (found == rows.end()) return;
+    const float top = height * static_cast<float>(found - rows.begin());
+    const float view = ImGui::GetWindowHeight(), scroll = ImGui::GetScrollY();
+    if (top < scroll) ImGui::SetScrollY(top);
+    if (top + height > scroll + view) ImGui::SetScrollY(top + height - view);
+}
+
+void draw_filter(OutlinerState& o, const ui::Theme& theme, const ui::Rect& place)
+{
+    ImGui::SetCursorScreenPos({place.lo.x, place.lo.y});
+    if (std::exchange(o.focus_filter, false)) ImGui::SetKeyboardFocusHere();
+    ui::text_field(theme, "filter", o.filter, "Filter by name or type:model", place.width(),
+                   ui::icon::search);
+    // The text field gives what was there before back on Esc; here that is nothing at all.
+    if (ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ui::key_escape, false)) o.filter.clear();
 }
 
 } // namespace
-
-const char* icon_of(const Object& object)
-{
-    if (object.placement) return ui::icon::place;
-    return std::holds_alternative<GroupShape>(object.source) ? ui::icon::group : ui::icon::mesh;
-}
-
-std::string type_of(const Object& object)
-{
-    if (object.placement) return "Placed";
-    if (std::holds_alternative<GroupShape>(object.source)) return "Group";
-    return std::holds_alternative<ImportedFile>(object.source) ? "Model" : "Primitive";
-}
 
 void draw_outliner(Editor& editor, const ui::Theme& theme, const Layout& layout)
 {
     const ui::Palette& c = theme.color;
     const ui::Rect& r = layout.outliner;
+    OutlinerState& o = editor.outliner;
     begin_panel("outliner", r, c.panel);
-    const float pad = theme.size.padding;
+    const float pad = theme.size.padding, height = theme.size.row;
     ui::paint_text(theme.font.strong, {r.lo + glm::vec2(pad, 0), {r.hi.x, r.lo.y + theme.px(40)}},
                    c.text, "Outliner");
-    ImGui::SetCursorScreenPos({r.lo.x + pad, r.lo.y + theme.px(40)});
-    ui::text_field(theme, "filter", editor.filter, "Filter by name", r.width() - 2 * pad,
-                   ui::icon::search);
-
-    std::vector<Entry> entries;
-    gather(editor.session.document(), 0, 0, entries);
-    std::erase_if(entries, [&](const Entry& e) {
-        return !letters_in_order(editor.filter, name_of(editor.session.document(), e.id));
-    });
+    draw_filter(o, theme, {{r.lo.x + pad, r.lo.y + theme.px(40)}, {r.hi.x - pad, r.hi.y}});
+    const Id active = editor.session.selected;
+    const bool reveals = o.shown != active;
+    if (reveals) reveal(editor);
+    const std::vector<OutlineRow> rows = outline(editor.session.document(), o.filter, o.closed);
+    take_keys(editor, rows);
     const ui::Rect list = {{r.lo.x, r.lo.y + theme.px(72)}, r.hi};
-    if (entries.empty()) {
+    if (rows.empty()) {
         const bool nothing = editor.session.document().objects.empty();
         ui::empty_state(theme, list, nothing ? ui::icon::volume : ui::icon::search,
                         nothing ? "Nothing here yet" : "Nothing is called that",
@@ -193,18 +204,21 @@ void draw_outliner(Editor& editor, const ui::Theme& theme, const Layout& layout)
     ImGui::SetCursorScreenPos({list.lo.x, list.lo.y});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     ImGui::BeginChild("rows", {list.width(), list.height()});
-    const float top = ImGui::GetCursorScreenPos().y, height = theme.size.row;
+    if (reveals) scroll_to(rows, active, height);
+    o.shown = active;
+    const float top = ImGui::GetCursorScreenPos().y;
     bool menu = false;
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(entries.size()), height);
+    clipper.Begin(static_cast<int>(rows.size()), height);
     while (clipper.Step())
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             const float y = top + height * static_cast<float>(i);
-            const bool asked =
-                draw_row(editor, theme, entries, entries[static_cast<std::size_t>(i)],
-                         {{list.lo.x, y}, {list.hi.x, y + height}});
+            const bool asked = draw_outline_row(editor, theme, rows, static_cast<std::size_t>(i),
+                                                {{list.lo.x, y}, {list.hi.x, y + height}});
             menu = menu || asked;
         }
+    drag_rows(editor, theme, rows, list, top);
+    finish_painting(editor);
     if (menu) ImGui::OpenPopup("row menu");
     ImGui::PopStyleVar();
     row_menu(editor, theme);

@@ -56,6 +56,9 @@ void draw_key_map(Editor& editor, const ui::Theme& theme, const ui::Rect& page);
 void ask_for_key(Editor& editor, const std::string& action); // opens that page
 
 const char* icon_of(const Object& object);
-std::string type_of(const Object& object);
+
+// A row of the outliner; whether its menu is asked for.
+bool draw_outline_row(Editor& editor, const ui::Theme& theme, const std::vector<OutlineRow>& rows,
+                      std::size_t index, const ui::Rect& place);
 
 } // namespace trivar

@@ -28,7 +28,8 @@ struct Stand {
     glm::dmat3 axes_world() const; // its own three, unit and at right angles
 };
 
-// The topmost of the objects that stand freely: what lies on a stroke is where the stroke is.
+// The topmost of the objects that stand freely: what lies on a stroke is where the stroke is, and
+// what is locked stays.
 std::vector<Stand> stands_of(const Document& document, const std::vector<Id>& ids);
 
 // What a motion is about, in the world.

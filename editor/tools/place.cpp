@@ -54,12 +54,13 @@ Id model_to_place(const Session& session, Id chosen)
     // selected the oldest.
     Id oldest = 0, newest = 0, newest_loose = 0;
     for (const auto& [id, each] : document.objects) {
-        if (!can_be_placed(document, id) || each->hidden) continue;
+        if (!can_be_placed(document, id) || each->hidden || locked(document, id)) continue;
         if (oldest == 0) oldest = id;
         newest = id;
         if (id != oldest && !each->placement) newest_loose = id;
     }
-    if (session.selected != oldest && can_be_placed(document, session.selected))
+    if (session.selected != oldest && can_be_placed(document, session.selected) &&
+        !locked(document, session.selected))
         return session.selected;
     return newest_loose != 0 ? newest_loose : newest;
 }

@@ -56,6 +56,12 @@ void TransformTool::begin(Session& session)
 {
     if (session.selected == 0 || session.committing()) return;
     if (!handles_at(session)) {
+        if (locked(session.document(), session.selected)) {
+            session.notices.say(ui::NoticeKind::warning,
+                                name_of(session.document(), session.selected) + " is locked",
+                                "Unlock it in the outliner to move it.");
+            return;
+        }
         session.notices.say(ui::NoticeKind::warning,
                             name_of(session.document(), session.selected) + " lies on its stroke",
                             "Draw another stroke to lay it elsewhere, or take it off the stroke "

@@ -71,6 +71,19 @@ TEST(Commands, LockIsNoPartOfADocumentThatWasNeverLocked)
     EXPECT_EQ(digest(after(result, Unlock{{4}})), digest(before));
 }
 
+TEST(Commands, ShowOnlyHidesAllThatIsNeitherInItNorRoundIt)
+{
+    Document d = with(small_document(), {Hide{{4}}});
+    d = after(d, Show{.objects = {1}, .only = true});
+    EXPECT_TRUE(visible(d, 1));
+    EXPECT_FALSE(visible(d, 2));
+    EXPECT_FALSE(visible(d, 3));
+    d = after(d, Show{.objects = {2, 4}, .only = true});
+    EXPECT_TRUE(visible(d, 1)) << "what is in a group comes with it";
+    EXPECT_TRUE(visible(d, 2));
+    EXPECT_FALSE(visible(d, 3));
+}
+
 TEST(Commands, ReorderPutsRowsBeforeAnotherAndLaterObjectsLast)
 {
     const Document d = with({}, {AddBox{}, AddBox{}, AddBox{}, AddBox{}});

@@ -34,6 +34,22 @@ private:
     std::map<std::string, int> numbers_;
 };
 
+// Shows those, what they are in and, as far as it is not hidden by itself, what is in them.
+Document with_only(Document document, const std::set<Id>& chosen)
+{
+    std::set<Id> seen = chosen;
+    for (Id id : chosen)
+        while ((id = object(document, id).parent) != 0) seen.insert(id);
+    const std::set<Id> inside = with_contents(document, chosen);
+    const ObjectMap objects = document.objects;
+    for (const auto& [id, ref] : objects) {
+        const bool hidden = seen.contains(id) ? false : inside.contains(id) ? ref->hidden : true;
+        if (hidden != ref->hidden)
+            document = with_changed(std::move(document), id, [&](Object& o) { o.hidden = hidden; });
+    }
+    return document;
+}
+
 } // namespace
 
 Document applied(Document document, const SetTransform& command)
@@ -72,6 +88,7 @@ Document applied(Document document, const Hide& command)
 
 Document applied(Document document, const Show& command)
 {
+    if (command.only) return with_only(std::move(document), distinct(document, command.objects));
     return with_all_changed(std::move(document), command.objects,
                             [](Object& o) { o.hidden = false; });
 }

@@ -49,8 +49,14 @@ struct Hide {
 struct Show {
     static constexpr std::string_view verb = "show", summary = "Show hidden objects again.";
     std::vector<Id> objects;
+    bool only = false;
     bool operator==(const Show&) const = default;
-    static void fields(auto& c, auto&& field) { field("objects", c.objects, "ids", required); }
+    static void fields(auto& c, auto&& field)
+    {
+        field("objects", c.objects, "ids", required);
+        field("only", c.only,
+              "what is not in them is hidden, and the groups that they are in shown");
+    }
 };
 struct Lock {
     static constexpr std::string_view verb = "lock",

@@ -190,7 +190,7 @@ struct Titles {
     }
     StepTitle operator()(const Show& c) const
     {
-        return {"Show " + names_in(before, c.objects), {}};
+        return {(c.only ? "Show only " : "Show ") + names_in(before, c.objects), {}};
     }
     StepTitle operator()(const Lock& c) const
     {
