@@ -36,9 +36,10 @@ void History::forget_undone()
     steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(position_), steps_.end());
 }
 
-void History::run(Command command)
+void History::run(Command command, std::string note)
 {
     propose(std::move(command));
+    proposal_->note = std::move(note);
     commit();
 }
 

@@ -4,6 +4,7 @@
 #include "core/document/command.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace trivar {
@@ -16,6 +17,7 @@ public:
     struct Step {
         Command command;
         Document result;
+        std::string note = {}; // of the author, to whom reads the scene; may be empty
     };
     explicit History(Document start = {});
 
@@ -26,8 +28,8 @@ public:
     void propose(Command command); // Rejected: the pending proposal stays as it was
     bool commit();                 // false: nothing was proposed. Forgets the undone steps
     void cancel() { proposal_.reset(); }
-    void run(Command command); // propose and commit
-    bool undo();               // false: nothing to undo. Both cancel a pending proposal
+    void run(Command command, std::string note = {}); // propose and commit
+    bool undo(); // false: nothing to undo. Both cancel a pending proposal
     bool redo();
     void forget_undone(); // nothing to redo any more
 

@@ -5,6 +5,7 @@
 #include "core/document/commands/json_text.h"
 #include "core/document/commands/read_json.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace trivar {
@@ -45,15 +46,29 @@ std::string taken_digest(json& object, const std::string& name)
     return digest;
 }
 
+std::string taken_note(json& object)
+{
+    if (!object.contains("note")) return {};
+    std::string note = text_field(object, "note");
+    const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+    if (note.size() > longest_note || std::ranges::any_of(note, is_control))
+        throw Rejected(fmt::format("field \"note\" must be one paragraph of at most {} bytes, "
+                                   "without control characters",
+                                   longest_note));
+    object.erase("note");
+    return note;
+}
+
 LogLine read_line(json object)
 {
     LogLine line;
     line.digest = taken_digest(object, "digest");
     line.effects = taken_digest(object, "effects");
     const bool digests = !line.digest.empty() || !line.effects.empty();
-    if (object.contains("do"))
+    if (object.contains("do")) {
+        line.note = taken_note(object);
         line.what = command_from(object);
-    else if (object == json{{"undo", true}})
+    } else if (object == json{{"undo", true}})
         line.what = UndoLine{};
     else if (object == json{{"redo", true}})
         line.what = RedoLine{};
@@ -115,11 +130,17 @@ Log read_log(std::string_view text, const std::string& name)
     return log;
 }
 
+LogLine read_log_line(std::string_view line)
+{
+    if (line.size() > longest_line) throw Rejected("the line is longer than 16 MiB");
+    return read_line(parse_object(line));
+}
+
 void apply(History& history, const LogLine& line, const std::string& name)
 {
     try {
         if (const auto* command = std::get_if<Command>(&line.what))
-            history.run(*command);
+            history.run(*command, line.note);
         else if (std::holds_alternative<UndoLine>(line.what)) {
             if (!history.undo()) throw Rejected("there is nothing to undo here");
         } else if (std::holds_alternative<RedoLine>(line.what)) {
@@ -142,9 +163,11 @@ std::string log_header()
     return fmt::format("{{\"trivar\":{},\"units\":\"m\",\"up\":\"z\"}}\n", log_version);
 }
 
-std::string command_line(const Command& command)
+std::string command_line(const Command& command, const std::string& note)
 {
-    return to_json_line(command) + "\n";
+    std::string line = to_json_line(command);
+    if (!note.empty()) line.insert(line.size() - 1, ",\"note\":" + json_text(note));
+    return line + "\n";
 }
 
 std::string undo_line()
@@ -169,7 +192,7 @@ std::string check_line(const std::string& digest, const std::string& effects)
 std::string log_text(const History& history)
 {
     std::string text = log_header();
-    for (const History::Step& step : history.steps()) text += command_line(step.command);
+    for (const History::Step& step : history.steps()) text += command_line(step.command, step.note);
     for (std::size_t i = history.position(); i < history.steps().size(); ++i) text += undo_line();
     return text;
 }
@@ -178,7 +201,7 @@ std::string compact_log_text(const History& history)
 {
     std::string text = log_header();
     for (std::size_t i = 0; i < history.position(); ++i)
-        text += command_line(history.steps()[i].command);
+        text += command_line(history.steps()[i].command, history.steps()[i].note);
     return text;
 }
 

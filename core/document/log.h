@@ -19,8 +19,10 @@ namespace trivar {
 //   {"redo":true}
 //   {"digest":"<of the causes>","effects":"<of what they give>"}     either or both
 //
-// A command, undo or redo may carry "digest" too: of the causes after it.
+// A command, undo or redo may carry "digest" too: of the causes after it. A command may carry a
+// "note": words of the author, one paragraph, which stay with it.
 inline constexpr int log_version = 1;
+inline constexpr std::size_t longest_note = 1024; // bytes
 
 struct UndoLine {};
 struct RedoLine {};
@@ -29,6 +31,7 @@ struct LogLine {
     int number = 0; // in the file, from 1
     std::variant<Command, UndoLine, RedoLine, CheckLine> what;
     std::string digest, effects; // after this line; empty: not said
+    std::string note;            // of a command
 };
 struct Log {
     std::string name; // for messages
@@ -42,6 +45,9 @@ struct Log {
 // no line break was torn by a crash: it is dropped and said. A newer format version is refused.
 Log read_log(std::string_view text, const std::string& name);
 
+// One line that is not the header. Throws Rejected, without its place.
+LogLine read_log_line(std::string_view line);
+
 // One line on top of a history; digests are not looked at. Throws Rejected with NAME:LINE.
 void apply(History& history, const LogLine& line, const std::string& name);
 // All lines on top of an empty document.
@@ -49,7 +55,7 @@ History replay(const Log& log);
 
 // Each with its line break.
 std::string log_header();
-std::string command_line(const Command& command);
+std::string command_line(const Command& command, const std::string& note = {});
 std::string undo_line();
 std::string redo_line();
 std::string check_line(const std::string& digest, const std::string& effects);

@@ -52,7 +52,7 @@ History moved(const History& history, const std::filesystem::path& from,
             std::string& path = file_of(command)->path;
             path = (from / path).lexically_normal().lexically_relative(to).string();
         }
-        result.run(std::move(command));
+        result.run(std::move(command), step.note);
     }
     while (result.position() > history.position()) result.undo();
     return result;
@@ -267,6 +267,17 @@ void SceneFile::run(Command command)
 {
     propose(std::move(command));
     commit();
+}
+
+void SceneFile::look_at(std::size_t position)
+{
+    State& s = *state_;
+    if (!s.as_opened || s.file) return;
+    while (s.history.position() > position && s.history.undo()) {
+    }
+    while (s.history.position() < position && s.history.redo()) {
+    }
+    s.lines = lines_of(log_text(s.history));
 }
 
 bool SceneFile::undo()

@@ -46,6 +46,10 @@ public:
     bool undo();
     bool redo();
 
+    // Shows a copy, to which nothing was done, as it was after so many steps. That does nothing to
+    // it either. No effect on other scenes.
+    void look_at(std::size_t position);
+
     // Writes the whole history, or only the steps in force (which forgets the undone ones), beside
     // the target, renames it over it and goes on there. In another folder the paths of imports
     // are rewritten. Throws Rejected, and neither the file at `path` nor this has changed.

@@ -134,6 +134,35 @@ TEST(Log, CutAtAnyByteIsReadOrRefused)
     }
 }
 
+TEST(Log, KeepsTheAuthorsNotesWhenItIsWrittenAnew)
+{
+    const std::string note = "Press `@Place`, then \"draw\" across it \xe2\x80\x93 slowly.";
+    const std::string text = log_header() + command_line(AddBox{}, note) + command_line(AddTorus{});
+    const History history = replay(read_log(text, "a.trivar"));
+    EXPECT_EQ(history.steps()[0].note, note);
+    EXPECT_EQ(history.steps()[1].note, "");
+    EXPECT_EQ(log_text(history), text);
+    EXPECT_EQ(compact_log_text(history), text);
+}
+
+TEST(Log, RefusesANoteThatIsNoParagraphOfACommand)
+{
+    const auto noted = [](const std::string& note) {
+        return line_rejection("{\"do\":\"add_box\",\"note\":" + note + "}");
+    };
+    EXPECT_EQ(noted('"' + std::string(longest_note, 'a') + '"'), "");
+    const std::string why = "a.trivar:2: field \"note\" must be one paragraph of at most 1024 "
+                            "bytes, without control characters";
+    EXPECT_EQ(noted('"' + std::string(longest_note + 1, 'a') + '"'), why);
+    EXPECT_EQ(noted("\"two\\nlines\""), why);
+    EXPECT_EQ(noted("\"\\u0000\""), why);
+    EXPECT_EQ(noted("\"\\u001b[31mred\""), why);
+    EXPECT_THAT(noted("12"), HasSubstr("field \"note\""));
+    EXPECT_THAT(noted("\"\xff\""), HasSubstr("a.trivar:2: "));
+    EXPECT_THAT(line_rejection("{\"undo\":true,\"note\":\"back\"}"),
+                HasSubstr("must be a command"));
+}
+
 TEST(Log, CarriesDigests)
 {
     const std::string text = log_header() + check_line(std::string(32, 'a'), std::string(32, 'b'));

@@ -160,6 +160,27 @@ TEST(SceneFile, ACopyLeavesItsOriginalAsItIsAndIsKeptFromItsFirstStep)
     EXPECT_EQ(scene.original(), "");
 }
 
+TEST(SceneFile, ACopyCanBeLookedAtStepByStepAndIsStillAsOpened)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.trivar");
+    write(path, log_header() + command_line(AddBox{}, "first") + command_line(AddTorus{}, "then"));
+    SceneFile scene = SceneFile::copy_of(path);
+    scene.keep_in(folder.file("kept"));
+    scene.look_at(1);
+    EXPECT_EQ(scene.document().objects.size(), 1u);
+    EXPECT_TRUE(scene.as_opened());
+    EXPECT_FALSE(std::filesystem::exists(folder.file("kept")));
+    scene.run(AddSphere{}); // from here on it is a scene like any other, with its notes
+    EXPECT_EQ(scene.history().steps().size(), 2u);
+    EXPECT_EQ(scene.history().steps()[0].note, "first");
+    std::string lines;
+    for (const std::string& line : scene.lines()) lines += line + "\n";
+    EXPECT_EQ(replay(read_log(lines, "lines")).document().objects.size(), 2u);
+    scene.look_at(0);
+    EXPECT_EQ(scene.document().objects.size(), 2u);
+}
+
 TEST(SceneFile, NamesTheFilesOfModelsFromItsNewFolder)
 {
     const TemporaryFolder folder;
