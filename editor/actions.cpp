@@ -314,6 +314,37 @@ void window_actions(std::vector<Action>& a)
                  {[](const Editor& e) { return e.preferences.scale != 1; }, "it is at 100 %"}});
 }
 
+void tutorial_actions(std::vector<Action>& a)
+{
+    const auto at = [](std::string otherwise, auto holds) {
+        return Condition{[holds](const Editor& e) {
+                             return e.tutorial.runs(e.session) && holds(e.tutorial, e.session);
+                         },
+                         std::move(otherwise)};
+    };
+    a.push_back({"Tutorials",
+                 tutorial_next,
+                 {{ui::key_right}},
+                 [](Editor& e) { e.tutorial.next(e.session, e.preferences.reduced_motion); },
+                 at("no tutorial has a next step",
+                    [](const Tutorial& t, const Session& s) {
+                        return !t.note(s).empty() && t.step(s) < t.count();
+                    }),
+                 true});
+    a.push_back({"Tutorials",
+                 tutorial_back,
+                 {{ui::key_left}},
+                 [](Editor& e) { e.tutorial.back(e.session); },
+                 at("no tutorial has a step before", [](const Tutorial& t, const Session& s) {
+                     return !t.note(s).empty() && t.step(s) > 1;
+                 })});
+    a.push_back({"Tutorials",
+                 tutorial_close,
+                 {{ui::key_escape}},
+                 [](Editor& e) { e.tutorial.close(e.session); },
+                 at("no tutorial is open", [](const Tutorial&, const Session&) { return true; })});
+}
+
 } // namespace
 
 Condition something_selected()
@@ -353,8 +384,22 @@ std::vector<Action> all_actions(const Editor& editor)
                  }});
     a.push_back(
         {"Help", "Keys and mouse", {{ui::key_f1}}, [](Editor& e) { e.help_open = !e.help_open; }});
+    tutorial_actions(a);
     for (Action& each : a) each.usual_keys = each.keys;
     return a;
+}
+
+void add_tutorials(Editor& editor, const std::vector<std::string>& paths)
+{
+    auto at = std::ranges::find(editor.actions, tutorial_next, &Action::name);
+    for (const std::string& path : paths) {
+        const std::string title = scene_title(path);
+        at = std::next(editor.actions.insert(at, {"Tutorials", title, {}, [path, title](Editor& e) {
+                                                      e.files.open_copy(path, [&e, title] {
+                                                          e.tutorial.begin(e.session, title);
+                                                      });
+                                                  }}));
+    }
 }
 
 const Action& action(const Editor& editor, const std::string& name)

@@ -33,6 +33,7 @@ int run_editor(const EditorOptions& options)
         Editor editor(window.waker(), kept("unnamed"));
         PreferencesFile preferences(kept("preferences.json"));
         editor.preferences = preferences.read();
+        add_tutorials(editor, options.tutorials);
         use_keys(editor.actions, editor.preferences.keys);
         editor.files.samples = options.samples;
         if (options.files.empty())

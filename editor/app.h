@@ -9,7 +9,8 @@ namespace trivar {
 struct EditorOptions {
     std::vector<std::string> files;   // a scene opens, models are imported
     std::vector<std::string> samples; // scenes offered where nothing is open yet
-    double scale = 0;                 // of the interface; 0: TRIVAR_SCALE or the monitor's
+    std::vector<std::string> tutorials;
+    double scale = 0; // of the interface; 0: TRIVAR_SCALE or the monitor's
     bool light = false;
 };
 

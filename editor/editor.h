@@ -7,6 +7,7 @@
 #include "editor/preferences.h"
 #include "editor/recent_scenes.h"
 #include "editor/tools/tool.h"
+#include "editor/tutorial.h"
 #include "editor/viewport.h"
 #include "ui/timing_overlay.h"
 
@@ -43,6 +44,7 @@ struct Editor {
     bool inspecting = false; // a proposal of the inspector is pending
     bool help_open = false;
     RecentScenes recent_scenes;
+    Tutorial tutorial;
     struct PreferencesDialog {
         bool open = false;
         int page = 0;

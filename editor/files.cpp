@@ -191,15 +191,28 @@ void Files::open_scene(const std::string& path)
     std::error_code ignored;
     const bool sample = std::ranges::any_of(
         samples, [&](const std::string& each) { return fs::equivalent(each, path, ignored); });
-    keep_or([this, path, sample] {
+    open(path, sample, nullptr);
+}
+
+void Files::open_copy(const std::string& path, std::function<void()> then)
+{
+    open(path, true, std::move(then));
+}
+
+void Files::open(const std::string& path, bool copy, std::function<void()> then)
+{
+    keep_or([this, path, copy, then = std::move(then)] {
         session_->jobs().start(
             {"Opening " + file_name(path),
-             [this, path, sample](const Progress&) -> Jobs::Finish {
+             [this, path, copy, then](const Progress&) -> Jobs::Finish {
                  // Shared, for a function that is copied cannot hold what is
                  // only moved.
-                 auto scene = std::make_shared<SceneFile>(sample ? SceneFile::copy_of(path)
-                                                                 : SceneFile(path));
-                 return [this, scene] { session_->replace_scene(std::move(*scene)); };
+                 auto scene =
+                     std::make_shared<SceneFile>(copy ? SceneFile::copy_of(path) : SceneFile(path));
+                 return [this, scene, then] {
+                     session_->replace_scene(std::move(*scene));
+                     if (then) then();
+                 };
              },
              [this, path](const std::string& why) {
                  session_->notices.say(ui::NoticeKind::error, file_name(path) + " was not opened",

@@ -32,6 +32,8 @@ public:
     void ask_save_as();
     void ask_save_compact();
     void open_scene(const std::string& path); // asks first if the present one has no name
+    // The same, but the file stays as it is; `then` is called when the copy is the scene.
+    void open_copy(const std::string& path, std::function<void()> then);
     // The first model of a scene is framed, and with `frame_all` everything with this one.
     void import(const std::string& path, bool frame_all = false);
     void take_dropped(const std::vector<std::string>& paths); // scenes open, models are imported
@@ -50,6 +52,7 @@ private:
         ui::Question question;
         std::function<void(int)> answer;
     };
+    void open(const std::string& path, bool copy, std::function<void()> then);
     void ask_for_file(Purpose purpose, ui::FileRequest request);
     void use_file(const std::string& path);
     void write_scene(const std::string& path, bool compact);

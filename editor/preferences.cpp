@@ -86,6 +86,7 @@ void each_preference(auto& p, const auto& field)
     field("outliner", p.outliner, 120.0, 4000.0);
     field("show_dock", p.show_dock);
     field("hints", p.hints);
+    field("reduced_motion", p.reduced_motion);
     field("keys", p.keys);
     field("recent_commands", p.recent_commands);
     field("recent_scenes", p.recent_scenes);

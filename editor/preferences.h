@@ -15,6 +15,7 @@ struct Preferences {
     double scale = 1; // of the interface, times the monitor's, 0.75..2
     double dock = 320, outliner = 256;
     bool show_dock = true, hints = true;
+    bool reduced_motion = false; // what would move is there at once
     KeyMap keys;
     std::vector<std::string> recent_commands, recent_scenes; // the newest first
     bool operator==(const Preferences&) const = default;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/recent_scenes.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
@@ -16,6 +17,18 @@ std::string with_short_home(const std::string& folder)
 }
 
 } // namespace
+
+std::string scene_title(const std::string& path)
+{
+    std::string name = std::filesystem::path(path).stem().string();
+    std::ranges::replace(name, '_', ' ');
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        const bool symbol = i + 1 < name.size() && name[i + 1] >= '0' && name[i + 1] <= '9';
+        if ((i == 0 || symbol) && name[i] >= 'a' && name[i] <= 'z')
+            name[i] = static_cast<char>(name[i] - 'a' + 'A');
+    }
+    return name;
+}
 
 const std::vector<RecentScene>& RecentScenes::of(const std::vector<std::string>& paths)
 {

@@ -12,6 +12,9 @@ struct RecentScene {
     bool there = false;
 };
 
+// The name of a file as the title of what is in it: first_placement.trivar is First placement.
+std::string scene_title(const std::string& path);
+
 // Looks on the disk only when the list of paths is another one than at the last call.
 class RecentScenes {
 public:

@@ -176,6 +176,15 @@ void Session::go_to_step(std::size_t position)
     });
 }
 
+void Session::look_at_step(std::size_t position)
+{
+    if (!scene_.as_opened()) return go_to_step(position);
+    check_.reset();
+    scene_.cancel();
+    scene_.look_at(position);
+    refresh();
+}
+
 void Session::replace_scene(SceneFile scene)
 {
     scene_ = std::move(scene);

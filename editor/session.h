@@ -43,6 +43,8 @@ public:
     void undo();
     void redo();
     void go_to_step(std::size_t position); // by undo and redo
+    // The same, but of a copy to which nothing was done: nor is anything done by this.
+    void look_at_step(std::size_t position);
     bool proposing() const { return scene_.history().proposal().has_value(); }
     bool committing() const { return check_.has_value(); }
 

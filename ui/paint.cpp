@@ -157,11 +157,15 @@ Rect paint_chip(const Theme& theme, glm::vec2 at, const Chip& chip)
     return rect;
 }
 
+float keycap_width(const Theme& theme, std::string_view text)
+{
+    return std::max(theme.px(20), text_width(theme.font.small, text) + theme.px(10));
+}
+
 float paint_keycap(const Theme& theme, glm::vec2 at, float height, std::string_view text)
 {
     const ImFont* font = theme.font.small;
-    const float h = theme.px(18);
-    const float w = std::max(theme.px(20), text_width(font, text) + theme.px(10));
+    const float h = theme.px(18), w = keycap_width(theme, text);
     const Rect cap = rect_at({at.x, std::round(at.y + (height - h) / 2)}, {w, h});
     paint_box(cap, theme.color.field, theme.size.rounding_small);
     paint_rim(cap, theme.color.raised_rim, theme.size.rounding_small, theme.size.hairline);

@@ -58,6 +58,7 @@ struct Chip {
 Rect paint_chip(const Theme& theme, glm::vec2 at, const Chip& chip);
 
 // Keys and mouse buttons for the status line; return their width.
+float keycap_width(const Theme& theme, std::string_view text);
 float paint_keycap(const Theme& theme, glm::vec2 at, float height, std::string_view text);
 enum class MouseGlyph { left, middle, right, wheel };
 float paint_mouse(const Theme& theme, glm::vec2 at, float height, MouseGlyph glyph);

@@ -6,6 +6,7 @@
 #include "editor/app.h"
 #include "editor/command_line/info.h"
 #include "editor/command_line/replay.h"
+#include "editor/tutorial.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -93,14 +94,20 @@ Status list_commands(const Choices& choices, const Streams& streams)
     return Status::done;
 }
 
-// Those of the checkout that the program was built in.
+// Of the checkout that the program was built in.
+std::filesystem::path checkout()
+{
+    std::error_code error;
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+    return program.parent_path().parent_path();
+}
+
 std::vector<std::string> sample_scenes()
 {
     std::vector<std::string> scenes;
     std::error_code error;
-    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-    const std::filesystem::path folder = program.parent_path().parent_path() / "assets" / "scenes";
-    for (const auto& entry : std::filesystem::directory_iterator(folder, error))
+    for (const auto& entry :
+         std::filesystem::directory_iterator(checkout() / "assets" / "scenes", error))
         if (entry.path().extension() == ".trivar") scenes.push_back(entry.path().string());
     std::ranges::sort(scenes);
     return scenes;
@@ -136,6 +143,7 @@ Status dispatch(const std::vector<std::string>& arguments, const Streams& stream
     EditorOptions options;
     options.files = choices.files;
     options.samples = sample_scenes();
+    options.tutorials = tutorials_in((checkout() / "assets" / "tutorials").string());
     return run_editor(options) == 0 ? Status::done : Status::rejected;
 }
 

@@ -37,9 +37,7 @@ float paint_matched(const ui::Theme& theme, const ui::Rect& in, const std::strin
 float caps_width(const ui::Theme& theme, const std::vector<std::string>& caps)
 {
     float width = 0;
-    for (const std::string& cap : caps)
-        width += std::max(theme.px(20), ui::text_width(theme.font.small, cap) + theme.px(10)) +
-                 theme.px(4);
+    for (const std::string& cap : caps) width += ui::keycap_width(theme, cap) + theme.px(4);
     return width;
 }
 

@@ -44,6 +44,7 @@ void drag_splitters(Editor& editor, ui::Frame& frame, const Layout& layout);
 void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
 void draw_welcome(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
 void draw_first_steps(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
+void draw_tutorial(Editor& editor, ui::Frame& frame, const ui::Rect& view);
 
 // Parts of the inspector. Each proposes what is being changed.
 void draw_transform(Editor& editor, const ui::Theme& theme, Id id);

@@ -60,6 +60,8 @@ void draw_interface_page(Editor& editor, const ui::Theme& theme, const ui::Rect&
     ui::check_box(theme, "dock", p.show_dock, "outliner and inspector at the right");
     ui::label_row(theme, "Hints");
     ui::check_box(theme, "hints", p.hints, "what to do first, at the foot of the picture");
+    ui::label_row(theme, "Motion");
+    ui::check_box(theme, "motion", p.reduced_motion, "reduced: what would move is there at once");
     ui::gap(theme, 12);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     float y = at.y;

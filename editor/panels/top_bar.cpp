@@ -68,6 +68,14 @@ void recent_scenes(Editor& editor)
     ImGui::EndMenu();
 }
 
+void tutorials(Editor& editor)
+{
+    if (!ImGui::BeginMenu("Tutorials")) return;
+    for (std::size_t i = 0; i < editor.actions.size(); ++i)
+        if (editor.actions[i].menu == "Tutorials") menu_item(editor, editor.actions[i]);
+    ImGui::EndMenu();
+}
+
 void menus(Editor& editor, const ui::Theme& theme)
 {
     for (const char* menu : {"File", "Edit", "Select", "Add", "View", "Tools", "Help"}) {
@@ -81,6 +89,7 @@ void menus(Editor& editor, const ui::Theme& theme)
                     if (editor.actions[i].name == "Open...") recent_scenes(editor);
                 }
             if (std::string_view(menu) == "View") bookmarks(editor);
+            if (std::string_view(menu) == "Help") tutorials(editor);
             ImGui::EndMenu();
         }
         ImGui::PopStyleVar(2);

@@ -66,6 +66,15 @@ void progress(Editor& editor, ui::Frame& frame, const ui::Rect& view)
         editor.session.evaluator().cancel();
 }
 
+// A hand that begins something of its own, or pictures that come slowly, end what is being shown.
+void show_tutorial(Editor& editor, ui::Frame& frame)
+{
+    constexpr double slow_ms = 300;
+    const bool at_once = editor.preferences.reduced_motion || editor.active_tool().busy() ||
+                         editor.viewport.drafts().median_ms() > slow_ms;
+    if (editor.tutorial.advance(editor.session, frame.time_s, at_once)) frame.again_in(0);
+}
+
 } // namespace
 
 void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
@@ -83,6 +92,7 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
                                ImGuiButtonFlags_MouseButtonRight);
     ImGui::SetItemAllowOverlap();
+    show_tutorial(editor, frame);
     Tool& tool = editor.active_tool();
     const ViewportInput input = editor.viewport.take_input(session, frame, view, tool.busy());
     if (!editor.files.asking()) tool.use(session, input);
@@ -98,7 +108,9 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     tool.overlay(session, theme, input);
     labels(editor, theme, view);
     draw_navigation(editor, theme, view);
-    if (session.document().objects.empty() && !session.jobs().status())
+    if (editor.tutorial.runs(session))
+        draw_tutorial(editor, frame, view);
+    else if (session.document().objects.empty() && !session.jobs().status())
         draw_welcome(editor, theme, view);
     else
         draw_first_steps(editor, theme, view);

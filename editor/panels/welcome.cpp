@@ -4,25 +4,12 @@
 #include "ui/widgets.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <imgui.h>
 
 namespace trivar {
 namespace {
 
 constexpr std::size_t most_samples = 6, most_recent = 4;
-
-// first_placement: First placement; f1_f2: F1 F2
-std::string title(std::string name)
-{
-    std::replace(name.begin(), name.end(), '_', ' ');
-    for (std::size_t i = 0; i < name.size(); ++i) {
-        const bool symbol = i + 1 < name.size() && name[i + 1] >= '0' && name[i + 1] <= '9';
-        if ((i == 0 || symbol) && name[i] >= 'a' && name[i] <= 'z')
-            name[i] = static_cast<char>(name[i] - 'a' + 'A');
-    }
-    return name;
-}
 
 float caption(const ui::Theme& theme, const ui::Rect& column, float y, const char* words)
 {
@@ -108,8 +95,8 @@ void draw_samples(Editor& editor, const ui::Theme& theme, const ui::Rect& column
     for (std::size_t i = 0; i < std::min(most_samples, samples.size()); ++i) {
         if (y + theme.px(32) > column.hi.y + theme.px(20)) return;
         ImGui::SetCursorScreenPos({column.lo.x, y});
-        if (ui::button(theme, title(std::filesystem::path(samples[i]).stem()),
-                       ui::ButtonKind::plain, {column.width(), theme.px(32)}, ui::icon::scene))
+        if (ui::button(theme, scene_title(samples[i]), ui::ButtonKind::plain,
+                       {column.width(), theme.px(32)}, ui::icon::scene))
             editor.files.open_scene(samples[i]);
         y += theme.px(38);
     }
