@@ -46,8 +46,9 @@ struct Editor {
     RecentScenes recent_scenes;
     Tutorial tutorial;
     struct PreferencesDialog {
+        enum Page { of_interface, of_viewport, of_keys };
         bool open = false;
-        int page = 0;
+        int page = of_interface;
         std::string filter;              // of the key map
         std::string asking;              // the action whose new key is waited for
         std::string given;               // the action that got one last ...

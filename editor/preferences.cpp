@@ -87,6 +87,7 @@ void each_preference(auto& p, const auto& field)
     field("show_dock", p.show_dock);
     field("hints", p.hints);
     field("reduced_motion", p.reduced_motion);
+    field("backdrop_as_in_pictures", p.backdrop_as_in_pictures);
     field("keys", p.keys);
     field("recent_commands", p.recent_commands);
     field("recent_scenes", p.recent_scenes);

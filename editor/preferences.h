@@ -16,6 +16,7 @@ struct Preferences {
     double dock = 320, outliner = 256;
     bool show_dock = true, hints = true;
     bool reduced_motion = false; // what would move is there at once
+    bool backdrop_as_in_pictures = false; // of the viewport; else the window's own
     KeyMap keys;
     std::vector<std::string> recent_commands, recent_scenes; // the newest first
     bool operator==(const Preferences&) const = default;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/viewport.h"
 
+#include "editor/picture.h"
 #include "gpu/context.h"
 #include "ui/camera_control.h"
 
@@ -46,20 +47,11 @@ bool can_be_picked(const Document& document, Id id)
 
 gpu::Picture picture_of(const Session& session, bool draft)
 {
-    gpu::Picture picture;
-    picture.camera = session.camera;
-    picture.settings = *session.document().render;
+    gpu::Picture picture = picture_of(session.evaluated(), session.document(), session.camera);
     picture.draft = draft;
     const Members selected(session.document(), session.selected.ids());
-    for (const auto& [id, object] : session.evaluated().objects) {
-        const bool highlighted = selected.contain(id);
-        for (const Part& part : object->parts)
-            picture.instances.push_back({.mesh = part.mesh,
-                                         .to_world = part.to_world,
-                                         .materials = object->materials,
-                                         .id = id,
-                                         .highlighted = highlighted});
-    }
+    for (gpu::Instance& instance : picture.instances)
+        instance.highlighted = selected.contain(instance.id);
     return picture;
 }
 
@@ -174,8 +166,14 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
 {
     constexpr double rest_s = 0.3;   // so long nothing moves before a full picture is begun
     constexpr double budget_ms = 40; // of it in one frame: the mouse must not wait
-    Shown wanted{session.camera, session.evaluation(),           session.selected, size_px, state,
-                 false,          session.document().render.get()};
+    Shown wanted{session.camera,
+                 session.evaluation(),
+                 session.selected,
+                 size_px,
+                 state,
+                 false,
+                 session.document().render.get(),
+                 style_};
     const bool held = moving; // what ends that makes a frame of its own
     if (shown_) {             // what was drawn as a draft is compared without that
         Shown before = *shown_;
@@ -196,6 +194,9 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
     }
     if (wanted.draft || begun_ != wanted) {
         gpu::Picture picture = picture_of(session, wanted.draft);
+        picture.backdrop = style_.backdrop;
+        picture.grid = style_.backdrop.has_value();
+        picture.outline = style_.outline;
         Helpers shown = helpers();
         picture.lines = std::move(shown.lines);
         picture.translucent = std::move(shown.veils);
@@ -222,6 +223,38 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
         frame.again_in(0);
     }
     return renderer_->texture();
+}
+
+ViewportStyle viewport_style(const ui::Theme& theme, bool as_in_pictures)
+{
+    const ui::Palette& c = theme.color;
+    ViewportStyle style;
+    style.outline.color = ui::linear_light(c.selected);
+    style.outline.halo = ui::linear_light(c.halo);
+    style.outline.width_px *= theme.scale;
+    style.outline.halo_px *= theme.scale;
+    if (as_in_pictures) return style;
+    constexpr float axis_share = 0.55f;
+    gpu::Backdrop backdrop;
+    backdrop.top = ui::linear_light(c.sky_top);
+    backdrop.bottom = ui::linear_light(c.sky_bottom);
+    backdrop.middle = glm::mix(backdrop.bottom, backdrop.top, 0.6f);
+    backdrop.corners = 0;
+    backdrop.grid = ui::linear_light(c.grid);
+    backdrop.grid_major = ui::linear_light(c.grid_major);
+    backdrop.axis_x = ui::linear_light(ui::faded(c.axis_x, axis_share));
+    backdrop.axis_y = ui::linear_light(ui::faded(c.axis_y, axis_share));
+    style.backdrop = backdrop;
+    return style;
+}
+
+ui::Theme theme_over_picture(const ui::Theme& theme, const RenderSettings& settings,
+                             bool as_in_pictures)
+{
+    if (!as_in_pictures) return theme;
+    ui::Theme over = theme;
+    over.color = ui::with_overlays(theme.color, settings.look != "dark");
+    return over;
 }
 
 std::vector<gpu::Line> placement_lines(const Placement& placement, const ui::Theme& theme)
@@ -258,9 +291,8 @@ std::vector<gpu::Line> placement_lines(const Placement& placement, const ui::The
 
 gpu::Translucent placement_veil(const Placement& placement, const ui::Theme& theme)
 {
-    constexpr float share = 0.05f; // of the light: looks like 7 % of the encoded colour
     gpu::Translucent veil;
-    veil.colors = {ui::linear_light(ui::faded(theme.color.lattice, share))};
+    veil.colors = {ui::linear_light(theme.color.lattice_fill)};
     const std::array<int, 3> steps{96, 12, 8};
     for (int across = 0; across < 3; ++across) {
         const int s = (across + 1) % 3, t = (across + 2) % 3;

@@ -17,6 +17,19 @@ struct Helpers {
     std::vector<gpu::Translucent> veils;
 };
 
+// How the window shows the scene, beyond what the scene says of its pictures.
+struct ViewportStyle {
+    std::optional<gpu::Backdrop> backdrop; // with a grid; none: as in pictures
+    gpu::Outline outline;
+    bool operator==(const ViewportStyle&) const = default;
+};
+// `as_in_pictures`: the backdrop of the scene's look, else the theme's own.
+ViewportStyle viewport_style(const ui::Theme& theme, bool as_in_pictures);
+
+// The theme with overlays that read on what is behind the scene.
+ui::Theme theme_over_picture(const ui::Theme& theme, const RenderSettings& settings,
+                             bool as_in_pictures);
+
 // The picture in the middle: moves the camera, draws the scene when something changed, and tells
 // what lies under the mouse. Needs the window's OpenGL context.
 class Viewport {
@@ -31,6 +44,8 @@ public:
     // for frames. The draft stays until all of it is there.
     unsigned draw(const Session& session, ui::Frame& frame, glm::ivec2 size_px, bool moving,
                   int state, const std::function<Helpers()>& helpers);
+    void set_style(const ViewportStyle& style) { style_ = style; }
+    unsigned texture() const { return renderer_ ? renderer_->texture() : 0; } // what shows
     const ui::TimingHistory& drafts() const { return drafts_; }
     const Timings& full_timings() const { return full_timings_; } // of the last one
     std::size_t uploaded_bytes() const { return renderer_ ? renderer_->uploaded_bytes() : 0; }
@@ -45,12 +60,14 @@ private:
         int state = 0;
         bool draft = false;
         const RenderSettings* settings = nullptr;
+        ViewportStyle style;
         bool operator==(const Shown&) const = default;
     };
     enum class Move { none, orbit, pan, zoom };
     void navigate(Session& session, const ViewportInput& input, glm::dvec2 drag_px);
     std::optional<glm::dvec3> anchor_under(const Session& session, glm::dvec2 p_px);
 
+    ViewportStyle style_;
     std::unique_ptr<gpu::Renderer> renderer_; // made at the first picture
     std::optional<DraftPace> pace_;           // as well
     std::optional<Shown> shown_;

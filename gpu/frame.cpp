@@ -87,8 +87,11 @@ Frame frame_of(const Picture& picture, const Camera& camera, const Scene& scene,
         f.box_right[i] = glm::vec4(box.right, box.half_size.x);
         f.box_up[i] = glm::vec4(box.up, box.half_size.y);
         f.box_light[i] = glm::vec4(box.radiance, box.softness);
-        f.backdrop[i] = glm::vec4(look.backdrop[i], 0);
     }
+    const Backdrop& backdrop = picture.backdrop ? *picture.backdrop : look.backdrop;
+    f.backdrop = {glm::vec4(backdrop.top, backdrop.corners), glm::vec4(backdrop.middle, 0),
+                  glm::vec4(backdrop.bottom, 0)};
+    f.grid_lines = {backdrop.grid, backdrop.grid_major, backdrop.axis_x, backdrop.axis_y};
     f.zenith = glm::vec4(studio.zenith, 0);
     f.horizon = glm::vec4(studio.horizon, 0);
     f.floor_light = glm::vec4(studio.floor, 0);
@@ -99,7 +102,11 @@ Frame frame_of(const Picture& picture, const Camera& camera, const Scene& scene,
     const float exposure = static_cast<float>(std::exp2(picture.settings.exposure));
     f.scene = glm::vec4(radius, exposure, 0.22 * radius, 0);
     const bool ground = picture.settings.ground && !scene.items.empty();
-    f.ground = glm::vec4(scene.ground_z, round_step(radius / 4), 6 * scene.radius, ground ? 1 : 0);
+    const double step = round_step(radius / 4);
+    f.ground = glm::vec4(scene.ground_z, step, 6 * scene.radius, ground ? 1 : 0);
+    // The grid stays where it is in the world, whatever the middle of the scene.
+    const glm::dvec2 origin(scene.origin_world);
+    f.grid_at = glm::vec4(-glm::mod(origin, 5 * step), -origin);
     f.centre = glm::vec4((scene.lo + scene.hi) * 0.5f, 0);
     // Upwards the harmonics of bands 1 and 2 that count are z and 3 z^2 - 1.
     const glm::vec3 ambient = studio.ambient[0] + studio.ambient[2] + 2.0f * studio.ambient[6];

@@ -16,8 +16,10 @@ struct Frame {
     glm::vec4 zenith, horizon, floor_light, ground, contact, shadow_map, scene;
     std::array<glm::vec4, 3> backdrop;
     glm::vec4 centre, ground_share;
+    std::array<glm::vec4, 4> grid_lines;
+    glm::vec4 grid_at;
 };
-static_assert(sizeof(Frame) == 5 * 64 + 16 * (4 + 9 + 12 + 7 + 3 + 2));
+static_assert(sizeof(Frame) == 5 * 64 + 16 * (4 + 9 + 12 + 7 + 3 + 2 + 4 + 1));
 
 // Everything but key_clip and shadow_map, which the shadow map fills in. Throws Rejected for a
 // camera that looks nowhere.

@@ -33,7 +33,7 @@ Look studio()
     look.zenith = glm::vec3(0.50f, 0.54f, 0.60f) * 0.52f;
     look.horizon = glm::vec3(0.22f, 0.215f, 0.21f) * 0.52f;
     look.floor = glm::vec3(0.66f, 0.63f, 0.60f) * 0.46f;
-    look.backdrop = {srgb(0x98A1AB), srgb(0xE0E3E5), srgb(0xBFC1C3)};
+    look.backdrop = {.top = srgb(0x98A1AB), .middle = srgb(0xE0E3E5), .bottom = srgb(0xBFC1C3)};
     return look;
 }
 
@@ -46,7 +46,7 @@ Look dark()
     look.zenith *= 0.66f;
     look.horizon *= 0.6f;
     look.floor *= 0.45f;
-    look.backdrop = {srgb(0x16181B), srgb(0x34383D), srgb(0x1F2225)};
+    look.backdrop = {.top = srgb(0x16181B), .middle = srgb(0x34383D), .bottom = srgb(0x1F2225)};
     return look;
 }
 

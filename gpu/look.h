@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "gpu/picture.h"
+
 #include <array>
 #include <glm/glm.hpp>
 #include <string_view>
@@ -17,11 +19,10 @@ struct Softbox {
 
 // A named way to light and stage a scene.
 struct Look {
-    std::array<Softbox, 3> boxes;            // key, fill, rim
-    glm::vec3 zenith, horizon, floor;        // radiance of the dome; floor: as lit over a ground
-    std::array<glm::vec3, 3> backdrop;       // display-linear: top, middle, bottom
-    bool clay = false;                       // every material is the same matt clay
-    glm::vec3 accent{1.0f, 0.323f, 0.0137f}; // of outlines
+    std::array<Softbox, 3> boxes;     // key, fill, rim
+    glm::vec3 zenith, horizon, floor; // radiance of the dome; floor: as lit over a ground
+    Backdrop backdrop;
+    bool clay = false; // every material is the same matt clay
 };
 
 // "studio", "clay", "dark"; any other name gives the studio.

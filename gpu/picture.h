@@ -7,6 +7,7 @@
 #include "core/mesh/model.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace trivar::gpu {
@@ -17,7 +18,7 @@ struct Instance {
     glm::dmat4 to_world{1};
     Ref<std::vector<Material>> materials;
     int id = 0;               // what pick() returns; 0: not pickable
-    bool highlighted = false; // an outline in the accent colour
+    bool highlighted = false; // has an outline
     float opacity = 1;        // below 1: a ghost, for previews
 };
 
@@ -38,16 +39,34 @@ struct Translucent {
     std::vector<glm::vec3> normals = {};  // one a point, or none: flat, without a rim
 };
 
+// What is behind everything. Colours are display-linear; the share of a line is one of the encoded
+// colour, so that a tenth looks like a tenth on any ground.
+struct Backdrop {
+    glm::vec3 top{0}, middle{0}, bottom{0};
+    float corners = 0.55f; // how much darker they are
+    glm::vec4 grid{0, 0, 0, 0.041f}, grid_major{0, 0, 0, 0.103f}, axis_x{0}, axis_y{0};
+    bool operator==(const Backdrop&) const = default;
+};
+
+// Round highlighted instances; linear.
+struct Outline {
+    glm::vec4 color{1}, halo{0, 0, 0, 0.55f};
+    float width_px = 2, halo_px = 1.5f;
+    bool operator==(const Outline&) const = default;
+};
+
 struct Picture {
     Camera camera;
     RenderSettings settings;
     std::vector<Instance> instances;
     std::vector<Translucent> translucent;
     std::vector<Line> lines;
+    Outline outline;
     int samples = 4;    // of antialiasing
     bool draft = false; // leave out the slow parts while something is being dragged
     double scale = 1;   // of the size: a draft drawn smaller is shown enlarged
     bool grid = false;  // lines on the ground, for orientation while working
+    std::optional<Backdrop> backdrop = {}; // another than that of the look
 };
 
 } // namespace trivar::gpu

@@ -142,7 +142,10 @@ struct Renderer::State {
         Quality quality = quality_for(samples, picture.draft);
         if (!picture.settings.ambient_occlusion) quality.occlusion_slices = 0;
         work = Work{picture, std::move(scene), frame, look, quality, &*targets, shown_px, samples};
-        for (Line& line : work->picture.lines) line.width_px *= static_cast<float>(picture.scale);
+        const auto scale = static_cast<float>(picture.scale);
+        for (Line& line : work->picture.lines) line.width_px *= scale;
+        work->picture.outline.width_px *= scale;
+        work->picture.outline.halo_px *= scale;
     }
 
     void draw_maps()
@@ -204,7 +207,8 @@ struct Renderer::State {
             });
         if (std::ranges::any_of(w.scene.items, &SceneItem::highlighted))
             clock.pass("outline", [&] {
-                draw_outline(tools, *w.targets, w.frame, w.scene, {w.look.accent, w.picture.draft});
+                draw_outline(tools, *w.targets, w.frame, w.scene, w.picture.outline,
+                             w.picture.draft);
             });
         whole = w.targets;
         whole_px = w.shown_px;

@@ -123,6 +123,16 @@ double linear_channel(Color color, int shift)
 
 } // namespace
 
+Palette with_overlays(Palette palette, bool light_picture)
+{
+    const Palette from = light_picture ? light_palette() : dark_palette();
+    for (const auto field : {&Palette::selected, &Palette::hovered, &Palette::lattice,
+                             &Palette::lattice_fill, &Palette::stroke, &Palette::stroke_fill,
+                             &Palette::contact, &Palette::free_node, &Palette::halo})
+        palette.*field = from.*field;
+    return palette;
+}
+
 glm::vec4 linear_light(Color color)
 {
     return {linear_channel(color, 0), linear_channel(color, 8), linear_channel(color, 16),

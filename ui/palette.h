@@ -43,6 +43,9 @@ struct Palette {
 Palette dark_palette();
 Palette light_palette();
 
+// The same palette with the overlays that read on a light or a dark picture.
+Palette with_overlays(Palette palette, bool light_picture);
+
 // Linear light with straight alpha, for what the renderer draws.
 glm::vec4 linear_light(Color color);
 

@@ -148,7 +148,7 @@ void ask_for_key(Editor& editor, const std::string& action)
     auto& dialog = editor.preferences_dialog;
     dialog = {};
     dialog.open = dialog.show_asking = true;
-    dialog.page = 1;
+    dialog.page = dialog.of_keys;
     dialog.asking = action;
 }
 

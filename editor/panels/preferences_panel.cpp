@@ -11,7 +11,7 @@
 namespace trivar {
 namespace {
 
-constexpr const char* pages[] = {"Interface", "Key map"};
+constexpr const char* pages[] = {"Interface", "Viewport", "Key map"};
 
 void draw_page_names(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
 {
@@ -19,7 +19,7 @@ void draw_page_names(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
     auto& dialog = editor.preferences_dialog;
     const int shown = dialog.page;
     float y = r.lo.y + theme.px(12);
-    for (int i = 0; i < 2; ++i) {
+    for (int i = 0; i < std::ssize(pages); ++i) {
         const ui::Rect row = {{r.lo.x + theme.px(12), y},
                               {r.hi.x - theme.px(12), y + theme.px(32)}};
         ImGui::SetCursorScreenPos({row.lo.x, row.lo.y});
@@ -36,6 +36,20 @@ void draw_page_names(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
         y += theme.px(34);
     }
     ui::paint_box({{r.hi.x - theme.size.hairline, r.lo.y}, r.hi}, c.line_soft);
+}
+
+void foot_note(const ui::Theme& theme, const ui::Rect& r, const std::string& text)
+{
+    ui::gap(theme, 12);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    float y = at.y;
+    for (const std::string& words :
+         ui::wrapped(theme.font.small, text, r.width() - 2 * theme.size.padding)) {
+        ui::paint_text(theme.font.small,
+                       {{at.x + theme.size.padding, y}, {r.hi.x, y + theme.px(18)}},
+                       theme.color.text_3, words);
+        y += theme.px(18);
+    }
 }
 
 void draw_interface_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
@@ -62,19 +76,26 @@ void draw_interface_page(Editor& editor, const ui::Theme& theme, const ui::Rect&
     ui::check_box(theme, "hints", p.hints, "what to do first, at the foot of the picture");
     ui::label_row(theme, "Motion");
     ui::check_box(theme, "motion", p.reduced_motion, "reduced: what would move is there at once");
-    ui::gap(theme, 12);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    float y = at.y;
-    for (const std::string& words :
-         ui::wrapped(theme.font.small,
-                     "The size is times the monitor's own scale. Panels are as wide as the lines "
-                     "between them are dragged; a double click on a line restores it.",
-                     r.width() - 2 * theme.size.padding)) {
-        ui::paint_text(theme.font.small,
-                       {{at.x + theme.size.padding, y}, {r.hi.x, y + theme.px(18)}},
-                       theme.color.text_3, words);
-        y += theme.px(18);
-    }
+    foot_note(theme, r,
+              "The size is times the monitor's own scale. Panels are as wide as the lines between "
+              "them are dragged; a double click on a line restores it.");
+    ImGui::EndChild();
+}
+
+void draw_viewport_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
+{
+    Preferences& p = editor.preferences;
+    ImGui::SetCursorScreenPos({r.lo.x, r.lo.y + theme.px(12)});
+    ImGui::BeginChild("viewport", {r.width(), r.height() - theme.px(12)});
+    int backdrop = p.backdrop_as_in_pictures ? 1 : 0;
+    const float width = std::min(theme.px(280), ui::label_row(theme, "Backdrop").width);
+    if (ui::segments(theme, "backdrop", backdrop, {"With grid", "As in pictures"}, width) ==
+        ui::Edit::changed)
+        p.backdrop_as_in_pictures = backdrop == 1;
+    foot_note(theme, r,
+              "The window has a quiet backdrop of its own, with a grid and the axes. As in "
+              "pictures it is the one of the scene's look: the window then shows what a picture "
+              "will show.");
     ImGui::EndChild();
 }
 
@@ -83,7 +104,11 @@ void reset_page(Editor& editor)
     Preferences& p = editor.preferences;
     const Preferences usual;
     auto& dialog = editor.preferences_dialog;
-    if (dialog.page == 0) {
+    if (dialog.page == dialog.of_viewport) {
+        p.backdrop_as_in_pictures = usual.backdrop_as_in_pictures;
+        return;
+    }
+    if (dialog.page == dialog.of_interface) {
         p.scale = usual.scale;
         p.dock = usual.dock;
         p.outliner = usual.outliner;
@@ -116,14 +141,16 @@ void draw_preferences(Editor& editor, const ui::Theme& theme)
     const float y0 = r.lo.y + head + theme.size.hairline, y1 = r.hi.y - foot;
     draw_page_names(editor, theme, {{r.lo.x, y0}, {r.lo.x + left, y1}});
     const ui::Rect page = {{r.lo.x + left + theme.px(12), y0}, {r.hi.x - theme.px(12), y1}};
-    if (dialog.page == 0)
+    if (dialog.page == dialog.of_interface)
         draw_interface_page(editor, theme, page);
+    else if (dialog.page == dialog.of_viewport)
+        draw_viewport_page(editor, theme, page);
     else
         draw_key_map(editor, theme, page);
     ui::paint_box({{r.lo.x, y1}, {r.hi.x, y1 + theme.size.hairline}}, c.line_soft);
     const float y = std::round(y1 + (foot - theme.px(32)) / 2);
     ImGui::SetCursorScreenPos({r.lo.x + theme.px(16), y});
-    const std::string reset = dialog.page == 0 ? "Reset this page" : "Reset key map";
+    const std::string reset = dialog.page == dialog.of_keys ? "Reset key map" : "Reset this page";
     const float width = ui::text_width(theme.font.body, reset) + theme.px(56);
     if (ui::button(theme, reset, ui::ButtonKind::plain, {width, theme.px(32)}, ui::icon::reset))
         reset_page(editor);

@@ -100,12 +100,15 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     // A small window's picture must not jump: the picture is drawn after the camera moved.
     const bool moving = tool.busy() || editor.inspecting || !session.up_to_date();
     const int state = static_cast<int>(editor.tool) * 2 + (tool.busy() ? 1 : 0);
+    const bool as_in_pictures = editor.preferences.backdrop_as_in_pictures;
+    const ui::Theme over = theme_over_picture(theme, *session.document().render, as_in_pictures);
+    editor.viewport.set_style(viewport_style(over, as_in_pictures));
     const unsigned texture = editor.viewport.draw(session, frame, size_px, moving, state,
-                                                  [&] { return helpers_of(editor, theme); });
+                                                  [&] { return helpers_of(editor, over); });
     const auto name = static_cast<std::uintptr_t>(texture);
     ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(name), lo, hi, {0, 1},
                                          {1, 0});
-    tool.overlay(session, theme, input);
+    tool.overlay(session, over, input);
     labels(editor, theme, view);
     draw_navigation(editor, theme, view);
     if (editor.tutorial.runs(session))

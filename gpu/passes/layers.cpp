@@ -32,7 +32,7 @@ LayerBounds bounds_of_layers(const Frame& frame, std::span<const glm::vec3> poin
     return {from, to - from, range};
 }
 
-void LayerPass::draw(Tools& tools, const Targets& targets, const LayerBounds& bounds,
+void LayerPass::draw(Tools& tools, const Targets& targets, const LayerBounds& bounds, bool helpers,
                      const DrawAll& draw_all)
 {
     if (bounds.empty()) return;
@@ -66,7 +66,7 @@ void LayerPass::draw(Tools& tools, const Targets& targets, const LayerBounds& bo
         if (depths) defines.emplace_back("LAYER_DEPTHS");
         draw_all(defines);
     }
-    targets.to_color.bind();
+    (helpers ? targets.to_encoded : targets.to_color).bind();
     set_state({.blend = true});
     only_part();
     tools.use(full_screen_program("layers_over"));

@@ -20,9 +20,10 @@ LayerBounds bounds_of_layers(const Frame& frame, std::span<const glm::vec3> poin
 // Lays see-through layers over a sample of the picture, whatever order they come in: layers.glsl.
 class LayerPass {
 public:
-    // `draw_all` draws every layer; it runs twice, its programs with these defines.
+    // `draw_all` draws every layer; it runs twice, its programs with these defines. Helpers are
+    // mixed with the picture as encoded colours, other things as light.
     using DrawAll = std::function<void(const std::vector<std::string>& defines)>;
-    void draw(Tools& tools, const Targets& targets, const LayerBounds& bounds,
+    void draw(Tools& tools, const Targets& targets, const LayerBounds& bounds, bool helpers,
               const DrawAll& draw_all);
 
 private:
@@ -40,6 +41,9 @@ public:
               const Quality& quality);
 
 private:
+    void draw_materials(Tools& tools, const Targets& targets, const Frame& frame,
+                        const Scene& scene, const Quality& quality);
+    void draw_helpers(Tools& tools, const Targets& targets, const Frame& frame);
     std::vector<glm::vec3> corners_; // of the helpers' triangles, scene
     Buffer points_, indices_;
     VertexArray vertices_;

@@ -60,7 +60,7 @@ void LinePass::draw(Tools& tools, const Targets& targets, const Frame& frame,
     const std::vector<Segment> segments = segments_of(lines, frame, origin_world);
     if (segments.empty()) return;
     segments_.write(std::as_bytes(std::span(segments)));
-    targets.to_color.bind();
+    targets.to_encoded.bind();
     const Program& program = tools.use({"line", "line", {}});
     vertices_.bind();
     for (const bool hidden : {true, false}) {

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gpu/passes/overlays.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <epoxy/gl.h>
 
 namespace trivar::gpu {
 namespace {
-
-constexpr float outline_px = 2.2f;
 
 struct Rectangle {
     glm::ivec2 lo, size;
 };
 
 // The part of the picture that holds the highlighted instances and their outline.
-Rectangle bounds_px(const Frame& frame, const Scene& scene, glm::ivec2 size_px)
+Rectangle bounds_px(const Frame& frame, const Scene& scene, glm::ivec2 size_px, int margin_px)
 {
     glm::vec2 lo(1), hi(-1);
     for (const SceneItem& item : scene.items)
@@ -28,17 +28,20 @@ Rectangle bounds_px(const Frame& frame, const Scene& scene, glm::ivec2 size_px)
         }
     lo = glm::clamp(lo, -1.0f, 1.0f) * 0.5f + 0.5f;
     hi = glm::clamp(hi, -1.0f, 1.0f) * 0.5f + 0.5f;
-    const glm::ivec2 from = glm::max(glm::ivec2(lo * glm::vec2(size_px)) - 5, glm::ivec2(0));
-    const glm::ivec2 to = glm::min(glm::ivec2(hi * glm::vec2(size_px)) + 6, size_px);
+    const glm::ivec2 from =
+        glm::max(glm::ivec2(lo * glm::vec2(size_px)) - margin_px, glm::ivec2(0));
+    const glm::ivec2 to = glm::min(glm::ivec2(hi * glm::vec2(size_px)) + margin_px + 1, size_px);
     return {from, glm::max(to - from, glm::ivec2(0))};
 }
 
 } // namespace
 
 void draw_outline(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
-                  const OutlineLook& look)
+                  const Outline& outline, bool draft)
 {
-    const Rectangle part = bounds_px(frame, scene, targets.size_px);
+    const float reach_px = outline.width_px + outline.halo_px;
+    const Rectangle part =
+        bounds_px(frame, scene, targets.size_px, static_cast<int>(std::ceil(reach_px)) + 2);
     const auto only_part = [&] {
         glEnable(GL_SCISSOR_TEST);
         glScissor(part.lo.x, part.lo.y, part.size.x, part.size.y);
@@ -63,13 +66,16 @@ void draw_outline(Tools& tools, const Targets& targets, const Frame& frame, cons
         tools.draw(scene, pass);
         glDisable(GL_POLYGON_OFFSET_FILL);
     }
-    targets.to_color.bind();
+    targets.to_encoded.bind();
     set_state({.blend = true});
     only_part();
     const Program& program = tools.use(full_screen_program("outline"));
-    program.set("color", glm::vec4(look.color, 1));
-    program.set("width_px", outline_px);
-    program.set("taps", look.draft ? 8 : 12);
+    program.set("color", outline.color);
+    program.set("halo", outline.halo);
+    program.set("width_px", outline.width_px);
+    program.set("halo_px", outline.halo_px);
+    // About a tap every pixel and a half of the outer ring.
+    program.set("taps", draft ? 8 : std::clamp(static_cast<int>(4 * reach_px), 12, 48));
     targets.mask.bind(0);
     tools.full_screen();
 }

@@ -18,12 +18,8 @@ private:
     VertexArray vertices_;
 };
 
-// An outline round highlighted instances; that of a draft costs half and is rougher.
-struct OutlineLook {
-    glm::vec3 color{1};
-    bool draft = false;
-};
+// Round highlighted instances; that of a draft costs half and is rougher.
 void draw_outline(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
-                  const OutlineLook& look);
+                  const Outline& outline, bool draft);
 
 } // namespace trivar::gpu

@@ -25,6 +25,17 @@ glm::vec4 color_of(const Translucent& veil, std::size_t point)
     return veil.colors[std::min(point, veil.colors.size() - 1)];
 }
 
+bool see_through(const SceneItem& item, const MirroredMesh::Part& part)
+{
+    return item.see_through(part);
+}
+
+bool has_see_through(const SceneItem& item)
+{
+    return std::ranges::any_of(item.mesh->parts,
+                               [&](const auto& part) { return item.see_through(part); });
+}
+
 } // namespace
 
 SeeThroughPass::SeeThroughPass()
@@ -67,47 +78,31 @@ void SeeThroughPass::load(const std::vector<Translucent>& veils, const glm::dvec
 
 bool SeeThroughPass::any(const Scene& scene) const
 {
-    if (!corners_.empty()) return true;
-    return std::ranges::any_of(scene.items, [](const SceneItem& item) {
-        return std::ranges::any_of(item.mesh->parts,
-                                   [&](const auto& part) { return item.see_through(part); });
-    });
+    return !corners_.empty() || std::ranges::any_of(scene.items, has_see_through);
 }
 
-void SeeThroughPass::draw(Tools& tools, const Targets& targets, const Frame& frame,
-                          const Scene& scene, const Quality& quality)
+void SeeThroughPass::draw_materials(Tools& tools, const Targets& targets, const Frame& frame,
+                                    const Scene& scene, const Quality& quality)
 {
-    constexpr float hidden_share = 0.3f; // of a helper behind something solid
-    const auto see_through = [](const SceneItem& item, const MirroredMesh::Part& part) {
-        return item.see_through(part);
-    };
-    std::vector<glm::vec3> points = corners_;
+    std::vector<glm::vec3> points;
     for (const SceneItem& item : scene.items)
-        if (std::ranges::any_of(item.mesh->parts,
-                                [&](const auto& part) { return item.see_through(part); }))
-            for (int k = 0; k < 8; ++k)
-                points.emplace_back((k & 1 ? item.hi : item.lo).x, (k & 2 ? item.hi : item.lo).y,
-                                    (k & 4 ? item.hi : item.lo).z);
+        for (int k = 0; has_see_through(item) && k < 8; ++k)
+            points.emplace_back((k & 1 ? item.hi : item.lo).x, (k & 2 ? item.hi : item.lo).y,
+                                (k & 4 ? item.hi : item.lo).z);
+    if (points.empty()) return;
     const LayerBounds bounds = bounds_of_layers(frame, points);
-    layers_.draw(tools, targets, bounds, [&](const std::vector<std::string>& defines) {
-        MeshPass ghosts;
-        ghosts.fragment = "ghost";
-        ghosts.defines = quality.shadow_defines();
-        if (!defines.empty()) ghosts.defines = defines;
-        ghosts.scene_to_clip = frame.view_clip;
-        ghosts.wanted = see_through;
-        ghosts.prepare = [&](const Program& program, const SceneItem& item) {
+    layers_.draw(tools, targets, bounds, false, [&](const std::vector<std::string>& defines) {
+        MeshPass pass;
+        pass.fragment = "ghost";
+        pass.defines = defines.empty() ? quality.shadow_defines() : defines;
+        pass.scene_to_clip = frame.view_clip;
+        pass.wanted = see_through;
+        pass.prepare = [&](const Program& program, const SceneItem& item) {
             program.set("opacity", item.opacity);
             program.set("range", bounds.range_world);
             program.set("hidden_share", 0.0f);
         };
-        tools.draw(scene, ghosts);
-        if (corners_.empty()) return;
-        const Program& program = tools.use({"veil", "veil", defines});
-        program.set("range", bounds.range_world);
-        program.set("hidden_share", hidden_share);
-        vertices_.bind();
-        glDrawElements(GL_TRIANGLES, static_cast<int>(corners_.size()), GL_UNSIGNED_INT, nullptr);
+        tools.draw(scene, pass);
     });
     // The nearest layer is what is picked, and what hides lines; previews stand in nobody's way.
     targets.to_ids.bind();
@@ -116,13 +111,34 @@ void SeeThroughPass::draw(Tools& tools, const Targets& targets, const Frame& fra
     ids.fragment = "ids";
     ids.scene_to_clip = frame.view_clip;
     ids.reads_material = false;
-    ids.wanted = [&](const SceneItem& item, const MirroredMesh::Part& part) {
+    ids.wanted = [](const SceneItem& item, const MirroredMesh::Part& part) {
         return item.id != 0 && see_through(item, part);
     };
     ids.prepare = [](const Program& program, const SceneItem& item) {
         program.set("id", static_cast<unsigned>(item.id));
     };
     tools.draw(scene, ids);
+}
+
+void SeeThroughPass::draw_helpers(Tools& tools, const Targets& targets, const Frame& frame)
+{
+    constexpr float hidden_share = 0.3f; // behind something solid
+    if (corners_.empty()) return;
+    const LayerBounds bounds = bounds_of_layers(frame, corners_);
+    layers_.draw(tools, targets, bounds, true, [&](const std::vector<std::string>& defines) {
+        const Program& program = tools.use({"veil", "veil", defines});
+        program.set("range", bounds.range_world);
+        program.set("hidden_share", hidden_share);
+        vertices_.bind();
+        glDrawElements(GL_TRIANGLES, static_cast<int>(corners_.size()), GL_UNSIGNED_INT, nullptr);
+    });
+}
+
+void SeeThroughPass::draw(Tools& tools, const Targets& targets, const Frame& frame,
+                          const Scene& scene, const Quality& quality)
+{
+    draw_materials(tools, targets, frame, scene, quality);
+    draw_helpers(tools, targets, frame);
 }
 
 } // namespace trivar::gpu

@@ -24,7 +24,8 @@ Targets::Targets(glm::ivec2 size)
       to_color({&color}, &depth),
       to_bytes({&color_bytes}, nullptr),
       to_sum({&sum}, nullptr),
-      to_mask({&mask}, &depth)
+      to_mask({&mask}, &depth),
+      to_encoded({&color_bytes}, &depth)
 {
 }
 

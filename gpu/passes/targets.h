@@ -22,6 +22,7 @@ struct Targets {
 
     Framebuffer to_surfaces, to_ids, to_occlusion_noisy, to_occlusion, to_color, to_bytes, to_sum,
         to_mask;
+    Framebuffer to_encoded; // the colour's bytes: what is blended there is mixed as encoded
 };
 
 } // namespace trivar::gpu

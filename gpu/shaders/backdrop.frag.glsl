@@ -8,12 +8,23 @@ layout(location = 0) out vec4 out_color;
 layout(binding = 0) uniform sampler2D contact_map;
 
 #ifdef GRID
-// Lines of constant width in pixels that fade before they get too dense.
+// Lines of constant width in pixels, a spacing apart, that fade before they get too dense.
 float grid_line(vec2 p, float spacing, float width_px)
 {
     vec2 q = p / spacing, w = max(fwidth(q), 1e-5), d = abs(fract(q - 0.5) - 0.5) / w;
     vec2 line = (1.0 - smoothstep(width_px * 0.5 - 0.5, width_px * 0.5 + 0.5, d)) * smoothstep(0.5, 0.08, w);
     return max(line.x, line.y);
+}
+vec2 axis_lines(vec2 p, float width_px)
+{
+    vec2 d = abs(p) / max(fwidth(p), 1e-9);
+    return 1.0 - smoothstep(width_px * 0.5 - 0.5, width_px * 0.5 + 0.5, d);
+}
+// Mixed as colours look: by the square root of light.
+vec3 with_line(vec3 color, vec4 line, float share)
+{
+    vec3 mixed = mix(sqrt(color), sqrt(line.rgb), line.a * share);
+    return mixed * mixed;
 }
 #endif
 
@@ -22,13 +33,15 @@ void main()
     vec3 color = mix(frame.backdrop[2].rgb, frame.backdrop[1].rgb, smoothstep(0.0, 0.62, uv.y));
     color = mix(color, frame.backdrop[0].rgb, smoothstep(0.50, 1.08, uv.y));
     vec2 aside = (uv - vec2(0.5, 0.55)) * vec2(1.0, 0.7); // a light pool behind the subject
-    color *= 1.0 - 0.55 * dot(aside, aside);
+    color *= 1.0 - frame.backdrop[0].w * dot(aside, aside);
 
     Ground g = ground_behind(uv);
 #ifdef GRID // derivatives stay outside branches
-    float fine = grid_line(g.at.xy, frame.ground.y, 1.0), coarse = grid_line(g.at.xy, frame.ground.y * 5.0, 1.35);
+    vec2 on_grid = g.at.xy - frame.grid_at.xy;
+    float fine = grid_line(on_grid, frame.ground.y, 1.0), coarse = grid_line(on_grid, frame.ground.y * 5.0, 1.35);
+    vec2 axes = axis_lines(g.at.xy - frame.grid_at.zw, 1.6);
 #endif
-    if (g.seen) {
+    if (g.seen && frame.ground.w > 0.5) {
         float fade = 1.0 - smoothstep(0.35, 1.0, g.away);
         vec2 at = (g.at.xy - frame.contact.xy) * frame.contact.z;
         vec2 inside = smoothstep(0.0, 0.06, at) * smoothstep(0.0, 0.06, 1.0 - at);
@@ -37,11 +50,15 @@ void main()
         // The ratio of light with and without the objects on a white floor.
         vec3 lit = mix(vec3(visible), vec3(open), frame.ground_share.rgb);
         color *= mix(vec3(1.0), lit, fade);
-#ifdef GRID
-        float grid = (1.0 - smoothstep(0.08, 0.80, g.away));
-        color = mix(color, color * 0.82, fine * grid * 0.45);
-        color = mix(color, color * 0.70, coarse * grid * 0.65);
-#endif
     }
+#ifdef GRID
+    if (g.seen) {
+        float fade = 1.0 - smoothstep(0.08, 0.80, g.away);
+        color = with_line(color, frame.grid_lines[0], fine * fade);
+        color = with_line(color, frame.grid_lines[1], coarse * fade);
+        color = with_line(color, frame.grid_lines[2], axes.y * fade);
+        color = with_line(color, frame.grid_lines[3], axes.x * fade);
+    }
+#endif
     out_color = vec4(dithered(color, gl_FragCoord.xy, frame.scene.w), 1.0);
 }

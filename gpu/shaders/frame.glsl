@@ -20,13 +20,15 @@ layout(std140, binding = 0) uniform Frame {
     vec4 zenith;       // rgb radiance of the dome overhead
     vec4 horizon;      // rgb radiance added in a band round the horizon
     vec4 floor_light;  // rgb radiance of the dome from below
-    vec4 ground;       // height, grid step, radius where it has faded (world), 1: drawn
+    vec4 ground;       // height, grid step, radius where it has faded (world), 1: catches shadows
     vec4 contact;      // contact map: xy its corner, 1/side, side (world)
     vec4 shadow_map;   // 1/resolution, width, depth range (world), tangent of the light's half angle
     vec4 scene;        // radius (world), exposure factor, occlusion radius (world), noise seed
-    vec4 backdrop[3];  // rgb display-linear: top, middle, bottom
+    vec4 backdrop[3];  // rgb display-linear: top (w: darker in the corners), middle, bottom
     vec4 centre;       // xyz centre of the ground's fade
     vec4 ground_share; // share of the ambient light in all that reaches the open ground, rgb
+    vec4 grid_lines[4]; // grid, every fifth line, x axis, y axis: display-linear, share of the encoded colour
+    vec4 grid_at;      // xy a crossing of fifth lines, zw of the axes (scene)
 } frame;
 
 float saturate(float x) { return clamp(x, 0.0, 1.0); }

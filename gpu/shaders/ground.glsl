@@ -10,6 +10,6 @@ Ground ground_behind(vec2 uv)
     g.at = from + d * ((frame.ground.x - from.z) / (abs(d.z) > 1e-5 ? d.z : 1e-5));
     g.depth = -(frame.view * vec4(g.at, 1.0)).z;
     g.away = length(g.at.xy - frame.centre.xy) / frame.ground.z;
-    g.seen = d.z < -1e-4 && from.z > frame.ground.x && frame.ground.w > 0.5 && g.away < 1.0;
+    g.seen = d.z < -1e-4 && from.z > frame.ground.x && g.away < 1.0;
     return g;
 }

@@ -1,5 +1,6 @@
 // Coverage from the distance to the segment: round caps, soft edges, dashes where asked for.
 #include "frame.glsl"
+#include "encode.glsl"
 noperspective in vec2 at_px;
 flat in vec2 length_width;
 flat in vec4 at_color;
@@ -17,5 +18,5 @@ void main()
         a *= saturate(1.0 - (length(vec2(e, at_px.y)) - half_width));
     }
     if (a <= 0.003) discard;
-    out_color = vec4(at_color.rgb, at_color.a * a * opacity);
+    out_color = vec4(encoded(at_color.rgb), at_color.a * a * opacity);
 }

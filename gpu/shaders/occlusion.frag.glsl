@@ -74,7 +74,7 @@ void main()
     float depth = uintBitsToFloat(texelFetch(ids_depths, here, 0).g);
     bool surface = depth > 0.0;
     Ground ground = ground_behind(uv);
-    if (!surface && !ground.seen) {
+    if (!surface && !(ground.seen && frame.ground.w > 0.5)) {
         out_open = vec4(1.0, -1e9, 1.0, 0.0);
         return;
     }

@@ -85,7 +85,7 @@ TEST(KeyMap, IsChangedByPressingTheNewKey)
 {
     Rig rig;
     rig.editor.preferences_dialog.open = true;
-    rig.editor.preferences_dialog.page = 1;
+    rig.editor.preferences_dialog.page = rig.editor.preferences_dialog.of_keys;
     rig.editor.preferences_dialog.asking = "Frame all";
     rig.frames();
     rig.key({.key = 'J', .shift = true});

@@ -17,6 +17,7 @@ TEST(Preferences, ComeBackFromTheirText)
     p.scale = 1.25;
     p.dock = 400;
     p.show_dock = false;
+    p.backdrop_as_in_pictures = true;
     p.recent_commands = {"Box", "Save as..."};
     p.keys = {{"Undo", {{.key = 'U', .ctrl = true}}}, {"Redo", {}}};
     EXPECT_EQ(preferences_from(text_of(p)), p);

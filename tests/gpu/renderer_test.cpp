@@ -190,4 +190,37 @@ TEST_F(TheRenderer, LeavesOutInstancesThatAreNowhere)
     EXPECT_EQ(renderer.pick({16, 16}), 1);
 }
 
+TEST_F(TheRenderer, KeepsTheGridWhereItIsWhenTheSceneGrows)
+{
+    // A small thing far below moves the scene's middle, not the lines under the big one.
+    Picture picture;
+    picture.camera.eye = {0, -3, 9};
+    picture.settings.shadows = false;
+    picture.instances = {instance_of(sphere_mesh(0.9, 48, 24), moved(0, 0, 0.9))};
+    picture.grid = true;
+    picture.samples = 1;
+    Backdrop backdrop;
+    backdrop.top = backdrop.middle = backdrop.bottom = glm::vec3(0.2f);
+    backdrop.corners = 0;
+    backdrop.grid = backdrop.grid_major = {0, 0, 0, 0};
+    backdrop.axis_x = {1, 0, 0, 1};
+    backdrop.axis_y = {0, 1, 0, 1};
+    picture.backdrop = backdrop;
+    const glm::ivec2 size(200, 200);
+    picture.camera.size_px = size;
+    const auto color_at = [&](double x, double y) {
+        const auto p = project(picture.camera, {x, y, 0}).p_px;
+        return rgb_at(renderer.render(picture, size), glm::ivec2(p));
+    };
+    for (const double more : {0.0, 0.37}) {
+        picture.instances.resize(1);
+        if (more > 0)
+            picture.instances.push_back(
+                instance_of(sphere_mesh(0.05, 8, 4), moved(more, 1.2 * more, 0.05)));
+        EXPECT_GT(color_at(1.3, 0).r, color_at(1.3, 0).g + 60) << "x is red";
+        EXPECT_GT(color_at(0, -1.3).g, color_at(0, -1.3).r + 60) << "y is green";
+        EXPECT_LT(glm::length(glm::vec3(color_at(1.3, 0.3) - color_at(-1.3, -0.3))), 20);
+    }
+}
+
 } // namespace trivar::gpu::testing

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/log.h"
+#include "core/files/image.h"
+#include "editor/command_line/replay.h"
+#include "tests/editor/rig.h"
+#include "tests/support/fixtures.h"
+
+#include <algorithm>
+#include <epoxy/gl.h>
+#include <sstream>
+
+namespace trivar {
+namespace {
+
+using testing::Rig;
+
+// The picture of the viewport, first row on top, once it is whole.
+std::vector<std::uint8_t> shown(Rig& rig, glm::ivec2 size_px)
+{
+    rig.wait();
+    rig.screen.settle(rig.body(), 400);
+    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size_px.x) * size_px.y * 4);
+    glBindTexture(GL_TEXTURE_2D, rig.editor.viewport.texture());
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+    const std::ptrdiff_t row = std::ptrdiff_t{4} * size_px.x;
+    for (int y = 0; y < size_px.y / 2; ++y)
+        std::swap_ranges(bytes.begin() + y * row, bytes.begin() + (y + 1) * row,
+                         bytes.end() - (y + 1) * row);
+    return bytes;
+}
+
+TEST(ViewportPicture, IsBitForBitTheOneThatReplayDraws)
+{
+    const testing::TemporaryFolder folder;
+    std::vector<std::uint8_t> in_window;
+    glm::ivec2 size_px(0);
+    { // replay has a context of its own
+        Rig rig;
+        rig.two_objects();
+        rig.editor.session.selected = 0;
+        size_px = rig.layout().view.size();
+        const auto with_grid = shown(rig, size_px);
+        rig.editor.preferences.backdrop_as_in_pictures = true;
+        in_window = shown(rig, size_px);
+        EXPECT_NE(with_grid, in_window);
+        ASSERT_TRUE(rig.editor.session.run(SaveCamera{"picture", rig.editor.session.camera}));
+        rig.editor.session.save_as(folder.file("scene.trivar"));
+    }
+    ReplayOptions options;
+    options.log = folder.file("scene.trivar");
+    options.image = folder.file("picture.png");
+    options.size = std::to_string(size_px.x) + "x" + std::to_string(size_px.y);
+    std::ostringstream out, talk;
+    ASSERT_EQ(run_replay(options, {out, talk}), Status::done) << talk.str();
+    EXPECT_EQ(read_image(options.image).rgba, in_window);
+}
+
+} // namespace
+} // namespace trivar
