@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <map>
 
 namespace trivar {
 namespace {
@@ -47,13 +46,24 @@ struct Filter {
     }
 };
 
-using Children = std::map<Id, std::vector<Id>>;
-Children children_of(const Document& document)
-{
-    Children children;
-    for (const Id id : in_row_order(document)) children[object(document, id).parent].push_back(id);
-    return children;
-}
+// What is in each group, in the order of rows, as lists through all ids: the outliner is made anew
+// each frame.
+struct Children {
+    explicit Children(const Document& document)
+        : first(static_cast<std::size_t>(document.next_id), 0),
+          next(first)
+    {
+        std::vector<Id> last = first;
+        for (const Id id : in_row_order(document)) {
+            const auto parent = static_cast<std::size_t>(object(document, id).parent);
+            (last[parent] == 0 ? first[parent] : next[static_cast<std::size_t>(last[parent])]) = id;
+            last[parent] = id;
+        }
+    }
+    Id first_in(Id parent) const { return first[static_cast<std::size_t>(parent)]; }
+    Id after(Id id) const { return next[static_cast<std::size_t>(id)]; }
+    std::vector<Id> first, next; // by id; 0: none
+};
 
 class Rows {
 public:
@@ -61,19 +71,17 @@ public:
         : document_(document),
           filter_(filter),
           closed_(closed),
-          children_(children_of(document))
+          children_(document)
     {
     }
     // Whether anything of it was added.
     bool add(Id parent, int depth)
     {
-        const auto inside = children_.find(parent);
-        if (inside == children_.end()) return false;
         const std::size_t before = rows_.size();
-        for (const Id id : inside->second) {
+        for (Id id = children_.first_in(parent); id != 0; id = children_.after(id)) {
             const Object& each = object(document_, id);
             const bool group = std::holds_alternative<GroupShape>(each.source);
-            const bool found = filter_.takes(each);
+            const bool found = filter_.empty() || filter_.takes(each);
             const bool open = !filter_.empty() || !closed_.contains(id);
             const std::size_t row = rows_.size();
             rows_.push_back({id, depth, group, open, found});

@@ -17,6 +17,11 @@ void ask_for_what_imgui_needs(Frame& frame)
     const ImGuiContext& g = *ImGui::GetCurrentContext();
     if (g.HoveredId != 0 && g.HoveredIdTimer < tooltip_s)
         frame.again_in(tooltip_s - g.HoveredIdTimer);
+    // A tooltip or menu that has just opened is measured in one frame and seen in the next.
+    for (const ImGuiWindow* window : g.Windows)
+        if (window->Active &&
+            (window->HiddenFramesCanSkipItems > 0 || window->HiddenFramesCannotSkipItems > 0))
+            frame.again_in(0);
     if (g.IO.WantTextInput && std::any_of(std::begin(g.IO.KeysDown), std::end(g.IO.KeysDown),
                                           [](bool down) { return down; }))
         frame.again_in(repeat_s);

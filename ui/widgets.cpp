@@ -105,7 +105,9 @@ Edit choice(const Theme& theme, const std::string& id, int& chosen,
     text.hi.x -= theme.px(16);
     const bool known = chosen >= 0 && chosen < static_cast<int>(names.size());
     const std::string shown = known ? names[static_cast<std::size_t>(chosen)] : "";
-    paint_text(theme.font.body, text, c.text, elided(theme.font.body, shown, text.width()));
+    const std::string fits = elided(theme.font.body, shown, text.width());
+    paint_text(theme.font.body, text, c.text, fits);
+    if (fits != shown) tooltip(theme, shown);
     if (p.clicked) ImGui::OpenPopup("list");
     ImGui::SetNextWindowPos({p.rect.lo.x, p.rect.hi.y + theme.px(4)});
     ImGui::SetNextWindowSize({width, 0});
@@ -218,6 +220,19 @@ bool icon_button(const Theme& theme, const std::string& id, const char* icon, gl
     return p.clicked && state.enabled;
 }
 
+void name_text(const Theme& theme, const ImFont* font, const Rect& in, Color color,
+               const std::string& name)
+{
+    const std::string shown = elided(font, name, in.width());
+    paint_text(font, in, color, shown);
+    if (shown == name) return;
+    ImGui::SetCursorScreenPos({in.lo.x, in.lo.y});
+    ImGui::PushID(name.c_str());
+    ImGui::InvisibleButton("whole", {std::max(1.0f, in.width()), std::max(1.0f, in.height())});
+    ImGui::PopID();
+    tooltip(theme, name);
+}
+
 void tooltip(const Theme& theme, const std::string& name, const std::string& key,
              const std::string& sentence)
 {
@@ -227,7 +242,8 @@ void tooltip(const Theme& theme, const std::string& name, const std::string& key
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.px(10), theme.px(8)});
     ImGui::BeginTooltip();
     ImGui::PushFont(theme.font.strong);
-    ImGui::TextUnformatted(name.c_str());
+    for (const std::string& line : wrapped(theme.font.strong, name, theme.px(320)))
+        ImGui::TextUnformatted(line.c_str());
     ImGui::PopFont();
     if (!key.empty()) {
         ImGui::SameLine(0, theme.px(16));

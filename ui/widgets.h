@@ -53,6 +53,10 @@ bool icon_button(const Theme& theme, const std::string& id, const char* icon, gl
 void tooltip(const Theme& theme, const std::string& name, const std::string& key = {},
              const std::string& sentence = {});
 
+// Something that a person named: shortened where it is too long, and then whole in its tooltip.
+void name_text(const Theme& theme, const ImFont* font, const Rect& in, Color color,
+               const std::string& name);
+
 // A group's heading that opens and closes; whether it is open. `note` stands at its right.
 bool section(const Theme& theme, const std::string& title, bool open_at_first = true,
              const std::string& note = {}, Color note_color = 0);

@@ -52,9 +52,11 @@ void object_card(const ui::Theme& theme, const Object& each)
     const ui::Rect in = {r.lo + glm::vec2(theme.px(10), 0), r.hi - glm::vec2(theme.px(10), 0)};
     ui::paint_text(theme.font.body, in, c.accent_text, icon_of(each));
     const float type = ui::text_width(theme.font.small, type_of(each));
-    ui::paint_text(theme.font.strong, {in.lo + glm::vec2(theme.px(24), 0), in.hi}, c.text,
-                   ui::elided(theme.font.strong, each.name, in.width() - type - theme.px(36)));
+    ui::name_text(theme, theme.font.strong,
+                  {in.lo + glm::vec2(theme.px(24), 0), in.hi - glm::vec2(type + theme.px(12), 0)},
+                  c.text, each.name);
     ui::paint_text(theme.font.small, in, c.text_2, type_of(each), ui::Align::right);
+    ImGui::SetCursorScreenPos(at);
     ImGui::Dummy({1, theme.px(32)});
     ui::gap(theme, 8);
 }

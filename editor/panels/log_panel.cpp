@@ -62,8 +62,12 @@ Parts parts_of(std::string_view line)
     return {verb, rest};
 }
 
+// Of every line of the file in every frame: a long one is not read to its end.
 float height_of(const ui::Theme& theme, const Entry& entry)
 {
+    constexpr std::size_t longer_than_a_bare_verb = 40;
+    std::string_view line = entry.line;
+    if (line.size() > longer_than_a_bare_verb && take_quoted(line) == "do") return theme.px(42);
     return parts_of(entry.line).rest.empty() ? theme.px(26) : theme.px(42);
 }
 

@@ -74,7 +74,9 @@ void draw_status_line(Editor& editor, const ui::Theme& theme, const Layout& layo
     for (const Hint& hint : editor.active_tool().hints(editor.session)) {
         const std::vector<std::string> inputs = inputs_now(editor, hint);
         if (inputs.empty() && !hint.inputs.empty()) continue;
-        float width = ui::text_width(theme.font.small, hint.verb) + theme.px(2);
+        // A name in it must not push the others out.
+        const std::string verb = ui::elided(theme.font.small, hint.verb, theme.px(240));
+        float width = ui::text_width(theme.font.small, verb) + theme.px(2);
         for (const std::string& input : inputs) width += input_width(theme, input) + theme.px(4);
         if (x + width > room) break; // hints drop from the right, facts never
         for (const std::string& input : inputs) {
@@ -83,8 +85,8 @@ void draw_status_line(Editor& editor, const ui::Theme& theme, const Layout& layo
         }
         x += theme.px(2);
         const bool tells = hint.inputs.empty(); // what the hand does now
-        ui::paint_text(theme.font.small, {{x, r.lo.y}, r.hi}, tells ? c.text : c.text_2, hint.verb);
-        float verb_width = ui::text_width(theme.font.small, hint.verb);
+        ui::paint_text(theme.font.small, {{x, r.lo.y}, r.hi}, tells ? c.text : c.text_2, verb);
+        float verb_width = ui::text_width(theme.font.small, verb);
         // It grows in steps, so that the others do not dance with its digits.
         if (tells) verb_width = theme.px(32) * std::ceil(verb_width / theme.px(32));
         x += verb_width + theme.px(18);

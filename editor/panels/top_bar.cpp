@@ -182,11 +182,11 @@ void draw_top_bar(Editor& editor, const ui::Theme& theme, const Layout& layout)
     const float left = menus_end + theme.px(16);
     const float words = ui::text_width(theme.font.small, state.words);
     const float room = buttons - left - words - theme.px(28);
-    const std::string name =
-        ui::elided(theme.font.strong, state.name, std::max(room, theme.px(40)));
-    const float total = ui::text_width(theme.font.strong, name) + theme.px(12) + words;
+    const float name =
+        std::min(ui::text_width(theme.font.strong, state.name), std::max(room, theme.px(40)));
+    const float total = name + theme.px(12) + words;
     const float x = std::max(left, std::round((layout.view.lo.x + layout.view.hi.x - total) / 2));
-    ui::paint_text(theme.font.strong, {{x, r.lo.y}, r.hi}, c.text, name);
+    ui::name_text(theme, theme.font.strong, {{x, r.lo.y}, {x + name, r.hi.y}}, c.text, state.name);
     if (room > theme.px(40))
         ui::paint_text(theme.font.small, {{x + total - words, r.lo.y}, r.hi}, state.color,
                        state.words);

@@ -75,8 +75,8 @@ void SelectTool::options(Session& session, const ui::Theme& theme, float width)
                                            : std::to_string(count) + " objects, active: " +
                                                  name_of(session.document(), session.selected);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    ui::paint_text(theme.font.body, ui::rect_at({at.x, at.y}, {width, theme.size.row}),
-                   theme.color.text_2, ui::elided(theme.font.body, words, width));
+    ui::name_text(theme, theme.font.body, ui::rect_at({at.x, at.y}, {width, theme.size.row}),
+                  theme.color.text_2, words);
 }
 
 std::vector<Hint> SelectTool::hints(const Session& session) const

@@ -13,7 +13,13 @@ namespace trivar::testing {
 
 // The whole editor without a screen, driven by the mouse and keys of nobody.
 struct Rig {
-    ui::HeadlessFrames screen{{720, 520}};
+    explicit Rig(glm::ivec2 size = {720, 520}, const ui::ThemeOptions& options = {})
+        : size_px(size),
+          screen(size, options)
+    {
+    }
+    glm::ivec2 size_px;
+    ui::HeadlessFrames screen;
     Editor editor{[] {}};
 
     ui::DrawFrame body()
@@ -88,7 +94,10 @@ struct Rig {
         if (let_go) screen.input().push(ui::press(ui::Button::left, false));
         frames(3);
     }
-    Layout layout() const { return layout_of(screen.theme(), {720, 520}, editor.preferences); }
+    Layout layout() const
+    {
+        return layout_of(screen.theme(), glm::vec2(size_px), editor.preferences);
+    }
     std::size_t steps() const { return editor.session.scene().history().position(); }
 
     // A wide plane and a small box above it, seen from the front and above.
