@@ -2,6 +2,7 @@
 #include "editor/actions.h"
 
 #include "editor/editor.h"
+#include "editor/help_actions.h"
 #include "editor/relink.h"
 #include "editor/reset_actions.h"
 #include "editor/selection_actions.h"
@@ -34,7 +35,10 @@ std::vector<Id> chosen(const Editor& e)
 
 void file_actions(std::vector<Action>& a)
 {
-    a.push_back({"File", "New scene", {ctrl('N')}, [](Editor& e) { e.files.new_scene(); }});
+    a.push_back({"File", "New scene", {ctrl('N')}, [](Editor& e) {
+                     // Whoever asks for one needs no card that offers it.
+                     e.files.new_scene([&e] { e.start_card = {.left = e.session.scenes()}; });
+                 }});
     a.push_back({"File", "Open...", {ctrl('O')}, [](Editor& e) { e.files.ask_open(); }});
     a.push_back({"File", "Save", {ctrl('S')}, [](Editor& e) { e.files.save(); }, {}, true});
     a.push_back(
@@ -314,37 +318,6 @@ void window_actions(std::vector<Action>& a)
                  {[](const Editor& e) { return e.preferences.scale != 1; }, "it is at 100 %"}});
 }
 
-void tutorial_actions(std::vector<Action>& a)
-{
-    const auto at = [](std::string otherwise, auto holds) {
-        return Condition{[holds](const Editor& e) {
-                             return e.tutorial.runs(e.session) && holds(e.tutorial, e.session);
-                         },
-                         std::move(otherwise)};
-    };
-    a.push_back({"Tutorials",
-                 tutorial_next,
-                 {{ui::key_right}},
-                 [](Editor& e) { e.tutorial.next(e.session, e.preferences.reduced_motion); },
-                 at("no tutorial has a next step",
-                    [](const Tutorial& t, const Session& s) {
-                        return !t.note(s).empty() && t.step(s) < t.count();
-                    }),
-                 true});
-    a.push_back({"Tutorials",
-                 tutorial_back,
-                 {{ui::key_left}},
-                 [](Editor& e) { e.tutorial.back(e.session); },
-                 at("no tutorial has a step before", [](const Tutorial& t, const Session& s) {
-                     return !t.note(s).empty() && t.step(s) > 1;
-                 })});
-    a.push_back({"Tutorials",
-                 tutorial_close,
-                 {{ui::key_escape}},
-                 [](Editor& e) { e.tutorial.close(e.session); },
-                 at("no tutorial is open", [](const Tutorial&, const Session&) { return true; })});
-}
-
 } // namespace
 
 Condition something_selected()
@@ -379,27 +352,9 @@ std::vector<Action> all_actions(const Editor& editor)
                          e.choose_tool(i);
                          e.active_tool().begin(e.session);
                      }});
-    a.push_back({"Help", palette_action, {{ui::key_f1 + 2}, ctrl('P')}, [](Editor& e) {
-                     e.palette.show();
-                 }});
-    a.push_back(
-        {"Help", "Keys and mouse", {{ui::key_f1}}, [](Editor& e) { e.help_open = !e.help_open; }});
-    tutorial_actions(a);
+    add_help_actions(a);
     for (Action& each : a) each.usual_keys = each.keys;
     return a;
-}
-
-void add_tutorials(Editor& editor, const std::vector<std::string>& paths)
-{
-    auto at = std::ranges::find(editor.actions, tutorial_next, &Action::name);
-    for (const std::string& path : paths) {
-        const std::string title = scene_title(path);
-        at = std::next(editor.actions.insert(at, {"Tutorials", title, {}, [path, title](Editor& e) {
-                                                      e.files.open_copy(path, [&e, title] {
-                                                          e.tutorial.begin(e.session, title);
-                                                      });
-                                                  }}));
-    }
 }
 
 const Action& action(const Editor& editor, const std::string& name)
@@ -440,8 +395,8 @@ void run_keys(Editor& editor)
     if (escape()) {
         if (editor.session.committing())
             editor.session.cancel();
-        else if (editor.help_open)
-            editor.help_open = false;
+        else if (editor.start_card.asked == editor.session.scenes())
+            editor.start_card.asked = -1;
         else
             editor.choose_tool(0);
         editor.session.notices.clear(); // read

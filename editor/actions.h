@@ -39,13 +39,8 @@ struct Action {
 
 inline constexpr const char* palette_action = "Find a command...";
 inline constexpr const char* preferences_action = "Preferences...";
-inline constexpr const char *tutorial_next = "Next step", *tutorial_back = "Step back",
-                            *tutorial_close = "Close the tutorial";
 
 std::vector<Action> all_actions(const Editor& editor);
-
-// Each of these scenes can be begun as a tutorial from now on.
-void add_tutorials(Editor& editor, const std::vector<std::string>& paths);
 
 const Action& action(const Editor& editor, const std::string& name);
 bool is_enabled(const Editor& editor, const Action& action);

@@ -4,6 +4,7 @@
 #include "core/base/rejected.h"
 #include "editor/actions.h"
 #include "editor/editor.h"
+#include "editor/help_actions.h"
 #include "ui/window.h"
 
 #include <cstdio>
@@ -33,6 +34,7 @@ int run_editor(const EditorOptions& options)
         Editor editor(window.waker(), kept("unnamed"));
         PreferencesFile preferences(kept("preferences.json"));
         editor.preferences = preferences.read();
+        editor.manual_folder = options.manual;
         add_tutorials(editor, options.tutorials);
         use_keys(editor.actions, editor.preferences.keys);
         editor.files.samples = options.samples;

@@ -24,7 +24,9 @@ void remember_scene(Editor& editor)
     if (named.empty()) return;
     const std::string path = std::filesystem::absolute(named).lexically_normal().string();
     std::vector<std::string>& recent = editor.preferences.recent_scenes;
-    if (recent.empty() || recent.front() != path) remember(recent, path);
+    if (!recent.empty() && recent.front() == path) return;
+    remember(recent, path);
+    forget_moved(recent, path);
 }
 
 // What was under way belongs to a scene that is gone.
@@ -54,7 +56,8 @@ void follow_click(Editor& editor, const Layout& layout)
 } // namespace
 
 Editor::Editor(std::function<void()> wake, std::string unnamed_folder)
-    : session(std::move(wake), std::move(unnamed_folder))
+    : session(wake, std::move(unnamed_folder)),
+      stored_pictures(wake)
 {
     actions = all_actions(*this);
 }
@@ -70,6 +73,7 @@ void draw_editor(Editor& editor, ui::Frame& frame)
 {
     const ui::Theme& theme = frame.theme;
     editor.session.poll();
+    editor.stored_pictures.poll();
     remember_scene(editor);
     const long change = editor.session.change();
     for (const ui::Event& event : frame.events) {
@@ -108,7 +112,7 @@ void draw_editor(Editor& editor, ui::Frame& frame)
     draw_viewport(editor, frame, layout); // last of the panels: it shows what they changed
     draw_status_line(editor, theme, layout);
     editor.files.draw(theme);
-    draw_help(editor, theme);
+    draw_manual(editor, theme);
     draw_preferences(editor, theme);
     draw_command_palette(editor, theme);
     // Panels drawn before the change still show what was there.

@@ -3,9 +3,11 @@
 
 #include "editor/command_palette.h"
 #include "editor/files.h"
+#include "editor/manual.h"
 #include "editor/outline.h"
 #include "editor/preferences.h"
 #include "editor/recent_scenes.h"
+#include "editor/stored_pictures.h"
 #include "editor/tools/tool.h"
 #include "editor/tutorial.h"
 #include "editor/viewport.h"
@@ -40,10 +42,22 @@ struct Editor {
     OutlinerState outliner;
     enum class Panel { view, outliner, dock } panel = Panel::view; // the keyboard's
     bool show_focus = false;                                       // it came there by a key
-    long scene = 0;          // number of the session's scene that the tools know
-    bool inspecting = false; // a proposal of the inspector is pending
-    bool help_open = false;
+    long scene = 0;            // number of the session's scene that the tools know
+    bool inspecting = false;   // a proposal of the inspector is pending
+    std::string manual_folder; // its pages are read when the first is shown
+    std::vector<ManualPage> manual;
+    struct ManualDialog {
+        bool open = false;
+        std::string page, search;
+        std::vector<std::string> before;       // the pages whose links were followed
+        std::optional<std::size_t> show_block; // scroll to it
+    } manual_dialog;
     RecentScenes recent_scenes;
+    struct StartCard {   // numbers of the session's scenes, for each of which it begins anew
+        long asked = -1; // over whatever is there, by Help
+        long left = -1;  // it was left by New scene
+    } start_card;
+    StoredPictures stored_pictures;
     Tutorial tutorial;
     struct PreferencesDialog {
         enum Page { of_interface, of_viewport, of_keys };

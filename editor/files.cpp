@@ -88,9 +88,17 @@ void Files::keep_or(std::function<void()> go_on)
                       }};
 }
 
-void Files::new_scene()
+void Files::new_scene(std::function<void()> then)
 {
-    keep_or([this] { session_->replace_scene(SceneFile()); });
+    keep_or([this, then = std::move(then)] {
+        session_->replace_scene(SceneFile());
+        if (then) then();
+    });
+}
+
+void Files::recover()
+{
+    keep_or([this] { session_->take_up_left_scene(); });
 }
 
 void Files::ask_for_file(Purpose purpose, ui::FileRequest request)

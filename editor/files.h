@@ -22,7 +22,8 @@ class Files {
 public:
     explicit Files(Session& session) : session_(&session) {}
 
-    void new_scene();
+    void new_scene(std::function<void()> then = nullptr);
+    void recover(); // the scene without a name that an ended program left
     void ask_open();
     void ask_import();
     void ask_relink(Id object); // another file for an imported model

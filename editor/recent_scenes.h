@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <ctime>
 #include <string>
 #include <vector>
 
@@ -10,10 +11,17 @@ namespace trivar {
 struct RecentScene {
     std::string path, name, folder; // the folder as people write it: ~/scenes
     bool there = false;
+    std::time_t changed = 0; // when it was written last, where it is there
 };
 
 // The name of a file as the title of what is in it: first_placement.trivar is First placement.
 std::string scene_title(const std::string& path);
+
+// "Today, 14:20", "Yesterday", "12 March", "12 March 2023": as one would say it now, local time.
+std::string day_words(std::time_t then, std::time_t now);
+
+// The scenes that are not there any more and are called as this one: it was found again.
+void forget_moved(std::vector<std::string>& paths, const std::string& found);
 
 // Looks on the disk only when the list of paths is another one than at the last call.
 class RecentScenes {

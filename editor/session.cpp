@@ -7,6 +7,7 @@
 #include "ui/camera_control.h"
 
 #include <filesystem>
+#include <sys/stat.h>
 #include <utility>
 
 namespace trivar {
@@ -216,6 +217,17 @@ void Session::take_up_left_scene()
     }
     notices.say(ui::NoticeKind::warning, "Your scene is back",
                 "Trivar ended before it had a name. Save it to keep it.");
+}
+
+const std::optional<Session::LeftScene>& Session::left_scene() const
+{
+    if (std::exchange(left_looked_for_, scenes_) == scenes_) return left_scene_;
+    left_scene_.reset();
+    const std::optional<std::string> left = SceneFile::left_in(unnamed_folder_);
+    struct stat status {};
+    if (left && ::stat(left->c_str(), &status) == 0)
+        left_scene_ = LeftScene{*left, status.st_mtime};
+    return left_scene_;
 }
 
 void Session::tell_of_left_scene()

@@ -7,6 +7,7 @@
 #include "editor/selection.h"
 #include "ui/notices.h"
 
+#include <ctime>
 #include <memory>
 #include <string>
 
@@ -62,6 +63,12 @@ public:
     // only tells of it.
     void take_up_left_scene();
     void tell_of_left_scene();
+    // That scene, looked for once a scene.
+    struct LeftScene {
+        std::string path;
+        std::time_t when = 0; // it was written last
+    };
+    const std::optional<LeftScene>& left_scene() const;
     void save_as(const std::string& path);      // may throw Rejected
     void save_compact(const std::string& path); // may throw Rejected
     Ref<AssetStore> assets() const { return assets_; }
@@ -103,6 +110,8 @@ private:
     std::unique_ptr<BackgroundEvaluator> evaluator_;
     Jobs jobs_;
     long scenes_ = 0;
+    mutable std::optional<LeftScene> left_scene_;
+    mutable long left_looked_for_ = -1; // in which of the scenes
     Evaluated evaluated_;
     Timings timings_;
     long evaluation_ = 0, evaluated_ticket_ = 0, asked_ticket_ = 0;

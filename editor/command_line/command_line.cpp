@@ -143,6 +143,7 @@ Status dispatch(const std::vector<std::string>& arguments, const Streams& stream
     EditorOptions options;
     options.files = choices.files;
     options.samples = sample_scenes();
+    options.manual = (checkout() / "docs" / "manual").string();
     options.tutorials = tutorials_in((checkout() / "assets" / "tutorials").string());
     return run_editor(options) == 0 ? Status::done : Status::rejected;
 }

@@ -34,7 +34,8 @@ void draw_log(Editor& editor, const ui::Theme& theme, const Layout& layout);
 // The inputs of a hint with the keys that actions have at present; nothing where one has no key.
 std::vector<std::string> inputs_now(const Editor& editor, const Hint& hint);
 void draw_status_line(Editor& editor, const ui::Theme& theme, const Layout& layout);
-void draw_help(Editor& editor, const ui::Theme& theme);
+void draw_manual(Editor& editor, const ui::Theme& theme);
+void show_manual(Editor& editor, const std::string& page, std::size_t block = 0);
 void draw_command_palette(Editor& editor, const ui::Theme& theme);
 void draw_preferences(Editor& editor, const ui::Theme& theme);
 // The lines between the panels; before the panels, so that they lie over them.
@@ -42,9 +43,14 @@ void drag_splitters(Editor& editor, ui::Frame& frame, const Layout& layout);
 
 // Parts of the viewport, drawn inside its window.
 void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
+bool shows_welcome(const Editor& editor);
 void draw_welcome(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
 void draw_first_steps(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
 void draw_tutorial(Editor& editor, ui::Frame& frame, const ui::Rect& view);
+
+// A picture of a file, cut to the shape of its place; the place alone till it has been read.
+void paint_picture(Editor& editor, const ui::Theme& theme, const ui::Rect& r,
+                   const std::string& path);
 
 // Parts of the inspector. Each proposes what is being changed.
 void draw_transform(Editor& editor, const ui::Theme& theme, Id id);

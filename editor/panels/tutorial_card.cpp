@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/help_actions.h"
 #include "editor/markdown.h"
 #include "editor/panels/panels.h"
 #include "editor/words_with_keys.h"

@@ -89,9 +89,10 @@ void draw_first_steps(Editor& editor, const ui::Theme& theme, const ui::Rect& vi
     }
     const bool placing = editor.active_tool().name() == "Place";
     const std::string key = key_text(action(editor, "Place"));
-    const std::string bold = shapes < 2 ? "Now drop the model to lay on it"
-                             : placing  ? "Draw across the scene"
-                                        : (key.empty() ? "Choose Place" : "Press " + key) +
+    const std::string bold = shapes == 0  ? "Drop a scene here"
+                             : shapes < 2 ? "Now drop the model to lay on it"
+                             : placing    ? "Draw across the scene"
+                                          : (key.empty() ? "Choose Place" : "Press " + key) +
                                              ", then draw across the scene";
     const std::string body = shapes < 2 ? "Or add one from the Add menu."
                              : placing  ? "Keep the left button down; let go to place the model."

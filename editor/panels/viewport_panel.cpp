@@ -113,7 +113,7 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     draw_navigation(editor, theme, view);
     if (editor.tutorial.runs(session))
         draw_tutorial(editor, frame, view);
-    else if (session.document().objects.empty() && !session.jobs().status())
+    else if (shows_welcome(editor))
         draw_welcome(editor, theme, view);
     else
         draw_first_steps(editor, theme, view);

@@ -1,21 +1,85 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/help_actions.h"
 #include "editor/panels/panels.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <ctime>
+#include <filesystem>
 #include <imgui.h>
 
 namespace trivar {
 namespace {
 
-constexpr std::size_t most_samples = 6, most_recent = 4;
+constexpr std::size_t most_samples = 4, most_recent = 4;
+constexpr float row_height = 44;
+
+// The samples that are shown first, and what one would call them.
+struct SampleWords {
+    const char *file, *title, *words;
+};
+constexpr std::array<SampleWords, 4> known_samples{{
+    {"first_placement", "Snake on a landscape", "One stroke"},
+    {"stacked", "Snakes on a crocodile", "One on another"},
+    {"snake_bridge", "Snake over jars", "Springs bridge what is hollow"},
+    {"crocodile_on_horse", "Crocodile on a horse", "Laid on a body"},
+}};
+
+struct Sample {
+    std::string path, title, words;
+};
+std::vector<Sample> samples_of(const Files& files)
+{
+    std::vector<Sample> samples;
+    const auto stem = [](const std::string& path) {
+        return std::filesystem::path(path).stem().string();
+    };
+    for (const SampleWords& each : known_samples)
+        for (const std::string& path : files.samples)
+            if (stem(path) == each.file) samples.push_back({path, each.title, each.words});
+    for (const std::string& path : files.samples)
+        if (!std::ranges::count(samples, path, &Sample::path))
+            samples.push_back({path, scene_title(path), {}});
+    if (samples.size() > most_samples) samples.resize(most_samples);
+    return samples;
+}
+
+// Drawn by the program; a test compares it with what the program draws.
+std::string picture_of_sample(const std::string& path)
+{
+    const std::filesystem::path scene(path);
+    return (scene.parent_path() / "../../docs/gallery" / scene.stem()).lexically_normal().string() +
+           ".png";
+}
 
 float caption(const ui::Theme& theme, const ui::Rect& column, float y, const char* words)
 {
     ui::paint_text(theme.font.small_strong, {{column.lo.x, y}, {column.hi.x, y + theme.px(20)}},
                    theme.color.text_3, words);
     return y + theme.px(28);
+}
+
+// Words that lead somewhere; whether they were clicked.
+bool text_link(const ui::Theme& theme, const ui::Rect& row, const std::string& words,
+               ui::Align align = ui::Align::left)
+{
+    const ImFont* font = theme.font.body;
+    const float width = std::min(row.width(), ui::text_width(font, words));
+    const float x = align == ui::Align::right ? row.hi.x - width : row.lo.x;
+    const ui::Rect r = {{x, row.lo.y}, {x + width, row.hi.y}};
+    ImGui::SetCursorScreenPos({r.lo.x, r.lo.y});
+    const bool clicked = ImGui::InvisibleButton(words.c_str(), {r.width(), r.height()});
+    if (ImGui::IsItemHovered()) {
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+        const float base = r.center().y + theme.px(7);
+        ui::paint_line({r.lo.x, base}, {r.hi.x, base}, theme.color.accent_text,
+                       theme.size.hairline);
+    }
+    ui::paint_text(font, r, theme.color.accent_text, ui::elided(font, words, row.width()));
+    return clicked;
 }
 
 // A scene of the list; whether it was clicked. One that is gone is dim.
@@ -28,25 +92,58 @@ bool recent_row(const ui::Theme& theme, const ui::Rect& row, const RecentScene& 
     if (hovered) ui::paint_box(row, c.row_hover, theme.size.rounding);
     ui::tooltip(theme, scene.there ? scene.path : "It is not there any more", {},
                 scene.there ? "" : "Click to look for it.");
-    const float x = row.lo.x + theme.px(32), end = row.hi.x - theme.px(8);
-    const ui::Color quiet = !scene.there ? c.text_off : hovered ? c.text_2 : c.text_3;
-    ui::paint_text(theme.font.body, {row.lo + glm::vec2(theme.px(10), 0), row.hi}, quiet,
-                   ui::icon::file);
-    const std::string name = ui::elided(theme.font.body, scene.name, (end - x) * 0.7f);
-    ui::paint_text(theme.font.body, {{x, row.lo.y}, row.hi}, scene.there ? c.text : c.text_off,
-                   name);
-    const float left = x + ui::text_width(theme.font.body, name) + theme.px(12);
-    ui::paint_text(theme.font.small, {{left, row.lo.y}, {end, row.hi.y}}, quiet,
-                   ui::elided(theme.font.small, scene.folder, end - left), ui::Align::right);
+    const ui::Color quiet = hovered ? c.text_2 : c.text_3;
+    const ui::Rect first = {row.lo, {row.hi.x, row.lo.y + theme.px(24)}};
+    const ui::Rect second = {{row.lo.x, row.lo.y + theme.px(20)}, row.hi};
+    const float x = row.lo.x + theme.px(24), end = row.hi.x - theme.px(4);
+    ui::paint_text(theme.font.body, {first.lo + glm::vec2(theme.px(2), 0), first.hi},
+                   scene.there ? c.text_2 : c.text_off, ui::icon::file);
+    const std::string when = scene.there ? day_words(scene.changed, std::time(nullptr)) : "Locate";
+    const float right = ui::text_width(theme.font.small, when);
+    ui::paint_text(theme.font.small, {{x, first.lo.y}, {end, first.hi.y}},
+                   scene.there ? quiet : c.accent_text, when, ui::Align::right);
+    ui::paint_text(theme.font.body, {{x, first.lo.y}, first.hi}, scene.there ? c.text : c.text_off,
+                   ui::elided(theme.font.body, scene.name, end - right - theme.px(12) - x));
+    ui::paint_text(theme.font.small, {{x, second.lo.y}, second.hi},
+                   scene.there ? quiet : c.text_off,
+                   ui::elided(theme.font.small, scene.folder, end - x));
     return clicked;
 }
 
-// The program's name and the ways to begin; returns where it ends.
-void draw_beginnings(Editor& editor, const ui::Theme& theme, const ui::Rect& column)
+// What was worked on last, as many as there is room for; returns where it ends.
+float draw_recent(Editor& editor, const ui::Theme& theme, const ui::Rect& column, float y)
+{
+    const auto& recent = editor.recent_scenes.of(editor.preferences.recent_scenes);
+    const float row = theme.px(row_height);
+    if (recent.empty() || y + theme.px(28) + row > column.hi.y) return y;
+    y = caption(theme, column, y, "RECENT");
+    std::string open;
+    bool look = false;
+    for (std::size_t i = 0; i < std::min(most_recent, recent.size()) && y + row <= column.hi.y;
+         ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        if (recent_row(theme, ui::rect_at({column.lo.x, y}, {column.width(), row}), recent[i])) {
+            if (recent[i].there)
+                open = recent[i].path;
+            else
+                look = true;
+        }
+        ImGui::PopID();
+        y += row;
+    }
+    if (!open.empty()) editor.files.open_scene(open);
+    if (look) editor.files.ask_open();
+    return y;
+}
+
+// The program's name and the ways to begin.
+void draw_beginnings(Editor& editor, const ui::Theme& theme, const ui::Rect& column, bool tour)
 {
     const ui::Palette& c = theme.color;
     float y = column.lo.y;
-    const auto fits = [&](float height) { return y + height <= column.hi.y + theme.px(20); };
+    const auto left = editor.session.left_scene();
+    const float foot = (left ? theme.px(28) : 0) + (tour ? theme.px(28) : 0);
+    const ui::Rect upper = {column.lo, {column.hi.x, column.hi.y - foot}};
     ui::paint_text(theme.font.display, {{column.lo.x, y}, {column.hi.x, y + theme.px(36)}}, c.text,
                    "Trivar");
     y += theme.px(42);
@@ -59,84 +156,145 @@ void draw_beginnings(Editor& editor, const ui::Theme& theme, const ui::Rect& col
     y += theme.px(16);
     const auto line = [&](const char* words, const char* icon, const char* what,
                           ui::ButtonKind kind) {
-        if (!fits(theme.px(36))) return;
+        if (y + theme.px(36) > upper.hi.y) return;
         ImGui::SetCursorScreenPos({column.lo.x, y});
         const Action& each = action(editor, what);
         if (ui::button(theme, words, kind, {column.width(), theme.px(36)}, icon, key_text(each)))
             each.run(editor);
         y += theme.px(44);
     };
-    line("Import a model...", ui::icon::import, "Import model...", ui::ButtonKind::primary);
-    line("Open a scene...", ui::icon::open_file, "Open...", ui::ButtonKind::plain);
-    const auto& recent = editor.recent_scenes.of(editor.preferences.recent_scenes);
-    y += theme.px(8);
-    if (recent.empty() || !fits(theme.px(60))) return;
-    y = caption(theme, column, y, "RECENT");
-    std::string open;
-    for (std::size_t i = 0; i < std::min(most_recent, recent.size()) && fits(theme.px(32)); ++i) {
-        ImGui::PushID(static_cast<int>(i));
-        if (recent_row(theme, ui::rect_at({column.lo.x, y}, {column.width(), theme.px(32)}),
-                       recent[i])) {
-            if (recent[i].there)
-                open = recent[i].path;
-            else
-                editor.files.ask_open();
-        }
-        ImGui::PopID();
-        y += theme.px(32);
-    }
-    if (!open.empty()) editor.files.open_scene(open);
+    line("New scene", ui::icon::file, "New scene", ui::ButtonKind::primary);
+    line("Open...", ui::icon::open_file, "Open...", ui::ButtonKind::plain);
+    line("Import model...", ui::icon::import, "Import model...", ui::ButtonKind::plain);
+    draw_recent(editor, theme, upper, y + theme.px(8));
+    y = upper.hi.y;
+    const auto foot_link = [&](const std::string& words) {
+        const ui::Rect row = {{column.lo.x, y}, {column.hi.x, y + theme.px(28)}};
+        y = row.hi.y;
+        return text_link(theme, row, words);
+    };
+    if (left && foot_link("Recover a scene from " + day_words(left->when, std::time(nullptr))))
+        editor.files.recover();
+    if (tour && foot_link("Take the one-minute tour")) begin_tour(editor);
 }
 
-void draw_samples(Editor& editor, const ui::Theme& theme, const ui::Rect& column)
+void draw_sample(Editor& editor, const ui::Theme& theme, const ui::Rect& r, float high,
+                 const Sample& sample)
 {
-    float y = caption(theme, column, column.lo.y + theme.px(8), "SAMPLE SCENES");
-    const auto& samples = editor.files.samples;
-    for (std::size_t i = 0; i < std::min(most_samples, samples.size()); ++i) {
-        if (y + theme.px(32) > column.hi.y + theme.px(20)) return;
-        ImGui::SetCursorScreenPos({column.lo.x, y});
-        if (ui::button(theme, scene_title(samples[i]), ui::ButtonKind::plain,
-                       {column.width(), theme.px(32)}, ui::icon::scene))
-            editor.files.open_scene(samples[i]);
-        y += theme.px(38);
+    const ui::Palette& c = theme.color;
+    ImGui::SetCursorScreenPos({r.lo.x, r.lo.y});
+    const bool clicked = ImGui::InvisibleButton(sample.path.c_str(), {r.width(), r.height()});
+    const bool hovered = ImGui::IsItemHovered();
+    const ui::Rect picture = {r.lo, {r.hi.x, r.lo.y + high}};
+    paint_picture(editor, theme, picture, picture_of_sample(sample.path));
+    ui::paint_rim(picture, hovered ? c.focus : c.raised_rim, theme.size.rounding,
+                  hovered ? 1.5f * theme.scale : theme.size.hairline);
+    const float y = picture.hi.y + theme.px(6);
+    ui::paint_text(theme.font.strong, {{r.lo.x, y}, {r.hi.x, y + theme.px(20)}}, c.text,
+                   ui::elided(theme.font.strong, sample.title, r.width()));
+    ui::paint_text(theme.font.small, {{r.lo.x, y + theme.px(19)}, {r.hi.x, y + theme.px(37)}},
+                   c.text_3, ui::elided(theme.font.small, sample.words, r.width()));
+    if (clicked) editor.files.open_scene(sample.path);
+}
+
+// Two in a row, with the way to the tour above them.
+void draw_samples(Editor& editor, const ui::Theme& theme, const ui::Rect& column,
+                  const std::vector<Sample>& samples)
+{
+    const float y = caption(theme, column, column.lo.y + theme.px(4), "SAMPLE SCENES");
+    const ui::Rect head = {{column.lo.x + theme.px(120), column.lo.y},
+                           {column.hi.x, column.lo.y + theme.px(28)}};
+    if (has_tour(editor) && text_link(theme, head, "Take the one-minute tour", ui::Align::right))
+        begin_tour(editor);
+    const float gap = theme.px(16), wide = std::floor((column.width() - gap) / 2);
+    const float pitch = std::floor((column.hi.y - y) / 2);
+    const float high = std::min(std::round(wide * 0.625f), pitch - theme.px(52));
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const glm::vec2 at{column.lo.x + (wide + gap) * static_cast<float>(i % 2),
+                           y + pitch * static_cast<float>(i / 2)};
+        draw_sample(editor, theme, ui::rect_at(at, {wide, high + theme.px(44)}), high, samples[i]);
     }
+}
+
+void paint_dashed(const ui::Rect& r, ui::Color color, float dash, float thickness)
+{
+    for (float x = r.lo.x; x < r.hi.x; x += 2 * dash)
+        for (const float y : {r.lo.y, r.hi.y})
+            ui::paint_line({x, y}, {std::min(x + dash, r.hi.x), y}, color, thickness);
+    for (float y = r.lo.y; y < r.hi.y; y += 2 * dash)
+        for (const float x : {r.lo.x, r.hi.x})
+            ui::paint_line({x, y}, {x, std::min(y + dash, r.hi.y)}, color, thickness);
+}
+
+// A drop needs no button, only to be known.
+void draw_drop_target(const ui::Theme& theme, const ui::Rect& r)
+{
+    const ui::Palette& c = theme.color;
+    const std::string bold = "Drop a file anywhere",
+                      formats = "glTF, OBJ, PLY, STL, OFF  ·  Trivar scenes";
+    ui::paint_box(r, c.chip, theme.size.rounding_small);
+    paint_dashed(r, ui::faded(c.chip_text, 0.6f), theme.px(4), theme.size.hairline);
+    const float icon = theme.px(24), gap = theme.px(16);
+    const float first = ui::text_width(theme.font.strong, bold),
+                second = ui::text_width(theme.font.body, formats);
+    const bool all = icon + first + gap + second < r.width() - theme.px(24);
+    const float width = icon + first + (all ? gap + second : 0);
+    float x = std::round(r.center().x - width / 2);
+    const auto write = [&](const ImFont* font, const std::string& words, float by) {
+        ui::paint_text(font, {{x, r.lo.y}, {r.hi.x, r.hi.y}}, c.chip_text, words);
+        x += by;
+    };
+    write(theme.font.body, ui::icon::import, icon);
+    write(theme.font.strong, bold, first + gap);
+    if (all) write(theme.font.body, formats, second);
 }
 
 } // namespace
 
+bool shows_welcome(const Editor& editor)
+{
+    const Session& session = editor.session;
+    if (editor.start_card.asked == session.scenes()) return true;
+    return session.document().objects.empty() && session.scene().as_opened() &&
+           editor.start_card.left != session.scenes() && !session.jobs().status();
+}
+
 void draw_welcome(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
 {
-    const ui::Palette& c = theme.color;
-    const float pad = theme.px(28);
-    const auto samples = static_cast<float>(std::min(most_samples, editor.files.samples.size()));
-    const auto recent =
-        static_cast<float>(std::min(most_recent, editor.preferences.recent_scenes.size()));
-    const bool two_columns = samples > 0 && view.width() >= theme.px(544);
-    const float beginnings = theme.px(166) + (recent > 0 ? theme.px(36 + 32 * recent) : 0);
-    const float height = std::max(beginnings, two_columns ? theme.px(36 + 38 * samples) : 0);
-    const glm::vec2 wanted{theme.px(two_columns ? 640 : 360), height + 2 * pad - theme.px(6)};
-    const glm::vec2 size = glm::min(wanted, view.size() - theme.px(24));
-    const ui::Rect r = ui::rect_at(glm::round(view.center() - size / 2.0f), size);
+    const float pad = theme.px(30), drop = theme.px(56), below = theme.px(16);
+    const std::vector<Sample> samples = samples_of(editor.files);
+    const bool two_columns = !samples.empty() && view.width() >= theme.px(544);
+    const glm::vec2 wanted{theme.px(two_columns ? 832 : 360), theme.px(two_columns ? 478 : 440)};
+    const bool roomy = view.height() > theme.px(440);
+    const glm::vec2 room = view.size() - glm::vec2(theme.px(24), theme.px(24)) -
+                           glm::vec2(0, roomy ? drop + below : 0);
+    const glm::vec2 size = glm::min(wanted, room);
+    glm::vec2 at = glm::round(view.center() - size / 2.0f);
+    if (roomy) at.y = std::round(at.y - (drop + below) / 2);
+    const ui::Rect r = ui::rect_at(at, size);
     ui::paint_card(theme, r);
-    const float column =
-        two_columns ? std::round((r.width() - 3 * pad) * 0.55f) : r.width() - 2 * pad;
-    draw_beginnings(editor, theme, {r.lo + pad, {r.lo.x + pad + column, r.hi.y - pad}});
+    ImGui::SetCursorScreenPos({r.lo.x, r.lo.y}); // what lies below takes no clicks through it
+    ImGui::SetItemAllowOverlap();
+    ImGui::InvisibleButton("start card", {r.width(), r.height()});
+    ImGui::SetItemAllowOverlap();
+    const float inner = r.width() - 2 * pad;
+    const float column = two_columns ? std::max(std::round(inner * 0.366f), theme.px(232)) : inner;
+    draw_beginnings(editor, theme, {r.lo + pad, {r.lo.x + pad + column, r.hi.y - pad}},
+                    !two_columns && has_tour(editor));
     if (two_columns) {
-        const float x = r.lo.x + 2 * pad + column;
-        ui::paint_box(
-            {{x - pad / 2, r.lo.y + pad}, {x - pad / 2 + theme.size.hairline, r.hi.y - pad}},
-            c.line_soft);
-        draw_samples(editor, theme, {{x, r.lo.y + pad}, r.hi - pad});
+        const float x = r.lo.x + pad + column + theme.px(20);
+        ui::paint_box({{x, r.lo.y + pad}, {x + theme.size.hairline, r.hi.y - pad}},
+                      theme.color.line_soft);
+        draw_samples(editor, theme,
+                     {{x + theme.px(20), r.lo.y + pad}, r.hi - glm::vec2(pad, pad - theme.px(10))},
+                     samples);
     }
-    // A drop needs no button, only to be known.
-    const ui::Rect drop = {{r.lo.x, r.hi.y + theme.px(12)}, {r.hi.x, r.hi.y + theme.px(52)}};
-    if (drop.hi.y < view.hi.y - theme.px(8)) {
-        ui::paint_box(drop, c.chip, theme.size.rounding_card);
-        const std::string words = "Or drop a file anywhere:  glTF, OBJ, PLY, STL, OFF, .trivar";
-        ui::paint_text(theme.font.body, drop, c.chip_text,
-                       ui::elided(theme.font.body, words, drop.width() - theme.px(24)),
-                       ui::Align::center);
-    }
+    if (roomy) draw_drop_target(theme, {{r.lo.x, r.hi.y + below}, {r.hi.x, r.hi.y + below + drop}});
+    if (editor.start_card.asked != editor.session.scenes()) return;
+    ImGui::SetCursorScreenPos({r.hi.x - theme.px(28), r.lo.y + theme.px(4)});
+    if (ui::icon_button(theme, "close", ui::icon::close, glm::vec2(theme.size.icon_button), "Close",
+                        "Esc"))
+        editor.start_card.asked = -1;
 }
 
 } // namespace trivar

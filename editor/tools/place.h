@@ -15,6 +15,7 @@ public:
     {
         return "Draw a stroke across the scene; the model lies along it.";
     }
+    std::string page() const override { return "place"; }
     std::vector<ui::Chord> keys() const override { return {{'D'}, {'P'}, {'2'}}; }
     bool crosshair() const override { return true; }
     void use(Session& session, const ViewportInput& input) override;

@@ -12,6 +12,7 @@ public:
     std::string name() const override { return "Select"; }
     const char* icon() const override;
     std::string help() const override { return "Click an object to select it."; }
+    std::string page() const override { return "select"; }
     std::vector<ui::Chord> keys() const override { return {{'Q'}, {'1'}}; }
     bool crosshair() const override { return box_ == Box::armed || box_ == Box::drawn; }
     void use(Session& session, const ViewportInput& input) override;

@@ -48,6 +48,7 @@ public:
     virtual std::string name() const = 0;
     virtual const char* icon() const = 0;
     virtual std::string help() const = 0;            // one sentence
+    virtual std::string page() const = 0;            // of the manual
     virtual std::vector<ui::Chord> keys() const = 0; // the first is shown
     virtual bool crosshair() const { return false; }
 

@@ -22,6 +22,7 @@ public:
     std::string name() const override;
     const char* icon() const override;
     std::string help() const override;
+    std::string page() const override { return "move-rotate-scale"; }
     std::vector<ui::Chord> keys() const override;
     void begin(Session& session) override;
     void use(Session& session, const ViewportInput& input) override;

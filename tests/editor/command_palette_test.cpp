@@ -99,7 +99,7 @@ TEST(CommandPalette, FindsByTheMenuWhatHasNoSuchName)
     rig.key({.key = 'P', .ctrl = true});
     rig.type("help");
     rig.key({.key = ui::key_enter});
-    EXPECT_TRUE(rig.editor.help_open);
+    EXPECT_TRUE(rig.editor.manual_dialog.open);
 }
 
 TEST(CommandPalette, LeadsToTheKeyOfACommand)

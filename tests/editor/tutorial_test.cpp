@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 #include "core/document/evaluate.h"
 #include "core/document/log.h"
+#include "editor/help_actions.h"
 #include "editor/markdown.h"
 #include "editor/words_with_keys.h"
 #include "tests/editor/rig.h"

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "editor/actions.h"
+
+namespace trivar {
+
+// The manual, the start card, finding commands, and the steps of a tutorial.
+void add_help_actions(std::vector<Action>& actions);
+
+inline constexpr const char *tutorial_next = "Next step", *tutorial_back = "Step back",
+                            *tutorial_close = "Close the tutorial";
+
+// Each of these scenes can be begun as a tutorial from now on.
+void add_tutorials(Editor& editor, const std::vector<std::string>& paths);
+bool has_tour(const Editor& editor);
+void begin_tour(Editor& editor); // the first of them
+
+} // namespace trivar

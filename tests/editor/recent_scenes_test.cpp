@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/recent_scenes.h"
+
+#include "tests/editor/rig.h"
+#include "tests/support/fixtures.h"
+
+#include <fstream>
+#include <gmock/gmock.h>
+
+namespace trivar {
+namespace {
+
+using ::testing::ElementsAre;
+using testing::Rig;
+using testing::TemporaryFolder;
+
+std::time_t at(int year, int month, int day, int hour, int minute)
+{
+    std::tm tm{};
+    tm.tm_year = year - 1900;
+    tm.tm_mon = month - 1;
+    tm.tm_mday = day;
+    tm.tm_hour = hour;
+    tm.tm_min = minute;
+    tm.tm_isdst = -1;
+    return std::mktime(&tm);
+}
+
+TEST(RecentScenes, SayWhenAsOneWouldSayItNow)
+{
+    const std::time_t now = at(2026, 3, 1, 0, 30);
+    EXPECT_EQ(day_words(at(2026, 3, 1, 0, 5), now), "Today, 00:05");
+    EXPECT_EQ(day_words(at(2026, 2, 28, 23, 59), now), "Yesterday");
+    EXPECT_EQ(day_words(at(2026, 2, 27, 12, 0), now), "27 February");
+    EXPECT_EQ(day_words(at(2025, 3, 1, 12, 0), now), "1 March 2025");
+    EXPECT_EQ(day_words(at(2025, 12, 31, 12, 0), at(2026, 1, 1, 1, 0)), "Yesterday");
+}
+
+TEST(RecentScenes, ForgetWhatWasFoundAgainElsewhere)
+{
+    const TemporaryFolder folder;
+    std::ofstream(folder.file("b.trivar")) << " ";
+    std::vector<std::string> paths{folder.file("a.trivar"), "/gone/a.trivar", "/gone/b.trivar",
+                                   folder.file("b.trivar")};
+    forget_moved(paths, folder.file("a.trivar"));
+    EXPECT_THAT(paths,
+                ElementsAre(folder.file("a.trivar"), "/gone/b.trivar", folder.file("b.trivar")));
+}
+
+TEST(StartCard, LeavesAtTheFirstActionAndComesBackByHelp)
+{
+    Rig rig;
+    rig.frames();
+    EXPECT_TRUE(shows_welcome(rig.editor));
+    action(rig.editor, "Box").run(rig.editor);
+    EXPECT_FALSE(shows_welcome(rig.editor));
+    rig.editor.session.undo();
+    EXPECT_FALSE(shows_welcome(rig.editor));
+    action(rig.editor, "Start card").run(rig.editor);
+    rig.frames();
+    EXPECT_TRUE(shows_welcome(rig.editor));
+    rig.key({ui::key_escape});
+    EXPECT_FALSE(shows_welcome(rig.editor));
+}
+
+TEST(StartCard, IsNotThereOverANewScene)
+{
+    Rig rig;
+    rig.frames();
+    rig.key({.key = 'N', .ctrl = true});
+    EXPECT_FALSE(shows_welcome(rig.editor));
+}
+
+} // namespace
+} // namespace trivar
