@@ -98,6 +98,8 @@ void draw_editor(Editor& editor, ui::Frame& frame)
         draw_tool_strip(editor, theme, layout);
         draw_options_bar(editor, theme, layout);
     }
+    const bool history = layout.dock && editor.tab == Editor::Tab::history;
+    if (!history) editor.session.preview(nullptr);
     if (layout.dock) {
         draw_outliner(editor, theme, layout);
         draw_tabs(editor, theme, layout);

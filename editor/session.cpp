@@ -6,6 +6,7 @@
 #include "editor/selection.h"
 #include "ui/camera_control.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <sys/stat.h>
 #include <utility>
@@ -33,6 +34,7 @@ void Session::meet_document()
 
 void Session::refresh()
 {
+    previewed_.reset();
     asked_ticket_ = evaluator_->submit(scene_.document());
     selected.keep_those_in(scene_.document());
     if (scene_.trouble() == told_trouble_) return;
@@ -175,6 +177,30 @@ void Session::go_to_step(std::size_t position)
         while (scene_.history().position() < position && scene_.redo()) {
         }
     });
+}
+
+void Session::go_to_branch(std::size_t branch, std::size_t count)
+{
+    if (branch >= scene_.history().branches().size()) return;
+    const History::Branch wanted = scene_.history().branches()[branch];
+    go_to_step(wanted.from);
+    if (!run(wanted.steps.front().command)) return;
+    go_to_step(wanted.from + count);
+}
+
+void Session::preview(const Document* document)
+{
+    if (committing() || proposing()) return;
+    if (!document) {
+        if (previewed_) refresh();
+        return;
+    }
+    // Documents that share all objects and settings look alike.
+    if (previewed_ && previewed_->render == document->render &&
+        std::ranges::equal(previewed_->objects, document->objects))
+        return;
+    previewed_ = *document;
+    asked_ticket_ = evaluator_->submit(*document);
 }
 
 void Session::look_at_step(std::size_t position)

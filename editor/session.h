@@ -44,6 +44,13 @@ public:
     void undo();
     void redo();
     void go_to_step(std::size_t position); // by undo and redo
+    // Goes to the branch of that number and `count` of its steps; what is in force from there on
+    // becomes a branch itself.
+    void go_to_branch(std::size_t branch, std::size_t count);
+    // Shows another document in the picture and nowhere else, till the next change; null: no more.
+    void preview(const Document* document);
+    bool previewing() const { return previewed_.has_value(); }
+    const Document& shown() const { return previewed_ ? *previewed_ : document(); }
     // The same, but of a copy to which nothing was done: nor is anything done by this.
     void look_at_step(std::size_t position);
     bool proposing() const { return scene_.history().proposal().has_value(); }
@@ -116,6 +123,7 @@ private:
     Timings timings_;
     long evaluation_ = 0, evaluated_ticket_ = 0, asked_ticket_ = 0;
     std::optional<Check> check_;
+    std::optional<Document> previewed_;
 };
 
 // The box round an object, with what is in it if it is a group, or round everything for id 0.

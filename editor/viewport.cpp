@@ -172,7 +172,7 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
                  size_px,
                  state,
                  false,
-                 session.document().render.get(),
+                 session.shown().render.get(),
                  style_};
     const bool held = moving; // what ends that makes a frame of its own
     if (shown_) {             // what was drawn as a draft is compared without that

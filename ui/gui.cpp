@@ -13,10 +13,11 @@ namespace {
 // Tooltips wait for a hovering mouse and held keys repeat: both need frames without input.
 void ask_for_what_imgui_needs(Frame& frame)
 {
-    constexpr float tooltip_s = 0.55f, repeat_s = 0.04f;
+    constexpr float tooltip_s = 0.55f, preview_patience_s = 0.32f, repeat_s = 0.04f;
     const ImGuiContext& g = *ImGui::GetCurrentContext();
-    if (g.HoveredId != 0 && g.HoveredIdTimer < tooltip_s)
-        frame.again_in(tooltip_s - g.HoveredIdTimer);
+    for (const float patience_s : {preview_patience_s, tooltip_s})
+        if (g.HoveredId != 0 && g.HoveredIdTimer < patience_s)
+            frame.again_in(patience_s - g.HoveredIdTimer);
     // A tooltip or menu that has just opened is measured in one frame and seen in the next.
     for (const ImGuiWindow* window : g.Windows)
         if (window->Active &&

@@ -19,6 +19,12 @@ public:
         Document result;
         std::string note = {}; // of the author, to whom reads the scene; may be empty
     };
+    // Steps that were undone when another was made instead, after `from` steps in force.
+    struct Branch {
+        std::size_t from = 0;
+        std::vector<Step> steps;
+        std::vector<Branch> others; // that had left these steps before
+    };
     explicit History(Document start = {});
 
     const Document& document() const;  // the proposal's if there is one, else committed()
@@ -26,21 +32,26 @@ public:
     const std::optional<Step>& proposal() const { return proposal_; }
 
     void propose(Command command); // Rejected: the pending proposal stays as it was
-    bool commit();                 // false: nothing was proposed. Forgets the undone steps
+    // False: nothing was proposed. The undone steps become a branch; a command that begins a branch
+    // brings back its steps, the others of them undone.
+    bool commit();
     void cancel() { proposal_.reset(); }
     void run(Command command, std::string note = {}); // propose and commit
     bool undo(); // false: nothing to undo. Both cancel a pending proposal
     bool redo();
-    void forget_undone(); // nothing to redo any more
+    void forget_undone(); // nothing to redo any more, and no branches
 
     const Document& start() const { return start_; }
     const std::vector<Step>& steps() const { return steps_; } // undone ones at the end
     std::size_t position() const { return position_; }        // how many of them are in force
+    const std::vector<Branch>& branches() const { return branches_; } // that leave these steps
 
 private:
+    void set_aside_undone();
     Document start_;
     std::vector<Step> steps_;
     std::size_t position_ = 0;
+    std::vector<Branch> branches_; // the oldest first
     std::optional<Step> proposal_;
 };
 

@@ -254,7 +254,8 @@ void SceneFile::propose(Command command)
 bool SceneFile::commit()
 {
     if (!state_->history.commit()) return false;
-    append(command_line(state_->history.steps().back().command));
+    const History& history = state_->history;
+    append(command_line(history.steps()[history.position() - 1].command));
     return true;
 }
 

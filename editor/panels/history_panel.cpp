@@ -4,18 +4,78 @@
 #include "ui/icons.h"
 #include "ui/widgets.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 namespace trivar {
 namespace {
 
-StepTitle title_of(const History& history, std::size_t step)
+// A line of the list: the state after so many steps in force, the heading of what once followed
+// it instead, or a step of such a branch.
+struct Line {
+    enum Kind { step, fork, other } kind = step;
+    std::size_t after = 0;          // steps; of a fork and its steps: where they leave
+    std::size_t branch = 0, at = 0; // other: the branch and the step in it
+};
+
+// Where the list keeps whether it is open, whatever is being drawn.
+ImGuiID fork_id(std::size_t after)
 {
-    if (step == 0) return {"Empty scene", {}};
-    const Document& before = step < 2 ? history.start() : history.steps()[step - 2].result;
-    const History::Step& done = history.steps()[step - 1];
-    return step_title(done.command, before, done.result);
+    return ImHashData(&after, sizeof after);
+}
+
+std::vector<Line> lines_of(const History& history)
+{
+    std::vector<Line> lines;
+    lines.reserve(history.steps().size() + 1);
+    std::vector<std::vector<std::size_t>> leaving(
+        history.branches().empty() ? 0 : history.steps().size() + 1);
+    for (std::size_t b = 0; b < history.branches().size(); ++b)
+        leaving[history.branches()[b].from].push_back(b);
+    for (std::size_t i = 0; i <= history.steps().size(); ++i) {
+        lines.push_back({Line::step, i});
+        if (leaving.empty() || leaving[i].empty()) continue;
+        lines.push_back({Line::fork, i});
+        if (!ImGui::GetStateStorage()->GetBool(fork_id(i))) continue;
+        for (const std::size_t b : leaving[i])
+            for (std::size_t k = 0; k < history.branches()[b].steps.size(); ++k)
+                lines.push_back({Line::other, i, b, k});
+    }
+    return lines;
+}
+
+const Document& state_after(const History& history, std::size_t steps)
+{
+    return steps == 0 ? history.start() : history.steps()[steps - 1].result;
+}
+
+// What the line leads to; null: nothing but more lines.
+const Document* document_of(const History& history, const Line& line)
+{
+    if (line.kind == Line::fork) return nullptr;
+    if (line.kind == Line::step) return &state_after(history, line.after);
+    return &history.branches()[line.branch].steps[line.at].result;
+}
+
+StepTitle title_of(const History& history, const Line& line)
+{
+    if (line.kind == Line::fork) {
+        std::size_t count = 0;
+        for (const History::Branch& each : history.branches())
+            if (each.from == line.after) count += each.steps.size();
+        return {fmt::format("Other steps ({})", count), {}};
+    }
+    if (line.kind == Line::step) {
+        if (line.after == 0) return {"Empty scene", {}};
+        const History::Step& done = history.steps()[line.after - 1];
+        return step_title(done.command, state_after(history, line.after - 1), done.result);
+    }
+    const std::vector<History::Step>& steps = history.branches()[line.branch].steps;
+    const Document& before =
+        line.at == 0 ? state_after(history, line.after) : steps[line.at - 1].result;
+    return step_title(steps[line.at].command, before, steps[line.at].result);
 }
 
 const char* icon_of(const Command& command)
@@ -27,6 +87,9 @@ const char* icon_of(const Command& command)
     if (what == "transform" || what == "arrange") return ui::icon::move;
     if (what.ends_with("material")) return ui::icon::drop;
     if (what == "rename") return ui::icon::pencil;
+    if (what == "lock") return ui::icon::lock;
+    if (what == "unlock") return ui::icon::open_lock;
+    if (what == "reorder") return ui::icon::sliders;
     if (what == "hide") return ui::icon::hidden;
     if (what == "show") return ui::icon::eye;
     if (what == "delete") return ui::icon::trash;
@@ -36,29 +99,51 @@ const char* icon_of(const Command& command)
     return ui::icon::sliders;
 }
 
-// A step; whether it was clicked.
-bool draw_step(const ui::Theme& theme, const History& history, std::size_t step,
-               const ui::Rect& row)
+const char* icon_of(const History& history, const Line& line)
 {
+    if (line.kind == Line::fork)
+        return ImGui::GetStateStorage()->GetBool(fork_id(line.after)) ? ui::icon::open
+                                                                      : ui::icon::closed;
+    if (line.kind == Line::other)
+        return icon_of(history.branches()[line.branch].steps[line.at].command);
+    return line.after == 0 ? ui::icon::file : icon_of(history.steps()[line.after - 1].command);
+}
+
+struct Pointed {
+    bool clicked = false, lingers = false; // the mouse is there for a moment
+};
+Pointed draw_line(const ui::Theme& theme, const History& history, const Line& line,
+                  const ui::Rect& row)
+{
+    constexpr float patience_s = 0.3f;
     const ui::Palette& c = theme.color;
     ImGui::SetCursorScreenPos({row.lo.x, row.lo.y});
-    const bool clicked = ImGui::InvisibleButton("step", {row.width(), row.height()});
-    const bool present = step == history.position(), undone = step > history.position();
+    Pointed pointed;
+    pointed.clicked = ImGui::InvisibleButton("step", {row.width(), row.height()});
+    const bool step = line.kind == Line::step;
+    const bool present = step && line.after == history.position();
+    const bool undone = !step || line.after > history.position();
     const ui::Rect band = {row.lo + glm::vec2(theme.px(4), theme.px(1)),
                            row.hi - glm::vec2(theme.px(4), theme.px(1))};
     const bool hovered = ImGui::IsItemHovered();
+    pointed.lingers = hovered && GImGui->HoveredIdTimer > patience_s;
     if (present)
         ui::paint_box(band, c.row_selected, theme.size.rounding_small);
     else if (hovered)
         ui::paint_box(band, c.row_hover, theme.size.rounding_small);
-    if (step == history.position() + 1) // what is below is undone
+    if (step && line.after == history.position() + 1) // what is below is undone
         ui::paint_box({{row.lo.x, row.lo.y}, {row.hi.x, row.lo.y + theme.size.hairline}},
                       c.line_soft);
-    const StepTitle title = title_of(history, step);
+    const StepTitle title = title_of(history, line);
     const ui::Color quiet = present || hovered ? c.text_2 : c.text_3;
-    const char* icon = step == 0 ? ui::icon::file : icon_of(history.steps()[step - 1].command);
-    const float pad = theme.size.padding, left = row.lo.x + pad + theme.px(24);
-    ui::paint_text(theme.font.body, {row.lo + glm::vec2(pad, 0), row.hi}, quiet, icon);
+    const float pad = theme.size.padding;
+    const float indent = line.kind == Line::other ? theme.px(16) : 0;
+    const float left = row.lo.x + pad + theme.px(24) + indent;
+    if (line.kind == Line::other && line.at == 0) // each branch begins with a rule
+        ui::paint_box({{left, row.lo.y}, {row.hi.x - pad, row.lo.y + theme.size.hairline}},
+                      c.line_soft);
+    ui::paint_text(theme.font.body, {row.lo + glm::vec2(pad + indent, 0), row.hi}, quiet,
+                   icon_of(history, line));
     const ImFont* font = present ? theme.font.strong : theme.font.body;
     const float most = (row.width() - theme.px(60)) / 2;
     const std::string number = ui::elided(theme.font.small, title.number, most);
@@ -69,7 +154,7 @@ bool draw_step(const ui::Theme& theme, const History& history, std::size_t step,
     ui::paint_text(theme.font.small, {row.lo, row.hi - glm::vec2(pad, 0)},
                    undone ? quiet : c.text_2, number, ui::Align::right);
     if (words != title.words || number != title.number) ui::tooltip(theme, title.text());
-    return clicked;
+    return pointed;
 }
 
 void draw_footer(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
@@ -113,31 +198,47 @@ void draw_history(Editor& editor, const ui::Theme& theme, const Layout& layout)
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     ImGui::SetCursorScreenPos({r.lo.x, r.lo.y});
     ImGui::BeginChild("steps", {r.width(), std::max(1.0f, r.height() - foot)});
+    const std::vector<Line> lines = lines_of(history);
     // Follows the present when that moved, and otherwise stays where it was scrolled to.
     const auto now = static_cast<int>(history.position());
     int& shown = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("shown"), -1);
     if (shown != now) {
-        const float top = height * static_cast<float>(now), view = ImGui::GetWindowHeight();
-        const float scroll = ImGui::GetScrollY();
+        const auto present = std::ranges::find_if(lines, [&](const Line& line) {
+            return line.kind == Line::step && line.after == history.position();
+        });
+        const float top = height * static_cast<float>(present - lines.begin());
+        const float view = ImGui::GetWindowHeight(), scroll = ImGui::GetScrollY();
         if (top < scroll || top + height > scroll + view)
             ImGui::SetScrollY(std::max(0.0f, top - (view - height) / 2));
         shown = now;
     }
-    std::optional<std::size_t> go_to;
+    const Line *go_to = nullptr, *previewed = nullptr;
     ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(count) + 1, height);
+    clipper.Begin(static_cast<int>(lines.size()), height);
     while (clipper.Step())
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             ImGui::PushID(i);
             const ImVec2 at = ImGui::GetCursorScreenPos();
-            const auto step = static_cast<std::size_t>(i); // after so many steps
-            if (draw_step(theme, history, step, ui::rect_at({r.lo.x, at.y}, {r.width(), height})))
-                go_to = step;
+            const Line& line = lines[static_cast<std::size_t>(i)];
+            const Pointed pointed =
+                draw_line(theme, history, line, ui::rect_at({r.lo.x, at.y}, {r.width(), height}));
+            if (pointed.clicked) go_to = &line;
+            if (pointed.lingers) previewed = &line;
             ImGui::PopID();
         }
+    if (go_to && go_to->kind == Line::fork) {
+        bool& open = *ImGui::GetStateStorage()->GetBoolRef(fork_id(go_to->after));
+        open = !open;
+        go_to = nullptr;
+    }
     ImGui::EndChild();
     ImGui::PopStyleVar();
-    if (go_to) editor.session.go_to_step(*go_to);
+    Session& session = editor.session;
+    const bool elsewhere =
+        previewed && !(previewed->kind == Line::step && previewed->after == history.position());
+    session.preview(elsewhere && !go_to ? document_of(history, *previewed) : nullptr);
+    if (go_to && go_to->kind == Line::step) session.go_to_step(go_to->after);
+    if (go_to && go_to->kind == Line::other) session.go_to_branch(go_to->branch, go_to->at + 1);
     ImGui::End();
 }
 

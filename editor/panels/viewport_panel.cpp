@@ -33,7 +33,9 @@ void labels(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
     const std::string name = name_of(session.document(), session.selected);
     const std::string label =
         std::string(session.camera.perspective ? "Perspective" : "Orthographic") +
-        (name.empty() ? "" : "  ·  " + name);
+        (session.previewing() ? "  ·  Preview of a step"
+         : name.empty()       ? ""
+                              : "  ·  " + name);
     glm::vec2 at = view.lo + theme.px(12);
     const float room = view.width() - theme.px(12 + 130); // the axes stand at the right
     ui::paint_chip(theme, at, {ui::elided(theme.font.small, label, room)});

@@ -51,6 +51,46 @@ TEST(History, ANewStepForgetsWhatWasUndone)
     EXPECT_EQ(object(history.document(), 2).name, "Torus");
 }
 
+TEST(History, TheCommandThatBeganABranchBringsItsStepsBack)
+{
+    History history;
+    for (const Command& c : {Command(AddBox{}), Command(AddSphere{}), Command(AddTorus{})})
+        history.run(c);
+    const Document was = history.document();
+    history.undo();
+    history.undo();
+    history.run(AddPlane{});
+    ASSERT_EQ(history.branches().size(), 1u);
+    EXPECT_EQ(history.branches()[0].from, 1u);
+    EXPECT_EQ(history.branches()[0].steps.size(), 2u);
+    history.undo();
+    history.run(AddSphere{});
+    EXPECT_TRUE(history.redo());
+    EXPECT_EQ(history.document().objects.at(3), was.objects.at(3)) << "the very same";
+    ASSERT_EQ(history.branches().size(), 1u);
+    EXPECT_EQ(history.branches()[0].steps.size(), 1u) << "the plane";
+}
+
+TEST(History, WhatLeftABranchComesBackWithIt)
+{
+    History history;
+    history.run(AddBox{});
+    history.run(AddSphere{});
+    history.run(AddTorus{});
+    history.undo();
+    history.run(AddTeapot{}); // the torus left after two steps
+    history.undo();
+    history.undo();
+    history.run(AddPlane{}); // sphere and teapot left after one
+    ASSERT_EQ(history.branches().size(), 1u);
+    ASSERT_EQ(history.branches()[0].others.size(), 1u);
+    history.undo();
+    history.run(AddSphere{});
+    EXPECT_EQ(history.branches().size(), 2u);
+    history.forget_undone();
+    EXPECT_TRUE(history.branches().empty());
+}
+
 TEST(History, EndsAtBothEnds)
 {
     History history;

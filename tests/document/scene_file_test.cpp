@@ -43,6 +43,26 @@ private:
     rlimit before_{};
 };
 
+TEST(SceneFile, ReplayedFromItsFileHasTheBranchesAgain)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.file("scene.trivar");
+    SceneFile scene;
+    scene.save_as(path);
+    scene.run(AddBox{});
+    scene.run(AddSphere{});
+    scene.undo();
+    scene.run(AddTorus{});
+    scene.undo();
+    scene.run(AddSphere{}); // back on the first
+    const std::string now = digest(scene.document());
+    scene = SceneFile();
+    const SceneFile again(path);
+    EXPECT_EQ(digest(again.document()), now);
+    ASSERT_EQ(again.history().branches().size(), 1u);
+    EXPECT_EQ(verb(again.history().branches()[0].steps[0].command), "add_torus");
+}
+
 TEST(SceneFile, TellsItsLinesAsTheyStandInTheFile)
 {
     const TemporaryFolder folder;
