@@ -34,9 +34,12 @@ Turn turn(double degrees)
 template <class T> void add(Digest& digest, const T& value)
 {
     if constexpr (Nested<T>)
-        each_field(value, [&](std::string_view, const auto& field, std::string_view = {},
+        each_field(value, [&](std::string_view name, const auto& field, std::string_view = {},
                               const Rule& rule = {}) {
-            if (rule.later && field == std::remove_cvref_t<decltype(field)>{}) return;
+            if (rule.later) { // named, since it may be missing
+                if (field == std::remove_cvref_t<decltype(field)>{}) return;
+                digest.add_text(name);
+            }
             add(digest, field);
         });
     else if constexpr (std::is_convertible_v<T, std::string_view>)

@@ -65,6 +65,7 @@ EvaluatedObject evaluated_object(Id id, const Causes& causes)
     result.notices = causes.shape->notices;
     if (causes.laid && causes.laid->placement) {
         result.placement = causes.laid->placement;
+        result.lies_on = causes.laid->scene;
         result.parts = causes.laid->parts;
         const std::vector<std::string>& more = causes.laid->placement->report.notices;
         result.notices.insert(result.notices.end(), more.begin(), more.end());

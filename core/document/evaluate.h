@@ -22,6 +22,7 @@ struct EvaluatedObject {
     std::vector<Part> parts;
     Ref<std::vector<Material>> materials; // what face_material indexes
     Ref<Placement> placement;             // null where nothing was placed
+    Ref<RayScene> lies_on;                // what its stroke falls on; null where there is none
     Box bounds;                           // world
     std::vector<std::string> notices;     // a missing file, a stroke that misses now
     // Why the stroke gave nothing, as a sentence for the user; the object then stands undeformed

@@ -44,6 +44,7 @@ Ref<Laid> Laying::operator()(const Ref<Shape>& shape, const glm::dmat3& turned,
             throw Rejected("everything this object lay on is gone; place it anew or unplace it");
         const Ref<RayScene> scene = scene_of(supports, ray_meshes, timings);
         laid = lay(*shape, turned, step, *scene, timings);
+        laid.scene = scene;
     } catch (const Rejected& error) {
         laid.rejected = error.what();
     }

@@ -18,6 +18,7 @@ struct Support {
 // What an object is after it was laid along its stroke.
 struct Laid {
     Ref<Placement> placement; // null: rejected
+    Ref<RayScene> scene;      // that the stroke fell on
     std::vector<Part> parts;  // in the world
     std::string rejected;
 };

@@ -2,6 +2,7 @@
 #include "core/placement/check.h"
 
 #include "core/base/rejected.h"
+#include "core/placement/profile.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -37,6 +38,8 @@ void check(const PlacementParameters& p)
     in_range(p.lift_tolerance, 1e-6, 1, "the lift tolerance");
     in_range(p.clearance, 0, largest, "the clearance");
     in_range(p.roll_deg, -1e6, 1e6, "the roll");
+    check_profile(p.width_profile, "the profile of the width");
+    check_profile(p.height_profile, "the profile of the height");
     const std::array<const char*, 3> axis{"along", "across", "above"};
     for (int a = 0; a < 3; ++a) {
         const char* name = axis[static_cast<std::size_t>(a)];

@@ -4,6 +4,7 @@
 #include "core/base/rejected.h"
 #include "core/placement/check.h"
 #include "core/placement/contact.h"
+#include "core/placement/profile.h"
 #include "core/placement/sketch.h"
 #include "core/placement/view.h"
 
@@ -94,7 +95,8 @@ public:
           parameters_(parameters),
           frame_(frame),
           scene_(scene),
-          timings_(timings)
+          timings_(timings),
+          width_(parameters.width_profile)
     {
     }
 
@@ -114,8 +116,7 @@ public:
         }
         relax(out, 4000, 1e-5);
         std::size_t contacts = 0;
-        for (std::size_t k = 0; k < out.s.size(); ++k)
-            contacts += out.grid.hit[k] && out.s[k] <= 1e-6 * out.height;
+        for (std::size_t k = 0; k < out.s.size(); ++k) contacts += out.touches(k);
         out.contact_share = static_cast<double>(contacts) / static_cast<double>(out.s.size());
         for (const double a : a_)
             out.narrowed += out.strip.narrowed[static_cast<std::size_t>(
@@ -175,6 +176,9 @@ private:
     {
         timed(timings_, "rays", [&] {
             half_px_ = half_width_px(center_, camera_, out.width, profile_steps);
+            for (std::size_t i = 0; i < profile_steps; ++i)
+                half_px_[i] *= width_.at(
+                    length_share(static_cast<double>(i) / static_cast<double>(profile_steps - 1)));
             const double picture = glm::length(camera_.size_px);
             if (!(*std::max_element(half_px_.begin(), half_px_.end()) < picture))
                 throw Rejected(fmt::format("a strip {:.3g} m wide is wider than the picture; "
@@ -189,6 +193,16 @@ private:
             missed_ = out.grid.missed_share();
             if (missed_ < 1) out.grid = filled(std::move(out.grid), parameters_.misses);
         });
+    }
+
+    // How much of the stroke's length lies before a parameter of the strip.
+    double length_share(double a) const
+    {
+        const auto above = std::upper_bound(a_.begin() + 1, a_.end() - 1, a);
+        const auto i = static_cast<std::size_t>(above - a_.begin());
+        const double gap = a_[i] - a_[i - 1];
+        const double f = gap > 0 ? std::clamp((a - a_[i - 1]) / gap, 0.0, 1.0) : 0;
+        return along_[i - 1] * (1 - f) + along_[i] * f;
     }
 
     void check_misses(const Layout&) const
@@ -324,7 +338,8 @@ private:
             const double kept =
                 (profile_at(out.strip.left_px, at) + profile_at(out.strip.right_px, at)) /
                 (2 * profile_at(half_px_, at));
-            factor.push_back(walked.back() > 0 ? old_width * kept / walked.back() : 1);
+            const double wanted = old_width * width_.at(along_[static_cast<std::size_t>(i)]);
+            factor.push_back(walked.back() > 0 ? wanted * kept / walked.back() : 1);
         }
         factor = smoothed(std::move(factor), 4);
         std::size_t i = 0;
@@ -354,6 +369,7 @@ private:
     std::vector<double> a_, v_;           // where on the strip that is
     std::vector<double> scale_, half_px_; // of the half width, at profile_steps
     double missed_ = 1;
+    Profile width_;
 };
 
 } // namespace
@@ -363,6 +379,11 @@ std::vector<glm::dvec3> Layout::points() const
     std::vector<glm::dvec3> out(s.size());
     for (std::size_t k = 0; k < s.size(); ++k) out[k] = sheet.point(k, s);
     return out;
+}
+
+bool Layout::touches(std::size_t node) const
+{
+    return grid.hit[node] && s[node] <= 1e-6 * height;
 }
 
 RayGrid center_line(const Curve<glm::dvec2>& center, int count, const Camera& camera,

@@ -22,6 +22,7 @@ struct Layout {
     int narrowed = 0;
 
     std::vector<glm::dvec3> points() const; // the nodes, on their springs
+    bool touches(std::size_t node) const;   // it was hit, and the springs do not hold it up
 };
 
 // Throws Rejected for a stroke that meets nothing, or too little, and sizes that do not fit.

@@ -6,6 +6,7 @@
 #include "core/placement/finish.h"
 #include "core/placement/layout.h"
 #include "core/placement/lift.h"
+#include "core/placement/profile.h"
 #include "core/placement/volume.h"
 
 #include <algorithm>
@@ -64,6 +65,26 @@ std::vector<std::vector<glm::dvec3>> outline(const Surface<glm::dvec3>& contact)
     return out;
 }
 
+std::vector<StripNode> nodes_of(const Layout& layout, const Surface<glm::dvec3>& contact,
+                                const Extrusion& e, const PlacementParameters& parameters)
+{
+    const Profile width(parameters.width_profile);
+    const int rows = contact.axes[0].count(), columns = contact.axes[1].count();
+    std::vector<StripNode> out;
+    for (int i = 0; i < rows; ++i)
+        for (int j = 0; j < columns; ++j) {
+            const std::size_t k = out.size();
+            const glm::dvec2 uv(contact.axes[0].greville(i), contact.axes[1].greville(j));
+            const double asked = layout.length * layout.width * width.at(uv.x);
+            out.push_back({evaluate(contact, uv).value,
+                           !layout.grid.hit[k] ? Contact::missed
+                           : layout.touches(k) ? Contact::touches
+                                               : Contact::bridges,
+                           e.area[k] / asked, !(e.det[k] > 0)});
+        }
+    return out;
+}
+
 } // namespace
 
 Placement finished(const Layout& layout, const std::vector<double>& s, const Camera& camera,
@@ -83,15 +104,20 @@ Placement finished(const Layout& layout, const std::vector<double>& s, const Cam
     const Surface<glm::dvec3>& contact = lift.contact;
     return timed(timings, "volume", [&] {
         const View view(camera);
-        check_reach(contact, view, layout.height);
-        const Extrusion e =
-            extrusion(contact, view, layout.height, parameters.offset, through_nodes);
+        const Profile height(parameters.height_profile);
+        check_reach(contact, view, height.largest() * layout.height);
+        std::vector<double> heights;
+        for (int i = 0; i < contact.axes[0].count(); ++i)
+            heights.push_back(layout.height * height.at(contact.axes[0].greville(i)));
+        const Extrusion e = extrusion(contact, view, heights, parameters.offset, through_nodes);
         Placement out{
             contact,
             volume_over(contact, e.rise, Knots::uniform(parameters.orders.z, parameters.grid.z)),
             {},
             {},
-            outline(contact)};
+            outline(contact),
+            0,
+            {}};
         out.embedding.to_uvw = model_to_uvw(frame, parameters);
         out.embedding.to_rest = out.volume.rest * out.embedding.to_uvw;
         PlacementReport& r = out.report;
@@ -105,8 +131,10 @@ Placement finished(const Layout& layout, const std::vector<double>& s, const Cam
         r.largest_stretch = e.longest_u / layout.length;
         r.spring_iterations = layout.spring_iterations;
         r.narrowed = layout.narrowed;
-        r.smallest_jacobian = e.least_det / (layout.length * layout.width * layout.height);
+        r.smallest_jacobian = e.least_det() / (layout.length * layout.width * layout.height);
         r.notices = notices(r, e, parameters);
+        out.node_columns = contact.axes[1].count();
+        out.nodes = nodes_of(layout, contact, e, parameters);
         return out;
     });
 }

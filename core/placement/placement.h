@@ -48,6 +48,9 @@ struct PlacementParameters {
     double clearance = 0;         // metres kept between scene and contact surface
     bool reverse = false;         // the model looks toward the start of the stroke
     double roll_deg = 0;          // quarter turns of the model about its length: 0, 90, 180, 270
+    // Factors of width and height along the stroke, as control points (share, factor) of a Profile;
+    // none: 1 everywhere.
+    std::vector<glm::dvec2> width_profile{}, height_profile{};
     bool operator==(const PlacementParameters&) const = default;
 };
 
@@ -64,6 +67,15 @@ struct PlacementReport {
     std::vector<std::string> notices; // sentences for the user
 };
 
+// How a node of the strip came to rest, for whoever shows it.
+enum class Contact : char { touches, bridges, missed };
+struct StripNode {
+    glm::dvec3 p_world{0}; // of the contact surface
+    Contact contact = Contact::touches;
+    double spread = 1;  // area of the surface there, 1 where it is what width and length ask for
+    bool folds = false; // det J <= 0 over it
+};
+
 // Everything one stroke gives. The contact surface is the volume's face w = 0.
 struct Placement {
     Surface<glm::dvec3> contact;
@@ -71,6 +83,8 @@ struct Placement {
     Embedding embedding; // of a model with the box given to place()
     PlacementReport report;
     std::vector<std::vector<glm::dvec3>> strip; // the middle line and the two rims, world
+    int node_columns = 0;                       // across the stroke
+    std::vector<StripNode> nodes; // at the Greville abscissae of the contact surface, v fastest
 };
 
 // Lays a volume for a model with the given box along the stroke: sketch fit, offsets, ray grid,

@@ -35,16 +35,17 @@ double largest_curvature(const SurfaceJet<glm::dvec3>& s, const glm::dvec3& n)
     return mean + std::sqrt(std::max(0.0, mean * mean - gauss));
 }
 
-// The smallest det J over the nodes and three heights of the volume.
-double smallest_det(const Jets& s, const Jets& e)
+// det J at the nodes, the smallest over three heights of the volume.
+std::vector<double> smallest_det(const Jets& s, const Jets& e)
 {
-    double smallest = 1e300;
-    for (std::size_t k = 0; k < s.size(); ++k)
-        for (const double w : {0.0, 0.5, 1.0})
-            smallest =
-                std::min(smallest, glm::dot(glm::cross(s[k].u + w * e[k].u, s[k].v + w * e[k].v),
-                                            e[k].value));
-    return smallest;
+    std::vector<double> out(s.size());
+    for (std::size_t k = 0; k < s.size(); ++k) {
+        const auto det = [&](double w) {
+            return glm::dot(glm::cross(s[k].u + w * e[k].u, s[k].v + w * e[k].v), e[k].value);
+        };
+        out[k] = std::min({det(0.0), det(0.5), det(1.0)});
+    }
+    return out;
 }
 
 // Halfway to the mean of the neighbours.
@@ -67,8 +68,13 @@ Points smoothed(const Points& in, int rows, int columns)
 
 } // namespace
 
-Extrusion extrusion(const Surface<glm::dvec3>& contact, const View& view, double height,
-                    double offset, bool through_nodes)
+double Extrusion::least_det() const
+{
+    return *std::min_element(det.begin(), det.end());
+}
+
+Extrusion extrusion(const Surface<glm::dvec3>& contact, const View& view,
+                    const std::vector<double>& height, double offset, bool through_nodes)
 {
     const int rows = contact.axes[0].count(), columns = contact.axes[1].count();
     const GrevilleGrid nodes(contact.axes);
@@ -78,31 +84,33 @@ Extrusion extrusion(const Surface<glm::dvec3>& contact, const View& view, double
     for (std::size_t k = 0; k < rise.size(); ++k) {
         const SurfaceJet<glm::dvec3>& s = at_nodes[k];
         const glm::dvec3 v = view.toward_eye(s.value);
+        const double wanted = height[k / static_cast<std::size_t>(columns)];
         if (offset == 0) {
-            rise[k] = height * v;
+            rise[k] = wanted * v;
             continue;
         }
         const glm::dvec3 n = unit_or(glm::cross(s.u, s.v), v);
         const glm::dvec3 d = unit_or(glm::mix(v, n, offset), v);
         const double bend = offset * largest_curvature(s, n);
-        const double highest = bend > 0 ? share_of_radius / bend : height;
-        if (highest < told * height) ++lowered;
-        rise[k] = std::min(height, highest) * d;
+        const double highest = bend > 0 ? share_of_radius / bend : wanted;
+        if (highest < told * wanted) ++lowered;
+        rise[k] = std::min(wanted, highest) * d;
     }
     const auto surface = [&](const Points& values) {
         return through_nodes ? nodes.through(values) : Surface<glm::dvec3>{contact.axes, values};
     };
-    Extrusion out{surface(rise), lowered};
-    const auto least_det = [&] { return smallest_det(at_nodes, nodes.jets(out.rise.points, 1)); };
-    out.least_det = least_det();
+    Extrusion out{surface(rise), lowered, {}, {}};
+    out.det = smallest_det(at_nodes, nodes.jets(out.rise.points, 1));
     // Looked at after 1, 2, 4, 7, 11, ... smoothings: fitting costs more than smoothing.
-    for (int i = 0; offset > 0 && i < most_smoothings && out.least_det <= 0;) {
+    for (int i = 0; offset > 0 && i < most_smoothings && out.least_det() <= 0;) {
         for (const int until = i + i / 2 + 1; i < until; ++i) rise = smoothed(rise, rows, columns);
         out.rise = surface(rise);
-        out.least_det = least_det();
+        out.det = smallest_det(at_nodes, nodes.jets(out.rise.points, 1));
     }
-    for (const SurfaceJet<glm::dvec3>& s : at_nodes)
+    for (const SurfaceJet<glm::dvec3>& s : at_nodes) {
+        out.area.push_back(glm::length(glm::cross(s.u, s.v)));
         out.longest_u = std::max(out.longest_u, glm::length(s.u));
+    }
     return out;
 }
 

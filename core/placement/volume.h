@@ -12,16 +12,18 @@ namespace trivar {
 struct Extrusion {
     Surface<glm::dvec3> rise; // E
     int lowered = 0;          // columns whose height the fold guard took down to less than half
-    double least_det = 0;     // of F's Jacobian over the nodes, at w = 0, 1/2 and 1
+    std::vector<double> det;  // of F's Jacobian at the nodes, the least at w = 0, 1/2 and 1
+    std::vector<double> area; // |S_u x S_v| at the nodes
     double longest_u = 0;     // |S_u| over the nodes
+    double least_det() const;
 };
 
 // F1 (offset 0): E = h V, V toward the camera. F2 (offset 1): E = h n, n the normals of S. Between:
-// the blend of the two, made unit. Where the offset would fold because S curves tighter than it is
-// high, the height is taken down, and the rise is smoothed until it does not at any node. Schein
-// 2006, 2.3.1.
-Extrusion extrusion(const Surface<glm::dvec3>& contact, const View& view, double height,
-                    double offset, bool through_nodes);
+// the blend of the two, made unit. `height` gives h for each row of nodes, metres. Where the offset
+// would fold because S curves tighter than it is high, the height is taken down, and the rise is
+// smoothed until it does not at any node. Schein 2006, 2.3.1.
+Extrusion extrusion(const Surface<glm::dvec3>& contact, const View& view,
+                    const std::vector<double>& height, double offset, bool through_nodes);
 
 // Control points S_ij + g_k E_ij at the Greville abscissae g_k of the third axis: exactly linear
 // in w, whatever its order.

@@ -54,7 +54,8 @@ Sketch stroke(const Camera& camera, const std::vector<glm::dvec2>& corners_px)
         const glm::dvec2 a = corners_px[i - 1], b = corners_px[i];
         const int steps = std::max(1, static_cast<int>(std::ceil(glm::length(b - a) / 5)));
         for (int k = i == 1 ? 0 : 1; k <= steps; ++k)
-            out.samples.push_back({a + (b - a) * (static_cast<double>(k) / steps), 0.01 * k, 1});
+            out.samples.push_back({a + (b - a) * (static_cast<double>(k) / steps),
+                                   0.01 * static_cast<double>(out.samples.size()), 1});
     }
     return out;
 }

@@ -95,6 +95,11 @@ Changes changes(const PlacementParameters& before, const PlacementParameters& af
     Compared compare;
     compare("Width", a.width, b.width, size);
     compare("Height", a.height, b.height, size);
+    const auto points = [](const std::vector<glm::dvec2>& profile) {
+        return profile.empty() ? "even" : fmt::format("{} points", profile.size());
+    };
+    compare("Width profile", a.width_profile, b.width_profile, points);
+    compare("Height profile", a.height_profile, b.height_profile, points);
     compare("Offset", a.offset, b.offset, plain);
     compare("Density", a.grid, b.grid, triple);
     compare("Order", a.orders, b.orders, triple);

@@ -37,6 +37,10 @@ constexpr Rule between(double lo, double hi)
     return {.lo = lo, .hi = hi};
 }
 constexpr Rule later{.later = true};
+constexpr Rule later_between(double lo, double hi)
+{
+    return {.lo = lo, .hi = hi, .later = true};
+}
 constexpr Rule positive{.lo = 1e-9};
 constexpr Rule not_negative{.lo = 0};
 constexpr Rule one_of(std::string_view choices)

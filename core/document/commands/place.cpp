@@ -2,6 +2,7 @@
 #include "core/base/rejected.h"
 #include "core/document/commands/apply.h"
 #include "core/document/commands/check.h"
+#include "core/placement/profile.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -98,6 +99,8 @@ void check_parameters(const PlacementParameters& p)
                                        p.orders[i], p.orders[i], p.grid[i]));
     if (p.start + p.fill > 1 + 1e-12)
         throw Rejected("fields \"start\" and \"fill\" add up to more than 1, the whole stroke");
+    check_profile(p.width_profile, "field \"width_profile\"");
+    check_profile(p.height_profile, "field \"height_profile\"");
     if (p.roll_deg != 90 * std::floor(p.roll_deg / 90))
         throw Rejected("field \"roll_deg\" must be 0, 90, 180 or 270");
 }

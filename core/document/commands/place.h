@@ -41,6 +41,11 @@ template <> struct FieldsOf<PlacementParameters> {
         field("reverse", p.reverse, "the model looks toward the start of the stroke");
         field("roll_deg", p.roll_deg, "quarter turns about its length: 0, 90, 180 or 270",
               between(0, 270));
+        field("width_profile", p.width_profile,
+              "how the width changes: control points [share of the length, factor] of a curve; "
+              "none: it does not",
+              later_between(0, 20));
+        field("height_profile", p.height_profile, "the same of the height", later_between(0, 20));
     }
 };
 

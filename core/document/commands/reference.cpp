@@ -32,6 +32,8 @@ template <class T> std::string type_name()
         return "[sketch](#sketch)";
     else if constexpr (is_optional<T>)
         return type_name<typename T::value_type>();
+    else if constexpr (std::is_same_v<T, std::vector<glm::dvec2>>)
+        return "list of pairs of numbers";
     else if constexpr (is_list<T>)
         return "list of " + type_name<typename T::value_type>() + "s";
     else

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/placement/profile.h"
+
+#include "core/base/rejected.h"
+#include "core/spline/curve.h"
+#include "core/spline/fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+constexpr int brush_points = 9;
+constexpr std::size_t brush_steps = 129;
+constexpr double narrowest = 0.1, widest = 2; // what a brush gives, relative to the width
+constexpr double slowness = 0.5;              // the width goes by this power of the slowness
+constexpr double hand_s = 0.08;               // a hand's speed is its mean over this time
+
+// A value given at ascending places, linear in between.
+double between(const std::vector<double>& places, const std::vector<double>& values, double at)
+{
+    const auto above = std::upper_bound(places.begin(), places.end(), at);
+    if (above == places.begin()) return values.front();
+    if (above == places.end()) return values.back();
+    const auto i = static_cast<std::size_t>(above - places.begin());
+    const double f = (at - places[i - 1]) / (places[i] - places[i - 1]);
+    return values[i - 1] * (1 - f) + values[i] * f;
+}
+
+std::vector<double> walked_px(const std::vector<StrokeSample>& samples)
+{
+    std::vector<double> out(samples.size(), 0);
+    for (std::size_t i = 1; i < samples.size(); ++i)
+        out[i] = out[i - 1] + glm::distance(samples[i].p_px, samples[i - 1].p_px);
+    return out;
+}
+
+// Pixels a second round each sample; 0 where the clock stood still.
+std::vector<double> speeds(const std::vector<StrokeSample>& samples,
+                           const std::vector<double>& walked)
+{
+    std::vector<double> out(samples.size(), 0);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        std::size_t from = i, to = i;
+        while (from > 0 && samples[i].time_s - samples[from].time_s < hand_s / 2) --from;
+        while (to + 1 < samples.size() && samples[to].time_s - samples[i].time_s < hand_s / 2) ++to;
+        const double time = samples[to].time_s - samples[from].time_s;
+        out[i] = time > 0 ? (walked[to] - walked[from]) / time : 0;
+    }
+    return out;
+}
+
+std::vector<double> brush_factors(const std::vector<StrokeSample>& samples,
+                                  const std::vector<double>& walked, Brush brush)
+{
+    std::vector<double> out;
+    if (brush == Brush::pressure)
+        for (const StrokeSample& sample : samples) out.push_back(2 * sample.pressure);
+    if (brush == Brush::speed) {
+        out = speeds(samples, walked);
+        std::vector<double> sorted = out;
+        const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+        std::nth_element(sorted.begin(), middle, sorted.end());
+        const double usual = *middle;
+        for (double& v : out)
+            v = usual > 0 && v > 0 ? std::pow(usual / v, slowness) : usual > 0 ? widest : 1;
+    }
+    for (double& v : out) v = std::clamp(v, narrowest, widest);
+    return out;
+}
+
+} // namespace
+
+Profile::Profile(const std::vector<glm::dvec2>& points)
+{
+    if (points.empty()) return;
+    check_profile(points, "the profile");
+    const int count = static_cast<int>(points.size());
+    const Curve<glm::dvec2> curve{Knots::uniform(std::min(3, count), count), points};
+    const std::vector<double> breaks = curve.knots.breaks();
+    largest_ = 0;
+    for (const glm::dvec2& p : points) largest_ = std::max(largest_, p.y);
+    for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
+        const glm::dvec2 a = i == 0 ? points.front() : pieces_.back().c;
+        const glm::dvec2 c =
+            i + 2 == breaks.size() ? points.back() : evaluate(curve, breaks[i + 1]).value;
+        const glm::dvec2 middle = evaluate(curve, (breaks[i] + breaks[i + 1]) / 2).value;
+        pieces_.push_back({a, 2.0 * middle - (a + c) / 2.0, c});
+    }
+}
+
+double Profile::at(double share) const
+{
+    if (pieces_.empty()) return 1;
+    share = std::clamp(share, 0.0, 1.0);
+    auto piece = std::upper_bound(pieces_.begin(), pieces_.end(), share,
+                                  [](double s, const Piece& p) { return s < p.a.x; });
+    if (piece != pieces_.begin()) --piece;
+    // a (1 - x)^2 + 2 b x (1 - x) + c x^2 = share; the slope b - a is not negative, so this root is
+    // the one in [0, 1] and loses no digits.
+    const double square = piece->a.x - 2 * piece->b.x + piece->c.x;
+    const double slope = 2 * (piece->b.x - piece->a.x), rest = piece->a.x - share;
+    const double below = slope + std::sqrt(std::max(0.0, slope * slope - 4 * square * rest));
+    const double x = below > 0 ? std::clamp(-2 * rest / below, 0.0, 1.0) : 0;
+    return piece->a.y * (1 - x) * (1 - x) + 2 * piece->b.y * x * (1 - x) + piece->c.y * x * x;
+}
+
+void check_profile(const std::vector<glm::dvec2>& points, const std::string& name)
+{
+    if (points.empty()) return;
+    if (points.size() == 1) throw Rejected(name + " has one point but needs two or none");
+    if (points.size() > most_profile_points)
+        throw Rejected(fmt::format("{} has {} points but at most {} are taken", name, points.size(),
+                                   most_profile_points));
+    if (points.front().x != 0 || points.back().x != 1)
+        throw Rejected(name + " must begin at 0 and end at 1");
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!(points[i].y >= least_profile && points[i].y <= most_profile))
+            throw Rejected(fmt::format("{} has the factor {:.6g}, which should be from {} to {}",
+                                       name, points[i].y, least_profile, most_profile));
+        if (i > 0 && !(points[i].x > points[i - 1].x))
+            throw Rejected(name + " must have its points in ascending order");
+    }
+}
+
+std::vector<glm::dvec2> brush_profile(const std::vector<StrokeSample>& samples, Brush brush)
+{
+    if (brush == Brush::even || samples.size() < 2) return {};
+    std::vector<double> walked = walked_px(samples);
+    const double length = walked.back();
+    if (!(length > 0)) return {};
+    const std::vector<double> factors = brush_factors(samples, walked, brush);
+    for (double& w : walked) w /= length;
+    std::vector<double> shares;
+    std::vector<glm::dvec2> wanted;
+    for (std::size_t i = 0; i < brush_steps; ++i) {
+        shares.push_back(static_cast<double>(i) / static_cast<double>(brush_steps - 1));
+        wanted.emplace_back(shares.back(), between(walked, factors, shares.back()));
+    }
+    const Knots knots = Knots::uniform(3, brush_points);
+    std::vector<glm::dvec2> out = fit(knots, shares, wanted, {.smoothing = 1e-6}).points;
+    double least = widest, most = narrowest;
+    for (int i = 0; i < brush_points; ++i) {
+        glm::dvec2& p = out[static_cast<std::size_t>(i)];
+        p = {knots.greville(i), std::clamp(p.y, narrowest, widest)};
+        least = std::min(least, p.y);
+        most = std::max(most, p.y);
+    }
+    if (most - least < 0.02 * most) return {};
+    return out;
+}
+
+} // namespace trivar
