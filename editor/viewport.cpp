@@ -83,7 +83,8 @@ std::optional<glm::dvec3> Viewport::anchor_under(const Session& session, glm::dv
     return first_hit(*found->second, ray_through(session.camera, p_px));
 }
 
-void Viewport::navigate(Session& session, const ViewportInput& input, glm::dvec2 drag_px)
+void Viewport::navigate(Session& session, const ViewportInput& input, glm::dvec2 drag_px,
+                        bool wheel_is_taken)
 {
     const ImGuiIO& io = ImGui::GetIO();
     Camera& camera = session.camera;
@@ -101,7 +102,7 @@ void Viewport::navigate(Session& session, const ViewportInput& input, glm::dvec2
         if (move_ == Move::pan) camera = ui::panned(camera, anchor_, drag_px);
         if (move_ == Move::zoom) camera = ui::zoomed(camera, anchor_, std::exp2(drag_px.y / 120));
     }
-    if (input.hovered && io.MouseWheel != 0) {
+    if (input.hovered && io.MouseWheel != 0 && !wheel_is_taken) {
         const glm::dvec3 anchor = anchor_under(session, input.mouse)
                                       .value_or(ui::point_at_target_depth(camera, input.mouse));
         camera = ui::zoomed(camera, anchor, std::pow(0.86, static_cast<double>(io.MouseWheel)));
@@ -114,7 +115,7 @@ void Viewport::navigate(Session& session, const ViewportInput& input, glm::dvec2
 }
 
 ViewportInput Viewport::take_input(Session& session, const ui::Frame& frame, const ui::Rect& rect,
-                                   bool tool_is_busy)
+                                   const Tool& tool)
 {
     ViewportInput input;
     input.rect = rect;
@@ -128,7 +129,7 @@ ViewportInput Viewport::take_input(Session& session, const ui::Frame& frame, con
             ui::reshaped(*std::exchange(session.go_to, std::nullopt), glm::dvec2(rect.size()));
     session.camera.size_px = glm::max(glm::dvec2(rect.size()), 1.0);
 
-    const bool alt = ImGui::GetIO().KeyAlt && !tool_is_busy;
+    const bool alt = ImGui::GetIO().KeyAlt && !tool.busy();
     if (ImGui::IsItemActive() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !alt) {
         left_down_ = input.pressed = true;
         if (renderer_ && shown_) input.under = renderer_->pick(glm::ivec2(input.mouse));
@@ -157,7 +158,8 @@ ViewportInput Viewport::take_input(Session& session, const ui::Frame& frame, con
                     {glm::dvec2(event.at) - glm::dvec2(rect.lo), event.time_s, 1});
         }
     if (input.pressed) input.moves.push_back({input.mouse, time_s, 1});
-    navigate(session, input, drag);
+    input.wheel = static_cast<double>(ImGui::GetIO().MouseWheel);
+    navigate(session, input, drag, tool.takes_wheel());
     return input;
 }
 

@@ -37,7 +37,7 @@ public:
     // Takes the mouse over `rect` (ImGui's last item is the area): the camera's share is used, the
     // rest is returned for the tool.
     ViewportInput take_input(Session& session, const ui::Frame& frame, const ui::Rect& rect,
-                             bool tool_is_busy);
+                             const Tool& tool);
 
     // The scene's picture as a texture, drawn anew only if it would differ. While things move it
     // is a draft; a moment after they rest it is drawn in full, a piece a frame, for which it asks
@@ -64,7 +64,8 @@ private:
         bool operator==(const Shown&) const = default;
     };
     enum class Move { none, orbit, pan, zoom };
-    void navigate(Session& session, const ViewportInput& input, glm::dvec2 drag_px);
+    void navigate(Session& session, const ViewportInput& input, glm::dvec2 drag_px,
+                  bool wheel_is_taken);
     std::optional<glm::dvec3> anchor_under(const Session& session, glm::dvec2 p_px);
 
     ViewportStyle style_;

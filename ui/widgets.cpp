@@ -112,16 +112,27 @@ Edit choice(const Theme& theme, const std::string& id, int& chosen,
     ImGui::SetNextWindowPos({p.rect.lo.x, p.rect.hi.y + theme.px(4)});
     ImGui::SetNextWindowSize({width, 0});
     Edit edit = Edit::none;
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.px(6), theme.px(6)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.px(4), theme.px(4)});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     if (ImGui::BeginPopup("list")) {
-        for (std::size_t i = 0; i < names.size(); ++i)
-            if (ImGui::Selectable(names[i].c_str(), static_cast<int>(i) == chosen)) {
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            ImGui::PushID(static_cast<int>(i));
+            const ImVec2 at = ImGui::GetCursorScreenPos();
+            const Rect row = rect_at({at.x, at.y}, {width - theme.px(8), theme.size.row});
+            if (ImGui::Selectable("##name", static_cast<int>(i) == chosen, 0,
+                                  {row.width(), row.height()})) {
                 chosen = static_cast<int>(i);
                 edit = Edit::changed;
             }
+            const Rect words = {row.lo + glm::vec2(theme.px(4), 0),
+                                row.hi - glm::vec2(theme.px(4), 0)};
+            paint_text(theme.font.body, words, c.text,
+                       elided(theme.font.body, names[i], words.width()));
+            ImGui::PopID();
+        }
         ImGui::EndPopup();
     }
-    ImGui::PopStyleVar();
+    ImGui::PopStyleVar(2);
     ImGui::PopID();
     return edit;
 }

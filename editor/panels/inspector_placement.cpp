@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/inspect.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/profile_rows.h"
 
 #include <array>
 #include <fmt/format.h>
@@ -88,6 +89,13 @@ void report_rows(const ui::Theme& theme, const PlacementReport& r)
     ui::fact_row(theme, "On the scene", percent(r.contact_share) + " of the nodes");
     ui::fact_row(theme, "Missed", percent(r.missed_share) + " of the rays");
     ui::fact_row(theme, "Largest gap", ui::short_number(r.largest_gap) + " m");
+    // Above one and a half a pattern is seen to be drawn out.
+    ui::fact_row(theme, "Stretch", fmt::format("{:.2g} times along", r.largest_stretch),
+                 r.largest_stretch > 1.5 ? theme.color.warn : 0);
+    if (r.narrowed > 0)
+        ui::fact_row(theme, "Narrowed",
+                     fmt::format("{} {}", r.narrowed, r.narrowed == 1 ? "column" : "columns"),
+                     theme.color.warn);
     const bool through = r.penetration > 1e-3;
     ui::fact_row(theme, "Penetration",
                  r.penetration <= 0 ? "none"
@@ -98,7 +106,7 @@ void report_rows(const ui::Theme& theme, const PlacementReport& r)
                  folds ? theme.color.bad : theme.color.good);
 }
 
-void volume_rows(Rows& rows, const PlacementReport* report)
+void volume_rows(Rows& rows, const PlacementReport* report, Editor& editor)
 {
     const PlacementParameters rest;
     PlacementParameters& p = rows.p;
@@ -123,8 +131,22 @@ void volume_rows(Rows& rows, const PlacementReport* report)
     };
     sized("Width", p.width, report ? report->width_world : 0,
           "Of the strip, across the stroke. Reset: in proportion to the model.");
+    rows.take(
+        draw_profile(rows.theme,
+                     {"Width profile",
+                      "How the width changes along the stroke. In the curve: drag a point; Ctrl "
+                      "and click adds one or takes one away.",
+                      report ? report->width_world : 0, rows.theme.color.stroke},
+                     p.width_profile, editor.width_point));
     sized("Height", p.height, report ? report->height_world : 0,
           "Of the volume, away from the scene. Reset: in proportion to the model.");
+    rows.take(
+        draw_profile(rows.theme,
+                     {"Height profile",
+                      "How the height changes along the stroke. In the curve: drag a point; Ctrl "
+                      "and click adds one or takes one away.",
+                      report ? report->height_world : 0, rows.theme.color.lattice},
+                     p.height_profile, editor.height_point));
     rows.number("Offset", p.offset, rest.offset, {.lo = 0, .hi = 1, .bar_hi = 1},
                 "0: the volume is extruded toward the camera. 1: it stands on the surface along "
                 "its normals.");
@@ -215,7 +237,8 @@ void draw_placement(Editor& editor, const ui::Theme& theme, Id id)
         }
         ImGui::PopID();
     };
-    part("Volume", true, [&] { volume_rows(rows, placement ? &placement->report : nullptr); });
+    part("Volume", true,
+         [&] { volume_rows(rows, placement ? &placement->report : nullptr, editor); });
     part("Springs", true, [&] { spring_rows(rows); });
     part("Fit", true, [&] { fit_rows(rows); });
     part("Contact", false, [&] { contact_rows(rows); });

@@ -96,7 +96,7 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     ImGui::SetItemAllowOverlap();
     show_tutorial(editor, frame);
     Tool& tool = editor.active_tool();
-    const ViewportInput input = editor.viewport.take_input(session, frame, view, tool.busy());
+    const ViewportInput input = editor.viewport.take_input(session, frame, view, tool);
     if (!editor.files.asking()) tool.use(session, input);
     if (input.hovered && tool.crosshair()) ImGui::SetMouseCursor(ImGuiMouseCursor_NotAllowed);
     // A small window's picture must not jump: the picture is drawn after the camera moved.

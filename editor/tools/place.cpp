@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/place.h"
 
+#include "core/placement/redraw.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
 
@@ -11,6 +12,15 @@
 
 namespace trivar {
 namespace {
+
+constexpr double near_line_px = 7; // of the old stroke, at scale 1: a new one redraws it
+constexpr double rejoin_px = 16;   // in the old stroke's picture: a piece that ends so near rejoins
+
+double brief(double value) // three digits
+{
+    const double unit = std::pow(10, std::floor(std::log10(value)) - 2);
+    return std::round(value / unit) * unit;
+}
 
 bool can_be_placed(const Document& document, Id id)
 {
@@ -23,14 +33,6 @@ const Placement* placement_of(const Session& session, Id id)
 {
     const auto found = session.evaluated().objects.find(id);
     return found == session.evaluated().objects.end() ? nullptr : found->second->placement.get();
-}
-
-// Nobody means a stroke that never left the place where it began.
-bool is_click(const Sketch& sketch)
-{
-    return std::all_of(sketch.samples.begin(), sketch.samples.end(), [&](const StrokeSample& s) {
-        return glm::distance(s.p_px, sketch.samples.front().p_px) <= click_slip_px;
-    });
 }
 
 // The corner nearest to the mouse would be covered by the hand; the chips stand to its right.
@@ -73,61 +75,105 @@ const char* PlaceTool::icon() const
 Command PlaceTool::command(const Session& session) const
 {
     const Object& model = object(session.committed(), model_);
-    if (model.placement) // a new stroke for what was placed before keeps how it lies
-        return EditPlacement{model_, model.placement->parameters, sketch_, std::vector<Id>{}};
-    return Place{model_, sketch_, parameters_, {}};
+    const Sketch& drawn = stroke_.sketch();
+    if (!model.placement) {
+        PlacementParameters parameters = parameters_;
+        if (width_ > 0) parameters.width = width_;
+        parameters.width_profile = brush_profile(drawn.samples, brush_);
+        return Place{model_, drawn, std::move(parameters), {}};
+    }
+    // A new stroke for what was placed before keeps how it lies.
+    EditPlacement edit{model_, model.placement->parameters, drawn, std::vector<Id>{}};
+    if (width_ > 0) edit.parameters.width = width_;
+    if (!redrawing_) {
+        if (brush_ != Brush::even)
+            edit.parameters.width_profile = brush_profile(drawn.samples, brush_);
+        return edit;
+    }
+    edit.onto.reset();
+    const Sketch& old = model.placement->sketch;
+    const auto laid = session.evaluated().objects.find(model_);
+    if (laid == session.evaluated().objects.end() || !laid->second->lies_on) return edit;
+    edit.sketch = redrawn(
+        old, seen_from(old.camera, drawn.camera, drawn.samples, *laid->second->lies_on), rejoin_px);
+    return edit;
+}
+
+void PlaceTool::begin(Session& session, const ViewportInput& input)
+{
+    redrawing_ = on_line_;
+    model_ = redrawing_ ? session.selected : model_to_place(session, chosen_);
+    if (model_ == 0) {
+        session.notices.say(ui::NoticeKind::warning, "There is no model to place",
+                            "Drop a model into the window, then draw the stroke again.");
+        return;
+    }
+    if (session.document().objects.size() < 2) {
+        session.notices.say(ui::NoticeKind::warning, "There is nothing to place it on",
+                            "Drop a scene into the window, or add a primitive, then draw on it.");
+        return;
+    }
+    drawing_ = true;
+    width_ = 0;
+    pressure_ = 0.5;
+    stroke_.begin(session.camera, input.moves.empty() ? 0 : input.moves.front().time_s);
 }
 
 void PlaceTool::use(Session& session, const ViewportInput& input)
 {
-    if (input.pressed && !session.committing()) {
-        model_ = model_to_place(session, chosen_);
-        if (model_ == 0) {
-            session.notices.say(ui::NoticeKind::warning, "There is no model to place",
-                                "Drop a model into the window, then draw the stroke again.");
-            return;
-        }
-        if (session.document().objects.size() < 2) {
-            session.notices.say(
-                ui::NoticeKind::warning, "There is nothing to place it on",
-                "Drop a scene into the window, or add a primitive, then draw on it.");
-            return;
-        }
-        drawing_ = true;
-        sketch_ = {session.camera, {}};
-        began_s_ = input.moves.empty() ? 0 : input.moves.front().time_s;
+    if (!drawing_ && handles_.use(session, input)) {
+        on_line_ = false;
+        return;
+    }
+    if (!drawing_) {
+        const EvaluatedObject* laid =
+            handles_.shown(session) ? selected_placement(session) : nullptr;
+        on_line_ = laid && (input.hovered || input.pressed) &&
+                   nearest_on_line(*laid->placement, session.camera, input.mouse).distance_px <
+                       near_line_px * input.scale;
+        if (input.pressed && !session.committing()) begin(session, input);
     }
     if (!drawing_) return;
-    const std::size_t before = sketch_.samples.size();
-    for (StrokeSample sample : input.moves) {
-        sample.time_s -= began_s_;
-        // A mouse that rests repeats itself.
-        if (sketch_.samples.empty() || sketch_.samples.back().p_px != sample.p_px)
-            sketch_.samples.push_back(sample);
-    }
+    const ImGuiIO& io = ImGui::GetIO();
+    if (input.wheel != 0 && brush_ == Brush::pressure)
+        pressure_ = std::clamp(pressure_ * std::pow(1.15, input.wheel), 0.05, 1.0);
+    else if (input.wheel != 0)
+        if (const Placement* now = placement_of(session, model_))
+            width_ =
+                brief((width_ > 0 ? width_ : now->report.width_world) * std::pow(1.1, input.wheel));
+    const bool grown =
+        stroke_.take(input.moves, {.straight = io.KeyShift,
+                                   .close = io.KeyCtrl && !redrawing_,
+                                   .pressure = brush_ == Brush::pressure ? pressure_ : 1,
+                                   .scale = input.scale});
     constexpr std::size_t enough_to_show = 3;
-    const bool grown = sketch_.samples.size() > before;
-    if (input.released) {
-        drawing_ = false;
-        if (is_click(sketch_)) {
-            session.cancel();
-            session.notices.say(ui::NoticeKind::warning, "Nothing was placed",
-                                "Keep the left button down and draw a line across the scene.");
-            return;
-        }
-        if (session.propose(command(session)))
-            session.commit_if_placed(model_);
-        else
-            session.cancel();
-        session.selected = model_;
-    } else if (grown && sketch_.samples.size() >= enough_to_show && session.up_to_date()) {
+    if (input.released)
+        finish(session);
+    else if ((grown || input.wheel != 0) && stroke_.sketch().samples.size() >= enough_to_show &&
+             session.up_to_date())
         // One proposal at a time: the next piece waits until the last one can be seen.
         session.propose_quietly(command(session));
+}
+
+void PlaceTool::finish(Session& session)
+{
+    drawing_ = false;
+    if (stroke_.is_click()) {
+        session.cancel();
+        session.notices.say(ui::NoticeKind::warning, "Nothing was placed",
+                            "Keep the left button down and draw a line across the scene.");
+        return;
     }
+    if (session.propose(command(session)))
+        session.commit_if_placed(model_);
+    else
+        session.cancel();
+    session.selected = model_;
 }
 
 void PlaceTool::cancel(Session& session)
 {
+    handles_.cancel(session);
     if (!drawing_) return;
     drawing_ = false;
     session.cancel();
@@ -151,30 +197,48 @@ std::vector<gpu::Line> PlaceTool::lines(const Session& session, const ui::Theme&
 void PlaceTool::overlay(const Session& session, const ui::Theme& theme,
                         const ViewportInput& input) const
 {
+    if (drawing_) return paint_stroke(session, theme, input);
+    if (const EvaluatedObject* laid = selected_placement(session); laid && handles_.shown(session))
+        paint_nodes(theme, input, session.camera, *laid->placement);
+    handles_.overlay(session, theme, input);
+    if (!input.hovered || handles_.hovers() || handles_.busy()) return;
     const glm::vec2 mouse = input.rect.lo + glm::vec2(input.mouse);
-    if (!drawing_) {
-        if (!input.hovered) return;
-        ui::paint_dot(mouse, theme.px(5), ui::faded(theme.color.stroke, 0.35f), theme.color.stroke,
-                      1.4f * theme.scale);
-        return;
-    }
+    ui::paint_dot(mouse, theme.px(5), ui::faded(theme.color.stroke, 0.35f), theme.color.stroke,
+                  1.4f * theme.scale);
+    if (on_line_) ui::paint_chip(theme, mouse + glm::vec2(theme.px(18), -theme.px(30)), {"redraw"});
+}
+
+void PlaceTool::paint_stroke(const Session& session, const ui::Theme& theme,
+                             const ViewportInput& input) const
+{
+    const glm::vec2 mouse = input.rect.lo + glm::vec2(input.mouse);
+    const Placement* placement = placement_of(session, model_);
     std::vector<glm::vec2> path;
-    for (const StrokeSample& sample : sketch_.samples)
+    for (const StrokeSample& sample : stroke_.sketch().samples)
         path.push_back(input.rect.lo + glm::vec2(sample.p_px));
+    double radius_px = theme.px(6);
     // A band of the strip's width shows at once where the model will lie.
-    if (const Placement* placement = placement_of(session, model_); placement && path.size() > 1) {
+    if (placement && path.size() > 1) {
         const glm::dvec3 end = placement->strip.front().empty() ? session.camera.target
                                                                 : placement->strip.front().back();
         const double depth = std::max(1e-6, project(session.camera, end).depth_world);
-        const double width_px =
-            placement->report.width_world / pixel_size_world(session.camera, depth);
+        const double width = width_ > 0 ? width_ : placement->report.width_world;
+        const double width_px = width / pixel_size_world(session.camera, depth);
         ui::paint_path(path, ui::faded(theme.color.stroke, 0.16f),
                        static_cast<float>(std::clamp(width_px, 2.0, 400.0)));
+        const double share = brush_ == Brush::pressure ? 2 * pressure_ : 1;
+        radius_px = std::clamp(width_px / 2 * share, radius_px, 200.0);
+        paint_nodes(theme, input, session.camera, *placement);
     }
     ui::paint_path(path, theme.color.halo, 5 * theme.scale);
     ui::paint_path(path, theme.color.stroke, 3 * theme.scale);
-    ui::paint_dot(mouse, theme.px(6), theme.color.stroke, theme.color.halo, 1.5f * theme.scale);
-    measure_chips(theme, mouse, placement_of(session, model_));
+    // The brush, and its middle.
+    ui::paint_dot(mouse, static_cast<float>(radius_px), 0, theme.color.halo, 3 * theme.scale);
+    ui::paint_dot(mouse, static_cast<float>(radius_px), 0, theme.color.stroke, 1.5f * theme.scale);
+    ui::paint_dot(mouse, theme.px(5), theme.color.stroke, theme.color.halo, 1.5f * theme.scale);
+    if (stroke_.is_ring())
+        ui::paint_dot(path.front(), theme.px(9), 0, theme.color.free_node, 2 * theme.scale);
+    measure_chips(theme, mouse, placement);
 }
 
 void PlaceTool::options(Session& session, const ui::Theme& theme, float width)
@@ -222,20 +286,41 @@ void PlaceTool::options(Session& session, const ui::Theme& theme, float width)
         ui::number_field(theme, "height", parameters_.height, size, theme.px(88));
         advance(p, 88 + 16);
     }
+    if (fits(270)) {
+        label("Brush");
+        p = ImGui::GetCursorScreenPos();
+        int brush = static_cast<int>(brush_);
+        ui::segments(theme, "brush", brush, {"Even", "Speed", "Wheel"}, theme.px(192));
+        brush_ = static_cast<Brush>(brush);
+        advance(p, 192 + 16);
+    }
     if (fits(220)) {
         label("Gaps");
+        p = ImGui::GetCursorScreenPos();
         int gaps = parameters_.springs ? 0 : 1;
         ui::segments(theme, "gaps", gaps, {"Bridge", "Follow"}, theme.px(144));
         parameters_.springs = gaps == 0;
+        advance(p, 144 + 16);
     }
+    if (fits(300)) handles_.options(session, theme);
 }
 
 std::vector<Hint> PlaceTool::hints(const Session& session) const
 {
-    if (drawing_) return {{{"left"}, "Let go to place"}, {{"Esc", "/", "right"}, "Cancel"}};
-    const Id model = model_to_place(session, chosen_);
-    const std::string name = name_of(session.document(), model);
-    return {{{"left"}, name.empty() ? "Drag to draw" : "Drag to lay " + name},
+    if (handles_.busy() || handles_.hovers()) return handles_.hints();
+    if (drawing_) {
+        std::vector<Hint> hints{{{"left"}, redrawing_ ? "Let go to redraw" : "Let go to place"},
+                                {{"wheel"}, "Width"},
+                                {{"Shift"}, "Straight"}};
+        if (!redrawing_) hints.push_back({{"Ctrl"}, "Close the ring"});
+        hints.push_back({{"Esc", "/", "right"}, "Cancel"});
+        return hints;
+    }
+    const std::string name = name_of(session.document(), model_to_place(session, chosen_));
+    return {{{"left"},
+             on_line_       ? "Drag to redraw from here"
+             : name.empty() ? "Drag to draw"
+                            : "Drag to lay " + name},
             {{"middle"}, "Orbit"},
             {{"Shift", "middle"}, "Pan"},
             {{"wheel"}, "Zoom"},

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/placement/profile.h"
+#include "editor/tools/placement_handles.h"
+#include "editor/tools/stroke_drawing.h"
 #include "editor/tools/tool.h"
 
 namespace trivar {
 
 // Draw one stroke across the scene and a model lies along it. While the mouse is held every new
-// piece of the stroke is proposed, so what is seen is the real result; letting go commits it.
+// piece of the stroke is proposed, so what is seen is the real result; letting go commits it. A
+// stroke that begins on that of the selected object draws that part of it anew.
 class PlaceTool : public Tool {
 public:
+    explicit PlaceTool(std::shared_ptr<HandleChoice> choice) : handles_(std::move(choice)) {}
     std::string name() const override { return "Place"; }
     const char* icon() const override;
     std::string help() const override
@@ -17,9 +22,10 @@ public:
     }
     std::string page() const override { return "place"; }
     std::vector<ui::Chord> keys() const override { return {{'D'}, {'P'}, {'2'}}; }
-    bool crosshair() const override { return true; }
+    bool crosshair() const override { return !handles_.hovers() && !handles_.busy(); }
     void use(Session& session, const ViewportInput& input) override;
-    bool busy() const override { return drawing_; }
+    bool busy() const override { return drawing_ || handles_.busy(); }
+    bool takes_wheel() const override { return drawing_; }
     void cancel(Session& session) override;
     std::vector<gpu::Line> lines(const Session& session, const ui::Theme& theme) const override;
     void overlay(const Session& session, const ui::Theme& theme,
@@ -28,14 +34,22 @@ public:
     std::vector<Hint> hints(const Session& session) const override;
 
 private:
+    void begin(Session& session, const ViewportInput& input);
+    void finish(Session& session);
     Command command(const Session& session) const;
+    void paint_stroke(const Session& session, const ui::Theme& theme,
+                      const ViewportInput& input) const;
 
     Id chosen_ = 0; // in the options bar; 0: by itself
     Id model_ = 0;  // of the stroke that is being drawn
-    bool drawing_ = false;
-    Sketch sketch_;
-    double began_s_ = 0;
+    bool drawing_ = false, redrawing_ = false;
+    bool on_line_ = false; // the mouse is where a stroke would redraw the old one
+    StrokeDrawing stroke_;
+    Brush brush_ = Brush::even;
+    double pressure_ = 0.5;          // of a hand without a pen: what the wheel makes of it
+    double width_ = 0;               // that the wheel made of this stroke's; 0: none
     PlacementParameters parameters_; // for the next new placement
+    PlacementHandles handles_;
 };
 
 // What a stroke would lay down: the chosen object, else the selected one unless it is the oldest,

@@ -23,6 +23,7 @@ const char* SelectTool::icon() const
 
 void SelectTool::use(Session& session, const ViewportInput& input)
 {
+    if (box_ == Box::none && handles_.use(session, input)) return;
     if (input.pressed) {
         corner_px_ = input.mouse;
         if (box_ == Box::armed)
@@ -48,13 +49,16 @@ void SelectTool::use(Session& session, const ViewportInput& input)
     box_ = Box::none;
 }
 
-void SelectTool::cancel(Session&)
+void SelectTool::cancel(Session& session)
 {
+    handles_.cancel(session);
     box_ = Box::none;
 }
 
-void SelectTool::overlay(const Session&, const ui::Theme& theme, const ViewportInput& input) const
+void SelectTool::overlay(const Session& session, const ui::Theme& theme,
+                         const ViewportInput& input) const
 {
+    handles_.overlay(session, theme, input);
     if (box_ != Box::drawn) return;
     const glm::dvec2 size = input.rect.size();
     const auto corner = [&](glm::dvec2 p) {
@@ -75,8 +79,19 @@ void SelectTool::options(Session& session, const ui::Theme& theme, float width)
                                            : std::to_string(count) + " objects, active: " +
                                                  name_of(session.document(), session.selected);
     const ImVec2 at = ImGui::GetCursorScreenPos();
+<<<<<<< HEAD
     ui::name_text(theme, theme.font.body, ui::rect_at({at.x, at.y}, {width, theme.size.row}),
                   theme.color.text_2, words);
+=======
+    const bool handles = selected_placement(session) && width > theme.px(420);
+    const float room = handles ? width - theme.px(320) : width;
+    const std::string shown = ui::elided(theme.font.body, words, room);
+    ui::paint_text(theme.font.body, ui::rect_at({at.x, at.y}, {room, theme.size.row}),
+                   theme.color.text_2, shown);
+    if (!handles) return;
+    ImGui::SetCursorScreenPos({at.x + ui::text_width(theme.font.body, shown) + theme.px(24), at.y});
+    handles_.options(session, theme);
+>>>>>>> b4b2137 (Handles, redrawing, brushes and profiles for what lies on a stroke)
 }
 
 std::vector<Hint> SelectTool::hints(const Session& session) const
@@ -89,6 +104,7 @@ std::vector<Hint> SelectTool::hints(const Session& session) const
         return {{{"left"}, "Let go to select"},
                 {{"Ctrl"}, "Add to the selection"},
                 {{"Esc", "/", "right"}, "Cancel"}};
+    if (handles_.busy() || handles_.hovers()) return handles_.hints();
     std::vector<Hint> hints{{{"left"}, "Select"}};
     if (!session.document().objects.empty()) {
         hints.push_back({{"Ctrl", "left"}, "Add or remove"});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "editor/tools/placement_handles.h"
 #include "editor/tools/tool.h"
 
 namespace trivar {
@@ -9,6 +10,7 @@ namespace trivar {
 // nothing, or anywhere after begin_box(), selects what is seen in a box; with Ctrl it adds.
 class SelectTool : public Tool {
 public:
+    explicit SelectTool(std::shared_ptr<HandleChoice> choice) : handles_(std::move(choice)) {}
     std::string name() const override { return "Select"; }
     const char* icon() const override;
     std::string help() const override { return "Click an object to select it."; }
@@ -16,7 +18,10 @@ public:
     std::vector<ui::Chord> keys() const override { return {{'Q'}, {'1'}}; }
     bool crosshair() const override { return box_ == Box::armed || box_ == Box::drawn; }
     void use(Session& session, const ViewportInput& input) override;
-    bool busy() const override { return box_ == Box::armed || box_ == Box::drawn; }
+    bool busy() const override
+    {
+        return box_ == Box::armed || box_ == Box::drawn || handles_.busy();
+    }
     void cancel(Session& session) override;
     void overlay(const Session& session, const ui::Theme& theme,
                  const ViewportInput& input) const override;
@@ -29,6 +34,7 @@ private:
     // armed: the next drag draws it; pressed: on nothing, a click as yet.
     enum class Box { none, armed, pressed, drawn } box_ = Box::none;
     glm::dvec2 corner_px_{0}; // of the box, where the drag began
+    PlacementHandles handles_;
 };
 
 // What a click on an object, or on nothing, does to the selection.

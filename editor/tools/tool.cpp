@@ -10,11 +10,12 @@ namespace trivar {
 std::vector<std::unique_ptr<Tool>> all_tools()
 {
     std::vector<std::unique_ptr<Tool>> tools;
-    tools.push_back(std::make_unique<SelectTool>());
+    const auto handles = std::make_shared<HandleChoice>(HandleChoice::all);
+    tools.push_back(std::make_unique<SelectTool>(handles));
     const auto choices = std::make_shared<TransformChoices>();
     for (const MotionKind kind : {MotionKind::move, MotionKind::rotate, MotionKind::scale})
         tools.push_back(std::make_unique<TransformTool>(kind, choices));
-    tools.push_back(std::make_unique<PlaceTool>());
+    tools.push_back(std::make_unique<PlaceTool>(handles));
     return tools;
 }
 

@@ -33,6 +33,7 @@ struct ViewportInput {
     bool down = false;     // it went down over the picture and still is
     bool released = false; // it was let go in this frame
     bool double_clicked = false;
+    double wheel = 0; // notches since the last frame, away from the hand, for who takes_wheel()
     std::vector<StrokeSample> moves; // since the last frame, while down
     Id under = 0;                    // the object under the mouse, where `pressed`
     // What is seen in a rectangle of the picture, pixels.
@@ -55,6 +56,7 @@ public:
     virtual void begin(Session& session) { (void)session; } // it was chosen by its key
     virtual void use(Session& session, const ViewportInput& input) = 0;
     virtual bool busy() const { return false; }                 // a gesture is going on
+    virtual bool takes_wheel() const { return false; }          // it does not zoom then
     virtual void take_keys(Session& session) { (void)session; } // while busy
     virtual void cancel(Session& session) { (void)session; }    // the gesture
 

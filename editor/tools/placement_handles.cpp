@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/tools/placement_handles.h"
+
+#include "ui/widgets.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <imgui.h>
+
+namespace trivar {
+namespace {
+
+constexpr double reach_px = 9; // of a hold, at scale 1
+
+bool wanted(HandleChoice choice, HoldKind kind)
+{
+    const bool of_stroke =
+        kind == HoldKind::stroke || kind == HoldKind::start || kind == HoldKind::end;
+    return choice == HandleChoice::all || (choice == HandleChoice::stroke && of_stroke) ||
+           (choice == HandleChoice::sizes && !of_stroke);
+}
+
+ui::Color color_of(const ui::Theme& theme, HoldKind kind)
+{
+    const ui::Palette& c = theme.color;
+    switch (kind) {
+    case HoldKind::width: return c.free_node;
+    case HoldKind::height: return c.lattice;
+    case HoldKind::contact: return c.contact;
+    default: return c.stroke;
+    }
+}
+
+// Start and end are arrow heads that look out along the stroke; all others are dots.
+void paint_arrow(const ui::Theme& theme, glm::vec2 at, glm::vec2 direction, float radius,
+                 ui::Color color)
+{
+    const float length = glm::length(direction);
+    const glm::vec2 d = length > 0 ? direction / length : glm::vec2(1, 0), n(-d.y, d.x);
+    const glm::vec2 tip = at + d * radius * 1.3f;
+    const glm::vec2 a = at - d * radius * 0.8f + n * radius,
+                    b = at - d * radius * 0.8f - n * radius;
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddTriangleFilled({tip.x, tip.y}, {a.x, a.y}, {b.x, b.y}, color);
+    draw.AddTriangle({tip.x, tip.y}, {a.x, a.y}, {b.x, b.y}, theme.color.halo, 1.5f * theme.scale);
+}
+
+} // namespace
+
+const EvaluatedObject* selected_placement(const Session& session)
+{
+    if (session.selected.size() != 1) return nullptr;
+    const auto found = session.evaluated().objects.find(session.selected);
+    if (found == session.evaluated().objects.end() || !found->second->placement) return nullptr;
+    const auto there = session.document().objects.find(session.selected);
+    if (there == session.document().objects.end() || !there->second->placement) return nullptr;
+    return &*found->second;
+}
+
+bool PlacementHandles::shown(const Session& session) const
+{
+    return *choice_ != HandleChoice::none && selected_placement(session);
+}
+
+std::vector<HoldPoint> PlacementHandles::points(const Session& session) const
+{
+    const EvaluatedObject* shown = selected_placement(session);
+    if (!shown) return {};
+    std::vector<HoldPoint> out =
+        hold_points(*object(session.document(), session.selected).placement, *shown->placement);
+    std::erase_if(out, [&](const HoldPoint& p) { return !wanted(*choice_, p.hold.kind); });
+    return out;
+}
+
+bool PlacementHandles::use(Session& session, const ViewportInput& input)
+{
+    at_px_ = input.mouse;
+    if (!drag_) {
+        hovered_ = {};
+        if (!input.hovered && !input.pressed) return false;
+        const auto over =
+            hold_at(points(session), session.camera, input.mouse, reach_px * input.scale);
+        if (!over || session.committing()) return false;
+        hovered_ = over->hold;
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+        if (!input.pressed) return true;
+        const EvaluatedObject* laid = selected_placement(session);
+        drag_ = HoldDrag{session.selected,
+                         *object(session.document(), session.selected).placement,
+                         laid->placement,
+                         laid->lies_on,
+                         *over,
+                         session.camera,
+                         input.mouse};
+        moved_ = false;
+        return true;
+    }
+    drag_->camera.size_px = session.camera.size_px;
+    moved_ = moved_ || glm::distance(input.mouse, drag_->from_px) > click_slip_px;
+    const bool snap = ImGui::GetIO().KeyCtrl;
+    if (input.released || !input.down) {
+        const HoldDrag done = *drag_;
+        drag_.reset();
+        if (moved_ && session.propose(dragged(done, input.mouse, snap)))
+            session.commit_if_placed(done.object);
+        else
+            session.cancel();
+    } else if (moved_ && session.up_to_date()) {
+        // One proposal at a time: the next waits until the last one can be seen.
+        session.propose_quietly(dragged(*drag_, input.mouse, snap));
+    }
+    return true;
+}
+
+void PlacementHandles::cancel(Session& session)
+{
+    if (!drag_) return;
+    drag_.reset();
+    session.cancel();
+}
+
+void PlacementHandles::overlay(const Session& session, const ui::Theme& theme,
+                               const ViewportInput& input) const
+{
+    const EvaluatedObject* laid = selected_placement(session);
+    if (!laid || *choice_ == HandleChoice::none) return;
+    const Hold lit = drag_ ? drag_->held.hold : hovered_;
+    const auto at = [&](const glm::dvec3& p) {
+        return input.rect.lo + glm::vec2(project(session.camera, p).p_px);
+    };
+    const auto shown = points(session);
+    for (const HoldPoint& point : shown) {
+        if (project(session.camera, point.p_world).depth_world <= 0) continue;
+        const bool on = point.hold == lit;
+        const HoldKind kind = point.hold.kind;
+        const glm::vec2 p = at(point.p_world);
+        const float radius = theme.scale * (on ? 6.5f : 5.0f);
+        const ui::Color color = on ? theme.color.selected : color_of(theme, kind);
+        // A thread to what its size is measured from, while it is in the hand.
+        if (on && (kind == HoldKind::width || kind == HoldKind::height)) {
+            ui::paint_line(at(point.base_world), p, theme.color.halo, 3 * theme.scale);
+            ui::paint_line(at(point.base_world), p, color_of(theme, kind), 1.4f * theme.scale);
+        }
+        if (kind == HoldKind::start || kind == HoldKind::end) {
+            const double step = kind == HoldKind::start ? 0.02 : -0.02;
+            const double inward = std::clamp(point.u + step, 0.0, 1.0);
+            const glm::vec2 within =
+                at(evaluate(laid->placement->volume, {inward, 0.5, 0.5}).value);
+            paint_arrow(theme, p, p - within, radius, color);
+        } else
+            ui::paint_dot(p, radius, color, theme.color.halo, 1.5f * theme.scale);
+    }
+    if (lit.kind == HoldKind::none) return;
+    const PlacementParameters& now =
+        object(session.document(), session.selected).placement->parameters;
+    const glm::vec2 mouse = input.rect.lo + glm::vec2(at_px_);
+    const std::string words = words_of(lit, now, laid->placement->report);
+    ui::paint_chip(theme, mouse + glm::vec2(theme.px(18), -theme.px(30)), {words});
+}
+
+std::vector<Hint> PlacementHandles::hints() const
+{
+    if (drag_)
+        return {{{"left"}, "Let go when done"},
+                {{"Ctrl"}, "Round steps"},
+                {{"Esc", "/", "right"}, "Cancel"}};
+    return {{{"left"}, "Drag: " + name_of(hovered_.kind)}};
+}
+
+void PlacementHandles::options(const Session& session, const ui::Theme& theme)
+{
+    if (!selected_placement(session)) return;
+    const ImVec2 p = ImGui::GetCursorScreenPos();
+    const float w = ui::text_width(theme.font.body, "Handles");
+    ui::paint_text(theme.font.body, ui::rect_at({p.x, p.y}, {w, theme.size.row}),
+                   theme.color.text_2, "Handles");
+    ImGui::SetCursorScreenPos({p.x + w + theme.px(8), p.y});
+    int chosen = static_cast<int>(*choice_);
+    ui::segments(theme, "handles", chosen, {"All", "Stroke", "Sizes", "None"}, theme.px(224));
+    *choice_ = static_cast<HandleChoice>(chosen);
+}
+
+void paint_nodes(const ui::Theme& theme, const ViewportInput& input, const Camera& camera,
+                 const Placement& placement)
+{
+    const int columns = placement.node_columns;
+    if (columns < 1) return;
+    const float px = theme.scale;
+    for (std::size_t k = 0; k < placement.nodes.size(); ++k) {
+        const int column = static_cast<int>(k) % columns;
+        const StripNode& node = placement.nodes[k];
+        // The rims and the middle say enough; all of them would hide the model.
+        const bool middle = column == columns / 2;
+        if (column != 0 && column != columns - 1 && !middle && !node.folds) continue;
+        const Projected p = project(camera, node.p_world);
+        if (p.depth_world <= 0) continue;
+        const glm::vec2 at = input.rect.lo + glm::vec2(p.p_px);
+        if (node.folds) {
+            for (const glm::vec2 arm : {glm::vec2(4, 4), {4, -4}}) {
+                ui::paint_line(at - arm * px, at + arm * px, theme.color.halo, 4 * px);
+                ui::paint_line(at - arm * px, at + arm * px, theme.color.bad, 2 * px);
+            }
+        } else if (node.contact == Contact::touches)
+            ui::paint_dot(at, 2.2f * px, theme.color.stroke);
+        else
+            ui::paint_dot(at, 2.6f * px, theme.color.halo,
+                          node.contact == Contact::bridges ? theme.color.free_node
+                                                           : theme.color.text_3,
+                          1.3f * px);
+    }
+}
+
+} // namespace trivar

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/tools/placement_holds.h"
+
+#include "core/document/commands/changes.h"
+#include "core/placement/profile.h"
+#include "core/placement/redraw.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+constexpr double px_a_place = 130; // of the stroke, as it was drawn
+constexpr int least_places = 3, most_places = 9;
+constexpr double least_ratio = 0.05, most_ratio = 20; // of sizes, in one drag
+constexpr double shortest_fill = 0.02;
+
+glm::dvec3 in_volume(const Placement& placement, const glm::dvec3& uvw)
+{
+    return evaluate(placement.volume, uvw).value;
+}
+
+std::vector<double> profile_shares(const std::vector<glm::dvec2>& profile)
+{
+    std::vector<double> out;
+    for (const glm::dvec2& p : profile) out.push_back(p.x);
+    return out.empty() ? std::vector<double>{0.5} : out;
+}
+
+// Four digits, as drags of numbers give; in round steps a tenth of the size.
+double handy(double value, bool snap)
+{
+    if (!(std::abs(value) > 0)) return 0;
+    const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) - (snap ? 1 : 3));
+    return unit < 1 ? std::round(value / unit) / std::round(1 / unit)
+                    : std::round(value / unit) * unit;
+}
+
+// How many times longer the way from its base to the hold has become.
+double growth(const HoldDrag& drag, glm::dvec2 by_px)
+{
+    const glm::dvec2 base = project(drag.camera, drag.held.base_world).p_px;
+    const glm::dvec2 way = project(drag.camera, drag.held.p_world).p_px - base;
+    const double square = glm::dot(way, way);
+    if (!(square > 1)) return 1; // seen end on
+    return std::clamp(glm::dot(way + by_px, way) / square, least_ratio, most_ratio);
+}
+
+// A size without a profile grows as a whole, else the profile does at its point.
+void grow(double& size, std::vector<glm::dvec2>& profile, double present, std::size_t point,
+          double times, bool snap)
+{
+    if (profile.empty()) {
+        size = handy(present * times, snap);
+        return;
+    }
+    const double u = profile[point].x, before = Profile(profile).at(u);
+    std::vector<glm::dvec2> higher = profile;
+    higher[point].y += 1;
+    // What the point's height counts for on the curve.
+    const double weight = Profile(higher).at(u) - before;
+    const double wanted = profile[point].y + before * (times - 1) / std::max(0.1, weight);
+    profile[point].y = std::clamp(handy(wanted, snap), least_profile, most_profile);
+}
+
+Sketch pulled(const HoldDrag& drag, glm::dvec2 to_px)
+{
+    const Camera& drawn = drag.step.sketch.camera;
+    const glm::dvec2 own = project(drawn, drag.held.p_world).p_px;
+    std::vector<StrokeSample> seen =
+        seen_from(drawn, drag.camera, {{drag.from_px, 0, 1}, {to_px, 0, 1}}, *drag.scene);
+    glm::dvec2 by(0);
+    if (seen.size() == 2)
+        by = seen[1].p_px - seen[0].p_px;
+    else { // in the plane of the picture, at the depth of the hold
+        const double depth = project(drag.camera, drag.held.p_world).depth_world;
+        const auto at = [&](glm::dvec2 p) {
+            const Ray ray = ray_through(drag.camera, p);
+            const double along = project(drag.camera, ray.origin + ray.direction).depth_world;
+            const double start = project(drag.camera, ray.origin).depth_world;
+            return ray.origin + ray.direction * ((depth - start) / (along - start));
+        };
+        by = project(drawn, drag.held.p_world + at(to_px) - at(drag.from_px)).p_px - own;
+    }
+    const double share = nearest_share(drag.step.sketch, own).share;
+    const double reach =
+        std::clamp(px_a_place / length_px(drag.step.sketch), 1.0 / most_places, 0.5);
+    return bent(drag.step.sketch, share, by, reach);
+}
+
+} // namespace
+
+std::vector<HoldPoint> hold_points(const PlacementStep& step, const Placement& placement)
+{
+    const PlacementParameters& p = step.parameters;
+    std::vector<HoldPoint> out;
+    const auto add = [&](HoldKind kind, int index, const glm::dvec3& uvw, const glm::dvec3& base) {
+        out.push_back(
+            {{kind, index}, uvw.x, in_volume(placement, uvw), in_volume(placement, base)});
+    };
+    int index = 0;
+    for (const double u : profile_shares(p.width_profile)) {
+        add(HoldKind::width, index++, {u, 0, 0}, {u, 0.5, 0});
+        add(HoldKind::width, index++, {u, 1, 0}, {u, 0.5, 0});
+    }
+    index = 0;
+    for (const double u : profile_shares(p.height_profile))
+        add(HoldKind::height, index++, {u, 0.5, 1}, {u, 0.5, 0});
+    add(HoldKind::contact, 0, {1.0 / 3, 1, 0}, {1.0 / 3, 1, 1});
+    const int places =
+        std::clamp(1 + static_cast<int>(std::lround(length_px(step.sketch) / px_a_place)),
+                   least_places, most_places);
+    for (int i = 0; i < places; ++i) {
+        const double u = static_cast<double>(i) / (places - 1);
+        add(HoldKind::stroke, i, {u, 0.5, 0}, {u, 0.5, 0});
+    }
+    add(HoldKind::start, 0, {p.start, 0.5, 0.5}, {p.start, 0.5, 0});
+    add(HoldKind::end, 0, {p.start + p.fill, 0.5, 0.5}, {p.start + p.fill, 0.5, 0});
+    return out;
+}
+
+std::optional<HoldPoint> hold_at(const std::vector<HoldPoint>& points, const Camera& camera,
+                                 glm::dvec2 p_px, double reach_px)
+{
+    std::optional<HoldPoint> nearest;
+    for (const HoldPoint& point : points) {
+        const Projected at = project(camera, point.p_world);
+        const double distance = glm::distance(at.p_px, p_px);
+        if (at.depth_world <= 0 || distance > reach_px) continue;
+        reach_px = distance;
+        nearest = point;
+    }
+    return nearest;
+}
+
+EditPlacement dragged(const HoldDrag& drag, glm::dvec2 to_px, bool snap)
+{
+    EditPlacement command{drag.object, drag.step.parameters, {}, {}};
+    PlacementParameters& p = command.parameters;
+    const PlacementReport& report = drag.placement->report;
+    const glm::dvec2 by = to_px - drag.from_px;
+    const auto line = [&] {
+        const glm::dvec2 shown = project(drag.camera, drag.held.base_world).p_px;
+        const double u = nearest_on_line(*drag.placement, drag.camera, shown + by).u;
+        return snap ? std::round(u * 20) / 20 : std::round(u * 1000) / 1000;
+    };
+    const double end = p.start + p.fill;
+    switch (drag.held.hold.kind) {
+    case HoldKind::none: break;
+    case HoldKind::stroke: command.sketch = pulled(drag, to_px); break;
+    case HoldKind::width:
+        grow(p.width, p.width_profile, report.width_world,
+             static_cast<std::size_t>(drag.held.hold.index / 2), growth(drag, by), snap);
+        break;
+    case HoldKind::height:
+        grow(p.height, p.height_profile, report.height_world,
+             static_cast<std::size_t>(drag.held.hold.index), growth(drag, by), snap);
+        break;
+    case HoldKind::start:
+        p.start = std::clamp(line(), 0.0, std::max(0.0, end - shortest_fill));
+        p.fill = end - p.start;
+        break;
+    case HoldKind::end:
+        p.fill = std::clamp(line(), std::min(1.0, p.start + shortest_fill), 1.0) - p.start;
+        break;
+    case HoldKind::contact: {
+        const double height = glm::distance(drag.held.p_world, drag.held.base_world);
+        const double moved = height * (1 - growth(drag, by)); // away from the roof: into the scene
+        p.clearance = std::max(0.0, handy(p.clearance + moved, snap));
+        break;
+    }
+    }
+    return command;
+}
+
+std::string name_of(HoldKind kind)
+{
+    switch (kind) {
+    case HoldKind::none: return {};
+    case HoldKind::stroke: return "Stroke";
+    case HoldKind::width: return "Width";
+    case HoldKind::height: return "Height";
+    case HoldKind::start: return "Start";
+    case HoldKind::end: return "End";
+    case HoldKind::contact: return "Clearance";
+    }
+    return {};
+}
+
+std::string words_of(const Hold& hold, const PlacementParameters& p, const PlacementReport& report)
+{
+    const auto sized = [&](const char* name, double size, const std::vector<glm::dvec2>& profile,
+                           int point) {
+        const double factor =
+            profile.empty() ? 1 : Profile(profile).at(profile[static_cast<std::size_t>(point)].x);
+        return fmt::format("{} {}", name, in_metres(size * factor));
+    };
+    switch (hold.kind) {
+    case HoldKind::none: return {};
+    case HoldKind::stroke: return "length " + in_metres(report.length_world);
+    case HoldKind::width:
+        return sized("width", report.width_world, p.width_profile, hold.index / 2);
+    case HoldKind::height:
+        return sized("height", report.height_world, p.height_profile, hold.index);
+    case HoldKind::start: return fmt::format("start {:.0f} %", p.start * 100);
+    case HoldKind::end: return fmt::format("end {:.0f} %", (p.start + p.fill) * 100);
+    case HoldKind::contact: return "clearance " + in_metres(p.clearance);
+    }
+    return {};
+}
+
+NearestLine nearest_on_line(const Placement& placement, const Camera& camera, glm::dvec2 p_px)
+{
+    NearestLine nearest;
+    if (placement.strip.empty() || placement.strip.front().size() < 2) return nearest;
+    const std::vector<glm::dvec3>& line = placement.strip.front();
+    const double steps = static_cast<double>(line.size() - 1);
+    Projected before = project(camera, line.front());
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const Projected here = project(camera, line[i]);
+        if (before.depth_world > 0 && here.depth_world > 0) {
+            const glm::dvec2 way = here.p_px - before.p_px;
+            const double square = glm::dot(way, way);
+            const double f =
+                square > 0 ? std::clamp(glm::dot(p_px - before.p_px, way) / square, 0.0, 1.0) : 0;
+            const double distance = glm::distance(before.p_px + f * way, p_px);
+            if (distance < nearest.distance_px)
+                nearest = {(static_cast<double>(i - 1) + f) / steps, distance};
+        }
+        before = here;
+    }
+    return nearest;
+}
+
+} // namespace trivar

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/command.h"
+#include "core/document/evaluate.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace trivar {
+
+// What a hand can take hold of on something that lies on a stroke: places of the stroke, the rims
+// and the roof of its volume (one for each point of their profiles), where on the stroke the model
+// begins and ends, and the face that lies on the scene.
+enum class HoldKind { none, stroke, width, height, start, end, contact };
+struct Hold {
+    HoldKind kind = HoldKind::none;
+    int index = 0; // of the place or the point; of a rim 2 x point, and 1 more on the left one
+    bool operator==(const Hold&) const = default;
+};
+
+struct HoldPoint {
+    Hold hold;
+    double u = 0;             // along the stroke
+    glm::dvec3 p_world{0};    // where it stands
+    glm::dvec3 base_world{0}; // what its distance is measured from; of the contact: the roof
+};
+std::vector<HoldPoint> hold_points(const PlacementStep& step, const Placement& placement);
+
+// The one under a pixel, the nearest where several are; nothing where none is.
+std::optional<HoldPoint> hold_at(const std::vector<HoldPoint>& points, const Camera& camera,
+                                 glm::dvec2 p_px, double reach_px);
+
+// A drag: what there was when it began, and where.
+struct HoldDrag {
+    Id object = 0;
+    PlacementStep step;
+    Ref<Placement> placement;
+    Ref<RayScene> scene; // what the stroke falls on
+    HoldPoint held;
+    Camera camera;
+    glm::dvec2 from_px{0};
+};
+// What it asks for when the hand is at `to_px`; with `snap` in round steps. Sizes are cut to what
+// is allowed. Pure.
+EditPlacement dragged(const HoldDrag& drag, glm::dvec2 to_px, bool snap);
+
+// The number that such a drag changes: "width 0.49 m".
+std::string words_of(const Hold& hold, const PlacementParameters& parameters,
+                     const PlacementReport& report);
+std::string name_of(HoldKind kind); // "Width"
+
+// Where the middle line of the strip comes nearest to a pixel, along the stroke, and how near.
+struct NearestLine {
+    double u = 0, distance_px = 1e300;
+};
+NearestLine nearest_on_line(const Placement& placement, const Camera& camera, glm::dvec2 p_px);
+
+} // namespace trivar
