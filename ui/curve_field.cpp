@@ -61,7 +61,8 @@ int add_point(std::vector<glm::dvec2>& points, glm::dvec2 p, const CurveStyle& s
     if (points.size() >= style.most_points || after == points.begin() || after == points.end() ||
         p.x - (after - 1)->x < closest || after->x - p.x < closest)
         return -1;
-    return static_cast<int>(points.insert(after, p) - points.begin());
+    const auto inserted = points.insert(after, p);
+    return static_cast<int>(inserted - points.begin());
 }
 
 void drag_point(std::vector<glm::dvec2>& points, std::size_t i, glm::dvec2 to,

@@ -20,7 +20,7 @@ Helpers helpers_of(Editor& editor, const ui::Theme& theme)
     Helpers helpers{tool.lines(editor.session, theme), tool.veils(editor.session, theme)};
     const auto& objects = editor.session.evaluated().objects;
     const auto found = objects.find(editor.session.selected);
-    if (found == objects.end() || !found->second->placement || tool.busy()) return helpers;
+    if (found == objects.end() || !found->second->placement || !tool.shows_volume()) return helpers;
     for (gpu::Line& line : placement_lines(*found->second->placement, theme))
         helpers.lines.push_back(std::move(line));
     helpers.veils.push_back(placement_veil(*found->second->placement, theme));

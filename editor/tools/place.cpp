@@ -2,6 +2,7 @@
 #include "editor/tools/place.h"
 
 #include "core/placement/redraw.h"
+#include "editor/tools/strip_paint.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
 
@@ -194,12 +195,25 @@ std::vector<gpu::Line> PlaceTool::lines(const Session& session, const ui::Theme&
     return lines;
 }
 
+std::vector<gpu::Translucent> PlaceTool::veils(const Session& session, const ui::Theme& theme) const
+{
+    const EvaluatedObject* laid = handles_.shown(session) ? selected_placement(session) : nullptr;
+    const Placement* placement = drawing_ ? placement_of(session, model_)
+                                 : laid   ? laid->placement.get()
+                                          : nullptr;
+    if (!placement) return {};
+    return {strip_veil(*placement, theme)};
+}
+
 void PlaceTool::overlay(const Session& session, const ui::Theme& theme,
                         const ViewportInput& input) const
 {
     if (drawing_) return paint_stroke(session, theme, input);
-    if (const EvaluatedObject* laid = selected_placement(session); laid && handles_.shown(session))
+    if (const EvaluatedObject* laid = selected_placement(session);
+        laid && handles_.shown(session)) {
         paint_nodes(theme, input, session.camera, *laid->placement);
+        paint_strip_legend(theme, input.rect, *laid->placement);
+    }
     handles_.overlay(session, theme, input);
     if (!input.hovered || handles_.hovers() || handles_.busy()) return;
     const glm::vec2 mouse = input.rect.lo + glm::vec2(input.mouse);
@@ -229,6 +243,7 @@ void PlaceTool::paint_stroke(const Session& session, const ui::Theme& theme,
         const double share = brush_ == Brush::pressure ? 2 * pressure_ : 1;
         radius_px = std::clamp(width_px / 2 * share, radius_px, 200.0);
         paint_nodes(theme, input, session.camera, *placement);
+        paint_strip_legend(theme, input.rect, *placement);
     }
     ui::paint_path(path, theme.color.halo, 5 * theme.scale);
     ui::paint_path(path, theme.color.stroke, 3 * theme.scale);

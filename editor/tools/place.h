@@ -28,6 +28,9 @@ public:
     bool takes_wheel() const override { return drawing_; }
     void cancel(Session& session) override;
     std::vector<gpu::Line> lines(const Session& session, const ui::Theme& theme) const override;
+    std::vector<gpu::Translucent> veils(const Session& session,
+                                        const ui::Theme& theme) const override;
+    bool shows_volume() const override { return !drawing_; }
     void overlay(const Session& session, const ui::Theme& theme,
                  const ViewportInput& input) const override;
     void options(Session& session, const ui::Theme& theme, float width) override;

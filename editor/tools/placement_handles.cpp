@@ -10,8 +10,6 @@
 namespace trivar {
 namespace {
 
-constexpr double reach_px = 9; // of a hold, at scale 1
-
 bool wanted(HandleChoice choice, HoldKind kind)
 {
     const bool of_stroke =
@@ -50,6 +48,7 @@ void paint_arrow(const ui::Theme& theme, glm::vec2 at, glm::vec2 direction, floa
 const EvaluatedObject* selected_placement(const Session& session)
 {
     if (session.selected.size() != 1) return nullptr;
+    if (locked(session.document(), session.selected)) return nullptr;
     const auto found = session.evaluated().objects.find(session.selected);
     if (found == session.evaluated().objects.end() || !found->second->placement) return nullptr;
     const auto there = session.document().objects.find(session.selected);
@@ -78,8 +77,7 @@ bool PlacementHandles::use(Session& session, const ViewportInput& input)
     if (!drag_) {
         hovered_ = {};
         if (!input.hovered && !input.pressed) return false;
-        const auto over =
-            hold_at(points(session), session.camera, input.mouse, reach_px * input.scale);
+        const auto over = hold_at(points(session), session.camera, input.mouse, input.scale);
         if (!over || session.committing()) return false;
         hovered_ = over->hold;
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
@@ -128,27 +126,26 @@ void PlacementHandles::overlay(const Session& session, const ui::Theme& theme,
     const auto at = [&](const glm::dvec3& p) {
         return input.rect.lo + glm::vec2(project(session.camera, p).p_px);
     };
-    const auto shown = points(session);
-    for (const HoldPoint& point : shown) {
-        if (project(session.camera, point.p_world).depth_world <= 0) continue;
+    for (const HoldPoint& point : points(session)) {
+        const auto seen = seen_at(point, session.camera, input.scale);
+        if (!seen) continue;
         const bool on = point.hold == lit;
         const HoldKind kind = point.hold.kind;
-        const glm::vec2 p = at(point.p_world);
+        const glm::vec2 p = input.rect.lo + glm::vec2(*seen), from = at(point.base_world);
         const float radius = theme.scale * (on ? 6.5f : 5.0f);
         const ui::Color color = on ? theme.color.selected : color_of(theme, kind);
-        // A thread to what its size is measured from, while it is in the hand.
-        if (on && (kind == HoldKind::width || kind == HoldKind::height)) {
-            ui::paint_line(at(point.base_world), p, theme.color.halo, 3 * theme.scale);
-            ui::paint_line(at(point.base_world), p, color_of(theme, kind), 1.4f * theme.scale);
-        }
+        const bool sized = kind == HoldKind::width || kind == HoldKind::height;
+        const bool stalk = glm::distance(p, at(point.p_world)) > 1;
         if (kind == HoldKind::start || kind == HoldKind::end) {
-            const double step = kind == HoldKind::start ? 0.02 : -0.02;
-            const double inward = std::clamp(point.u + step, 0.0, 1.0);
-            const glm::vec2 within =
-                at(evaluate(laid->placement->volume, {inward, 0.5, 0.5}).value);
-            paint_arrow(theme, p, p - within, radius, color);
-        } else
-            ui::paint_dot(p, radius, color, theme.color.halo, 1.5f * theme.scale);
+            paint_arrow(theme, p, p - from, radius, color);
+            continue;
+        }
+        // A thread to what its size is measured from, in the hand or where it would look lost.
+        if (sized ? on || stalk : stalk) {
+            ui::paint_line(from, p, theme.color.halo, 3 * theme.scale);
+            ui::paint_line(from, p, color_of(theme, kind), 1.4f * theme.scale);
+        }
+        ui::paint_dot(p, radius, color, theme.color.halo, 1.5f * theme.scale);
     }
     if (lit.kind == HoldKind::none) return;
     const PlacementParameters& now =
@@ -178,36 +175,6 @@ void PlacementHandles::options(const Session& session, const ui::Theme& theme)
     int chosen = static_cast<int>(*choice_);
     ui::segments(theme, "handles", chosen, {"All", "Stroke", "Sizes", "None"}, theme.px(224));
     *choice_ = static_cast<HandleChoice>(chosen);
-}
-
-void paint_nodes(const ui::Theme& theme, const ViewportInput& input, const Camera& camera,
-                 const Placement& placement)
-{
-    const int columns = placement.node_columns;
-    if (columns < 1) return;
-    const float px = theme.scale;
-    for (std::size_t k = 0; k < placement.nodes.size(); ++k) {
-        const int column = static_cast<int>(k) % columns;
-        const StripNode& node = placement.nodes[k];
-        // The rims and the middle say enough; all of them would hide the model.
-        const bool middle = column == columns / 2;
-        if (column != 0 && column != columns - 1 && !middle && !node.folds) continue;
-        const Projected p = project(camera, node.p_world);
-        if (p.depth_world <= 0) continue;
-        const glm::vec2 at = input.rect.lo + glm::vec2(p.p_px);
-        if (node.folds) {
-            for (const glm::vec2 arm : {glm::vec2(4, 4), {4, -4}}) {
-                ui::paint_line(at - arm * px, at + arm * px, theme.color.halo, 4 * px);
-                ui::paint_line(at - arm * px, at + arm * px, theme.color.bad, 2 * px);
-            }
-        } else if (node.contact == Contact::touches)
-            ui::paint_dot(at, 2.2f * px, theme.color.stroke);
-        else
-            ui::paint_dot(at, 2.6f * px, theme.color.halo,
-                          node.contact == Contact::bridges ? theme.color.free_node
-                                                           : theme.color.text_3,
-                          1.3f * px);
-    }
 }
 
 } // namespace trivar

@@ -36,12 +36,7 @@ private:
     bool moved_ = false;
 };
 
-// The selected object, if it is the only one, lies on a stroke and can be seen.
+// The selected object, if it is the only one, lies on a stroke, can be seen and is not locked.
 const EvaluatedObject* selected_placement(const Session& session);
-
-// The nodes of the strip: solid where it touches the scene, hollow where it bridges or nothing was
-// met, crossed out where the volume folds.
-void paint_nodes(const ui::Theme& theme, const ViewportInput& input, const Camera& camera,
-                 const Placement& placement);
 
 } // namespace trivar

@@ -16,6 +16,12 @@ constexpr double px_a_place = 130; // of the stroke, as it was drawn
 constexpr int least_places = 3, most_places = 9;
 constexpr double least_ratio = 0.05, most_ratio = 20; // of sizes, in one drag
 constexpr double shortest_fill = 0.02;
+constexpr double reach_px = 9;      // of a handle
+constexpr double end_on_px = 14;    // a size that looks shorter is on a stalk ...
+constexpr double stalk_px = 44;     // ... of this length
+constexpr double narrowest_px = 11; // a rim, from the middle
+constexpr double beyond_px = 16;    // start and end, from the ends
+constexpr double further_in = 0.02; // along the stroke
 
 glm::dvec3 in_volume(const Placement& placement, const glm::dvec3& uvw)
 {
@@ -38,13 +44,28 @@ double handy(double value, bool snap)
                     : std::round(value / unit) * unit;
 }
 
+// Whether the way from its base to the hold can hardly be seen.
+bool end_on(const HoldPoint& point, const Camera& camera, double scale)
+{
+    const HoldKind kind = point.hold.kind;
+    if (kind != HoldKind::height && kind != HoldKind::contact) return false;
+    return glm::distance(project(camera, point.p_world).p_px,
+                         project(camera, point.base_world).p_px) < end_on_px * scale;
+}
+
 // How many times longer the way from its base to the hold has become.
 double growth(const HoldDrag& drag, glm::dvec2 by_px)
 {
-    const glm::dvec2 base = project(drag.camera, drag.held.base_world).p_px;
-    const glm::dvec2 way = project(drag.camera, drag.held.p_world).p_px - base;
+    const Projected base = project(drag.camera, drag.held.base_world);
+    const glm::dvec2 way = project(drag.camera, drag.held.p_world).p_px - base.p_px;
+    if (end_on(drag.held, drag.camera, drag.scale)) { // a pixel upward is a pixel's length
+        const double size = glm::distance(drag.held.p_world, drag.held.base_world);
+        const double up = -by_px.y * pixel_size_world(drag.camera, base.depth_world);
+        const double sign = drag.held.hold.kind == HoldKind::contact ? -1 : 1;
+        return std::clamp(1 + sign * up / size, least_ratio, most_ratio);
+    }
     const double square = glm::dot(way, way);
-    if (!(square > 1)) return 1; // seen end on
+    if (!(square > 1)) return 1;
     return std::clamp(glm::dot(way + by_px, way) / square, least_ratio, most_ratio);
 }
 
@@ -116,20 +137,37 @@ std::vector<HoldPoint> hold_points(const PlacementStep& step, const Placement& p
         const double u = static_cast<double>(i) / (places - 1);
         add(HoldKind::stroke, i, {u, 0.5, 0}, {u, 0.5, 0});
     }
-    add(HoldKind::start, 0, {p.start, 0.5, 0.5}, {p.start, 0.5, 0});
-    add(HoldKind::end, 0, {p.start + p.fill, 0.5, 0.5}, {p.start + p.fill, 0.5, 0});
+    const double end = p.start + p.fill;
+    add(HoldKind::start, 0, {p.start, 0.5, 0}, {p.start + further_in, 0.5, 0});
+    add(HoldKind::end, 0, {end, 0.5, 0}, {end - further_in, 0.5, 0});
     return out;
 }
 
+std::optional<glm::dvec2> seen_at(const HoldPoint& point, const Camera& camera, double scale)
+{
+    const Projected p = project(camera, point.p_world), base = project(camera, point.base_world);
+    if (p.depth_world <= 0) return {};
+    const HoldKind kind = point.hold.kind;
+    if (end_on(point, camera, scale)) return p.p_px - glm::dvec2(0, stalk_px * scale);
+    const glm::dvec2 out = p.p_px - base.p_px;
+    const double length = glm::length(out);
+    if (!(length > 0)) return p.p_px;
+    if (kind == HoldKind::start || kind == HoldKind::end)
+        return p.p_px + out * (beyond_px * scale / length);
+    if (kind == HoldKind::width) // a narrow strip's rims keep apart
+        return base.p_px + out * std::max(1.0, narrowest_px * scale / length);
+    return p.p_px;
+}
+
 std::optional<HoldPoint> hold_at(const std::vector<HoldPoint>& points, const Camera& camera,
-                                 glm::dvec2 p_px, double reach_px)
+                                 glm::dvec2 p_px, double scale)
 {
     std::optional<HoldPoint> nearest;
+    double least = reach_px * scale;
     for (const HoldPoint& point : points) {
-        const Projected at = project(camera, point.p_world);
-        const double distance = glm::distance(at.p_px, p_px);
-        if (at.depth_world <= 0 || distance > reach_px) continue;
-        reach_px = distance;
+        const auto at = seen_at(point, camera, scale);
+        if (!at || glm::distance(*at, p_px) > least) continue;
+        least = glm::distance(*at, p_px);
         nearest = point;
     }
     return nearest;
@@ -142,7 +180,7 @@ EditPlacement dragged(const HoldDrag& drag, glm::dvec2 to_px, bool snap)
     const PlacementReport& report = drag.placement->report;
     const glm::dvec2 by = to_px - drag.from_px;
     const auto line = [&] {
-        const glm::dvec2 shown = project(drag.camera, drag.held.base_world).p_px;
+        const glm::dvec2 shown = project(drag.camera, drag.held.p_world).p_px;
         const double u = nearest_on_line(*drag.placement, drag.camera, shown + by).u;
         return snap ? std::round(u * 20) / 20 : std::round(u * 1000) / 1000;
     };

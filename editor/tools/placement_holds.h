@@ -24,13 +24,18 @@ struct HoldPoint {
     Hold hold;
     double u = 0;             // along the stroke
     glm::dvec3 p_world{0};    // where it stands
-    glm::dvec3 base_world{0}; // what its distance is measured from; of the contact: the roof
+    glm::dvec3 base_world{0}; // what its distance is measured from; of the contact: the roof; of
+                              // start and end: a place further in
 };
 std::vector<HoldPoint> hold_points(const PlacementStep& step, const Placement& placement);
 
+// Where it is drawn, pixels: a size that is seen end on, as heights are from where the stroke was
+// drawn, on a stalk of its own; start and end beyond the ends. Nothing behind the eye.
+std::optional<glm::dvec2> seen_at(const HoldPoint& point, const Camera& camera, double scale);
+
 // The one under a pixel, the nearest where several are; nothing where none is.
 std::optional<HoldPoint> hold_at(const std::vector<HoldPoint>& points, const Camera& camera,
-                                 glm::dvec2 p_px, double reach_px);
+                                 glm::dvec2 p_px, double scale);
 
 // A drag: what there was when it began, and where.
 struct HoldDrag {
@@ -41,6 +46,7 @@ struct HoldDrag {
     HoldPoint held;
     Camera camera;
     glm::dvec2 from_px{0};
+    double scale = 1; // of the interface
 };
 // What it asks for when the hand is at `to_px`; with `snap` in round steps. Sizes are cut to what
 // is allowed. Pure.

@@ -22,6 +22,7 @@ public:
     {
         return box_ == Box::armed || box_ == Box::drawn || handles_.busy();
     }
+    bool shows_volume() const override { return true; }
     void cancel(Session& session) override;
     void overlay(const Session& session, const ui::Theme& theme,
                  const ViewportInput& input) const override;

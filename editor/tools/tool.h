@@ -56,6 +56,7 @@ public:
     virtual void begin(Session& session) { (void)session; } // it was chosen by its key
     virtual void use(Session& session, const ViewportInput& input) = 0;
     virtual bool busy() const { return false; }                 // a gesture is going on
+    virtual bool shows_volume() const { return !busy(); }       // of the selected placement
     virtual bool takes_wheel() const { return false; }          // it does not zoom then
     virtual void take_keys(Session& session) { (void)session; } // while busy
     virtual void cancel(Session& session) { (void)session; }    // the gesture

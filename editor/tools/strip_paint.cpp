@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/tools/strip_paint.h"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+enum class State { touches, bridges, missed, uneven, folds };
+constexpr double uneven = 1.5; // times the area asked for, or that part of it: seen in a pattern
+
+State state_of(const StripNode& node)
+{
+    if (node.folds) return State::folds;
+    if (node.contact == Contact::missed) return State::missed;
+    if (node.spread > uneven || node.spread < 1 / uneven) return State::uneven;
+    return node.contact == Contact::touches ? State::touches : State::bridges;
+}
+
+struct Shown {
+    const char* words;
+    ui::Color color;
+    float share; // of the light
+};
+Shown shown(const ui::Theme& theme, State state)
+{
+    const ui::Palette& c = theme.color;
+    switch (state) {
+    case State::touches: return {"touches", c.stroke, 0.15f};
+    case State::bridges: return {"bridges a gap", c.free_node, 0.1f};
+    case State::missed: return {"meets nothing", c.axis_z, 0.3f};
+    case State::uneven: return {"stretched or squeezed", c.bad, 0.25f};
+    case State::folds: return {"folds", c.bad_fill, 0.8f};
+    }
+    return {"", 0, 0};
+}
+
+} // namespace
+
+gpu::Translucent strip_veil(const Placement& placement, const ui::Theme& theme)
+{
+    constexpr double over = 0.02; // of the height, so that the scene does not show through
+    gpu::Translucent veil;
+    const auto columns = static_cast<std::uint32_t>(placement.node_columns);
+    if (columns < 2) return veil;
+    const std::array<Knots, 2>& axes = placement.contact.axes;
+    for (std::uint32_t k = 0; k < placement.nodes.size(); ++k) {
+        const std::uint32_t i = k / columns, j = k % columns;
+        const glm::dvec3 uvw(axes[0].greville(static_cast<int>(i)),
+                             axes[1].greville(static_cast<int>(j)), over);
+        veil.points.emplace_back(evaluate(placement.volume, uvw).value);
+        const Shown state = shown(theme, state_of(placement.nodes[k]));
+        veil.colors.push_back(ui::linear_light(ui::faded(state.color, state.share)));
+        if (i == 0 || j == 0) continue;
+        const std::uint32_t a = k - columns - 1, b = k - 1, c = k - columns;
+        veil.triangles.insert(veil.triangles.end(), {a, b, k, a, k, c});
+    }
+    return veil;
+}
+
+void paint_nodes(const ui::Theme& theme, const ViewportInput& input, const Camera& camera,
+                 const Placement& placement)
+{
+    const int columns = placement.node_columns;
+    if (columns < 1) return;
+    const float px = theme.scale;
+    for (std::size_t k = 0; k < placement.nodes.size(); ++k) {
+        const int column = static_cast<int>(k) % columns;
+        const StripNode& node = placement.nodes[k];
+        // The rims and the middle say enough; all of them would hide the model.
+        const bool middle = column == columns / 2;
+        if (column != 0 && column != columns - 1 && !middle && !node.folds) continue;
+        const Projected p = project(camera, node.p_world);
+        if (p.depth_world <= 0) continue;
+        const glm::vec2 at = input.rect.lo + glm::vec2(p.p_px);
+        if (node.folds) {
+            for (const glm::vec2 arm : {glm::vec2(4, 4), {4, -4}}) {
+                ui::paint_line(at - arm * px, at + arm * px, theme.color.halo, 4 * px);
+                ui::paint_line(at - arm * px, at + arm * px, theme.color.bad, 2 * px);
+            }
+        } else if (node.contact == Contact::touches)
+            ui::paint_dot(at, 2.2f * px, theme.color.stroke);
+        else
+            ui::paint_dot(at, 2.6f * px, theme.color.halo,
+                          node.contact == Contact::bridges ? theme.color.free_node
+                                                           : theme.color.text_3,
+                          1.3f * px);
+    }
+}
+
+void paint_strip_legend(const ui::Theme& theme, const ui::Rect& picture, const Placement& placement)
+{
+    std::array<std::size_t, 5> count{};
+    for (const StripNode& node : placement.nodes)
+        ++count.at(static_cast<std::size_t>(state_of(node)));
+    glm::vec2 at{picture.lo.x + theme.px(12), picture.hi.y - theme.px(36)};
+    for (std::size_t i = 0; i < count.size(); ++i) {
+        if (count.at(i) == 0) continue;
+        const Shown state = shown(theme, static_cast<State>(i));
+        const double share =
+            100.0 * static_cast<double>(count.at(i)) / static_cast<double>(placement.nodes.size());
+        const ui::Rect chip = ui::paint_chip(
+            theme, at,
+            {fmt::format("{} {:.0f} %", state.words, std::max(1.0, share)), state.color});
+        at.x = chip.hi.x + theme.px(6);
+    }
+}
+
+} // namespace trivar

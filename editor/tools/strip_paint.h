@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "editor/tools/tool.h"
+
+namespace trivar {
+
+// How the strip of a placement lies, as colours, dots and words.
+
+// Where it touches the scene, bridges gaps, meets nothing, is stretched or squeezed by more than
+// half, or folds.
+gpu::Translucent strip_veil(const Placement& placement, const ui::Theme& theme);
+
+// The nodes of its rims and middle: solid where it touches the scene, hollow where it bridges or
+// nothing was met; and a cross wherever the volume folds.
+void paint_nodes(const ui::Theme& theme, const ViewportInput& input, const Camera& camera,
+                 const Placement& placement);
+
+// What the colours mean, of those that occur; at the lower left of the picture.
+void paint_strip_legend(const ui::Theme& theme, const ui::Rect& picture,
+                        const Placement& placement);
+
+} // namespace trivar

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/placement/profile.h"
+#include "core/placement/redraw.h"
+#include "editor/tools/placement_handles.h"
+#include "tests/editor/rig.h"
+
+#include <gmock/gmock.h>
+
+namespace trivar {
+namespace {
+
+using ::testing::IsEmpty;
+using testing::Rig;
+
+// The box laid on the plane, from the left to the right.
+struct PlacedRig : Rig {
+    PlacedRig()
+    {
+        two_objects();
+        key({'P'});
+        draw(stroke());
+        wait();
+        key({'Q'});
+        wait();
+    }
+    const PlacementStep& step() const { return *object(editor.session.document(), 2).placement; }
+    const Placement& laid() const { return *editor.session.evaluated().objects.at(2)->placement; }
+    HoldPoint hold(HoldKind kind, int index = 0) const
+    {
+        for (const HoldPoint& point : hold_points(step(), laid()))
+            if (point.hold == Hold{kind, index}) return point;
+        ADD_FAILURE() << "there is no such handle";
+        return {};
+    }
+    glm::vec2 handle(const HoldPoint& point) const
+    {
+        const glm::dvec2 at = *trivar::seen_at(point, editor.session.camera, 1);
+        return layout().view.lo + glm::vec2(at);
+    }
+    // A drag of a handle by some pixels.
+    void pull(const HoldPoint& point, glm::vec2 by)
+    {
+        const glm::vec2 at = handle(point);
+        move(at);
+        draw({at, at + by});
+        wait();
+    }
+};
+
+TEST(PlacementHandles, ARimSetsTheWidthAndTheRoofTheHeightAStepEach)
+{
+    PlacedRig rig;
+    ASSERT_TRUE(rig.editor.session.evaluated().objects.at(2)->placement);
+    const std::size_t before = rig.steps();
+    const double width = rig.laid().report.width_world, height = rig.laid().report.height_world;
+    const HoldPoint rim = rig.hold(HoldKind::width);
+    const glm::vec2 way = rig.seen_at(rim.p_world) - rig.seen_at(rim.base_world);
+    rig.pull(rim, way); // as far again
+    EXPECT_EQ(rig.steps(), before + 1);
+    EXPECT_NEAR(rig.step().parameters.width, 2 * width, 0.02 * width);
+    EXPECT_NEAR(rig.laid().report.width_world, 2 * width, 0.02 * width);
+    const HoldPoint roof = rig.hold(HoldKind::height);
+    // From where the stroke was drawn the height is seen end on: its handle is on a stalk.
+    EXPECT_GT(glm::distance(rig.handle(roof), rig.seen_at(roof.p_world)), 20);
+    const Camera& camera = rig.editor.session.camera;
+    const double px = pixel_size_world(camera, project(camera, roof.base_world).depth_world);
+    rig.pull(roof, {0, -40});
+    EXPECT_EQ(rig.steps(), before + 2);
+    EXPECT_NEAR(rig.step().parameters.height, height + 40 * px, 0.03 * height);
+    rig.editor.session.camera.eye = {-4, -5, 2};
+    rig.frames(4);
+    const HoldPoint aside = rig.hold(HoldKind::height);
+    const double now = rig.step().parameters.height;
+    rig.pull(aside, 0.25f * (rig.seen_at(aside.p_world) - rig.seen_at(aside.base_world)));
+    EXPECT_EQ(rig.steps(), before + 3);
+    EXPECT_NEAR(rig.step().parameters.height, 1.25 * now, 0.03 * now);
+    rig.editor.session.undo();
+    rig.editor.session.undo();
+    rig.editor.session.undo();
+    rig.wait();
+    EXPECT_EQ(rig.laid().report.width_world, width);
+}
+
+TEST(PlacementHandles, ARimOfAProfileMovesItsPointOnly)
+{
+    PlacedRig rig;
+    PlacementParameters p = rig.step().parameters;
+    p.width_profile = {{0, 1}, {0.5, 1}, {1, 1}};
+    ASSERT_TRUE(rig.editor.session.run(EditPlacement{2, p, {}, {}}));
+    rig.wait();
+    const HoldPoint middle = rig.hold(HoldKind::width, 3); // the left rim at the second point
+    const glm::vec2 way = rig.seen_at(middle.p_world) - rig.seen_at(middle.base_world);
+    rig.pull(middle, 0.5f * way);
+    const std::vector<glm::dvec2>& profile = rig.step().parameters.width_profile;
+    EXPECT_EQ(rig.step().parameters.width, p.width);
+    EXPECT_NEAR(Profile(profile).at(0.5), 1.5, 0.05);
+    EXPECT_EQ(profile.front(), glm::dvec2(0, 1));
+    EXPECT_EQ(profile.back(), glm::dvec2(1, 1));
+}
+
+TEST(PlacementHandles, TheEndsOfTheModelSlideAlongTheStroke)
+{
+    PlacedRig rig;
+    const HoldPoint start = rig.hold(HoldKind::start), end = rig.hold(HoldKind::end);
+    rig.pull(start, {80, 0});
+    const double begins = rig.step().parameters.start;
+    EXPECT_GT(begins, 0.1);
+    EXPECT_NEAR(begins + rig.step().parameters.fill, 1, 1e-9);
+    rig.pull(end, {-60, 0});
+    EXPECT_EQ(rig.step().parameters.start, begins);
+    EXPECT_LT(begins + rig.step().parameters.fill, 0.95);
+}
+
+TEST(PlacementHandles, APlaceOfTheStrokeIsPulledWhereTheMouseGoes)
+{
+    PlacedRig rig;
+    const HoldPoint middle = rig.hold(HoldKind::stroke, 1);
+    const glm::vec2 goal = rig.seen_at(middle.p_world) + glm::vec2(0, 40);
+    const Sketch before = rig.step().sketch;
+    rig.pull(middle, {0, 40});
+    const NearestLine now =
+        nearest_on_line(rig.laid(), rig.editor.session.camera, goal - rig.layout().view.lo);
+    EXPECT_LT(now.distance_px, 4);
+    EXPECT_EQ(rig.step().sketch.samples.front().p_px, before.samples.front().p_px);
+    EXPECT_EQ(rig.step().sketch.samples.back().p_px, before.samples.back().p_px);
+}
+
+TEST(PlacementHandles, AlsoFromAnotherSideThanItWasDrawnFrom)
+{
+    PlacedRig rig;
+    rig.editor.session.camera.eye = {-4, -4, 5};
+    rig.frames(4);
+    const HoldPoint end = rig.hold(HoldKind::stroke, 2);
+    const glm::vec2 goal = rig.seen_at(end.p_world) + glm::vec2(25, 30);
+    rig.pull(end, {25, 30});
+    const NearestLine now =
+        nearest_on_line(rig.laid(), rig.editor.session.camera, goal - rig.layout().view.lo);
+    EXPECT_LT(now.distance_px, 4);
+}
+
+TEST(PlacementHandles, EscapeAndWhatIsLockedLeaveNoTrace)
+{
+    PlacedRig rig;
+    const std::size_t before = rig.steps();
+    const std::string then = digest(rig.editor.session.committed());
+    const HoldPoint rim = rig.hold(HoldKind::width);
+    const glm::vec2 at = rig.handle(rim);
+    rig.move(at);
+    rig.draw({at, at + glm::vec2(0, 50)}, false);
+    EXPECT_TRUE(rig.editor.active_tool().busy());
+    rig.key({ui::key_escape});
+    rig.screen.input().push(ui::press(ui::Button::left, false));
+    rig.wait();
+    EXPECT_EQ(rig.steps(), before);
+    EXPECT_EQ(digest(rig.editor.session.document()), then);
+    ASSERT_TRUE(rig.editor.session.run(Lock{{2}}));
+    rig.wait();
+    EXPECT_EQ(selected_placement(rig.editor.session), nullptr);
+}
+
+TEST(PlaceTool, AStrokeFromTheOldOneRedrawsThatPartOfIt)
+{
+    PlacedRig rig;
+    rig.key({'P'});
+    const Sketch before = rig.step().sketch;
+    const auto on_line = [&](double u) {
+        const std::vector<glm::dvec3>& line = rig.laid().strip.front();
+        return rig.seen_at(
+            line[static_cast<std::size_t>(u * static_cast<double>(line.size() - 1))]);
+    };
+    const std::size_t steps = rig.steps();
+    const glm::vec2 a = on_line(0.3), b = on_line(0.72), hill = (a + b) / 2.0f - glm::vec2(0, 60);
+    rig.move(a);
+    rig.draw({a, hill, b});
+    rig.wait();
+    EXPECT_EQ(rig.steps(), steps + 1);
+    const Sketch& now = rig.step().sketch;
+    EXPECT_EQ(now.samples.front().p_px, before.samples.front().p_px);
+    EXPECT_EQ(now.samples.back().p_px, before.samples.back().p_px);
+    EXPECT_LT(nearest_share(now, glm::dvec2(hill - rig.layout().view.lo)).distance_px, 2);
+    EXPECT_GT(length_px(now), length_px(before) + 20);
+}
+
+TEST(PlaceTool, TheWheelSetsTheWidthWhileAStrokeIsDrawn)
+{
+    Rig rig;
+    rig.two_objects();
+    rig.key({'P'});
+    const Camera before = rig.editor.session.camera;
+    rig.draw(rig.stroke(), false);
+    rig.wait();
+    const double width =
+        rig.editor.session.evaluated().objects.at(2)->placement->report.width_world;
+    rig.screen.input().push(ui::turn_wheel(2));
+    rig.frames(3);
+    rig.wait();
+    rig.screen.input().push(ui::press(ui::Button::left, false));
+    rig.wait();
+    EXPECT_EQ(rig.editor.session.camera, before);
+    EXPECT_NEAR(object(rig.editor.session.document(), 2).placement->parameters.width, 1.21 * width,
+                0.01 * width);
+}
+
+} // namespace
+} // namespace trivar
