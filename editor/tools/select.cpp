@@ -79,19 +79,14 @@ void SelectTool::options(Session& session, const ui::Theme& theme, float width)
                                            : std::to_string(count) + " objects, active: " +
                                                  name_of(session.document(), session.selected);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-<<<<<<< HEAD
-    ui::name_text(theme, theme.font.body, ui::rect_at({at.x, at.y}, {width, theme.size.row}),
-                  theme.color.text_2, words);
-=======
     const bool handles = selected_placement(session) && width > theme.px(420);
     const float room = handles ? width - theme.px(320) : width;
-    const std::string shown = ui::elided(theme.font.body, words, room);
-    ui::paint_text(theme.font.body, ui::rect_at({at.x, at.y}, {room, theme.size.row}),
-                   theme.color.text_2, shown);
+    ui::name_text(theme, theme.font.body, ui::rect_at({at.x, at.y}, {room, theme.size.row}),
+                  theme.color.text_2, words);
     if (!handles) return;
-    ImGui::SetCursorScreenPos({at.x + ui::text_width(theme.font.body, shown) + theme.px(24), at.y});
+    const float taken = std::min(room, ui::text_width(theme.font.body, words));
+    ImGui::SetCursorScreenPos({at.x + taken + theme.px(24), at.y});
     handles_.options(session, theme);
->>>>>>> b4b2137 (Handles, redrawing, brushes and profiles for what lies on a stroke)
 }
 
 std::vector<Hint> SelectTool::hints(const Session& session) const
