@@ -119,7 +119,7 @@ TEST_P(EveryPanel, IsDrawnAndCutsNoText)
         look(rig, "preferences, page " + std::to_string(page));
     }
     rig.editor.preferences_dialog.open = false;
-    rig.editor.help_open = true;
+    show_manual(rig.editor, "place");
     look(rig, "help");
 }
 
