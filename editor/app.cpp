@@ -30,7 +30,7 @@ std::string kept(const std::string& name)
 int run_editor(const EditorOptions& options)
 {
     try {
-        ui::Window window({.scale = options.scale, .light = options.light});
+        ui::Window window({.scale = options.scale});
         Editor editor(window.waker(), kept("unnamed"));
         PreferencesFile preferences(kept("preferences.json"));
         editor.preferences = preferences.read();
@@ -46,6 +46,7 @@ int run_editor(const EditorOptions& options)
         std::string title;
         window.run([&](ui::Frame& frame) {
             draw_editor(editor, frame);
+            frame.look.light = frame.look.light || options.light;
             // Not at each step of a drag, which always ends in a frame.
             const bool dragging = ImGui::IsMouseDown(ImGuiMouseButton_Left);
             const std::string trouble = dragging ? "" : preferences.keep(editor.preferences);

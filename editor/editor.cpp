@@ -121,6 +121,7 @@ void draw_editor(Editor& editor, ui::Frame& frame)
     if (editor.session.change() != change) frame.again_in(0);
     frame.close = editor.files.close_agreed();
     frame.interface_scale = editor.preferences.scale;
+    frame.look = editor.preferences.look;
     frame.full_screen = editor.full_screen;
 }
 

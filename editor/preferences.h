@@ -2,6 +2,7 @@
 #pragma once
 
 #include "editor/key_map.h"
+#include "ui/palette.h"
 
 #include <array>
 #include <string>
@@ -15,7 +16,8 @@ struct Preferences {
     double scale = 1; // of the interface, times the monitor's, 0.75..2
     double dock = 320, outliner = 256;
     bool show_dock = true, hints = true;
-    bool reduced_motion = false; // what would move is there at once
+    ui::Look look;                        // of the interface
+    bool reduced_motion = false;          // what would move is there at once
     bool backdrop_as_in_pictures = false; // of the viewport; else the window's own
     KeyMap keys;
     std::vector<std::string> recent_commands, recent_scenes; // the newest first

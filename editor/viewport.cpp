@@ -233,7 +233,7 @@ ViewportStyle viewport_style(const ui::Theme& theme, bool as_in_pictures)
     ViewportStyle style;
     style.outline.color = ui::linear_light(c.selected);
     style.outline.halo = ui::linear_light(c.halo);
-    style.outline.width_px *= theme.scale;
+    style.outline.width_px = theme.line(style.outline.width_px);
     style.outline.halo_px *= theme.scale;
     if (as_in_pictures) return style;
     constexpr float axis_share = 0.55f;
@@ -255,7 +255,9 @@ ui::Theme theme_over_picture(const ui::Theme& theme, const RenderSettings& setti
 {
     if (!as_in_pictures) return theme;
     ui::Theme over = theme;
-    over.color = ui::with_overlays(theme.color, settings.look != "dark");
+    ui::Look look = theme.look;
+    look.light = settings.look != "dark";
+    over.color = ui::with_overlays(theme.color, look);
     return over;
 }
 
@@ -265,7 +267,7 @@ std::vector<gpu::Line> placement_lines(const Placement& placement, const ui::The
     // Along the twelve edges of the volume, and every tenth of the way round it.
     const auto add = [&](glm::dvec3 from, glm::dvec3 to, int steps, float alpha, float width) {
         gpu::Line line{
-            {}, ui::linear_light(ui::faded(theme.color.lattice, alpha)), width * theme.scale};
+            {}, ui::linear_light(ui::faded(theme.color.lattice, alpha)), theme.line(width)};
         for (int i = 0; i <= steps; ++i) {
             const glm::dvec3 uvw = glm::mix(from, to, static_cast<double>(i) / steps);
             line.points.emplace_back(evaluate(placement.volume, uvw).value);
@@ -285,7 +287,7 @@ std::vector<gpu::Line> placement_lines(const Placement& placement, const ui::The
         add({u, 1, 0}, {u, 1, 1}, 8, alpha, width);
     }
     if (placement.strip.empty()) return lines;
-    gpu::Line stroke{{}, ui::linear_light(theme.color.stroke), 2 * theme.scale};
+    gpu::Line stroke{{}, ui::linear_light(theme.color.stroke), theme.line(2)};
     stroke.points.assign(placement.strip.front().begin(), placement.strip.front().end());
     lines.push_back(std::move(stroke));
     return lines;

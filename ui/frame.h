@@ -20,6 +20,7 @@ struct Frame {
     double again_in_s = 1e300;  // asked for: another frame after this time at the latest
     bool close = false;         // asked for: the end
     double interface_scale = 1; // asked for from the next frame on, times the monitor's, 0.75..2
+    Look look = {};             // asked for from the next frame on
     bool full_screen = false;   // asked for from the next frame on
     void again_in(double seconds) { again_in_s = std::min(again_in_s, seconds); }
 };

@@ -34,7 +34,8 @@ void HeadlessFrames::frames(int count, const DrawFrame& body)
     for (int i = 0; i < count; ++i) {
         const Frame frame = gui_.frame(size_px_, time_s_, false, into_image);
         const float scale = combined_scale(options_.scale, frame.interface_scale);
-        if (scale != gui_.theme().scale) gui_.set_theme({scale, options_.light});
+        if (scale != gui_.theme().scale || frame.look != gui_.theme().look)
+            gui_.set_theme({scale, frame.look});
         time_s_ += 1.0 / 60;
         ++count_;
     }

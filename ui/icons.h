@@ -11,7 +11,7 @@ inline constexpr const char *select = "\uf245", *move = "\uf047", *rotate = "\uf
                             *sliders = "\uf1de", *eye = "\uf06e", *hidden = "\uf070",
                             *add = "\uf067", *trash = "\uf1f8", *close = "\uf00d",
                             *check = "\uf00c", *search = "\uf002", *open = "\uf107",
-                            *closed = "\uf105", *undo = "\uf0e2", *redo = "\uf01e",
+                            *closed = "\uf105", *undo = "\uf112", *redo = "\uf064",
                             *history = "\uf1da", *settings = "\uf013", *timing = "\uf0e4",
                             *guard = "\uf132", *warning = "\uf071", *information = "\uf05a",
                             *help = "\uf128", *keyboard = "\uf11c", *file = "\uf016",

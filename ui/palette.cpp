@@ -54,6 +54,9 @@ Palette dark_palette()
     c.axis_x = rgb(0xF2665F);
     c.axis_y = rgb(0x8CC84B);
     c.axis_z = rgb(0x5B9DFF);
+    c.letter_x = c.axis_x;
+    c.letter_y = c.axis_y;
+    c.letter_z = c.axis_z;
 
     c.selected = rgb(0xFFFFFF);
     c.hovered = rgb(0xFFFFFF, 0.55f);
@@ -63,6 +66,10 @@ Palette dark_palette()
     c.stroke_fill = rgb(0xFFB224, 0.20f);
     c.contact = rgb(0x43CF96);
     c.free_node = rgb(0xFFFFFF);
+    c.sphere = rgb(0xE03AA8);
+    c.incision = rgb(0xFF7A4D);
+    c.fold = rgb(0xC8102E);
+    c.path = rgb(0xFFF29A);
     c.halo = rgb(0x000000, 0.55f);
     c.chip = rgb(0x0E0F11, 0.80f);
     c.chip_text = rgb(0xE9EBEE);
@@ -102,12 +109,18 @@ Palette light_palette()
     c.bad = rgb(0xB3261E);
     c.key = rgb(0xB87400);
     c.changed = rgb(0x1F57BB);
+    c.letter_x = rgb(0xB3261E);
+    c.letter_y = rgb(0x3A6B10);
+    c.letter_z = rgb(0x1F57BB);
     c.sky_top = rgb(0xC8CCD2);
     c.sky_bottom = rgb(0x9EA4AC);
     c.lattice = rgb(0x0A7F9B);
     c.lattice_fill = rgb(0x0A7F9B, 0.09f);
     c.stroke = rgb(0xB86A00);
     c.stroke_fill = rgb(0xB86A00, 0.20f);
+    c.sphere = rgb(0xB81F86);
+    c.incision = rgb(0xC23B12);
+    c.path = rgb(0x7A6A00);
     c.grid = rgb(0x000000, 0.07f);
     c.grid_major = rgb(0x000000, 0.14f);
     return c;
@@ -123,14 +136,64 @@ double linear_channel(Color color, int shift)
 
 } // namespace
 
-Palette with_overlays(Palette palette, bool light_picture)
+Palette palette_of(const Look& look)
 {
-    const Palette from = light_picture ? light_palette() : dark_palette();
-    for (const auto field : {&Palette::selected, &Palette::hovered, &Palette::lattice,
-                             &Palette::lattice_fill, &Palette::stroke, &Palette::stroke_fill,
-                             &Palette::contact, &Palette::free_node, &Palette::halo})
+    Palette c = look.light ? light_palette() : dark_palette();
+    if (look.high_contrast) c.text_2 = c.text_3 = c.text;
+    if (!look.other_hues) return c;
+    c.lattice = rgb(look.light ? 0x0B0857 : 0x1EFFFF);
+    c.stroke = rgb(look.light ? 0xC74A00 : 0xFFC000);
+    c.sphere = rgb(look.light ? 0x944BBC : 0x885ED6);
+    c.incision = rgb(look.light ? 0x2D001A : 0xCE4F72);
+    c.fold = rgb(look.light ? 0x690D00 : 0xD40000);
+    c.path = rgb(look.light ? 0x447574 : 0xE4FFA8);
+    c.lattice_fill = faded(c.lattice, 0.08f);
+    c.stroke_fill = faded(c.stroke, 0.20f);
+    return c;
+}
+
+Palette with_overlays(Palette palette, const Look& look)
+{
+    const Palette from = palette_of(look);
+    for (const auto field :
+         {&Palette::selected, &Palette::hovered, &Palette::lattice, &Palette::lattice_fill,
+          &Palette::stroke, &Palette::stroke_fill, &Palette::contact, &Palette::free_node,
+          &Palette::halo, &Palette::sphere, &Palette::incision, &Palette::fold, &Palette::path})
         palette.*field = from.*field;
     return palette;
+}
+
+double difference(Color a, Color b, Eyes eyes)
+{
+    // From linear sRGB to linear sRGB, by rows.
+    constexpr double seen[4][3][3] = {
+        {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+        {{.152286, 1.052583, -.204868},
+         {.114503, .786281, .099216},
+         {-.003882, -.048116, 1.051998}},
+        {{.367322, .860646, -.227968}, {.280085, .672501, .047413}, {-.011820, .042940, .968881}},
+        {{1.255528, -.076749, -.178779},
+         {-.078411, .930809, .147602},
+         {.004733, .691367, .303900}}};
+    constexpr double to_xyz[3][3] = {// over the white of D65
+                                     {.4124 / .9505, .3576 / .9505, .1805 / .9505},
+                                     {.2126, .7152, .0722},
+                                     {.0193 / 1.089, .1192 / 1.089, .9505 / 1.089}};
+    const auto times = [](const double(&m)[3][3], const glm::dvec3& v) {
+        glm::dvec3 result;
+        for (int i = 0; i < 3; ++i) result[i] = m[i][0] * v.x + m[i][1] * v.y + m[i][2] * v.z;
+        return result;
+    };
+    const auto lab = [&](Color color) {
+        const glm::dvec3 linear{linear_channel(color, 0), linear_channel(color, 8),
+                                linear_channel(color, 16)};
+        const glm::dvec3 light = glm::clamp(times(seen[static_cast<int>(eyes)], linear), 0.0, 1.0);
+        glm::dvec3 f = times(to_xyz, light);
+        for (int i = 0; i < 3; ++i)
+            f[i] = f[i] > 0.008856 ? std::cbrt(f[i]) : 7.787 * f[i] + 16.0 / 116;
+        return glm::dvec3{116 * f.y - 16, 500 * (f.x - f.y), 200 * (f.y - f.z)};
+    };
+    return glm::distance(lab(a), lab(b));
 }
 
 glm::vec4 linear_light(Color color)

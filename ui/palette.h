@@ -35,7 +35,9 @@ struct Palette {
     Color good, warn, bad, bad_fill, bad_fill_hover, key, changed;
     // The viewport. Hues are spaced for deuteranopia and protanopia; shape always says it too.
     Color sky_top, sky_bottom, grid, grid_major, axis_x, axis_y, axis_z;
+    Color letter_x, letter_y, letter_z; // of the axes, on panels
     Color selected, hovered, lattice, lattice_fill, stroke, stroke_fill, contact, free_node, halo;
+    Color sphere, incision, fold, path;
     Color chip, chip_text; // small labels that lie on the picture
     Color cpu, gpu;
 };
@@ -43,11 +45,24 @@ struct Palette {
 Palette dark_palette();
 Palette light_palette();
 
+// What a person chose. High contrast: no text is quieter than another, and overlays are wider.
+// Other hues: overlays that differ from each other for eyes of every kind.
+struct Look {
+    bool light = false, high_contrast = false, other_hues = false;
+    bool operator==(const Look&) const = default;
+};
+Palette palette_of(const Look& look);
+
 // The same palette with the overlays that read on a light or a dark picture.
-Palette with_overlays(Palette palette, bool light_picture);
+Palette with_overlays(Palette palette, const Look& look);
 
 // Linear light with straight alpha, for what the renderer draws.
 glm::vec4 linear_light(Color color);
+
+// How differently two opaque colours are seen (CIE 1976, distance in L*a*b*), by eyes as most have
+// them or without one kind of cones (Machado, Oliveira, Fernandes 2009, severity 1).
+enum class Eyes { usual, protanopia, deuteranopia, tritanopia };
+double difference(Color a, Color b, Eyes eyes);
 
 // Contrast of two opaque colours, 1..21 (WCAG 2.1, relative luminance).
 double contrast(Color a, Color b);

@@ -133,6 +133,12 @@ float Theme::px(float at_scale_1) const
     return std::round(at_scale_1 * scale);
 }
 
+float Theme::line(float at_scale_1) const
+{
+    constexpr float wider = 1.5f;
+    return at_scale_1 * scale * (look.high_contrast ? wider : 1.0f);
+}
+
 float combined_scale(double content, double interface)
 {
     return static_cast<float>(std::clamp(content * interface, 0.75, 3.0));
@@ -142,7 +148,8 @@ Theme apply_theme(const ThemeOptions& options)
 {
     Theme theme;
     theme.scale = std::clamp(options.scale, 0.75f, 3.0f);
-    theme.color = options.light ? light_palette() : dark_palette();
+    theme.color = palette_of(options.look);
+    theme.look = options.look;
     theme.size = metrics(theme.scale);
     set_style(theme.color, theme.scale);
     theme.font = load_fonts(theme.scale);

@@ -22,7 +22,7 @@ struct Fonts {
 
 struct ThemeOptions {
     float scale = 1; // content scale of the monitor times the user's interface scale, 0.75..3
-    bool light = false;
+    Look look = {};
 };
 
 struct Theme {
@@ -30,7 +30,9 @@ struct Theme {
     Metrics size;
     Fonts font;
     float scale = 1;
-    float px(float at_scale_1) const; // scaled and rounded to whole pixels
+    Look look;
+    float line(float at_scale_1) const; // width of a line on the picture, pixels
+    float px(float at_scale_1) const;   // scaled and rounded to whole pixels
 };
 
 // The monitor's scale times the person's, as far as the interface follows.

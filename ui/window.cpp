@@ -68,6 +68,7 @@ struct Window::State {
     std::array<GLFWcursor*, ImGuiMouseCursor_COUNT> cursors{};
     int cursor = -2;
     double interface_scale = 1;
+    Look look;
     bool full_screen = false;
     glm::ivec2 windowed_at{0}, windowed_size{0}; // before it was full screen
     std::atomic<bool> woken = false;             // by another thread
@@ -76,7 +77,7 @@ struct Window::State {
     explicit State(const WindowOptions& wanted)
         : window(open_window(wanted)),
           options(wanted),
-          gui({wanted_scale(), wanted.light})
+          gui({wanted_scale(), {}})
     {
         glfwSetWindowUserPointer(window, this);
         glfwSetWindowSizeLimits(window, 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
@@ -245,7 +246,9 @@ struct Window::State {
             glfwWaitEvents();
             return true;
         }
-        if (wanted_scale() != gui.theme().scale) gui.set_theme({wanted_scale(), options.light});
+        const ThemeOptions theme{wanted_scale(), look};
+        if (theme.scale != gui.theme().scale || theme.look != gui.theme().look)
+            gui.set_theme(theme);
         const Frame frame =
             gui.frame({std::max(w, 1), std::max(h, 1)}, glfwGetTime(), closing, [&body](Frame& f) {
                 body(f);
@@ -255,7 +258,8 @@ struct Window::State {
         pace.drawn(frame);
         show_cursor();
         glfwSwapBuffers(window);
-        if (frame.interface_scale != interface_scale) pace.input_came();
+        if (frame.interface_scale != interface_scale || frame.look != look) pace.input_came();
+        look = frame.look;
         interface_scale = frame.interface_scale;
         show_full_screen(frame.full_screen);
         ++frames;

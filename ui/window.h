@@ -14,7 +14,6 @@ struct WindowOptions {
     glm::ivec2 size{1440, 900}; // at scale 1
     double scale = 0;           // of the interface; 0: the environment's TRIVAR_SCALE, else the
                                 // monitor's content scale
-    bool light = false;
 };
 
 // A window with an OpenGL 4.3 core context, current on this thread while it lives. Its loop sleeps

@@ -25,7 +25,7 @@ ui::Edit vector_row(const ui::Theme& theme, const std::string& label, glm::dvec3
     }
     const float gap = theme.px(4), width = std::floor((row.width - 2 * gap) / 3);
     const ui::Palette& c = theme.color;
-    const std::array<ui::Color, 3> colors{c.axis_x, c.axis_y, c.axis_z};
+    const std::array<ui::Color, 3> colors{c.letter_x, c.letter_y, c.letter_z};
     const std::array<const char*, 3> names{"X", "Y", "Z"};
     ui::Edit edit = ui::Edit::none;
     const ImVec2 at = ImGui::GetCursorScreenPos();

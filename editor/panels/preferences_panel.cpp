@@ -70,6 +70,15 @@ void draw_interface_page(Editor& editor, const ui::Theme& theme, const ui::Rect&
     const float width = std::min(theme.px(420), ui::label_row(theme, "Size").width);
     if (ui::segments(theme, "scale", nearest, names, width) == ui::Edit::changed)
         p.scale = interface_scales[static_cast<std::size_t>(nearest)];
+    int light = p.look.light ? 1 : 0;
+    if (ui::segments(theme, "theme", light, {"Dark", "Light"},
+                     std::min(theme.px(280), ui::label_row(theme, "Theme").width)) ==
+        ui::Edit::changed)
+        p.look.light = light == 1;
+    ui::label_row(theme, "Contrast");
+    ui::check_box(theme, "contrast", p.look.high_contrast, "high: no quiet text, wider lines");
+    ui::label_row(theme, "Overlays");
+    ui::check_box(theme, "hues", p.look.other_hues, "in hues for colour-blind eyes");
     ui::label_row(theme, "Side panels");
     ui::check_box(theme, "dock", p.show_dock, "outliner and inspector at the right");
     ui::label_row(theme, "Hints");
@@ -114,6 +123,8 @@ void reset_page(Editor& editor)
         p.outliner = usual.outliner;
         p.show_dock = usual.show_dock;
         p.hints = usual.hints;
+        p.look = usual.look;
+        p.reduced_motion = usual.reduced_motion;
         return;
     }
     p.keys.clear();

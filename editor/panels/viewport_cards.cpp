@@ -66,10 +66,14 @@ void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& vie
     ui::Rect bar =
         ui::rect_at({middle.x - square.x / 2, middle.y + theme.px(56)}, {square.x, 2 * square.y});
     ui::paint_box(bar, c.chip, theme.size.rounding_card);
+    ui::Theme on_chip = theme; // which is dark whatever the panels are
+    on_chip.color.text = on_chip.color.text_2 = c.chip_text;
+    on_chip.color.text_off = ui::faded(c.chip_text, 0.4f);
+    on_chip.color.field_hover = ui::faded(c.chip_text, 0.2f);
     const auto button = [&](const char* icon, const char* what) {
         ImGui::SetCursorScreenPos({bar.lo.x, bar.lo.y});
         const Action& each = action(editor, what);
-        if (ui::icon_button(theme, what, icon, square, each.name, key_text(each),
+        if (ui::icon_button(on_chip, what, icon, square, each.name, key_text(each),
                             {.enabled = is_enabled(editor, each)}))
             each.run(editor);
         bar.lo.y += square.y;

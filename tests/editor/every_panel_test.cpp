@@ -113,7 +113,7 @@ TEST_P(EveryPanel, IsDrawnAndCutsNoText)
     look(rig, "palette of objects");
     rig.editor.palette.open = false;
     look(rig, "palette closed");
-    for (int page = 0; page < 2; ++page) {
+    for (int page = 0; page < 3; ++page) {
         rig.editor.preferences_dialog.open = true;
         rig.editor.preferences_dialog.page = page;
         look(rig, "preferences, page " + std::to_string(page));

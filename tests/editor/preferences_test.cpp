@@ -56,6 +56,7 @@ TEST(Preferences, AreWrittenWhenTheyChangeAndReadAgain)
     EXPECT_FALSE(std::filesystem::exists(path));
     Preferences p;
     p.outliner = 300;
+    p.look = {.light = true, .other_hues = true};
     EXPECT_EQ(file.keep(p), "");
     EXPECT_EQ(PreferencesFile(path).read(), p);
     EXPECT_EQ(read_text_file(path), text_of(p));

@@ -27,6 +27,8 @@ std::vector<Pair> pairs(const Palette& c)
     for (const Color ground :
          {c.accent, c.accent_hover, c.accent_active, c.bad_fill, c.bad_fill_hover})
         result.push_back({"on_accent", c.on_accent, ground, 4.6});
+    for (const Color letter : {c.letter_x, c.letter_y, c.letter_z})
+        result.push_back({"letter of an axis", letter, c.field, 4.2});
     for (const Color meaning : {c.good, c.warn, c.bad, c.accent_text})
         result.push_back({"meaning", meaning, c.panel, 4.5});
     return result;
@@ -38,6 +40,51 @@ TEST(Palette, EveryTextIsReadableWhereItIsAllowed)
         for (const Pair& pair : pairs(palette))
             EXPECT_GE(contrast(pair.text, pair.ground), pair.least)
                 << pair.what << std::hex << " " << pair.text << " on " << pair.ground;
+}
+
+TEST(Palette, WithHighContrastNoTextIsQuieterThanAnother)
+{
+    for (const bool light : {false, true}) {
+        const Palette c = palette_of({.light = light, .high_contrast = true});
+        for (const Color ground : {c.base, c.panel, c.header, c.raised, c.field, c.row_selected})
+            for (const Color text : {c.text, c.text_2, c.text_3})
+                EXPECT_GE(contrast(text, ground), 7.8);
+    }
+}
+
+// The least difference between any two overlays that can be seen together.
+double least_difference(const Palette& c, Eyes eyes)
+{
+    const Color overlays[] = {c.lattice, c.stroke, c.sphere, c.incision, c.fold, c.path};
+    double least = 1e9;
+    for (const Color a : overlays)
+        for (const Color b : overlays)
+            if (a != b) least = std::min(least, difference(a, b, eyes));
+    return least;
+}
+
+TEST(Palette, OverlaysDifferForEyesThatLackAColour)
+{
+    for (const Eyes eyes : {Eyes::usual, Eyes::protanopia, Eyes::deuteranopia})
+        EXPECT_GE(least_difference(dark_palette(), eyes), 22);
+    EXPECT_GE(least_difference(dark_palette(), Eyes::tritanopia), 15);
+}
+
+TEST(Palette, OtherHuesDifferMoreForEyesOfEveryKind)
+{
+    for (const bool light : {false, true})
+        for (const Eyes eyes :
+             {Eyes::usual, Eyes::protanopia, Eyes::deuteranopia, Eyes::tritanopia})
+            EXPECT_GE(least_difference(palette_of({.light = light, .other_hues = true}), eyes), 30)
+                << light << static_cast<int>(eyes);
+}
+
+TEST(Palette, DifferenceIsTheDistanceInLab)
+{
+    EXPECT_NEAR(difference(rgb(0), rgb(0xFFFFFF), Eyes::usual), 100, 0.1);
+    // Red and green of one lightness: far apart for most, near for deuteranopes.
+    EXPECT_GT(difference(rgb(0xC85050), rgb(0x608C3C), Eyes::usual),
+              2 * difference(rgb(0xC85050), rgb(0x608C3C), Eyes::deuteranopia));
 }
 
 TEST(Palette, ContrastOfBlackAndWhiteIsTwentyOne)
