@@ -338,6 +338,9 @@ std::vector<Action> all_actions(const Editor& editor)
     edit_actions(a);
     add_selection_actions(a);
     add_reset_actions(a);
+    a.push_back({"Add", add_action_name, {{.key = 'A', .shift = true}}, [](Editor& e) {
+                     e.add_menu_asked = true;
+                 }});
     a.push_back(add_action<AddPlane>("Plane"));
     a.push_back(add_action<AddBox>("Box"));
     a.push_back(add_action<AddSphere>("Sphere"));
@@ -380,7 +383,9 @@ void run_keys(Editor& editor)
     const auto escape = [] { return ui::struck({ui::key_escape}); };
     Tool& tool = editor.active_tool();
     if (tool.busy()) { // a gesture has the keyboard: only it and the camera go on
-        if (escape() || ImGui::IsMouseClicked(ImGuiMouseButton_Right))
+        const bool right = ImGui::IsMouseClicked(ImGuiMouseButton_Right);
+        editor.right_cancelled = editor.right_cancelled || right;
+        if (escape() || right)
             tool.cancel(editor.session);
         else
             tool.take_keys(editor.session);

@@ -37,6 +37,7 @@ struct Action {
     std::vector<ui::Chord> usual_keys = {}; // before anybody changed them
 };
 
+inline constexpr const char* add_action_name = "Add...";
 inline constexpr const char* palette_action = "Find a command...";
 inline constexpr const char* preferences_action = "Preferences...";
 

@@ -42,9 +42,11 @@ struct Editor {
     OutlinerState outliner;
     enum class Panel { view, outliner, dock } panel = Panel::view; // the keyboard's
     bool show_focus = false;                                       // it came there by a key
-    long scene = 0;            // number of the session's scene that the tools know
-    bool inspecting = false;   // a proposal of the inspector is pending
-    std::string manual_folder; // its pages are read when the first is shown
+    long scene = 0;               // number of the session's scene that the tools know
+    bool add_menu_asked = false;  // it opens at the mouse in the next frame
+    bool right_cancelled = false; // the right button, which is held, ended a gesture
+    bool inspecting = false;      // a proposal of the inspector is pending
+    std::string manual_folder;    // its pages are read when the first is shown
     std::vector<ManualPage> manual;
     struct ManualDialog {
         bool open = false;

@@ -84,16 +84,17 @@ void paint_number(const Theme& theme, const Rect& r, double value, const NumberS
         text.lo.x += theme.px(13);
         text.hi.x += theme.px(2);
     }
-    const bool word = value == 0 && !style.zero.empty();
+    const bool word = !style.words.empty() || (value == 0 && !style.zero.empty());
     const float unit_width = text_width(theme.font.small, style.unit);
     if (!style.unit.empty() && !word && text.width() > unit_width + theme.px(34)) {
         paint_text(theme.font.small, text, c.text_2, style.unit, Align::right);
         text.hi.x -= unit_width + theme.px(6);
     }
     const bool whole = style.step >= 1 && value == std::round(value);
-    std::string shown = word    ? style.zero
+    std::string shown = word    ? style.words.empty() ? style.zero : style.words
                         : whole ? fmt::format("{:.0f}", value)
                                 : short_number(value);
+    if (word && text_width(theme.font.body, shown) > text.width()) shown = "–";
     // A narrow field says it less exactly rather than in part.
     if (!word && std::abs(value) < 99 && text_width(theme.font.body, shown) > text.width())
         shown = fmt::format("{:.2g}", value);

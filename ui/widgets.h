@@ -22,7 +22,8 @@ struct NumberStyle {
     double step = 0; // above 0: drags move by whole steps of this
     std::string unit = {}, axis = {};
     Color axis_color = 0;
-    std::string zero = {}; // what is shown in place of 0: "auto"
+    std::string zero = {};  // what is shown in place of 0: "auto"
+    std::string words = {}; // what is shown in place of any number: "mixed"
 };
 Edit number_field(const Theme& theme, const std::string& id, double& value,
                   const NumberStyle& style, float width);

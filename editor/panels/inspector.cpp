@@ -310,6 +310,11 @@ void draw_inspector(Editor& editor, const ui::Theme& theme, const Layout& layout
         ImGui::End();
         return;
     }
+    if (editor.session.selected.size() > 1) {
+        draw_several(editor, theme);
+        ImGui::End();
+        return;
+    }
     const Ref<Object> each = found->second; // edits replace it while we read
     ImGui::PushID(id);
     object_card(theme, *each);

@@ -12,23 +12,6 @@ namespace {
 
 using Column = OutlinerState::Column;
 
-void row_menu(Editor& editor, const ui::Theme& theme)
-{
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.px(8), theme.px(8)});
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {theme.px(10), theme.px(8)});
-    if (ImGui::BeginPopup("row menu")) {
-        for (const char* name :
-             {"Frame selection", "Rename", "Duplicate", "Group", "Ungroup", "Hide or show",
-              "Lock or unlock", "Take off the stroke", "Delete"}) {
-            const Action& each = action(editor, name);
-            if (ImGui::MenuItem(name, key_text(each).c_str(), false, is_enabled(editor, each)))
-                each.run(editor);
-        }
-        ImGui::EndPopup();
-    }
-    ImGui::PopStyleVar(2);
-}
-
 // Rows in the hand: where they would go, and the step when it lets go.
 void drag_rows(Editor& editor, const ui::Theme& theme, const std::vector<OutlineRow>& rows,
                const ui::Rect& list, float top)
@@ -221,7 +204,7 @@ void draw_outliner(Editor& editor, const ui::Theme& theme, const Layout& layout)
     finish_painting(editor);
     if (menu) ImGui::OpenPopup("row menu");
     ImGui::PopStyleVar();
-    row_menu(editor, theme);
+    draw_object_menu(editor, theme, "row menu");
     ImGui::EndChild();
     ImGui::End();
 }

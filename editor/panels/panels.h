@@ -56,11 +56,16 @@ void paint_picture(Editor& editor, const ui::Theme& theme, const ui::Rect& r,
 void draw_transform(Editor& editor, const ui::Theme& theme, Id id);
 void draw_material(Editor& editor, const ui::Theme& theme, Id id);
 void draw_placement(Editor& editor, const ui::Theme& theme, Id id);
+void draw_several(Editor& editor, const ui::Theme& theme); // where several objects are selected
 void draw_picture_settings(Editor& editor, const ui::Theme& theme);
 
 // The page of the preferences that shows every key and changes it.
 void draw_key_map(Editor& editor, const ui::Theme& theme, const ui::Rect& page);
 void ask_for_key(Editor& editor, const std::string& action); // opens that page
+
+// What can be done with the selection, as a popup of that name.
+void draw_object_menu(Editor& editor, const ui::Theme& theme, const char* name);
+void draw_add_menu(Editor& editor, const ui::Theme& theme); // at the mouse, when it is asked for
 
 const char* icon_of(const Object& object);
 

@@ -68,6 +68,17 @@ void progress(Editor& editor, ui::Frame& frame, const ui::Rect& view)
         editor.session.evaluator().cancel();
 }
 
+constexpr const char* viewport_menu = "viewport menu";
+
+// Of what is under the mouse, which is selected for it, or of the selection it belongs to.
+void open_menu(Session& session, const ViewportInput& input)
+{
+    const std::vector<Id> under = input.seen_in(input.mouse, input.mouse);
+    const Id id = under.empty() ? 0 : under.front();
+    if (id == 0 || !session.selected.contains(id)) session.selected = id;
+    ImGui::OpenPopup(viewport_menu);
+}
+
 // A hand that begins something of its own, or pictures that come slowly, end what is being shown.
 void show_tutorial(Editor& editor, ui::Frame& frame)
 {
@@ -111,6 +122,12 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(name), lo, hi, {0, 1},
                                          {1, 0});
     tool.overlay(session, over, input);
+    if (ImGui::IsMouseReleased(ImGuiMouseButton_Right)) {
+        if (input.hovered && !tool.busy() && !editor.right_cancelled) open_menu(session, input);
+        editor.right_cancelled = false;
+    }
+    draw_object_menu(editor, theme, viewport_menu);
+    draw_add_menu(editor, theme);
     labels(editor, theme, view);
     draw_navigation(editor, theme, view);
     if (editor.tutorial.runs(session))

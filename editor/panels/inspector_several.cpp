@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/panels/inspect.h"
+#include "editor/panels/panels.h"
+#include "editor/tools/motion.h"
+#include "ui/icons.h"
+
+#include <array>
+#include <fmt/format.h>
+#include <imgui.h>
+
+namespace trivar {
+namespace {
+
+// Those that have a transform of their own to change: not what lies on a stroke or is locked.
+std::vector<Id> movable(const Session& session)
+{
+    const Document& document = session.document();
+    std::vector<Id> out;
+    for (const Id id : topmost(document, session.selected.ids()))
+        if (!object(document, id).placement && !locked(document, id)) out.push_back(id);
+    return out;
+}
+
+// One number of all: what they have in common, or "mixed". What is typed or dragged is what all
+// get.
+ui::Edit shared_number(const ui::Theme& theme, const std::string& id, std::vector<double*> values,
+                       ui::NumberStyle style, float width)
+{
+    bool same = true;
+    for (const double* value : values) same = same && *value == *values.front();
+    double shown = *values.back(); // the active one's, from which a drag begins
+    if (!same) style.words = "mixed";
+    const ui::Edit edit = ui::number_field(theme, id, shown, style, width);
+    if (edit == ui::Edit::changed)
+        for (double* value : values) *value = shown;
+    return edit;
+}
+
+using Component = glm::dvec3 Transform::*;
+
+ui::Edit shared_row(const ui::Theme& theme, const std::string& label,
+                    std::vector<Transform>& transforms, Component part, ui::NumberStyle style)
+{
+    const glm::dvec3 rest = Transform{}.*part;
+    bool changed = false;
+    for (const Transform& t : transforms) changed = changed || t.*part != rest;
+    const ui::Row row = ui::label_row(theme, label, changed);
+    if (row.reset) {
+        for (Transform& t : transforms) t.*part = rest;
+        return ui::Edit::changed;
+    }
+    const float gap = theme.px(4), width = std::floor((row.width - 2 * gap) / 3);
+    const ui::Palette& c = theme.color;
+    const std::array<ui::Color, 3> colors{c.axis_x, c.axis_y, c.axis_z};
+    const std::array<const char*, 3> names{"X", "Y", "Z"};
+    ui::Edit edit = ui::Edit::none;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    for (int i = 0; i < 3; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        ImGui::SetCursorScreenPos({at.x + static_cast<float>(i) * (width + gap), at.y});
+        style.axis = names.at(k);
+        style.axis_color = colors.at(k);
+        std::vector<double*> values;
+        for (Transform& t : transforms) values.push_back(&(t.*part)[i]);
+        const ui::Edit one = shared_number(theme, label + names.at(k), values, style, width);
+        if (one != ui::Edit::none) edit = one;
+    }
+    return edit;
+}
+
+void transforms(Editor& editor, const ui::Theme& theme)
+{
+    const std::vector<Id> ids = movable(editor.session);
+    if (ids.empty() || !ui::section(theme, "Transform")) return;
+    std::vector<Transform> all;
+    for (const Id id : ids) all.push_back(object(editor.session.document(), id).transform);
+    ui::Edit edit = ui::Edit::none;
+    const auto take = [&edit](ui::Edit one) {
+        if (one != ui::Edit::none) edit = one;
+    };
+    take(shared_row(theme, "Position", all, &Transform::translation, {.unit = "m"}));
+    take(shared_row(theme, "Rotation", all, &Transform::rotation_deg,
+                    {.lo = -36000, .hi = 36000, .step = 1, .unit = "deg"}));
+    take(shared_row(theme, "Scale", all, &Transform::scale, {.lo = -1e6, .hi = 1e6}));
+    ui::gap(theme, 8);
+    propose_edit(editor, edit, [&] { return arranged(ids, all); });
+}
+
+void material(Editor& editor, const ui::Theme& theme)
+{
+    const Document& document = editor.session.document();
+    std::vector<Id> ids;
+    for (const Id id : editor.session.selected.ids())
+        if (!std::holds_alternative<GroupShape>(object(document, id).source)) ids.push_back(id);
+    if (ids.empty() || !ui::section(theme, "Material")) return;
+    const Object& active = object(document, ids.back());
+    bool same = true;
+    for (const Id id : ids) same = same && object(document, id).surfacing == active.surfacing;
+    bool own = !active.surfacing.has_value();
+    ui::label_row(theme, "Use");
+    if (ui::check_box(theme, "own", own, "the models' own") == ui::Edit::changed) {
+        if (own)
+            editor.session.run(ClearMaterial{ids});
+        else
+            editor.session.run(SetMaterial{ids, Surfacing{}});
+        return;
+    }
+    if (!same) ui::fact_row(theme, "Values", "mixed");
+    if (!own) {
+        Surfacing s = *active.surfacing;
+        ui::Edit edit =
+            ui::color_field(theme, "color", s.base_color, ui::label_row(theme, "Colour").width);
+        const auto share = [&](const char* label, float& value) {
+            double number = static_cast<double>(value);
+            const ui::Edit one =
+                ui::number_field(theme, label, number, {.lo = 0, .hi = 1, .bar_hi = 1},
+                                 ui::label_row(theme, label).width);
+            value = static_cast<float>(number);
+            if (one != ui::Edit::none) edit = one;
+        };
+        share("Metallic", s.metallic);
+        share("Roughness", s.roughness);
+        propose_edit(editor, edit, [&] { return SetMaterial{ids, s}; });
+    }
+    ui::gap(theme, 8);
+}
+
+void facts(Editor& editor, const ui::Theme& theme)
+{
+    if (!ui::section(theme, "Shape")) return;
+    const Session& session = editor.session;
+    const Members members(session.document(), session.selected.ids());
+    std::size_t faces = 0, vertices = 0;
+    for (const auto& [id, effects] : session.evaluated().objects) {
+        if (!members.contain(id)) continue;
+        for (const Part& part : effects->parts) {
+            faces += part.mesh->face_count();
+            vertices += part.mesh->vertex_count();
+        }
+    }
+    const glm::dvec3 size = bounds_of(session, session.selected.ids()).size();
+    if (size.x >= 0)
+        ui::fact_row(theme, "Size",
+                     fmt::format("{} x {} x {} m", ui::short_number(size.x),
+                                 ui::short_number(size.y), ui::short_number(size.z)));
+    ui::fact_row(theme, "Faces", ui::with_commas(faces));
+    ui::fact_row(theme, "Vertices", ui::with_commas(vertices));
+}
+
+} // namespace
+
+void draw_several(Editor& editor, const ui::Theme& theme)
+{
+    const Session& session = editor.session;
+    const Document& document = session.document();
+    const Ref<Object> active = document.objects.at(session.selected);
+    ui::gap(theme, 4);
+    const std::string placed = [&] {
+        std::size_t count = 0;
+        for (const Id id : session.selected.ids()) count += object(document, id).placement ? 1 : 0;
+        return count == 0 ? std::string()
+                          : fmt::format("{} on {}", count, count == 1 ? "a stroke" : "strokes");
+    }();
+    ui::fact_row(theme, fmt::format("{} objects", session.selected.size()), placed);
+    ui::fact_row(theme, "Active", active->name);
+    ui::gap(theme, 8);
+    transforms(editor, theme);
+    material(editor, theme);
+    facts(editor, theme);
+}
+
+} // namespace trivar
