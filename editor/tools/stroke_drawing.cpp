@@ -56,6 +56,10 @@ bool StrokeDrawing::take(const std::vector<StrokeSample>& moves, const StrokeKey
     if (keys.straight && !straight_) corner_ = sketch_.samples.size();
     straight_ = keys.straight;
     for (StrokeSample sample : moves) {
+        // A hand that leaves the picture draws nothing there.
+        if (glm::any(glm::lessThan(sample.p_px, glm::dvec2(0))) ||
+            glm::any(glm::greaterThan(sample.p_px, sketch_.camera.size_px)))
+            continue;
         sample.time_s -= began_s_;
         sample.pressure = keys.pressure;
         if (snapped_) { // what the snap added goes as soon as the hand goes on

@@ -27,6 +27,17 @@ TEST(StrokeDrawing, KeepsWhatTheHandDidFromTimeZero)
     EXPECT_FALSE(stroke.take({}, {}));
 }
 
+TEST(StrokeDrawing, LeavesOutWhatIsOutsideThePicture)
+{
+    StrokeDrawing stroke;
+    Camera camera;
+    camera.size_px = {100, 80};
+    stroke.begin(camera, 0);
+    stroke.take(to({{50, 50}, {90, 79}, {101, 70}, {90, 81}, {-1, 50}, {20, 30}}), {});
+    EXPECT_EQ(stroke.sketch().samples.size(), 3u);
+    EXPECT_EQ(stroke.sketch().samples.back().p_px, glm::dvec2(20, 30));
+}
+
 TEST(StrokeDrawing, IsStraightWhileAskedToBe)
 {
     StrokeDrawing stroke;
