@@ -43,6 +43,10 @@ void file_actions(std::vector<Action>& a)
     a.push_back({"File", "Save", {ctrl('S')}, [](Editor& e) { e.files.save(); }, {}, true});
     a.push_back(
         {"File", "Save as...", {ctrl('S', true)}, [](Editor& e) { e.files.ask_save_as(); }});
+    a.push_back(
+        {"File", "Save numbered copy", {{.key = 'S', .ctrl = true, .alt = true}}, [](Editor& e) {
+             e.files.save_numbered_copy();
+         }});
     a.push_back({"File", "Save compact...", {}, [](Editor& e) { e.files.ask_save_compact(); }});
     a.push_back({"File",
                  "Import model...",
@@ -60,6 +64,11 @@ void file_actions(std::vector<Action>& a)
                  {},
                  [](Editor& e) { read_anew(e.session, e.session.selected.ids()); },
                  something_selected()});
+    a.push_back({"File",
+                 "Collect files beside the scene",
+                 {},
+                 [](Editor& e) { e.files.collect(); },
+                 something_there()});
     a.push_back({"File",
                  "Export...",
                  {ctrl('E')},

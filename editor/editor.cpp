@@ -74,6 +74,8 @@ void draw_editor(Editor& editor, ui::Frame& frame)
     const ui::Theme& theme = frame.theme;
     editor.session.poll();
     editor.stored_pictures.poll();
+    editor.session.try_to_write(frame.time_s);
+    if (!editor.session.scene().trouble().empty()) frame.again_in(5);
     remember_scene(editor);
     const long change = editor.session.change();
     for (const ui::Event& event : frame.events) {

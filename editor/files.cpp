@@ -2,6 +2,7 @@
 #include "editor/files.h"
 
 #include "core/base/rejected.h"
+#include "core/document/collect.h"
 #include "core/files/write_model.h"
 #include "editor/relink.h"
 
@@ -55,6 +56,24 @@ std::optional<fs::path> folder_of(const Session& session, Id id)
 }
 
 } // namespace
+
+std::string numbered_name(const std::string& path)
+{
+    const fs::path file(path);
+    std::string stem = file.stem().string();
+    const std::size_t bar = stem.rfind('_');
+    if (bar != stem.npos && bar > 0 && bar + 1 < stem.size() &&
+        stem.find_first_not_of("0123456789", bar + 1) == stem.npos)
+        stem.resize(bar);
+    std::error_code ignored;
+    for (int n = 1;; ++n) {
+        std::string digits = std::to_string(n);
+        if (digits.size() < 3) digits.insert(0, 3 - digits.size(), '0');
+        const fs::path copy =
+            file.parent_path() / (stem + "_" + digits + file.extension().string());
+        if (!fs::exists(copy, ignored)) return copy.string();
+    }
+}
 
 const std::vector<std::string>& model_extensions()
 {
@@ -194,6 +213,58 @@ void Files::ask_save_compact()
               }};
 }
 
+void Files::save_numbered_copy()
+{
+    const std::string& path = session_->scene().path();
+    if (path.empty()) return ask_save_as();
+    const std::string copy = numbered_name(path);
+    try {
+        session_->scene().save_copy(copy);
+    } catch (const Rejected& why) {
+        session_->notices.say(ui::NoticeKind::error, file_name(copy) + " was not saved",
+                              reason(why.what(), copy));
+        return;
+    }
+    session_->notices.say(ui::NoticeKind::good, "Saved a copy as " + file_name(copy),
+                          "You go on in " + file_name(path) + ".");
+}
+
+void Files::collect()
+{
+    if (session_->scene().path().empty()) {
+        ask_save_as();
+        after_save_ = [this] { collect(); };
+        return;
+    }
+    const fs::path scene = fs::absolute(session_->scene().path());
+    const std::string folder = (scene.parent_path() / (scene.stem().string() + ".assets")).string();
+    session_->jobs().start(
+        {"Collecting files",
+         [this, folder, document = session_->committed(),
+          store = session_->assets()](const Progress& progress) -> Jobs::Finish {
+             const Collected done = collect_files(document, *store, folder, progress);
+             return [this, done, folder, store] {
+                 if (session_->assets() != store) return; // another scene
+                 if (!done.command) {
+                     session_->notices.say(ui::NoticeKind::good, "Nothing to collect",
+                                           "Every model's file lies in " + file_name(folder) +
+                                               " already, or the scene uses none.");
+                     return;
+                 }
+                 session_->cancel();
+                 if (!session_->run(*done.command)) return;
+                 const std::size_t count = done.copied + done.reused;
+                 session_->notices.say(ui::NoticeKind::good, "Collected in " + file_name(folder),
+                                       std::to_string(count) + (count == 1 ? " file" : " files") +
+                                           ", " + std::to_string(done.reused) +
+                                           " of them were there already.");
+             };
+         },
+         [this](const std::string& why) {
+             session_->notices.say(ui::NoticeKind::error, "The files were not collected", why);
+         }});
+}
+
 void Files::open_scene(const std::string& path)
 {
     std::error_code ignored;
@@ -229,53 +300,83 @@ void Files::open(const std::string& path, bool copy, std::function<void()> then)
     });
 }
 
-void Files::import(const std::string& path, bool frame_all)
+void Files::read_model_of(const std::string& path, bool frame_all, std::shared_ptr<Batch> batch)
 {
-    session_->jobs().start(
-        {"Reading " + file_name(path),
-         [this, path, frame_all,
-          store = session_->assets()](const Progress& progress) -> Jobs::Finish {
-             ImportModel import;
-             import.file.path = fs::absolute(path).string();
-             const Command command = prepare(import, *store, progress);
-             const auto& ready = std::get<ImportModel>(command);
-             const AssetStore::Loaded loaded = store->load(ready.file, progress);
-             if (!loaded.model)
-                 throw Rejected(loaded.notices.empty() ? "It cannot be read."
-                                                       : loaded.notices.front());
-             return [this, command, frame_all, store, path, said = loaded.notices] {
-                 // Paths are told from the folder of the scene there is now.
-                 if (session_->assets() != store) return this->import(path, frame_all);
-                 const Id id = session_->committed().next_id;
-                 const bool first = session_->committed().objects.empty();
-                 session_->cancel();
-                 if (!session_->run(command)) return;
-                 session_->selected = id;
-                 if (first || frame_all) session_->frame_all_when_evaluated = true;
-                 for (const std::string& notice : said)
-                     session_->notices.say(ui::NoticeKind::warning, notice);
-             };
-         },
-         [this, path](const std::string& why) {
-             session_->notices.say(ui::NoticeKind::error, file_name(path) + " was not imported",
-                                   reason(why, path));
-         }});
+    session_->jobs().start({"Reading " + file_name(path),
+                            [this, path, frame_all, batch,
+                             store = session_->assets()](const Progress& progress) -> Jobs::Finish {
+                                ImportModel import;
+                                import.file.path = fs::absolute(path).string();
+                                const Command command = prepare(import, *store, progress);
+                                const auto& ready = std::get<ImportModel>(command);
+                                const AssetStore::Loaded loaded = store->load(ready.file, progress);
+                                if (!loaded.model)
+                                    throw Rejected(loaded.notices.empty() ? "It cannot be read."
+                                                                          : loaded.notices.front());
+                                return [this, command, frame_all, store, path, batch,
+                                        said = loaded.notices] {
+                                    // Paths are told from the folder of the scene there is now.
+                                    if (session_->assets() != store)
+                                        return read_model_of(path, frame_all, batch);
+                                    tell_lost(*batch);
+                                    const Id id = session_->committed().next_id;
+                                    const bool first = session_->committed().objects.empty();
+                                    session_->cancel();
+                                    if (!session_->run(command)) return;
+                                    session_->selected = id;
+                                    if (first || frame_all)
+                                        session_->frame_all_when_evaluated = true;
+                                    for (const std::string& notice : said)
+                                        session_->notices.say(ui::NoticeKind::warning, notice);
+                                };
+                            },
+                            [this, path, batch](const std::string& why) {
+                                batch->lost.push_back({file_name(path), reason(why, path)});
+                                tell_lost(*batch);
+                            }});
+}
+
+void Files::tell_lost(Batch& batch)
+{
+    if (batch.coming > 0) --batch.coming;
+    if (batch.coming > 0 || batch.lost.empty()) return;
+    constexpr std::size_t most = 4;
+    const std::size_t count = batch.lost.size();
+    if (count == 1) {
+        session_->notices.say(ui::NoticeKind::error, batch.lost[0].name + " was not imported",
+                              batch.lost[0].why);
+        return;
+    }
+    std::string words;
+    for (std::size_t i = 0; i < std::min(most, count); ++i)
+        words += (i == 0 ? "" : "; ") + batch.lost[i].name + ": " + batch.lost[i].why;
+    if (count > most) words += "; and " + std::to_string(count - most) + " more";
+    session_->notices.say(ui::NoticeKind::error, std::to_string(count) + " files were not imported",
+                          words);
 }
 
 void Files::take_dropped(const std::vector<std::string>& paths)
 {
-    std::string scene;
-    const bool fresh = session_->committed().objects.empty();
-    for (const std::string& path : paths) {
-        if (extension_of(path) == scene_extension)
-            scene = path;
+    std::vector<std::string> scenes, models;
+    const auto batch = std::make_shared<Batch>();
+    std::error_code ignored;
+    for (const std::string& path : paths)
+        if (fs::is_directory(path, ignored))
+            batch->lost.push_back({file_name(path), "this is a folder, drop the files in it"});
+        else if (extension_of(path) == scene_extension)
+            scenes.push_back(path);
         else if (is_model(path))
-            import(path, fresh);
+            models.push_back(path);
         else
-            session_->notices.say(ui::NoticeKind::warning, "Trivar cannot open " + file_name(path),
-                                  "Drop a scene (.trivar) or a model: glTF, OBJ, PLY, STL, OFF.");
-    }
-    if (!scene.empty()) open_scene(scene);
+            batch->lost.push_back({file_name(path), "Trivar reads scenes (.trivar) and models: "
+                                                    "glTF, OBJ, PLY, STL, OFF"});
+    for (std::size_t i = 0; i + 1 < scenes.size(); ++i)
+        batch->lost.push_back({file_name(scenes[i]), "only one scene is open at a time"});
+    batch->coming = models.size();
+    const bool fresh = session_->committed().objects.empty();
+    for (const std::string& path : models) read_model_of(path, fresh, batch);
+    if (models.empty()) tell_lost(*batch);
+    if (!scenes.empty()) open_scene(scenes.back());
 }
 
 void Files::ask_close()

@@ -14,6 +14,8 @@ namespace trivar {
 
 const std::vector<std::string>& model_extensions(); // that can be imported
 const std::vector<std::string>& export_extensions();
+// The first free name beside a file: a_001.trivar, then a_002.trivar.
+std::string numbered_name(const std::string& path);
 inline constexpr const char* scene_extension = ".trivar";
 
 // Everything that goes in and out of files by hand: dialogs, drops, questions. Reading and writing
@@ -32,11 +34,16 @@ public:
     void save(); // a scene with a name is on disk already: says so; else asks for one
     void ask_save_as();
     void ask_save_compact();
+    void save_numbered_copy(); // beside the scene, which stays what is worked on
+    void collect();            // every model's file into NAME.assets beside the scene
     void open_scene(const std::string& path); // asks first if the present one has no name
     // The same, but the file stays as it is; `then` is called when the copy is the scene.
     void open_copy(const std::string& path, std::function<void()> then);
     // The first model of a scene is framed, and with `frame_all` everything with this one.
-    void import(const std::string& path, bool frame_all = false);
+    void import(const std::string& path, bool frame_all = false)
+    {
+        read_model_of(path, frame_all, std::make_shared<Batch>(Batch{1, {}}));
+    }
     void take_dropped(const std::vector<std::string>& paths); // scenes open, models are imported
     void ask_close();
 
@@ -49,6 +56,14 @@ public:
 
 private:
     enum class Purpose { open, import, relink, write_model, save_as, save_compact };
+    // Files that came together: what cannot be read of them is told once, at the end.
+    struct Batch {
+        std::size_t coming = 0;
+        struct Lost {
+            std::string name, why;
+        };
+        std::vector<Lost> lost;
+    };
     struct Asked {
         ui::Question question;
         std::function<void(int)> answer;
@@ -56,6 +71,8 @@ private:
     void open(const std::string& path, bool copy, std::function<void()> then);
     void ask_for_file(Purpose purpose, ui::FileRequest request);
     void use_file(const std::string& path);
+    void read_model_of(const std::string& path, bool frame_all, std::shared_ptr<Batch> batch);
+    void tell_lost(Batch& batch); // when the last of them is there
     void write_scene(const std::string& path, bool compact);
     void write_model_to(const std::string& path);
     void keep_or(std::function<void()> go_on); // asks what becomes of a scene without a name

@@ -292,6 +292,17 @@ void Session::tell_what_is_missing()
                 reasons.front() + (count > 1 ? "; the inspector says why of each" : ""));
 }
 
+void Session::try_to_write(double time_s)
+{
+    constexpr double patience_s = 5; // between two tries
+    if (scene_.trouble().empty() || time_s < next_try_s_) return;
+    next_try_s_ = time_s + patience_s;
+    scene_.write_missing();
+    if (!scene_.trouble().empty()) return;
+    told_trouble_.clear();
+    notices.say(ui::NoticeKind::good, "Everything is on disk again");
+}
+
 void Session::poll()
 {
     jobs_.poll();

@@ -82,6 +82,8 @@ public:
 
     // Takes in what other threads finished; once a frame.
     void poll();
+    // While steps are not on disk: tries again every few seconds.
+    void try_to_write(double time_s);
     Jobs& jobs() { return jobs_; }
     const Jobs& jobs() const { return jobs_; }
     BackgroundEvaluator& evaluator() { return *evaluator_; }
@@ -111,6 +113,7 @@ private:
     std::string unnamed_folder_;
     SceneFile scene_;
     std::string told_trouble_;
+    double next_try_s_ = 0;
     std::vector<Refused> refused_;
     bool opened_ = false; // and not evaluated yet
     Ref<AssetStore> assets_;

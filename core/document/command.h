@@ -17,7 +17,7 @@ namespace trivar {
 
 // Everything that a person can do to a document, by value.
 using Command =
-    std::variant<ImportModel, EditImport, AddPlane, AddBox, AddSphere, AddCylinder, AddTorus,
+    std::variant<ImportModel, EditImport, Relink, AddPlane, AddBox, AddSphere, AddCylinder, AddTorus,
                  AddMoebius, AddTeapot, SetTransform, Arrange, SetMaterial, ClearMaterial, Rename,
                  Hide, Show, Lock, Unlock, Delete, Duplicate, Group, Ungroup, Reorder, Place,
                  EditPlacement, Unplace, SaveCamera, DeleteCamera, SetRender>;

@@ -27,18 +27,26 @@ std::string absolute_folder(const std::string& path)
     return std::filesystem::absolute(path).lexically_normal().parent_path().string();
 }
 
-// The file that a command names, which may be changed where the command may; else nothing.
-auto* file_of(auto& command)
+// The files that a command names, which may be changed where the command may.
+template <class C> auto files_of(C& command)
 {
-    if (auto* import = std::get_if<ImportModel>(&command)) return &import->file;
-    auto* edit = std::get_if<EditImport>(&command);
-    return edit ? &edit->file : nullptr;
+    using File = std::conditional_t<std::is_const_v<C>, const ImportedFile, ImportedFile>;
+    std::vector<File*> files;
+    if (auto* import = std::get_if<ImportModel>(&command)) files.push_back(&import->file);
+    if (auto* edit = std::get_if<EditImport>(&command)) files.push_back(&edit->file);
+    if (auto* relink = std::get_if<Relink>(&command))
+        for (auto& file : relink->files) files.push_back(&file);
+    return files;
+}
+
+bool is_relative(const ImportedFile* file)
+{
+    return std::filesystem::path(file->path).is_relative();
 }
 
 bool imports_by_relative_path(const History::Step& step)
 {
-    const ImportedFile* file = file_of(step.command);
-    return file && std::filesystem::path(file->path).is_relative();
+    return std::ranges::any_of(files_of(step.command), is_relative);
 }
 
 // The history with the paths of imports as they are from another folder.
@@ -48,10 +56,9 @@ History moved(const History& history, const std::filesystem::path& from,
     History result;
     for (const History::Step& step : history.steps()) {
         Command command = step.command;
-        if (imports_by_relative_path(step)) {
-            std::string& path = file_of(command)->path;
-            path = (from / path).lexically_normal().lexically_relative(to).string();
-        }
+        for (ImportedFile* file : files_of(command))
+            if (is_relative(file))
+                file->path = (from / file->path).lexically_normal().lexically_relative(to).string();
         result.run(std::move(command), step.note);
     }
     while (result.position() > history.position()) result.undo();
@@ -234,6 +241,16 @@ void SceneFile::append(const std::string& line)
     s.lines.push_back(line.substr(0, line.size() - 1));
     if (!s.file) return start_kept();
     s.missing += line;
+    write_missing();
+}
+
+void SceneFile::write_missing()
+{
+    State& s = *state_;
+    if (!s.file) {
+        if (!s.trouble.empty()) start_kept();
+        return;
+    }
     try {
         keep_torn();
     } catch (const Rejected& error) {
@@ -244,6 +261,18 @@ void SceneFile::append(const std::string& line)
     if (!s.trouble.empty()) return;
     s.length += s.missing.size();
     s.missing.clear();
+}
+
+void SceneFile::save_copy(const std::string& path) const
+{
+    const State& s = *state_;
+    if (std::filesystem::exists(path))
+        throw Rejected(path + ": is there already and is not replaced");
+    const std::string folder = absolute_folder(path);
+    const bool elsewhere =
+        folder != s.folder && std::ranges::any_of(s.history.steps(), imports_by_relative_path);
+    const LockedFile file(path,
+                          log_text(elsewhere ? moved(s.history, s.folder, folder) : s.history));
 }
 
 void SceneFile::propose(Command command)

@@ -55,6 +55,10 @@ public:
     // are rewritten. Throws Rejected, and neither the file at `path` nor this has changed.
     void save_as(const std::string& path);
     void save_compact(const std::string& path);
+    // The whole history in a new file; this goes on where it is. Throws Rejected, and where a file
+    // is there already.
+    void save_copy(const std::string& path) const;
+    void write_missing(); // tries again what an append could not write
 
     // From its next step on a scene without a name is kept in the folder, which is made where it
     // is missing. No effect on other scenes, nor with an empty name; `trouble` says what fails.

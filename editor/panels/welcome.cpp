@@ -24,7 +24,7 @@ struct SampleWords {
 constexpr std::array<SampleWords, 4> known_samples{{
     {"first_placement", "Snake on a landscape", "One stroke"},
     {"stacked", "Snakes on a crocodile", "One on another"},
-    {"snake_bridge", "Snake over jars", "Springs bridge what is hollow"},
+    {"snake_bridge", "Snake over jars", "Springs bridge gaps"},
     {"crocodile_on_horse", "Crocodile on a horse", "Laid on a body"},
 }};
 
@@ -208,7 +208,7 @@ void draw_samples(Editor& editor, const ui::Theme& theme, const ui::Rect& column
         begin_tour(editor);
     const float gap = theme.px(16), wide = std::floor((column.width() - gap) / 2);
     const float pitch = std::floor((column.hi.y - y) / 2);
-    const float high = std::min(std::round(wide * 0.625f), pitch - theme.px(52));
+    const float high = std::min(std::round(wide * 0.85f), pitch - theme.px(52));
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const glm::vec2 at{column.lo.x + (wide + gap) * static_cast<float>(i % 2),
                            y + pitch * static_cast<float>(i / 2)};

@@ -98,6 +98,7 @@ std::vector<Command> fitting_commands()
     flat.offset = 1;
     return {import_of("snail.obj"),
             EditImport{.object = 5, .file = import_of("shell.obj").file},
+            Relink{.objects = {5}, .files = {import_of("house.obj").file}},
             AddPlane{},
             AddBox{},
             AddSphere{},

@@ -4,19 +4,21 @@
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/document/log.h"
+#include "tests/document/full_disk.h"
 #include "tests/support/fixtures.h"
 
+#include <array>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <gmock/gmock.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 namespace trivar {
 namespace {
 
+using testing::FullDisk;
 using ::testing::HasSubstr;
 using testing::TemporaryFolder;
 
@@ -24,24 +26,6 @@ void write(const std::string& path, const std::string& text)
 {
     std::ofstream(path, std::ios::binary) << text;
 }
-
-// Files may not grow beyond `bytes` while it lives, as on a full disk.
-class FullDisk {
-public:
-    explicit FullDisk(rlim_t bytes)
-    {
-        std::signal(SIGXFSZ, SIG_IGN);
-        ::getrlimit(RLIMIT_FSIZE, &before_);
-        const rlimit limit{bytes, before_.rlim_max};
-        ::setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    ~FullDisk() { ::setrlimit(RLIMIT_FSIZE, &before_); }
-    FullDisk(const FullDisk&) = delete;
-    FullDisk& operator=(const FullDisk&) = delete;
-
-private:
-    rlimit before_{};
-};
 
 TEST(SceneFile, ReplayedFromItsFileHasTheBranchesAgain)
 {
@@ -266,6 +250,79 @@ TEST(SceneFile, SaysThatTheDiskIsFullAndCatchesUpLater)
     scene.undo();
     EXPECT_EQ(scene.trouble(), "");
     EXPECT_EQ(read_text_file(path), before + command_line(AddSphere{}) + undo_line());
+}
+
+TEST(SceneFile, WritesWhatIsMissingAsSoonAsThereIsRoom)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.trivar"), kept = folder.file("kept");
+    SceneFile scene, unnamed;
+    scene.run(AddBox{});
+    scene.save_as(path);
+    unnamed.keep_in(kept);
+    {
+        const FullDisk full(std::filesystem::file_size(path) + 10);
+        scene.run(AddSphere{});
+        scene.undo();
+        scene.write_missing();
+        EXPECT_THAT(scene.trouble(), HasSubstr("cannot be written"));
+        unnamed.run(AddBox{});
+        unnamed.run(AddSphere{});
+        EXPECT_NE(unnamed.trouble(), "");
+    }
+    scene.write_missing();
+    EXPECT_EQ(scene.trouble(), "");
+    EXPECT_EQ(replay(read_log(read_text_file(path), path)).steps().size(), 2u);
+    unnamed.write_missing();
+    EXPECT_EQ(unnamed.trouble(), "");
+    const std::string left = std::filesystem::directory_iterator(kept)->path().string();
+    EXPECT_EQ(replay(read_log(read_text_file(left), left)).steps().size(), 2u);
+}
+
+TEST(SceneFile, OpenInAnotherProgramIsACopyThatCannotBeSavedOverIt)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.trivar");
+    write(path, log_header() + command_line(AddBox{}));
+    std::array<int, 2> opened{}, done{};
+    ASSERT_EQ(::pipe(opened.data()), 0);
+    ASSERT_EQ(::pipe(done.data()), 0);
+    const pid_t other = ::fork();
+    if (other == 0) { // has it open till it is told to end
+        char c = 0;
+        const SceneFile scene(path);
+        const bool ours = scene.path() == path;
+        if (::write(opened[1], &c, 1) != 1 || ::read(done[0], &c, 1) != 1) ::_exit(2);
+        ::_exit(ours ? 0 : 1);
+    }
+    char c = 0;
+    ASSERT_EQ(::read(opened[0], &c, 1), 1);
+    SceneFile scene(path);
+    EXPECT_EQ(scene.path(), "");
+    EXPECT_EQ(scene.original(), path);
+    EXPECT_THAT(scene.notices().front(), HasSubstr("is open in another Trivar"));
+    scene.run(AddSphere{});
+    EXPECT_THROW(scene.save_as(path), Rejected);
+    ASSERT_EQ(::write(done[1], &c, 1), 1);
+    int status = -1;
+    ::waitpid(other, &status, 0);
+    EXPECT_EQ(status, 0);
+    scene.save_as(path); // nobody has it now
+    EXPECT_EQ(SceneFile::copy_of(path).history().steps().size(), 2u);
+    for (const int end : {opened[0], opened[1], done[0], done[1]}) ::close(end);
+}
+
+TEST(SceneFile, SavesACopyAndGoesOnWhereItIs)
+{
+    const TemporaryFolder folder;
+    SceneFile scene;
+    scene.run(AddBox{});
+    scene.save_as(folder.file("a.trivar"));
+    scene.save_copy(folder.file("b.trivar"));
+    scene.run(AddSphere{});
+    EXPECT_EQ(scene.path(), folder.file("a.trivar"));
+    EXPECT_EQ(SceneFile::copy_of(folder.file("b.trivar")).history().steps().size(), 1u);
+    EXPECT_THROW(scene.save_copy(folder.file("b.trivar")), Rejected);
 }
 
 TEST(SceneFile, LeavesThePreviousFileWhenSavingFails)

@@ -19,6 +19,14 @@ template <class Shape> Document added(Document document, const AddShape<Shape>& 
                                             .placement = {}});
 }
 
+Document with_file(Document document, Id id, std::string_view field, const ImportedFile& file)
+{
+    if (file.path.empty()) throw Rejected("field \"path\" names no file");
+    if (!std::holds_alternative<ImportedFile>(object(document, id).source))
+        throw Rejected(fmt::format("field \"{}\": {} comes from no file", field, id));
+    return with_changed(std::move(document), id, [&](Object& o) { o.source = file; });
+}
+
 } // namespace
 
 Document applied(Document document, const ImportModel& command)
@@ -36,11 +44,16 @@ Document applied(Document document, const ImportModel& command)
 }
 Document applied(Document document, const EditImport& command)
 {
-    if (command.file.path.empty()) throw Rejected("field \"path\" names no file");
-    if (!std::holds_alternative<ImportedFile>(object(document, command.object).source))
-        throw Rejected(fmt::format("field \"object\": {} comes from no file", command.object));
-    return with_changed(std::move(document), command.object,
-                        [&](Object& o) { o.source = command.file; });
+    return with_file(std::move(document), command.object, "object", command.file);
+}
+Document applied(Document document, const Relink& command)
+{
+    if (command.files.size() != command.objects.size())
+        throw Rejected(fmt::format("field \"files\" has {} entries for {} objects",
+                                   command.files.size(), command.objects.size()));
+    for (std::size_t i = 0; i < command.objects.size(); ++i)
+        document = with_file(std::move(document), command.objects[i], "objects", command.files[i]);
+    return document;
 }
 Document applied(Document document, const AddPlane& command)
 {

@@ -10,6 +10,7 @@ namespace trivar {
 // What each command does, its numbers already checked. Throws Rejected and nothing happened.
 Document applied(Document document, const ImportModel& command);
 Document applied(Document document, const EditImport& command);
+Document applied(Document document, const Relink& command);
 Document applied(Document document, const AddPlane& command);
 Document applied(Document document, const AddBox& command);
 Document applied(Document document, const AddSphere& command);

@@ -44,4 +44,18 @@ struct EditImport {
     }
 };
 
+struct Relink {
+    static constexpr std::string_view verb = "relink",
+                                      summary = "Take models from other files, one each, or read "
+                                                "them otherwise. They stay where they are.";
+    std::vector<Id> objects;
+    std::vector<ImportedFile> files;
+    bool operator==(const Relink&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("objects", c.objects, "ids of imported models", required);
+        field("files", c.files, "of the objects, in the same order", required);
+    }
+};
+
 } // namespace trivar

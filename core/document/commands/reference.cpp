@@ -24,6 +24,8 @@ template <class T> std::string type_name()
         return "sample";
     else if constexpr (std::is_same_v<T, Transform>)
         return "[transform](#transform-1)";
+    else if constexpr (std::is_same_v<T, ImportedFile>)
+        return "[file](#file)";
     else if constexpr (std::is_same_v<T, Camera>)
         return "[camera](#camera)";
     else if constexpr (std::is_same_v<T, PlacementParameters>)
@@ -144,6 +146,8 @@ std::string commands_markdown()
     text += "## transform\n\nScale first, then the turns about X, Y and Z, then the "
             "translation.\n\n" +
             field_table(Transform{});
+    text += "## file\n\nAn imported model's file, and how it is read.\n\n" +
+            field_table(ImportedFile{});
     text += "## camera\n\nA point of view. Pixels count from the top left corner of the "
             "picture.\n\n" +
             field_table(Camera{});

@@ -155,6 +155,12 @@ struct Titles {
             return {"Subdivision of " + name, fmt::format("{} levels", c.file.subdivisions)};
         return {"Read " + name + (file->hash != c.file.hash ? " anew" : " otherwise"), {}};
     }
+    StepTitle operator()(const Relink& c) const
+    {
+        if (c.objects.size() == 1 && c.files.size() == 1)
+            return (*this)(EditImport{c.objects.front(), c.files.front()});
+        return {"Files of " + names_in(before, c.objects), {}};
+    }
     template <class Shape> StepTitle operator()(const AddShape<Shape>& c) const
     {
         return {"Add " + made(), shape_size(c.shape)};

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/collect.h"
+
+#include "core/base/rejected.h"
+#include "core/base/text.h"
+#include "core/files/companions.h"
+#include "tests/document/full_disk.h"
+#include "tests/support/fixtures.h"
+
+#include <filesystem>
+#include <fstream>
+#include <gmock/gmock.h>
+
+namespace trivar {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::ElementsAre, ::testing::HasSubstr;
+using testing::FullDisk;
+using testing::TemporaryFolder;
+
+const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+void write(const fs::path& path, const std::string& text)
+{
+    fs::create_directories(path.parent_path());
+    std::ofstream(path, std::ios::binary) << text;
+}
+
+Document with_imports(const std::vector<std::string>& paths)
+{
+    Document document;
+    for (const std::string& path : paths) {
+        ImportModel import;
+        import.file.path = path;
+        document = after(document, import);
+    }
+    return document;
+}
+
+std::string path_of(const Document& document, Id id)
+{
+    return std::get<ImportedFile>(object(document, id).source).path;
+}
+
+std::vector<std::string> all_in(const fs::path& folder)
+{
+    std::vector<std::string> names;
+    for (const auto& each : fs::recursive_directory_iterator(folder))
+        if (each.is_regular_file())
+            names.push_back(each.path().lexically_relative(folder).string());
+    std::ranges::sort(names);
+    return names;
+}
+
+TEST(Collect, CopiesEachFileOnceAndTakesTheModelsFromThere)
+{
+    const TemporaryFolder disk;
+    const std::string folder = disk.file("scene/a.assets");
+    write(disk.file("one/rock.obj"), triangle);
+    write(disk.file("two/leaf.obj"), triangle + "# leaf\n");
+    const AssetStore assets(disk.file("scene"));
+    Document document = with_imports({"../one/rock.obj", "../one/rock.obj", "../two/leaf.obj"});
+    const Collected done = collect_files(document, assets, folder);
+    EXPECT_THAT(all_in(folder), ElementsAre("leaf.obj", "rock.obj"));
+    EXPECT_EQ(done.copied, 2u);
+    document = after(document, *done.command);
+    EXPECT_EQ(path_of(document, 2), "a.assets/rock.obj");
+    EXPECT_EQ(path_of(document, 3), "a.assets/leaf.obj");
+    ImportedFile leaf;
+    leaf.path = path_of(document, 3);
+    EXPECT_TRUE(assets.load(leaf).model);
+    EXPECT_FALSE(collect_files(document, assets, folder).command) << "nothing is left to do";
+}
+
+TEST(Collect, TakesWhatGoesWithAModelAlong)
+{
+    const TemporaryFolder disk;
+    write(disk.file("one/rock.obj"), "mtllib my rock.mtl\n" + triangle);
+    write(disk.file("one/my rock.mtl"), "newmtl a\nmap_Kd -s 1 1 1 maps/grey stone.png\n"
+                                        "map_Bump ../../secret.png\n");
+    write(disk.file("one/maps/grey stone.png"), "picture");
+    write(disk.file("secret.png"), "secret");
+    write(
+        disk.file("two/shell.gltf"),
+        R"({"buffers":[{"uri":"shell%201.bin"},{"uri":"data:,x"}],"images":[{"uri":"/etc/passwd"}]})");
+    write(disk.file("two/shell 1.bin"), "bytes");
+    EXPECT_THAT(companions_of(disk.file("one/rock.obj")),
+                ElementsAre("maps/grey stone.png", "my rock.mtl"));
+    const AssetStore assets(disk.file("scene"));
+    const Document document = with_imports({"../one/rock.obj", "../two/shell.gltf"});
+    collect_files(document, assets, disk.file("scene/a.assets"));
+    EXPECT_THAT(all_in(disk.file("scene/a.assets")),
+                ElementsAre("rock/maps/grey stone.png", "rock/my rock.mtl", "rock/rock.obj",
+                            "shell/shell 1.bin", "shell/shell.gltf"));
+}
+
+TEST(Collect, NeverWritesOverAnotherContentAndReusesAnEqualOne)
+{
+    const TemporaryFolder disk;
+    const fs::path folder = disk.file("scene/a.assets");
+    write(disk.file("one/rock.obj"), triangle);
+    write(disk.file("two/rock.obj"), triangle + "# other\n");
+    write(folder / "rock.obj", triangle + "# of somebody else\n");
+    const AssetStore assets(disk.file("scene"));
+    const Document document = with_imports({"../one/rock.obj", "../two/rock.obj"});
+    const Collected done = collect_files(document, assets, folder.string());
+    EXPECT_THAT(all_in(folder), ElementsAre("rock.obj", "rock/rock.obj", "rock_2/rock.obj"));
+    EXPECT_EQ(read_text_file((folder / "rock.obj").string()), triangle + "# of somebody else\n");
+    const Collected again = collect_files(document, assets, folder.string());
+    EXPECT_EQ(again.copied, 0u);
+    EXPECT_EQ(again.reused, 2u);
+    EXPECT_EQ(again.command, done.command);
+}
+
+TEST(Collect, LeavesNothingBehindWhereAFileIsMissingOrTheDiskIsFull)
+{
+    const TemporaryFolder disk;
+    write(disk.file("one/a.obj"), triangle);
+    write(disk.file("one/b.obj"), triangle + std::string(100'000, '#') + "\n");
+    fs::create_directories(disk.file("scene"));
+    const std::string folder = disk.file("scene/a.assets");
+    const AssetStore assets(disk.file("scene"));
+    const auto why_not = [&](const Document& document) -> std::string {
+        try {
+            collect_files(document, assets, folder);
+        } catch (const Rejected& why) {
+            return why.what();
+        }
+        return "";
+    };
+    EXPECT_THAT(why_not(with_imports({"../one/a.obj", "../one/c.obj"})), HasSubstr("is missing"));
+    {
+        const FullDisk full(5000);
+        EXPECT_THAT(why_not(with_imports({"../one/a.obj", "../one/b.obj"})),
+                    HasSubstr("b.obj: cannot be copied"));
+    }
+    EXPECT_FALSE(fs::exists(folder));
+}
+
+} // namespace
+} // namespace trivar
