@@ -78,9 +78,16 @@ struct Editor {
         std::string offered;            // the text after which ...
         std::vector<std::string> words; // ... these could follow
         bool focus = false;             // takes the keyboard in the next frame
+        bool active = false;            // has it
         std::vector<std::string> before;
         std::size_t recalled = 0; // steps back in `before`
     } command_field;
+
+    struct LogLines { // those that are selected in the log
+        std::optional<std::size_t> from;
+        std::size_t to = 0;
+        bool dragging = false;
+    } log_lines;
 
     Tool& active_tool() { return *tools[tool]; }
     void choose_tool(std::size_t index);

@@ -195,7 +195,13 @@ TypedLine typed_line(std::string_view text, const Document& document)
     if (text.empty()) throw Rejected("Type a command first; Tab lists them.");
     if (text == "undo" || text == "{\"undo\":true}") return UndoLine{};
     if (text == "redo" || text == "{\"redo\":true}") return RedoLine{};
-    if (text.front() == '{') return command_from_json_line(text);
+    if (text.front() == '{') { // as it stands in a scene
+        const LogLine line = read_log_line(text);
+        if (const auto* command = std::get_if<Command>(&line.what)) return *command;
+        if (std::holds_alternative<UndoLine>(line.what)) return UndoLine{};
+        if (std::holds_alternative<RedoLine>(line.what)) return RedoLine{};
+        throw Rejected("The line holds a digest and no command.");
+    }
     return typed_fields(text, document);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/panels.h"
+#include "editor/run_lines.h"
 #include "editor/typed_command.h"
 #include "ui/icons.h"
 #include "ui/notices.h"
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <imgui.h>
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 namespace trivar {
@@ -71,7 +73,7 @@ float height_of(const ui::Theme& theme, const Entry& entry)
     return parts_of(entry.line).rest.empty() ? theme.px(26) : theme.px(42);
 }
 
-void draw_entry(const ui::Theme& theme, const Entry& entry, const ui::Rect& row)
+void draw_entry(const ui::Theme& theme, const Entry& entry, const ui::Rect& row, bool selected)
 {
     const ui::Palette& c = theme.color;
     const bool refused = entry.number == 0;
@@ -80,6 +82,7 @@ void draw_entry(const ui::Theme& theme, const Entry& entry, const ui::Rect& row)
     ImGui::InvisibleButton("line", {row.width(), row.height()});
     ImGui::SetItemAllowOverlap();
     const bool hovered = ImGui::IsItemHovered();
+    if (selected) ui::paint_box(row, c.row_selected);
     if (refused) ui::tooltip(theme, "Refused", {}, ui::sentence(std::string(entry.why)));
     if (hovered)
         ui::paint_box({row.lo + glm::vec2(theme.px(4), 0), row.hi - glm::vec2(theme.px(4), 0)},
@@ -89,8 +92,8 @@ void draw_entry(const ui::Theme& theme, const Entry& entry, const ui::Rect& row)
     const ImFont* font = theme.font.mono;
     const Parts parts = parts_of(entry.line);
     ui::paint_text(font, {{row.lo.x, top}, {row.lo.x + theme.px(36), top + line}},
-                   hovered ? c.text_2 : c.text_3, refused ? "–" : std::to_string(entry.number),
-                   ui::Align::right);
+                   hovered || selected ? c.text_2 : c.text_3,
+                   refused ? "–" : std::to_string(entry.number), ui::Align::right);
     ui::paint_text(font, {{left, top}, {right, top + line}}, refused ? c.bad : c.accent_text,
                    ui::elided(font, std::string(parts.verb), right - left));
     if (!parts.rest.empty()) {
@@ -107,23 +110,50 @@ void draw_entry(const ui::Theme& theme, const Entry& entry, const ui::Rect& row)
         ImGui::SetClipboardText(std::string(entry.line).c_str());
 }
 
-void draw_entries(const Session& session, const ui::Theme& theme, const ui::Rect& r)
+// A press takes a line, a drag those between; the clipboard gets them as they stand.
+void select_lines(Editor& editor, const std::vector<Entry>& entries, std::size_t under)
 {
+    Editor::LogLines& lines = editor.log_lines;
+    const bool over = under < entries.size() && ImGui::IsWindowHovered();
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+        lines = {};
+        if (over) lines = {.from = under, .to = under, .dragging = true};
+    }
+    if (lines.dragging && under < entries.size()) lines.to = under;
+    if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) lines.dragging = false;
+    if (!lines.from || !ui::struck({.key = 'C', .ctrl = true})) return;
+    const auto [first, last] = std::minmax(*lines.from, lines.to);
+    std::string text;
+    for (std::size_t i = first; i <= last && i < entries.size(); ++i)
+        text += std::string(entries[i].line) + "\n";
+    ImGui::SetClipboardText(text.c_str());
+}
+
+void draw_entries(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
+{
+    const Session& session = editor.session;
+    const Editor::LogLines& chosen = editor.log_lines;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     ImGui::SetCursorScreenPos({r.lo.x, r.lo.y});
     ImGui::BeginChild("lines", {r.width(), std::max(1.0f, r.height())});
     const std::vector<Entry> entries = entries_of(session);
     const ImVec2 top = ImGui::GetCursorScreenPos();
     float y = top.y;
+    std::size_t under = entries.size();
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const float height = height_of(theme, entries[i]);
         const ui::Rect row = {{r.lo.x, y}, {r.hi.x, y + height}};
         y += height;
         if (row.hi.y < r.lo.y || row.lo.y > r.hi.y) continue;
+        if (row.contains({mouse.x, mouse.y})) under = i;
+        const bool selected = chosen.from && i >= std::min(*chosen.from, chosen.to) &&
+                              i <= std::max(*chosen.from, chosen.to);
         ImGui::PushID(static_cast<int>(i));
-        draw_entry(theme, entries[i], row);
+        draw_entry(theme, entries[i], row, selected);
         ImGui::PopID();
     }
+    select_lines(editor, entries, under);
     ImGui::SetCursorScreenPos(top);
     ImGui::Dummy({1, y - top.y});
     // The newest line comes into view when it is written, and stays there in a smaller panel.
@@ -146,28 +176,24 @@ void run_field(Editor& editor)
 {
     Editor::CommandField& field = editor.command_field;
     field.words.clear();
-    field.trouble.clear();
     field.focus = true;
-    Session& session = editor.session;
-    try {
-        const TypedLine line = typed_line(field.text, session.committed());
-        const History& history = session.scene().history();
-        if (const auto* command = std::get_if<Command>(&line))
-            field.trouble = session.try_run(prepare(*command, *session.assets()));
-        else if (std::holds_alternative<UndoLine>(line)) {
-            if (history.position() == 0) throw Rejected("There is nothing to undo.");
-            session.undo();
-        } else {
-            if (history.position() == history.steps().size())
-                throw Rejected("There is nothing to redo.");
-            session.redo();
-        }
-    } catch (const Rejected& why) {
-        field.trouble = why.what();
-    }
+    field.trouble = run_typed(editor.session, field.text);
     if (!field.trouble.empty()) return;
     field.before.push_back(std::exchange(field.text, {}));
     field.recalled = 0;
+}
+
+// Several lines on the clipboard are no text for a field of one: they are run. Whether they were.
+bool run_pasted(Editor& editor)
+{
+    if (!editor.command_field.active || !ImGui::GetIO().KeyCtrl || !ImGui::IsKeyPressed('V', false))
+        return false;
+    const char* text = ImGui::GetClipboardText();
+    if (!text || !holds_lines(text)) return false;
+    ImGui::ClearActiveID(); // else the field would take them as one line
+    editor.command_field.focus = true;
+    run_lines(editor.session, text);
+    return true;
 }
 
 // Tab continues the word, the arrows bring back what was typed before.
@@ -235,14 +261,14 @@ void draw_field(Editor& editor, const ui::Theme& theme, const ui::Rect& r,
     ImGui::PushStyleColor(ImGuiCol_FrameBg, 0);
     ImGui::PushFont(theme.font.mono);
     ImGui::SetNextItemWidth(box.width() - theme.px(32));
-    if (std::exchange(field.focus, false)) ImGui::SetKeyboardFocusHere();
+    if (!run_pasted(editor) && std::exchange(field.focus, false)) ImGui::SetKeyboardFocusHere();
     const std::string was = field.text;
     const bool enter = ImGui::InputText("##command", &field.text,
                                         ImGuiInputTextFlags_EnterReturnsTrue |
                                             ImGuiInputTextFlags_CallbackCompletion |
                                             ImGuiInputTextFlags_CallbackHistory,
                                         help_typing, &editor);
-    const bool active = ImGui::IsItemActive();
+    const bool active = field.active = ImGui::IsItemActive();
     if (!active || field.text != field.offered) field.words.clear();
     if (ImGui::IsItemEdited() && field.text != was) field.trouble.clear();
     ImGui::PopFont();
@@ -266,7 +292,7 @@ void draw_log(Editor& editor, const ui::Theme& theme, const Layout& layout)
     const auto told = told_by_field(editor, theme, r.width() - 2 * theme.size.padding);
     const float foot = theme.px(40) + (told.empty() ? 0 : theme.px(4)) +
                        theme.px(18) * static_cast<float>(told.size());
-    draw_entries(editor.session, theme, {r.lo, {r.hi.x, r.hi.y - foot}});
+    draw_entries(editor, theme, {r.lo, {r.hi.x, r.hi.y - foot}});
     draw_field(editor, theme, {{r.lo.x, r.hi.y - foot}, r.hi}, told);
     ImGui::End();
 }

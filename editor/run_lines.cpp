@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/run_lines.h"
+
+#include "core/base/rejected.h"
+#include "editor/typed_command.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace trivar {
+namespace {
+
+std::vector<std::string_view> lines_of(std::string_view text)
+{
+    constexpr std::string_view blank = " \t\r";
+    std::vector<std::string_view> lines;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        std::string_view line = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        line.remove_prefix(std::min(line.find_first_not_of(blank), line.size()));
+        line.remove_suffix(line.size() - std::min(line.find_last_not_of(blank) + 1, line.size()));
+        lines.push_back(line);
+    }
+    return lines;
+}
+
+// What a scene says of itself.
+bool is_no_step(std::string_view line)
+{
+    return line.empty() || line.starts_with("{\"trivar\"") || line.starts_with("{\"digest\"") ||
+           line.starts_with("{\"effects\"");
+}
+
+} // namespace
+
+std::string run_typed(Session& session, std::string_view text)
+{
+    try {
+        const TypedLine line = typed_line(text, session.committed());
+        const History& history = session.scene().history();
+        if (const auto* command = std::get_if<Command>(&line))
+            return session.try_run(prepare(*command, *session.assets()));
+        if (std::holds_alternative<UndoLine>(line)) {
+            if (history.position() == 0) return "There is nothing to undo.";
+            session.undo();
+        } else {
+            if (history.position() == history.steps().size()) return "There is nothing to redo.";
+            session.redo();
+        }
+    } catch (const Rejected& why) {
+        return why.what();
+    }
+    return {};
+}
+
+bool holds_lines(std::string_view text)
+{
+    const auto lines = lines_of(text);
+    return std::ranges::count_if(lines, [](auto line) { return !line.empty(); }) > 1;
+}
+
+void run_lines(Session& session, std::string_view text)
+{
+    const auto lines = lines_of(text);
+    std::size_t ran = 0;
+    const auto counted = [](std::size_t count) {
+        return std::to_string(count) + (count == 1 ? " line" : " lines");
+    };
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (is_no_step(lines[i])) continue;
+        const std::string why = run_typed(session, lines[i]);
+        if (!why.empty()) {
+            session.notices.say(ui::NoticeKind::warning,
+                                "Line " + std::to_string(i + 1) + " was refused",
+                                why + (ran == 0 ? "" : " The " + counted(ran) + " before stand."));
+            return;
+        }
+        ++ran;
+    }
+    session.notices.say(ui::NoticeKind::good,
+                        counted(ran) + (ran == 1 ? " was" : " were") + " run");
+}
+
+} // namespace trivar
