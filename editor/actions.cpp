@@ -250,6 +250,29 @@ void view_actions(std::vector<Action>& a)
                      Camera& camera = e.session.camera;
                      camera = ui::with_perspective(camera, !camera.perspective);
                  }});
+    const auto colored_by = [](ColorBy by) {
+        return [by](Editor& e) {
+            RenderSettings settings = *e.session.document().render;
+            settings.color_by = by;
+            e.session.run(SetRender{settings});
+        };
+    };
+    const auto by_other_than = [](ColorBy by) {
+        return Condition{
+            [by](const Editor& e) { return e.session.document().render->color_by != by; },
+            "it is so"};
+    };
+    a.push_back({"View",
+                 "Colour by material",
+                 {},
+                 colored_by(ColorBy::material),
+                 by_other_than(ColorBy::material),
+                 true});
+    a.push_back({"View",
+                 "Colour by stretch",
+                 {},
+                 colored_by(ColorBy::stretch),
+                 by_other_than(ColorBy::stretch)});
     a.push_back({"View",
                  "Keep this view",
                  {},

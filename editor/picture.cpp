@@ -5,11 +5,14 @@
 
 namespace trivar {
 
-gpu::Picture picture_of(const Evaluated& evaluated, const Document& document, const Camera& camera)
+gpu::Picture picture_of(const Evaluated& evaluated, const Document& document, const Camera& camera,
+                        Stretches& stretches)
 {
+    const bool stretch = document.render->color_by == ColorBy::stretch;
     gpu::Picture picture;
     picture.camera = camera;
     picture.settings = *document.render;
+    if (stretch) picture.value_colors = gpu::ValueColors{};
     for (const auto& [id, ref] : evaluated.objects)
         for (const Part& part : ref->parts) {
             gpu::Instance instance;
@@ -17,6 +20,8 @@ gpu::Picture picture_of(const Evaluated& evaluated, const Document& document, co
             instance.to_world = part.to_world;
             instance.materials = ref->materials;
             instance.id = id;
+            if (part.rest) instance.rest = part.rest->mesh;
+            if (stretch) instance.values = stretches.of(part, *ref);
             picture.instances.push_back(std::move(instance));
         }
     return picture;

@@ -2,13 +2,15 @@
 #pragma once
 
 #include "core/document/evaluate.h"
+#include "editor/stretch.h"
 #include "gpu/picture.h"
 
 namespace trivar {
 
 // What the renderer draws of an evaluated document, seen from a camera. Objects can be picked by
-// their id.
-gpu::Picture picture_of(const Evaluated& evaluated, const Document& document, const Camera& camera);
+// their id. What colours show besides materials is kept in `stretches`.
+gpu::Picture picture_of(const Evaluated& evaluated, const Document& document, const Camera& camera,
+                        Stretches& stretches);
 
 // Adds the vertices of an object, in world space.
 void add_points(std::vector<glm::dvec3>& points, const EvaluatedObject& object);

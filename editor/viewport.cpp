@@ -45,9 +45,10 @@ bool can_be_picked(const Document& document, Id id)
     return document.objects.contains(id) && !locked(document, id);
 }
 
-gpu::Picture picture_of(const Session& session, bool draft)
+gpu::Picture picture_of(const Session& session, bool draft, Stretches& stretches)
 {
-    gpu::Picture picture = picture_of(session.evaluated(), session.document(), session.camera);
+    gpu::Picture picture =
+        picture_of(session.evaluated(), session.document(), session.camera, stretches);
     picture.draft = draft;
     const Members selected(session.document(), session.selected.ids());
     for (gpu::Instance& instance : picture.instances)
@@ -195,7 +196,7 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
         pace_ = gpu::is_software() ? DraftPace(60, 0.85) : DraftPace(16);
     }
     if (wanted.draft || begun_ != wanted) {
-        gpu::Picture picture = picture_of(session, wanted.draft);
+        gpu::Picture picture = picture_of(session, wanted.draft, stretches_);
         picture.backdrop = style_.backdrop;
         picture.grid = style_.backdrop.has_value();
         picture.outline = style_.outline;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "editor/draft_pace.h"
+#include "editor/stretch.h"
 #include "editor/tools/tool.h"
 #include "gpu/renderer.h"
 #include "ui/timing_history.h"
@@ -69,6 +70,7 @@ private:
     std::optional<glm::dvec3> anchor_under(const Session& session, glm::dvec2 p_px);
 
     ViewportStyle style_;
+    Stretches stretches_;
     std::unique_ptr<gpu::Renderer> renderer_; // made at the first picture
     std::optional<DraftPace> pace_;           // as well
     std::optional<Shown> shown_;

@@ -56,7 +56,7 @@ Look look_named(std::string_view name)
 {
     if (name == "dark") return dark();
     Look look = studio();
-    look.clay = name == "clay";
+    if (name == "clay") look.clay = glm::vec3(0.56f, 0.385f, 0.30f);
     return look;
 }
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <glm/glm.hpp>
+#include <optional>
 #include <string_view>
 
 namespace trivar::gpu {
@@ -22,7 +23,7 @@ struct Look {
     std::array<Softbox, 3> boxes;     // key, fill, rim
     glm::vec3 zenith, horizon, floor; // radiance of the dome; floor: as lit over a ground
     Backdrop backdrop;
-    bool clay = false; // every material is the same matt clay
+    std::optional<glm::vec3> clay; // every material is matt and has this colour
 };
 
 // "studio", "clay", "dark"; any other name gives the studio.

@@ -131,6 +131,16 @@ Box Mirror::box_world(const Ref<Mesh>& mesh, const glm::dmat4& to_world)
     return boxes.emplace_back(to_world, bounding_box(*mesh, to_world)).second;
 }
 
+const Buffer& Mirror::values(const Ref<std::vector<float>>& values)
+{
+    ValuesEntry& found = values_[values.get()];
+    if (found.alive.lock() != values) {
+        found.alive = values;
+        found.buffer.write(std::as_bytes(std::span(*values)));
+    }
+    return found.buffer;
+}
+
 const Texture2D& Mirror::texture(const Ref<Image>& image, bool srgb)
 {
     TextureEntry& found = textures_[{image.get(), srgb}];
@@ -151,6 +161,7 @@ std::size_t Mirror::bytes() const
         for (const Buffer& buffer : entry.mirrored.buffers) sum += buffer.bytes();
         if (entry.edges) sum += entry.edges->indices.bytes();
     }
+    for (const auto& [values, entry] : values_) sum += entry.buffer.bytes();
     for (const auto& [image, entry] : textures_) { // the smaller levels are a third more
         const glm::ivec2 size = entry.texture.size_px();
         sum += static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * 16 / 3;
@@ -162,6 +173,7 @@ void Mirror::drop_dead()
 {
     erase_dead(meshes_);
     erase_dead(textures_);
+    erase_dead(values_);
 }
 
 } // namespace trivar::gpu

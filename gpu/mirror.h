@@ -39,6 +39,7 @@ public:
     const MirroredEdges& edges(const Ref<Mesh>& mesh); // O(#C log #C) when first asked for
     // bounding_box(), remembered for the last few matrices a mesh was seen with.
     Box box_world(const Ref<Mesh>& mesh, const glm::dmat4& to_world);
+    const Buffer& values(const Ref<std::vector<float>>& values);
     const Texture2D& texture(const Ref<Image>& image, bool srgb);
     void drop_dead();
 
@@ -57,9 +58,14 @@ private:
         std::weak_ptr<const Image> alive;
         Texture2D texture;
     };
+    struct ValuesEntry {
+        std::weak_ptr<const std::vector<float>> alive;
+        Buffer buffer;
+    };
     MeshEntry& entry(const Ref<Mesh>& mesh);
     std::map<const Mesh*, MeshEntry> meshes_;
     std::map<std::pair<const Image*, bool>, TextureEntry> textures_;
+    std::map<const std::vector<float>*, ValuesEntry> values_;
     std::uint64_t uploads_ = 0;
 };
 

@@ -20,6 +20,15 @@ struct Instance {
     int id = 0;               // what pick() returns; 0: not pickable
     bool highlighted = false; // has an outline
     float opacity = 1;        // below 1: a ghost, for previews
+    Ref<Mesh> rest = {};      // before it was deformed, vertex by vertex: for solid materials
+    Ref<std::vector<float>> values = {}; // one a vertex: see value_colors
+};
+
+// How the values of instances become colours; see gpu/color_map.h.
+struct ValueColors {
+    bool diverging = true;              // lightest in the middle, else from dark to light
+    bool ratios = true;                 // shown by log2; 0 and less are hatched
+    glm::vec2 range = glm::vec2(-1, 1); // of what is shown; beyond, as at its ends
 };
 
 // A line drawn over the scene, dimmed where something hides it.
@@ -62,6 +71,8 @@ struct Picture {
     std::vector<Translucent> translucent;
     std::vector<Line> lines;
     Outline outline;
+    // The values of instances are shown in place of materials, and what has none is grey.
+    std::optional<ValueColors> value_colors;
     int samples = 4;    // of antialiasing
     bool draft = false; // leave out the slow parts while something is being dragged
     double scale = 1;   // of the size: a draft drawn smaller is shown enlarged

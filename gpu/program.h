@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 #include <map>
+#include <span>
 
 namespace trivar::gpu {
 
@@ -23,6 +24,7 @@ public:
     void set(const char* uniform, float value) const;
     void set(const char* uniform, glm::vec2 value) const;
     void set(const char* uniform, const glm::vec4& value) const;
+    void set(const char* uniform, std::span<const glm::vec4> values) const; // an array
     void set(const char* uniform, const glm::mat3& value) const;
     void set(const char* uniform, const glm::mat4& value) const;
 

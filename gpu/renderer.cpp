@@ -123,7 +123,8 @@ struct Renderer::State {
         size_px = glm::max(glm::ivec2(glm::dvec2(size_px) * picture.scale + 0.5), 1);
         Camera camera = picture.camera;
         camera.size_px = size_px;
-        const Look look = look_named(picture.settings.look);
+        Look look = look_named(picture.settings.look);
+        if (picture.value_colors) look.clay = glm::vec3(0.3f);
         const Studio& light = studio_of(look, picture.settings);
         Scene scene;
         clock.pass("upload", [&] {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gpu/scene.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace trivar::gpu {
@@ -15,12 +16,12 @@ bool drawable(const Box& box)
     return !box.empty();
 }
 
-SceneItem item_of(const Instance& instance, bool wire, const Box& box,
+SceneItem item_of(const Instance& instance, const Picture& picture, const Box& box,
                   const glm::dvec3& origin_world, Mirror& mirror)
 {
     SceneItem item;
     item.mesh = &mirror.mesh(instance.mesh);
-    item.edges = wire ? &mirror.edges(instance.mesh) : nullptr;
+    item.edges = picture.settings.wire ? &mirror.edges(instance.mesh) : nullptr;
     item.materials = instance.materials;
     glm::dmat4 to_scene = instance.to_world;
     to_scene[3] -= glm::dvec4(origin_world, 0);
@@ -38,6 +39,21 @@ SceneItem item_of(const Instance& instance, bool wire, const Box& box,
     item.opacity = glm::clamp(instance.opacity, 0.0f, 1.0f);
     item.lo = box.lo - origin_world;
     item.hi = box.hi - origin_world;
+    const bool shows_values = picture.value_colors && instance.values &&
+                              instance.values->size() == instance.mesh->vertex_count();
+    item.values = shows_values ? &mirror.values(instance.values) : nullptr;
+    item.rest = nullptr;
+    item.rest_middle = glm::vec4(0);
+    const auto is_solid = [](const Material& m) { return m.solid != Solid::none; };
+    if (instance.materials && std::ranges::any_of(*instance.materials, is_solid)) {
+        const bool has_rest =
+            instance.rest && instance.rest->vertex_count() == instance.mesh->vertex_count();
+        const Ref<Mesh>& rest = has_rest ? instance.rest : instance.mesh;
+        const Box at_rest = mirror.box_world(rest, glm::dmat4(1));
+        const double radius = glm::length(at_rest.size()) / 2;
+        item.rest = &mirror.mesh(rest).buffers.front();
+        item.rest_middle = glm::vec4(at_rest.center(), radius > 0 ? 1 / radius : 1);
+    }
     return item;
 }
 
@@ -85,8 +101,12 @@ Scene scene_of(const Picture& picture, Mirror& mirror)
         static_cast<float>((standing.empty() ? all : standing).lo.z - scene.origin_world.z);
     for (std::size_t i = 0; i < boxes.size(); ++i)
         if (!boxes[i].empty())
-            scene.items.push_back(item_of(picture.instances[i], picture.settings.wire, boxes[i],
-                                          scene.origin_world, mirror));
+            scene.items.push_back(
+                item_of(picture.instances[i], picture, boxes[i], scene.origin_world, mirror));
+    const ValueColors values = picture.value_colors.value_or(ValueColors{});
+    scene.map_colors = map_colors(values);
+    const float length = values.range.y - values.range.x;
+    scene.map_range = {values.range.x, length > 0 ? 1 / length : 1, values.ratios ? 1 : 0, 0};
     return scene;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "gpu/color_map.h"
 #include "gpu/mirror.h"
 #include "gpu/picture.h"
 
@@ -18,7 +19,10 @@ struct SceneItem {
     int id;
     bool highlighted;
     float opacity;
-    glm::vec3 lo, hi; // box in scene space
+    glm::vec3 lo, hi;      // box in scene space
+    const Buffer* values;  // one a vertex, or null
+    const Buffer* rest;    // positions that solid materials follow, or null
+    glm::vec4 rest_middle; // and 1 / radius of these
 
     const Material& material(std::uint32_t index) const;
     // Whether a part lets what is behind shine through.
@@ -31,6 +35,8 @@ struct Scene {
     glm::vec3 lo{0}, hi{0}; // of all items; the unit cube's half where there are none
     float ground_z = 0;     // the lowest point of what stands there
     float radius = 1;       // half the diagonal
+    std::array<glm::vec4, map_steps + 1> map_colors{};
+    glm::vec4 map_range{0}; // values.glsl
 };
 
 // What the maps that do not depend on the camera were drawn from: equal keys, equal maps.

@@ -21,6 +21,8 @@ Defines with(Defines defines, const Defines& more)
 std::vector<ProgramName> every_program()
 {
     std::vector<ProgramName> out;
+    for (const char* solid : {"SOLID 1", "SOLID 2"})
+        out.push_back({"mesh", "ghost", {"LAYER_DEPTHS", solid}});
     const std::vector<Defines> materials{
         {}, {"MASKED"}, {"TEXTURES 1", "MASKED"}, {"TEXTURES 1"}, {"TEXTURES 14"}, {"TEXTURES 31"}};
     for (const Defines& material : materials) {
@@ -30,13 +32,16 @@ std::vector<ProgramName> every_program()
         out.push_back({"mesh", "ghost", with({"LAYER_DEPTHS"}, material)});
         out.push_back({"mesh", "surfaces", with({"CLAY"}, material)});
     }
-    out.push_back({"mesh", "surfaces", {"PLAIN"}});
-    out.push_back({"mesh", "surfaces", {"CLAY", "PLAIN"}});
+    for (const char* own : {"PLAIN", "VALUES", "SOLID 1", "SOLID 2"})
+        for (const Defines& look : {Defines{}, Defines{"CLAY"}})
+            out.push_back({"mesh", "surfaces", with(look, {own})});
     for (const Quality& quality : {quality_for(1, true), quality_for(1, false),
                                    quality_for(4, false), quality_for(16, false)}) {
         const Defines shadow = quality.shadow_defines();
         for (const Defines& material : materials)
             out.push_back({"mesh", "ghost", with(shadow, material)});
+        for (const char* solid : {"SOLID 1", "SOLID 2"})
+            out.push_back({"mesh", "ghost", with(shadow, {solid})});
         for (const int slices : {0, quality.occlusion_slices}) {
             Quality q = quality;
             q.occlusion_slices = slices;

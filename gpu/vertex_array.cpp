@@ -25,7 +25,7 @@ VertexArray::~VertexArray()
 }
 
 void VertexArray::attribute(unsigned location, const Buffer& buffer, int components, int stride,
-                            std::size_t offset, unsigned divisor)
+                            std::size_t offset, unsigned divisor) const
 {
     bind();
     glBindBuffer(GL_ARRAY_BUFFER, buffer.name());

@@ -16,7 +16,7 @@ public:
     // Attribute `location` reads `components` floats every `stride` bytes from `offset` on; with
     // a divisor of 1 it advances per instance.
     void attribute(unsigned location, const Buffer& buffer, int components, int stride,
-                   std::size_t offset = 0, unsigned divisor = 0);
+                   std::size_t offset = 0, unsigned divisor = 0) const;
     void indices(const Buffer& buffer);
     void bind() const;
 

@@ -69,6 +69,7 @@ void add(Digest& digest, const Object& object)
         digest.add(object.surfacing->base_color);
         digest.add(object.surfacing->metallic);
         digest.add(object.surfacing->roughness);
+        if (const Solid solid = object.surfacing->solid; solid != Solid::none) digest.add(solid);
     }
     digest.add(object.parent);
     digest.add(object.hidden);

@@ -10,10 +10,17 @@
 
 namespace trivar {
 
+// What was deformed, and how it lay in its volume.
+struct Rest {
+    Ref<Mesh> mesh;
+    Embedding embedding;
+};
+
 // One mesh as it stands in the world.
 struct Part {
     Ref<Mesh> mesh;
     glm::dmat4 to_world{1}; // identity where the mesh was deformed into the world
+    Ref<Rest> rest = {};    // null where it was not
     bool operator==(const Part&) const = default;
 };
 

@@ -86,10 +86,8 @@ Laid Laying::lay(const Shape& shape, const glm::dmat3& turned, const PlacementSt
         }
         const Embedding embedding{placement.embedding.to_uvw * to_box,
                                   placement.embedding.to_rest * to_box};
-        laid.parts.push_back(
-            {timed(timings, "deform",
-                   [&] { return deformed(mesh, embedding, placement.volume, used); }),
-             glm::dmat4(1)});
+        laid.parts.push_back(timed(
+            timings, "deform", [&] { return deformed(mesh, embedding, placement.volume, used); }));
         timings.add("deform", 0, mesh->vertex_count());
     }
     sorted_ = std::move(used);
@@ -97,18 +95,18 @@ Laid Laying::lay(const Shape& shape, const glm::dmat3& turned, const PlacementSt
     return laid;
 }
 
-Ref<Mesh> Laying::deformed(const Ref<Mesh>& mesh, const Embedding& embedding, const Lattice& volume,
-                           std::vector<Sorted>& used)
+Part Laying::deformed(const Ref<Mesh>& mesh, const Embedding& embedding, const Lattice& volume,
+                      std::vector<Sorted>& used)
 {
     const std::array<Knots, 3>& axes = volume.displacement.axes;
     const auto found = std::ranges::find_if(sorted_, [&](const Sorted& s) {
-        return s.mesh == mesh && s.embedding == embedding && s.axes == axes;
+        return s.rest->mesh == mesh && s.rest->embedding == embedding && s.axes == axes;
     });
     used.push_back(found != sorted_.end()
                        ? *found
-                       : Sorted{mesh, embedding, axes,
+                       : Sorted{make_ref(Rest{mesh, embedding}), axes,
                                 std::make_shared<const Deformer>(mesh, embedding, axes)});
-    return make_ref((*used.back().deformer)(volume));
+    return {make_ref((*used.back().deformer)(volume)), glm::dmat4(1), used.back().rest};
 }
 
 void Laying::add_meshes(std::set<Ref<Mesh>>& meshes) const

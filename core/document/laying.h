@@ -53,8 +53,7 @@ private:
         Ref<Laid> laid;
     };
     struct Sorted {
-        Ref<Mesh> mesh;
-        Embedding embedding;
+        Ref<Rest> rest;
         std::array<Knots, 3> axes;
         std::shared_ptr<const Deformer> deformer;
     };
@@ -62,8 +61,8 @@ private:
                            Timings& timings);
     Laid lay(const Shape& shape, const glm::dmat3& turned, const PlacementStep& step,
              const RayScene& scene, Timings& timings);
-    Ref<Mesh> deformed(const Ref<Mesh>& mesh, const Embedding& embedding, const Lattice& volume,
-                       std::vector<Sorted>& used);
+    Part deformed(const Ref<Mesh>& mesh, const Embedding& embedding, const Lattice& volume,
+                  std::vector<Sorted>& used);
 
     std::vector<Known> known_; // the latest first
     std::vector<Support> scene_supports_;

@@ -6,6 +6,9 @@
 
 namespace trivar {
 
+// What colours show: the materials, or by which factor the volume of what was placed changed.
+enum class ColorBy { material, stretch };
+
 // How the picture is made; part of the document. Colours are linear.
 struct RenderSettings {
     std::string look = "studio"; // a named look of the renderer: studio, clay, dark
@@ -14,7 +17,8 @@ struct RenderSettings {
     double sun_elevation = 0.84; // radians above the horizon
     bool shadows = true;
     bool ambient_occlusion = true;
-    bool wire = false;  // the edges of the faces, drawn over them
+    bool wire = false; // the edges of the faces, drawn over them
+    ColorBy color_by = ColorBy::material;
     bool ground = true; // a shadow-catching ground under the scene
     bool operator==(const RenderSettings&) const = default;
 };

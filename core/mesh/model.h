@@ -27,6 +27,10 @@ struct Texture {
     bool operator==(const Texture&) const = default;
 };
 
+// A stuff that fills a body, in place of textures: it follows from where a point is before the body
+// is deformed. No file format has it.
+enum class Solid { none, wood, flesh };
+
 // glTF 2.0's metallic-roughness material. Colours are linear.
 struct Material {
     std::string name;
@@ -40,6 +44,7 @@ struct Material {
     bool double_sided = false;
     Texture base_color_texture, metallic_roughness_texture, normal_texture, occlusion_texture,
         emissive_texture;
+    Solid solid = Solid::none;
     bool operator==(const Material&) const = default;
 };
 

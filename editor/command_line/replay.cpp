@@ -170,8 +170,9 @@ void draw(const ReplayOptions& options, Replayed& replayed)
     }
     const gpu::HeadlessContext context;
     gpu::Renderer renderer;
+    Stretches stretches;
     const Image image =
-        renderer.render(picture_of(replayed.evaluated, replayed.document, camera), size);
+        renderer.render(picture_of(replayed.evaluated, replayed.document, camera, stretches), size);
     replayed.timings.add(renderer.timings());
     timed(replayed.timings, "write image", [&] { write_image(image, options.image); });
 }

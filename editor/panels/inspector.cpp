@@ -241,8 +241,15 @@ void draw_material(Editor& editor, const ui::Theme& theme, Id id)
         value = static_cast<float>(number);
         if (one != ui::Edit::none) edit = one;
     };
-    share("Metallic", s.metallic);
-    share("Roughness", s.roughness);
+    int solid = static_cast<int>(s.solid);
+    const ui::Edit filled = ui::segments(theme, "filling", solid, {"None", "Wood", "Flesh"},
+                                         ui::label_row(theme, "Filling").width);
+    if (filled != ui::Edit::none) edit = filled;
+    s.solid = static_cast<Solid>(solid);
+    if (s.solid == Solid::none) { // the others have their own
+        share("Metallic", s.metallic);
+        share("Roughness", s.roughness);
+    }
     ui::gap(theme, 8);
     propose_edit(editor, edit, [&] { return SetMaterial{{id}, s}; });
 }
@@ -271,6 +278,10 @@ void draw_picture_settings(Editor& editor, const ui::Theme& theme)
         if (one == ui::Edit::changed) value = shown / factor;
         take(one);
     };
+    int color_by = static_cast<int>(s.color_by);
+    take(ui::segments(theme, "color by", color_by, {"Material", "Stretch"},
+                      ui::label_row(theme, "Colour by").width));
+    s.color_by = static_cast<ColorBy>(color_by);
     number("Exposure", s.exposure, 1, {.lo = -4, .hi = 4, .bar_hi = 4});
     number("Sun round", s.sun_azimuth, degrees, {.lo = -360, .hi = 360, .step = 1, .unit = "deg"});
     number("Sun height", s.sun_elevation, degrees,

@@ -42,6 +42,7 @@ void draw_preferences(Editor& editor, const ui::Theme& theme);
 void drag_splitters(Editor& editor, ui::Frame& frame, const Layout& layout);
 
 // Parts of the viewport, drawn inside its window.
+void draw_legend(const ui::Theme& theme, const ui::Rect& view); // of the colours of stretch
 void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
 bool shows_welcome(const Editor& editor);
 void draw_welcome(Editor& editor, const ui::Theme& theme, const ui::Rect& view);

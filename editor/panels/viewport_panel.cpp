@@ -129,6 +129,7 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     draw_object_menu(editor, theme, viewport_menu);
     draw_add_menu(editor, theme);
     labels(editor, theme, view);
+    if (session.document().render->color_by == ColorBy::stretch) draw_legend(theme, view);
     draw_navigation(editor, theme, view);
     if (editor.tutorial.runs(session))
         draw_tutorial(editor, frame, view);

@@ -31,7 +31,7 @@ std::vector<std::string> Quality::occlusion_defines() const
 }
 
 void draw_surfaces(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
-                   bool clay)
+                   const std::optional<glm::vec3>& clay)
 {
     targets.to_surfaces.bind();
     set_state({.depth = DepthTest::less, .write_depth = true});
@@ -41,12 +41,16 @@ void draw_surfaces(Tools& tools, const Targets& targets, const Frame& frame, con
     glClear(GL_DEPTH_BUFFER_BIT);
     MeshPass pass;
     pass.fragment = "surfaces";
-    pass.plain_variant = true;
+    pass.value_variant = pass.plain_variant = true;
     if (clay) pass.defines.emplace_back("CLAY");
     pass.scene_to_clip = frame.view_clip;
     pass.wanted = solid;
-    pass.prepare = [](const Program& program, const SceneItem& item) {
+    pass.prepare = [&](const Program& program, const SceneItem& item) {
         program.set("id", static_cast<unsigned>(item.id));
+        if (clay) program.set("clay_color", glm::vec4(*clay, 1));
+        if (!item.values) return;
+        program.set("map_colors", scene.map_colors);
+        program.set("map_range", scene.map_range);
     };
     // Front faces first: where they hide the back ones, and that is nearly everywhere, those cost
     // no more than a depth test.

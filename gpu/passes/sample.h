@@ -4,6 +4,8 @@
 #include "gpu/passes/targets.h"
 #include "gpu/passes/tools.h"
 
+#include <optional>
+
 namespace trivar::gpu {
 
 // How much is spent on a sample.
@@ -18,8 +20,9 @@ Quality quality_for(int samples, bool draft);
 
 // The passes of one sample of a picture, in order. Each reads what the ones before left in the
 // targets; contact and shadow map are bound.
+// `clay`: the colour of what shows its form alone, if that is wanted.
 void draw_surfaces(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
-                   bool clay);
+                   const std::optional<glm::vec3>& clay);
 void draw_occlusion(Tools& tools, const Targets& targets, const Quality& quality);
 void draw_light(Tools& tools, const Targets& targets);
 void draw_backdrop(Tools& tools, const Targets& targets, bool grid);

@@ -126,17 +126,28 @@ void Tools::draw(const SceneItem& item, const MirroredMesh::Part& part, const Me
     const bool mask = material.alpha == Material::Alpha::mask;
     const bool reads = pass.reads_material || mask;
     ProgramName name{"mesh", pass.fragment, pass.defines};
-    if (reads && textures_of(material))
+    const bool values = item.values && pass.value_variant;
+    const bool fills = !values && item.rest && pass.reads_material && material.solid != Solid::none;
+    if (values)
+        name.defines.emplace_back("VALUES");
+    else if (fills)
+        name.defines.push_back(fmt::format("SOLID {}", static_cast<int>(material.solid)));
+    else if (reads && textures_of(material))
         name.defines.push_back(fmt::format("TEXTURES {}", textures_of(material)));
     else if (pass.plain_variant && !mask && !item.mesh->colored)
         name.defines.emplace_back("PLAIN");
-    if (mask) name.defines.emplace_back("MASKED");
+    if (mask && !values && !fills) name.defines.emplace_back("MASKED");
     const Program& program = programs_.use(name);
     program.set("to_scene", item.to_scene);
     program.set("normal_to_scene", item.normal_to_scene);
     program.set("scene_to_clip", pass.scene_to_clip);
     if (reads) set_material(program, material);
     if (pass.prepare) pass.prepare(program, item);
+    if (values) item.mesh->vertices.attribute(7, *item.values, 1, sizeof(float));
+    if (fills) {
+        item.mesh->vertices.attribute(6, *item.rest, 3, sizeof(glm::vec3));
+        program.set("rest_middle", item.rest_middle);
+    }
     glFrontFace(item.mirrored ? GL_CW : GL_CCW);
     item.mesh->vertices.bind();
     const auto offset = static_cast<std::size_t>(part.first) * sizeof(std::uint32_t);

@@ -25,6 +25,7 @@ struct MeshPass {
     std::vector<std::string> defines; // of every variant
     glm::mat4 scene_to_clip;
     bool reads_material = true; // else only cut-outs do
+    bool value_variant = false; // there is a VALUES one, which shows the values of vertices
     bool plain_variant = false; // there is a PLAIN one, without textures and vertex colours
     std::function<bool(const SceneItem&, const MirroredMesh::Part&)> wanted;
     std::function<void(const Program&, const SceneItem&)> prepare = {}; // uniforms of its own

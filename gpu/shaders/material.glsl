@@ -4,6 +4,7 @@ struct Surface {
     vec3 base, emissive;
     float metallic, roughness, occlusion, alpha;
     bool back; // the inside of a single-sided mesh
+    bool shown; // the base colour is shown as it is, hardly shaded
 };
 
 #ifdef READS_MATERIAL
@@ -22,16 +23,18 @@ Surface plain_surface(vec3 normal, vec4 color)
     s.roughness = roughness_metallic.x;
     s.metallic = roughness_metallic.y;
     s.occlusion = 1.0;
-    s.back = false;
+    s.back = s.shown = false;
     return s;
 }
 
 bool shows_back(bool away) { return away && roughness_metallic.z < 0.5; }
 
-// The look that shows form alone.
+uniform vec4 clay_color;
+
+// What shows form alone.
 Surface as_clay(Surface s)
 {
-    s.base = vec3(0.56, 0.385, 0.30);
+    s.base = clay_color.rgb;
     s.roughness = 0.58;
     s.metallic = 0.0;
     s.emissive = vec3(0.0);

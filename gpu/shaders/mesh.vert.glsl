@@ -12,6 +12,15 @@ layout(location = 2) in vec4 tangent; // w 0: none given
 layout(location = 3) in vec4 color;   // linear
 layout(location = 4) in vec2 uv_first;
 layout(location = 5) in vec2 uv_second;
+#ifdef SOLID
+layout(location = 6) in vec3 rest;
+uniform vec4 rest_middle; // and 1 / radius
+out vec3 at_rest;
+#endif
+#ifdef VALUES
+layout(location = 7) in float value;
+out float at_value;
+#endif
 uniform mat4 to_scene;
 uniform mat3 normal_to_scene;
 uniform mat4 scene_to_clip;
@@ -28,6 +37,12 @@ void main()
     at_scene = (to_scene * vec4(position, 1.0)).xyz;
     at_normal = normal_to_scene * normal;
     at_color = color;
+#ifdef SOLID
+    at_rest = (rest - rest_middle.xyz) * rest_middle.w;
+#endif
+#ifdef VALUES
+    at_value = value;
+#endif
 #ifdef TEXTURES
     // A mirroring matrix turns the bitangent's sense round.
     at_tangent = vec4(mat3(to_scene) * tangent.xyz, tangent.w * sign(determinant(mat3(to_scene))));

@@ -36,7 +36,7 @@ const uint BACK = 255u << 16; // in the last word
 uvec3 packed_material(Surface s)
 {
     return uvec3(packUnorm4x8(vec4(sqrt(s.base), s.roughness)), packed_light(s.emissive),
-                 packUnorm4x8(vec4(s.metallic, s.occlusion, s.back ? 1.0 : 0.0, 1.0)));
+                 packUnorm4x8(vec4(s.metallic, s.occlusion, s.back ? 1.0 : 0.0, s.shown ? 0.0 : 1.0)));
 }
 Surface unpacked_surface(uvec4 words)
 {
@@ -49,6 +49,7 @@ Surface unpacked_surface(uvec4 words)
     s.metallic = rest.x;
     s.occlusion = rest.y;
     s.back = rest.z > 0.5;
+    s.shown = rest.w < 0.5;
     s.alpha = 1.0;
     return s;
 }

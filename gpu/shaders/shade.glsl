@@ -48,6 +48,8 @@ vec3 shaded(Surface s, vec3 p, float open, float visible)
     bounced = max(vec3(open), bounced);
 
     vec3 light = studio_irradiance(n) * bounced + frame.key_light.rgb * (facing * visible);
+    // Colours that stand for numbers keep most of theirs, and no tone curve moves them.
+    if (s.shown) return s.base * mix(0.62, 1.0, saturate(luma(light) / (1.1 * PI)));
     vec3 color = diffuse * (1.0 - specular * gain) * light / PI
                + specular * gain * (mirror.ambient * open_mirror
                                     + mirror.key * visible * smoothstep(-0.15, 0.1, x));

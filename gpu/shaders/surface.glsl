@@ -2,6 +2,12 @@
 // is the set of textures it has, a bit each: software GL reads what stands in a branch whether the
 // branch is taken or not. Without it the material's numbers and the vertex colour are all there is.
 #include "material.glsl"
+#ifdef SOLID
+#include "solid.glsl"
+#endif
+#ifdef VALUES
+#include "values.glsl"
+#endif
 
 #ifdef TEXTURES
 layout(binding = 8) uniform sampler2D base_color_texture;
@@ -44,6 +50,10 @@ Surface surface_here()
 {
     bool away = !gl_FrontFacing;
     Surface s = plain_surface(normalize(at_normal), at_color);
+#ifdef SOLID
+    s.base = saturate(solid_color(at_rest, s.roughness) * s.base / 0.8);
+    s.metallic = 0.0;
+#endif
 #ifdef TEXTURES
 #if (TEXTURES & 1) != 0
     vec4 base = texel(base_color_texture, BASE);
@@ -70,5 +80,10 @@ Surface surface_here()
 #endif
     if (away) s.normal = -s.normal;
     s.back = shows_back(away);
+#ifdef VALUES
+    s.base = value_color(at_value);
+    s.shown = true;
+    s.back = false;
+#endif
     return s;
 }

@@ -25,7 +25,7 @@ void main()
     out_surface = uvec4(packed_normal(away ? -n : n), words);
 #else
     Surface s = surface_here();
-#ifdef CLAY
+#if defined(CLAY) && !defined(VALUES)
     s = as_clay(s);
 #endif
     out_surface = uvec4(packed_normal(s.normal), packed_material(s));

@@ -130,6 +130,9 @@ Changes changes(const Surfacing& before, const Surfacing& after)
     compare("Opacity", before.base_color.w, after.base_color.w, plain);
     compare("Metallic", before.metallic, after.metallic, plain);
     compare("Roughness", before.roughness, after.roughness, plain);
+    compare("Filling", before.solid, after.solid, [](Solid solid) {
+        return std::string(choice_names<Solid>[static_cast<std::size_t>(solid)]);
+    });
     return compare.take();
 }
 
@@ -147,6 +150,9 @@ Changes changes(const RenderSettings& before, const RenderSettings& after)
     compare("Shadows", before.shadows, after.shadows, either("on", "off"));
     compare("Dark corners", before.ambient_occlusion, after.ambient_occlusion, either("on", "off"));
     compare("Edges", before.wire, after.wire, either("on", "off"));
+    compare("Colour by", before.color_by, after.color_by, [](ColorBy by) {
+        return std::string(choice_names<ColorBy>[static_cast<std::size_t>(by)]);
+    });
     compare("Ground", before.ground, after.ground, either("on", "off"));
     return compare.take();
 }

@@ -54,6 +54,10 @@ template <> inline constexpr std::array<std::string_view, 3> choice_names<UpAxis
 template <>
 inline constexpr std::array<std::string_view, 4> choice_names<Misses>{"membrane", "ground",
                                                                       "nearest", "shrink"};
+template <>
+inline constexpr std::array<std::string_view, 3> choice_names<Solid>{"none", "wood", "flesh"};
+template <>
+inline constexpr std::array<std::string_view, 2> choice_names<ColorBy>{"material", "stretch"};
 
 // The fields of values that live inside commands; nested in JSON as they are here.
 template <class T> struct FieldsOf;

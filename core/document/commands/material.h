@@ -18,6 +18,9 @@ struct SetMaterial {
               between(0, 1));
         field("metallic", c.surfacing.metallic, "0: not a metal, 1: a metal", between(0, 1));
         field("roughness", c.surfacing.roughness, "0: a mirror, 1: chalk", between(0, 1));
+        field("solid", c.surfacing.solid,
+              "what fills it and deforms with it; the colour tints it, its roughness is its own",
+              later);
     }
 };
 struct ClearMaterial {

@@ -37,6 +37,9 @@ template <> struct FieldsOf<RenderSettings> {
         field("shadows", s.shadows, "the sun casts shadows");
         field("ambient_occlusion", s.ambient_occlusion, "corners are darker");
         field("wire", s.wire, "the edges of the faces are drawn over them", later);
+        field("color_by", s.color_by,
+              "what colours show: materials, or how what was placed is stretched and squeezed",
+              later);
         field("ground", s.ground, "a ground under the scene that catches shadows");
     }
 };

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/stretch.h"
+
+#include "core/ffd/volume_change.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trivar {
+
+Ref<std::vector<float>> Stretches::of(const Part& part, const EvaluatedObject& object)
+{
+    if (!part.rest || !object.placement) return nullptr;
+    if (const auto found = known_.find(part.mesh.get());
+        found != known_.end() && found->second.alive.lock() == part.mesh)
+        return found->second.values;
+    std::erase_if(known_, [](const auto& known) { return known.second.alive.expired(); });
+    std::vector<float> factors =
+        volume_change(*part.rest->mesh, part.rest->embedding, object.placement->volume);
+    std::vector<float> sizes(factors.size());
+    std::ranges::transform(factors, sizes.begin(), [](float f) { return std::abs(f); });
+    const auto middle = sizes.begin() + std::ssize(sizes) / 2;
+    std::ranges::nth_element(sizes, middle);
+    if (middle != sizes.end() && *middle > 0)
+        for (float& f : factors) f /= *middle;
+    const auto values = make_ref(std::move(factors));
+    known_[part.mesh.get()] = {part.mesh, values};
+    return values;
+}
+
+} // namespace trivar
