@@ -44,19 +44,21 @@ int run_editor(const EditorOptions& options)
             editor.session.tell_of_left_scene();
         editor.files.take_dropped(options.files);
         std::string title;
-        window.run([&](ui::Frame& frame) {
-            draw_editor(editor, frame);
-            frame.look.light = frame.look.light || options.light;
-            // Not at each step of a drag, which always ends in a frame.
-            const bool dragging = ImGui::IsMouseDown(ImGuiMouseButton_Left);
-            const std::string trouble = dragging ? "" : preferences.keep(editor.preferences);
-            if (!trouble.empty())
-                editor.session.notices.say(ui::NoticeKind::warning, "Not remembered", trouble);
-            const std::string now = title_of(editor.session.scene()) + " - Trivar";
-            if (now == title) return;
-            title = now;
-            window.set_title(title);
-        });
+        window.run(
+            [&](ui::Frame& frame) {
+                draw_editor(editor, frame);
+                frame.look.light = frame.look.light || options.light;
+                // Not at each step of a drag, which always ends in a frame.
+                const bool dragging = ImGui::IsMouseDown(ImGuiMouseButton_Left);
+                const std::string trouble = dragging ? "" : preferences.keep(editor.preferences);
+                if (!trouble.empty())
+                    editor.session.notices.say(ui::NoticeKind::warning, "Not remembered", trouble);
+                const std::string now = title_of(editor.session.scene()) + " - Trivar";
+                if (now == title) return;
+                title = now;
+                window.set_title(title);
+            },
+            [&] { editor.lose_context(); });
         return 0;
     } catch (const Rejected& why) {
         std::fprintf(stderr, "trivar: %s\n", why.what());

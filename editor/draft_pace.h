@@ -1,26 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "gpu/level.h"
+
 #include <array>
 #include <cstddef>
 
 namespace trivar {
 
-// How large a draft is drawn, as a share of its size, so that what is dragged keeps up with the
-// hand: smaller when drafts take too long, larger again when there is time to spare. Told the times
-// of drafts one after the other; a change waits for a few of them and for a second to pass.
+// How much is spent on the pictures of what moves, so that it keeps up with the hand. Told their
+// times one after the other, it goes by the median of the last eight: over 1.25 times the target it
+// steps down, the level first and then the size; sixty pictures under half of the target step up
+// again. A change waits for a second to pass. A level that was too slow is not tried again.
 class DraftPace {
 public:
-    explicit DraftPace(double target_ms, double scale = 1) : target_ms_(target_ms), scale_(scale) {}
+    DraftPace(double target_ms, gpu::Level highest, double scale = 1)
+        : target_ms_(target_ms),
+          highest_(highest),
+          level_(highest),
+          scale_(scale)
+    {
+    }
 
-    void drew(double took_ms, double now_s);
-    double scale() const { return scale_; }
+    void drew(double took_ms, double now_s); // 0 ms: not measured
+    gpu::Level level() const { return level_; }
+    double scale() const { return scale_; } // of a draft's size; 1 at other levels
 
 private:
-    static constexpr std::size_t few = 5;
-    double target_ms_, scale_;
+    void step_down(double usual_ms);
+    void step_up();
+    static constexpr std::size_t few = 8, many = 60;
+    double target_ms_;
+    gpu::Level highest_, level_;
+    double scale_;
     std::array<double, few> took_ms_{}; // the last ones, since the last change
-    std::size_t count_ = 0;
+    std::size_t count_ = 0, quick_ = 0; // since then; of these the last in a row with time to spare
     double changed_s_ = -1e9;
 };
 

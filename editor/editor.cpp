@@ -62,6 +62,14 @@ Editor::Editor(std::function<void()> wake, std::string unnamed_folder)
     actions = all_actions(*this);
 }
 
+void Editor::lose_context()
+{
+    viewport.forget_gpu();
+    stored_pictures.forget_gpu();
+    session.notices.say(ui::NoticeKind::warning, "The graphics card was reset",
+                        "The picture is drawn anew. Nothing of the scene is lost.");
+}
+
 void Editor::choose_tool(std::size_t index)
 {
     if (index == tool) return;

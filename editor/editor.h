@@ -89,6 +89,8 @@ struct Editor {
         bool dragging = false;
     } log_lines;
 
+    // The graphics card was reset: drops what was made in the context that is lost, and says so.
+    void lose_context();
     Tool& active_tool() { return *tools[tool]; }
     void choose_tool(std::size_t index);
 };

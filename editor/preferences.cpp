@@ -34,6 +34,14 @@ struct Reading {
         const auto found = from.find(name);
         if (found != from.end() && found->is_boolean()) value = found->get<bool>();
     }
+    void operator()(const char* name, std::string& value,
+                    std::initializer_list<std::string_view> choices) const
+    {
+        const auto found = from.find(name);
+        if (found == from.end() || !found->is_string()) return;
+        const auto& text = found->get_ref<const std::string&>();
+        if (std::ranges::find(choices, text) != choices.end()) value = text;
+    }
     void operator()(const char* name, std::vector<std::string>& value) const
     {
         const auto found = from.find(name);
@@ -91,6 +99,8 @@ void each_preference(auto& p, const auto& field)
     field("hints", p.hints);
     field("reduced_motion", p.reduced_motion);
     field("backdrop_as_in_pictures", p.backdrop_as_in_pictures);
+    field("quality", p.quality,
+          std::initializer_list<std::string_view>{"automatic", "draft", "standard", "high"});
     field("keys", p.keys);
     field("recent_commands", p.recent_commands);
     field("recent_scenes", p.recent_scenes);

@@ -20,7 +20,8 @@ public:
     const gpu::Texture2D* of(const std::string& path, int width_px);
     // Width over height once it is there; else as most pictures are.
     double shape(const std::string& path, int width_px);
-    void poll() { jobs_.poll(); } // once a frame
+    void forget_gpu() { pictures_.clear(); } // before the context goes
+    void poll() { jobs_.poll(); }            // once a frame
 
 private:
     std::map<std::pair<std::string, int>, std::optional<gpu::Texture2D>> pictures_;

@@ -45,11 +45,11 @@ bool can_be_picked(const Document& document, Id id)
     return document.objects.contains(id) && !locked(document, id);
 }
 
-gpu::Picture picture_of(const Session& session, bool draft, Stretches& stretches)
+gpu::Picture picture_of(const Session& session, gpu::Level level, Stretches& stretches)
 {
     gpu::Picture picture =
         picture_of(session.evaluated(), session.document(), session.camera, stretches);
-    picture.draft = draft;
+    gpu::set_level(picture, level);
     const Members selected(session.document(), session.selected.ids());
     for (gpu::Instance& instance : picture.instances)
         instance.highlighted = selected.contain(instance.id);
@@ -164,6 +164,14 @@ ViewportInput Viewport::take_input(Session& session, const ui::Frame& frame, con
     return input;
 }
 
+void Viewport::forget_gpu()
+{
+    renderer_.reset();
+    pace_.reset();
+    shown_.reset();
+    begun_.reset();
+}
+
 unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 size_px, bool moving,
                         int state, const std::function<Helpers()>& helpers)
 {
@@ -193,10 +201,13 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
 
     if (!renderer_) {
         renderer_ = std::make_unique<gpu::Renderer>();
-        pace_ = gpu::is_software() ? DraftPace(60, 0.85) : DraftPace(16);
+        pace_ = gpu::is_software() ? DraftPace(60, gpu::Level::draft, 0.85)
+                                   : DraftPace(16, gpu::Level::standard);
     }
     if (wanted.draft || begun_ != wanted) {
-        gpu::Picture picture = picture_of(session, wanted.draft, stretches_);
+        gpu::Picture picture = picture_of(
+            session, wanted.draft ? std::min(pace_->level(), style_.level) : style_.level,
+            stretches_);
         picture.backdrop = style_.backdrop;
         picture.grid = style_.backdrop.has_value();
         picture.outline = style_.outline;
@@ -206,7 +217,7 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
         ++pictures_;
         begun_.reset();
         if (wanted.draft) {
-            picture.scale = pace_->scale();
+            if (picture.draft) picture.scale = pace_->scale();
             renderer_->draw(picture, size_px);
             const bool first =
                 std::exchange(timed_evaluation_, session.evaluation()) != session.evaluation();

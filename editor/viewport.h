@@ -22,6 +22,7 @@ struct Helpers {
 struct ViewportStyle {
     std::optional<gpu::Backdrop> backdrop; // with a grid; none: as in pictures
     gpu::Outline outline;
+    gpu::Level level = gpu::Level::standard; // of what is at rest
     bool operator==(const ViewportStyle&) const = default;
 };
 // `as_in_pictures`: the backdrop of the scene's look, else the theme's own.
@@ -45,6 +46,7 @@ public:
     // for frames. The draft stays until all of it is there.
     unsigned draw(const Session& session, ui::Frame& frame, glm::ivec2 size_px, bool moving,
                   int state, const std::function<Helpers()>& helpers);
+    void forget_gpu(); // before the context goes; the next frame makes all of it again
     void set_style(const ViewportStyle& style) { style_ = style; }
     unsigned texture() const { return renderer_ ? renderer_->texture() : 0; } // what shows
     const ui::TimingHistory& drafts() const { return drafts_; }

@@ -117,4 +117,13 @@ bool is_software()
     return false;
 }
 
+bool context_was_lost()
+{
+    if (epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_KHR_robustness"))
+        return glGetGraphicsResetStatus() != GL_NO_ERROR;
+    if (epoxy_has_gl_extension("GL_ARB_robustness"))
+        return glGetGraphicsResetStatusARB() != GL_NO_ERROR;
+    return false;
+}
+
 } // namespace trivar::gpu

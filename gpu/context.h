@@ -24,5 +24,8 @@ private:
 std::string describe_context();
 // Whether the current context is drawn by the processor (Mesa's llvmpipe and friends).
 bool is_software();
+// Whether the current context is gone because the graphics card was reset: whatever was made in it
+// is lost, and only another context can draw.
+bool context_was_lost();
 
 } // namespace trivar::gpu

@@ -152,7 +152,7 @@ struct Renderer::State {
     void draw_maps()
     {
         const bool draft = work->picture.draft;
-        shadow_map.fit(work->frame, work->scene, draft ? 1024 : 2048);
+        shadow_map.fit(work->frame, work->scene, draft ? 1024 : work->samples < 16 ? 2048 : 4096);
         tools.set_frame(work->frame);
         if (work->picture.settings.shadows && shadow_map.stale(work->scene))
             clock.pass("shadow map", [&] { shadow_map.draw(tools, work->scene); });

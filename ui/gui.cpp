@@ -41,11 +41,20 @@ struct Gui::Contexts {
         io.ConfigDragClickToInputText = true;  // a click on a number types, a drag drags
         io.MouseDragThreshold = 3;
         map_keys();
-        ImGui_ImplOpenGL3_Init("#version 430");
+        use_gpu();
+    }
+    static void use_gpu()
+    {
+        if (!ImGui::GetIO().BackendRendererUserData) ImGui_ImplOpenGL3_Init("#version 430");
+    }
+    static void forget_gpu()
+    {
+        // Not its device objects alone: it would remember how large its buffers were.
+        if (ImGui::GetIO().BackendRendererUserData) ImGui_ImplOpenGL3_Shutdown();
     }
     ~Contexts()
     {
-        ImGui_ImplOpenGL3_Shutdown();
+        forget_gpu();
         ImGui::DestroyContext();
     }
     Contexts(const Contexts&) = delete;
@@ -67,6 +76,11 @@ void Gui::set_theme(const ThemeOptions& options)
     ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
+void Gui::forget_gpu()
+{
+    Contexts::forget_gpu();
+}
+
 Frame Gui::frame(glm::ivec2 size_px, double time_s, bool close_asked, const DrawFrame& body)
 {
     ImGuiIO& io = ImGui::GetIO();
@@ -77,6 +91,7 @@ Frame Gui::frame(glm::ivec2 size_px, double time_s, bool close_asked, const Draw
     last_time_s_ = time_s;
 
     input_.begin_frame();
+    Contexts::use_gpu();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
     Frame frame{theme_, input_.events(), glm::vec2(size_px), time_s, close_asked};

@@ -20,6 +20,10 @@ public:
     const Theme& theme() const { return theme_; }
     void set_theme(const ThemeOptions& options); // between frames only
 
+    // Drops all GPU objects; they are made again, in the context that is current then, by the next
+    // frame.
+    void forget_gpu();
+
     // One frame into the bound framebuffer: input, body, pixels.
     Frame frame(glm::ivec2 size_px, double time_s, bool close_asked, const DrawFrame& body);
 

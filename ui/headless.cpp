@@ -11,18 +11,38 @@ HeadlessFrames::HeadlessFrames(glm::ivec2 size_px, const ThemeOptions& options)
       size_px_(size_px),
       options_(options)
 {
+    make_target();
+}
+
+void HeadlessFrames::make_target()
+{
     glGenTextures(1, &color_);
     glBindTexture(GL_TEXTURE_2D, color_);
-    glTexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA8, size_px.x, size_px.y);
+    glTexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA8, size_px_.x, size_px_.y);
     glGenFramebuffers(1, &framebuffer_);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_, 0);
 }
 
-HeadlessFrames::~HeadlessFrames()
+void HeadlessFrames::drop_target()
 {
     glDeleteFramebuffers(1, &framebuffer_);
     glDeleteTextures(1, &color_);
+}
+
+HeadlessFrames::~HeadlessFrames()
+{
+    drop_target();
+}
+
+void HeadlessFrames::lose_context(const std::function<void()>& forget)
+{
+    forget();
+    gui_.forget_gpu();
+    drop_target();
+    context_.reset();
+    context_.emplace();
+    make_target();
 }
 
 void HeadlessFrames::frames(int count, const DrawFrame& body)

@@ -5,6 +5,8 @@
 #include "gpu/context.h"
 #include "ui/gui.h"
 
+#include <optional>
+
 namespace trivar::ui {
 
 // Frames without a screen: the same input, the same drawing, an image instead of a window. Time
@@ -23,10 +25,15 @@ public:
     // frames that took. Waits for later frames are skipped, not slept through.
     int settle(const DrawFrame& body, int limit = 100);
     Image picture() const; // of the last frame
+    // As when the graphics card is reset: `forget` drops what the body made, the context goes and
+    // another one comes.
+    void lose_context(const std::function<void()>& forget);
     int count() const { return count_; }
 
 private:
-    gpu::HeadlessContext context_;
+    void make_target();
+    void drop_target();
+    std::optional<gpu::HeadlessContext> context_{std::in_place};
     Gui gui_;
     glm::ivec2 size_px_;
     ThemeOptions options_;

@@ -3,6 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/base/text.h"
+#include "gpu/context.h"
 #include "ui/gui.h"
 
 #include <epoxy/gl.h>
@@ -40,6 +41,7 @@ GLFWwindow* open_window(const WindowOptions& options)
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET); // where it is offered
     GLFWwindow* window =
         glfwCreateWindow(options.size.x, options.size.y, options.title.c_str(), nullptr, nullptr);
     if (!window) reject_glfw("No window with OpenGL 4.3 can be opened");
@@ -67,6 +69,7 @@ struct Window::State {
     Pace pace;
     std::array<GLFWcursor*, ImGuiMouseCursor_COUNT> cursors{};
     int cursor = -2;
+    std::string title; // where it was set
     double interface_scale = 1;
     Look look;
     bool full_screen = false;
@@ -79,9 +82,13 @@ struct Window::State {
           options(wanted),
           gui({wanted_scale(), {}})
     {
+        make_cursors();
+        adopt_window();
+    }
+    void adopt_window()
+    {
         glfwSetWindowUserPointer(window, this);
         glfwSetWindowSizeLimits(window, 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
-        make_cursors();
         listen();
         ImGuiIO& io = ImGui::GetIO();
         io.ClipboardUserData = window;
@@ -99,6 +106,24 @@ struct Window::State {
     }
     State(const State&) = delete;
     State& operator=(const State&) = delete;
+
+    // Another window with another context where this one was.
+    void replace_window()
+    {
+        gui.forget_gpu();
+        show_full_screen(false);
+        glm::ivec2 at(0), size(0);
+        glfwGetWindowPos(window, &at.x, &at.y);
+        glfwGetWindowSize(window, &size.x, &size.y);
+        glfwDestroyWindow(window);
+        window = open_window(options);
+        glfwSetWindowPos(window, at.x, at.y);
+        glfwSetWindowSize(window, size.x, size.y);
+        if (!title.empty()) glfwSetWindowTitle(window, title.c_str());
+        adopt_window();
+        cursor = -2;
+        pace.input_came();
+    }
 
     // Framebuffer pixels a window coordinate.
     float density() const
@@ -193,6 +218,8 @@ struct Window::State {
             of(w).push(drop_files({paths, paths + count}));
         });
         const auto redraw = [](GLFWwindow* w) { of(w).pace.input_came(); };
+        glfwSetWindowContentScaleCallback(
+            window, [](GLFWwindow* w, float, float) { of(w).pace.input_came(); });
         glfwSetWindowRefreshCallback(window, redraw);
         glfwSetWindowCloseCallback(window, redraw);
         glfwSetFramebufferSizeCallback(window,
@@ -235,9 +262,13 @@ struct Window::State {
     }
 
     // Draws if a frame is due; whether the program goes on.
-    bool step(const DrawFrame& body)
+    bool step(const DrawFrame& body, const std::function<void()>& forget)
     {
         sleep_until_due();
+        if (gpu::context_was_lost()) {
+            forget();
+            replace_window();
+        }
         const bool closing = glfwWindowShouldClose(window);
         if (!closing && !gui.input().pending() && pace.wait_s(glfwGetTime()) > 0) return true;
         int w = 0, h = 0;
@@ -270,9 +301,9 @@ struct Window::State {
 Window::Window(const WindowOptions& options) : state_(std::make_unique<State>(options)) {}
 Window::~Window() = default;
 
-void Window::run(const DrawFrame& body)
+void Window::run(const DrawFrame& body, const std::function<void()>& forget)
 {
-    while (state_->step(body)) {
+    while (state_->step(body, forget)) {
     }
 }
 
@@ -286,6 +317,7 @@ std::function<void()> Window::waker() const
 
 void Window::set_title(const std::string& title)
 {
+    state_->title = title;
     glfwSetWindowTitle(state_->window, title.c_str());
 }
 

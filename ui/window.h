@@ -25,8 +25,11 @@ public:
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    // Draws frames when they are due, until a frame asks for the end.
-    void run(const DrawFrame& body);
+    // Draws frames when they are due, until a frame asks for the end. Where the graphics card is
+    // reset, `forget` is asked to drop all that was made in the context; then a window with another
+    // context takes the place of this one.
+    void run(
+        const DrawFrame& body, const std::function<void()>& forget = [] {});
 
     // Wakes the loop for one more frame; may be called on any thread while the window lives.
     std::function<void()> waker() const;

@@ -49,6 +49,10 @@ CLI::App* add_replay(CLI::App& app, ReplayOptions& o)
     replay->add_option("--size", o.size, "of the picture in pixels, 1280x720 if left out")
         ->type_name("WxH");
     replay
+        ->add_option("--quality", o.quality,
+                     "of the picture: draft, standard or high; standard if left out")
+        ->type_name("LEVEL");
+    replay
         ->add_option("--camera", o.camera,
                      "bookmark to look from; else the one named picture, else all is in view")
         ->type_name("NAME");

@@ -9,6 +9,7 @@
 #include "core/files/write_model.h"
 #include "editor/picture.h"
 #include "gpu/context.h"
+#include "gpu/level.h"
 #include "gpu/renderer.h"
 #include "ui/camera_control.h"
 
@@ -35,6 +36,12 @@ glm::ivec2 picture_size(const std::string& text)
             return size;
     }
     throw WrongUsage("--size " + text + ": must be WIDTHxHEIGHT, such as 1280x720, up to 16384");
+}
+
+gpu::Level level_of(const std::string& text)
+{
+    if (const auto level = gpu::level_named(text)) return *level;
+    throw WrongUsage("--quality " + text + ": must be draft, standard or high");
 }
 
 std::map<std::string, std::string> relinked_files(const std::vector<std::string>& settings)
@@ -171,8 +178,9 @@ void draw(const ReplayOptions& options, Replayed& replayed)
     const gpu::HeadlessContext context;
     gpu::Renderer renderer;
     Stretches stretches;
-    const Image image =
-        renderer.render(picture_of(replayed.evaluated, replayed.document, camera, stretches), size);
+    gpu::Picture picture = picture_of(replayed.evaluated, replayed.document, camera, stretches);
+    gpu::set_level(picture, level_of(options.quality));
+    const Image image = renderer.render(picture, size);
     replayed.timings.add(renderer.timings());
     timed(replayed.timings, "write image", [&] { write_image(image, options.image); });
 }
@@ -195,6 +203,7 @@ void write_timings(const std::string& path, const Timings& timings)
 Status run_replay(const ReplayOptions& options, const Streams& streams)
 {
     picture_size(options.size); // before any work is done
+    level_of(options.quality);
     relinked_files(options.relinked);
     if (!options.image.empty()) check_picture_name(options.image);
     for (const std::string& path : options.exports) check_model_name(path);

@@ -15,7 +15,7 @@ struct ReplayOptions {
     std::string log;
     int to = 0; // line of the file; 0: all
     std::vector<std::string> relinked, exports;
-    std::string image, size = "1280x720", camera;
+    std::string image, size = "1280x720", camera, quality = "standard";
     bool check = false, digest = false;
     std::string timings;
     int threads = 0; // 0: as many as there are

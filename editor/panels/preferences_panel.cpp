@@ -4,6 +4,8 @@
 #include "ui/icons.h"
 #include "ui/widgets.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <imgui.h>
@@ -101,10 +103,19 @@ void draw_viewport_page(Editor& editor, const ui::Theme& theme, const ui::Rect& 
     if (ui::segments(theme, "backdrop", backdrop, {"With grid", "As in pictures"}, width) ==
         ui::Edit::changed)
         p.backdrop_as_in_pictures = backdrop == 1;
-    foot_note(theme, r,
-              "The window has a quiet backdrop of its own, with a grid and the axes. As in "
-              "pictures it is the one of the scene's look: the window then shows what a picture "
-              "will show.");
+    constexpr std::array qualities{"automatic", "draft", "standard", "high"};
+    int quality = static_cast<int>(std::ranges::find(qualities, p.quality) - qualities.begin()) %
+                  static_cast<int>(qualities.size());
+    const float room = std::min(theme.px(380), ui::label_row(theme, "Quality").width);
+    if (ui::segments(theme, "quality", quality, {"Automatic", "Draft", "Standard", "High"}, room) ==
+        ui::Edit::changed)
+        p.quality = qualities[static_cast<std::size_t>(quality)];
+    foot_note(
+        theme, r,
+        "The window has a quiet backdrop of its own, with a grid and the axes. As in "
+        "pictures it is the one of the scene's look: the window then shows what a picture "
+        "will show. The quality is that of what is at rest. What moves is drawn as well as it "
+        "keeps up with the hand, but no better.");
     ImGui::EndChild();
 }
 
@@ -115,6 +126,7 @@ void reset_page(Editor& editor)
     auto& dialog = editor.preferences_dialog;
     if (dialog.page == dialog.of_viewport) {
         p.backdrop_as_in_pictures = usual.backdrop_as_in_pictures;
+        p.quality = usual.quality;
         return;
     }
     if (dialog.page == dialog.of_interface) {

@@ -115,7 +115,9 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     const int state = static_cast<int>(editor.tool) * 2 + (tool.busy() ? 1 : 0);
     const bool as_in_pictures = editor.preferences.backdrop_as_in_pictures;
     const ui::Theme over = theme_over_picture(theme, *session.document().render, as_in_pictures);
-    editor.viewport.set_style(viewport_style(over, as_in_pictures));
+    ViewportStyle style = viewport_style(over, as_in_pictures);
+    style.level = gpu::level_named(editor.preferences.quality).value_or(gpu::Level::standard);
+    editor.viewport.set_style(style);
     const unsigned texture = editor.viewport.draw(session, frame, size_px, moving, state,
                                                   [&] { return helpers_of(editor, over); });
     const auto name = static_cast<std::uintptr_t>(texture);

@@ -56,5 +56,22 @@ TEST(ViewportPicture, IsBitForBitTheOneThatReplayDraws)
     EXPECT_EQ(read_image(options.image).rgba, in_window);
 }
 
+TEST(ViewportPicture, IsTheSameAfterTheGraphicsCardWasResetAndOneNoticeSaysSo)
+{
+    Rig rig;
+    rig.two_objects();
+    const glm::ivec2 size_px = rig.layout().view.size();
+    const auto before = shown(rig, size_px);
+    const std::size_t steps = rig.steps(), notices = rig.editor.session.notices.all().size();
+    const std::string document = digest(rig.editor.session.document());
+    rig.screen.lose_context([&] { rig.editor.lose_context(); });
+    EXPECT_EQ(rig.editor.viewport.texture(), 0u);
+    EXPECT_EQ(shown(rig, size_px), before);
+    EXPECT_EQ(rig.steps(), steps);
+    EXPECT_EQ(digest(rig.editor.session.document()), document);
+    EXPECT_EQ(rig.editor.session.notices.all().size(), notices + 1);
+    EXPECT_GT(rig.screen.picture().rgba.size(), 0u);
+}
+
 } // namespace
 } // namespace trivar

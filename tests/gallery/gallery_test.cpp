@@ -49,8 +49,9 @@ TEST_P(Gallery, ShowsTheSceneAsItIs)
     const gpu::HeadlessContext context;
     gpu::Renderer renderer;
     const Camera camera = picture_camera(scene.evaluated, scene.document, gallery_size_px);
-    const Image image =
-        renderer.render(picture_of(scene.evaluated, scene.document, camera), gallery_size_px);
+    Stretches stretches;
+    const Image image = renderer.render(
+        picture_of(scene.evaluated, scene.document, camera, stretches), gallery_size_px);
     EXPECT_TRUE(
         testing::matches_picture(image, std::string("docs/gallery/") + GetParam() + ".png"));
 }
