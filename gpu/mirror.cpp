@@ -107,17 +107,28 @@ const MirroredMesh& Mirror::mesh(const Ref<Mesh>& mesh)
     return entry(mesh).mirrored;
 }
 
-const MirroredEdges& Mirror::edges(const Ref<Mesh>& mesh)
+std::shared_ptr<const EdgeIndices> Mirror::edge_indices(const Ref<Mesh>& faces)
+{
+    EdgesEntry& found = edges_[faces.get()];
+    if (found.alive.lock() != faces) {
+        auto indices = std::make_shared<EdgeIndices>();
+        const std::vector<glm::uvec2> edges = edges_of(*faces);
+        indices->count = static_cast<int>(2 * edges.size());
+        indices->buffer.write(std::as_bytes(std::span(edges)));
+        found = {faces, std::move(indices)};
+    }
+    return found.indices;
+}
+
+const MirroredEdges& Mirror::edges(const Ref<Mesh>& mesh, const Ref<Mesh>& faces)
 {
     MeshEntry& found = entry(mesh);
     if (!found.edges) {
         found.edges = std::make_unique<MirroredEdges>();
         MirroredEdges& out = *found.edges;
-        const std::vector<glm::uvec2> edges = edges_of(*mesh);
-        out.count = static_cast<int>(2 * edges.size());
-        out.indices.write(std::as_bytes(std::span(edges)));
+        out.indices = edge_indices(faces);
         out.vertices.attribute(0, found.mirrored.buffers.front(), 3, sizeof(glm::vec3));
-        out.vertices.indices(out.indices);
+        out.vertices.indices(out.indices->buffer);
     }
     return *found.edges;
 }
@@ -159,8 +170,8 @@ std::size_t Mirror::bytes() const
     std::size_t sum = 0;
     for (const auto& [mesh, entry] : meshes_) {
         for (const Buffer& buffer : entry.mirrored.buffers) sum += buffer.bytes();
-        if (entry.edges) sum += entry.edges->indices.bytes();
     }
+    for (const auto& [mesh, entry] : edges_) sum += entry.indices->buffer.bytes();
     for (const auto& [values, entry] : values_) sum += entry.buffer.bytes();
     for (const auto& [image, entry] : textures_) { // the smaller levels are a third more
         const glm::ivec2 size = entry.texture.size_px();
@@ -172,6 +183,7 @@ std::size_t Mirror::bytes() const
 void Mirror::drop_dead()
 {
     erase_dead(meshes_);
+    erase_dead(edges_);
     erase_dead(textures_);
     erase_dead(values_);
 }

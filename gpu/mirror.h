@@ -25,10 +25,13 @@ struct MirroredMesh {
 };
 
 // The edges between a mesh's faces, each once, as lines; a polygon's diagonals are none.
+struct EdgeIndices {
+    Buffer buffer;
+    int count = 0;
+};
 struct MirroredEdges {
     VertexArray vertices;
-    Buffer indices;
-    int count = 0; // of the indices
+    std::shared_ptr<const EdgeIndices> indices;
 };
 
 // Uploads of immutable values, keyed by Ref identity. The mirror owns none of the values: what
@@ -36,7 +39,9 @@ struct MirroredEdges {
 class Mirror {
 public:
     const MirroredMesh& mesh(const Ref<Mesh>& mesh);
-    const MirroredEdges& edges(const Ref<Mesh>& mesh); // O(#C log #C) when first asked for
+    // `faces` has the same faces, and so the same edges: a mesh and what it becomes by deformation
+    // share theirs. O(#C log #C) when first asked for.
+    const MirroredEdges& edges(const Ref<Mesh>& mesh, const Ref<Mesh>& faces);
     // bounding_box(), remembered for the last few matrices a mesh was seen with.
     Box box_world(const Ref<Mesh>& mesh, const glm::dmat4& to_world);
     const Buffer& values(const Ref<std::vector<float>>& values);
@@ -54,6 +59,10 @@ private:
         std::vector<std::pair<glm::dmat4, Box>> boxes;
         std::unique_ptr<MirroredEdges> edges;
     };
+    struct EdgesEntry {
+        std::weak_ptr<const Mesh> alive;
+        std::shared_ptr<const EdgeIndices> indices;
+    };
     struct TextureEntry {
         std::weak_ptr<const Image> alive;
         Texture2D texture;
@@ -62,8 +71,10 @@ private:
         std::weak_ptr<const std::vector<float>> alive;
         Buffer buffer;
     };
+    std::shared_ptr<const EdgeIndices> edge_indices(const Ref<Mesh>& faces);
     MeshEntry& entry(const Ref<Mesh>& mesh);
     std::map<const Mesh*, MeshEntry> meshes_;
+    std::map<const Mesh*, EdgesEntry> edges_;
     std::map<std::pair<const Image*, bool>, TextureEntry> textures_;
     std::map<const std::vector<float>*, ValuesEntry> values_;
     std::uint64_t uploads_ = 0;

@@ -10,49 +10,17 @@
 #include "gpu/passes/sample.h"
 #include "gpu/passes/shadow_map.h"
 #include "gpu/passes/wire.h"
+#include "gpu/state_guard.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 #include <optional>
-#include <set>
 #include <utility>
 
 namespace trivar::gpu {
 namespace {
-
-// Leaves the context as ImGui and other guests expect it, whatever was drawn.
-class StateGuard {
-public:
-    StateGuard()
-    {
-        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer_);
-        glGetIntegerv(GL_VIEWPORT, viewport_.data());
-        encodes_ = glIsEnabled(GL_FRAMEBUFFER_SRGB);
-    }
-    ~StateGuard()
-    {
-        set_state({});
-        glDepthMask(GL_TRUE);
-        if (!encodes_) glDisable(GL_FRAMEBUFFER_SRGB);
-        for (unsigned unit = 0; unit < 16; ++unit) glBindSampler(unit, 0);
-        glActiveTexture(GL_TEXTURE0);
-        glBindVertexArray(0);
-        glUseProgram(0);
-        glFrontFace(GL_CCW);
-        glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(framebuffer_));
-        glViewport(viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
-    }
-    StateGuard(const StateGuard&) = delete;
-    StateGuard& operator=(const StateGuard&) = delete;
-
-private:
-    GLint framebuffer_ = 0;
-    std::array<GLint, 4> viewport_{};
-    bool encodes_ = false;
-};
 
 struct StudioKey {
     std::string look;
@@ -281,19 +249,7 @@ Image Renderer::render(const Picture& picture, glm::ivec2 size_px)
 {
     draw(picture, size_px);
     const StateGuard guard;
-    const Targets& targets = *state_->whole;
-    size_px = targets.size_px;
-    Image image;
-    image.size_px = size_px;
-    const std::size_t row = static_cast<std::size_t>(size_px.x) * 4;
-    image.rgba.resize(row * size_px.y);
-    targets.to_bytes.bind();
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, size_px.x, size_px.y, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
-    auto top = image.rgba.begin();
-    auto bottom = image.rgba.end() - static_cast<std::ptrdiff_t>(row);
-    for (; top < bottom; top += row, bottom -= row) std::swap_ranges(top, top + row, bottom);
-    return image;
+    return read_back(*state_->whole);
 }
 
 int Renderer::pick(glm::ivec2 p_px)
@@ -315,17 +271,7 @@ std::vector<int> Renderer::pick_in(glm::ivec2 lo_px, glm::ivec2 hi_px)
         return glm::ivec2((glm::dvec2(p_px) + 0.5) * glm::dvec2(whole) / glm::dvec2(s.whole_px));
     };
     const glm::ivec2 first = drawn_at(lo), size = drawn_at(hi - 1) - first + 1;
-    struct IdDepth {
-        GLuint id, depth;
-    };
-    std::vector<IdDepth> pixels(static_cast<std::size_t>(size.x) * size.y);
-    s.whole->to_ids.bind();
-    glReadPixels(first.x, whole.y - first.y - size.y, size.x, size.y, GL_RG_INTEGER,
-                 GL_UNSIGNED_INT, pixels.data());
-    std::set<int> ids;
-    for (const IdDepth& pixel : pixels) ids.insert(static_cast<int>(pixel.id));
-    ids.erase(0);
-    return {ids.begin(), ids.end()};
+    return ids_in(*s.whole, first, size);
 }
 
 std::size_t Renderer::uploaded_bytes() const

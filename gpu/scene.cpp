@@ -16,12 +16,21 @@ bool drawable(const Box& box)
     return !box.empty();
 }
 
+// Whether what it was before it was deformed is known, with the same vertices and faces.
+bool has_rest(const Instance& instance)
+{
+    return instance.rest && instance.rest->vertex_count() == instance.mesh->vertex_count() &&
+           instance.rest->face_count() == instance.mesh->face_count() &&
+           instance.rest->corners.size() == instance.mesh->corners.size();
+}
+
 SceneItem item_of(const Instance& instance, const Picture& picture, const Box& box,
                   const glm::dvec3& origin_world, Mirror& mirror)
 {
     SceneItem item;
     item.mesh = &mirror.mesh(instance.mesh);
-    item.edges = picture.settings.wire ? &mirror.edges(instance.mesh) : nullptr;
+    const Ref<Mesh>& faces = has_rest(instance) ? instance.rest : instance.mesh;
+    item.edges = picture.settings.wire ? &mirror.edges(instance.mesh, faces) : nullptr;
     item.materials = instance.materials;
     glm::dmat4 to_scene = instance.to_world;
     to_scene[3] -= glm::dvec4(origin_world, 0);
@@ -46,9 +55,7 @@ SceneItem item_of(const Instance& instance, const Picture& picture, const Box& b
     item.rest_middle = glm::vec4(0);
     const auto is_solid = [](const Material& m) { return m.solid != Solid::none; };
     if (instance.materials && std::ranges::any_of(*instance.materials, is_solid)) {
-        const bool has_rest =
-            instance.rest && instance.rest->vertex_count() == instance.mesh->vertex_count();
-        const Ref<Mesh>& rest = has_rest ? instance.rest : instance.mesh;
+        const Ref<Mesh>& rest = faces;
         const Box at_rest = mirror.box_world(rest, glm::dmat4(1));
         const double radius = glm::length(at_rest.size()) / 2;
         item.rest = &mirror.mesh(rest).buffers.front();

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gpu/passes/targets.h"
 
+#include <algorithm>
 #include <epoxy/gl.h>
+#include <set>
 
 namespace trivar::gpu {
 
@@ -27,6 +29,37 @@ Targets::Targets(glm::ivec2 size)
       to_mask({&mask}, &depth),
       to_encoded({&color_bytes}, &depth)
 {
+}
+
+Image read_back(const Targets& targets)
+{
+    Image image;
+    image.size_px = targets.size_px;
+    const std::size_t row = static_cast<std::size_t>(image.size_px.x) * 4;
+    image.rgba.resize(row * image.size_px.y);
+    targets.to_bytes.bind();
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, image.size_px.x, image.size_px.y, GL_RGBA, GL_UNSIGNED_BYTE,
+                 image.rgba.data());
+    auto top = image.rgba.begin();
+    auto bottom = image.rgba.end() - static_cast<std::ptrdiff_t>(row);
+    for (; top < bottom; top += row, bottom -= row) std::swap_ranges(top, top + row, bottom);
+    return image;
+}
+
+std::vector<int> ids_in(const Targets& targets, glm::ivec2 first_px, glm::ivec2 size_px)
+{
+    struct IdDepth {
+        GLuint id, depth;
+    };
+    std::vector<IdDepth> pixels(static_cast<std::size_t>(size_px.x) * size_px.y);
+    targets.to_ids.bind();
+    glReadPixels(first_px.x, targets.size_px.y - first_px.y - size_px.y, size_px.x, size_px.y,
+                 GL_RG_INTEGER, GL_UNSIGNED_INT, pixels.data());
+    std::set<int> ids;
+    for (const IdDepth& pixel : pixels) ids.insert(static_cast<int>(pixel.id));
+    ids.erase(0);
+    return {ids.begin(), ids.end()};
 }
 
 } // namespace trivar::gpu

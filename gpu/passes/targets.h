@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/mesh/model.h"
 #include "gpu/framebuffer.h"
+
+#include <vector>
 
 namespace trivar::gpu {
 
@@ -24,5 +27,10 @@ struct Targets {
         to_mask;
     Framebuffer to_encoded; // the colour's bytes: what is blended there is mixed as encoded
 };
+
+// The picture, row 0 on top.
+Image read_back(const Targets& targets);
+// The ids in a rectangle of it, ascending, less 0; the first pixel is top left.
+std::vector<int> ids_in(const Targets& targets, glm::ivec2 first_px, glm::ivec2 size_px);
 
 } // namespace trivar::gpu

@@ -14,7 +14,7 @@ float edge_px(const SceneItem& item, const Frame& frame)
     const glm::vec4 middle = frame.view * glm::vec4((item.lo + item.hi) * 0.5f, 1);
     const float distance = frame.eye.w > 0.5f ? std::max(-middle.z, 1e-6f) : 1;
     const float px_a_unit = frame.clip[1][1] * 0.5f * frame.size_px.y / distance;
-    const float edges = static_cast<float>(item.edges->count) / 2;
+    const float edges = static_cast<float>(item.edges->indices->count) / 2;
     return glm::length(item.hi - item.lo) * px_a_unit / std::sqrt(std::max(edges, 1.0f));
 }
 
@@ -27,12 +27,12 @@ void draw_wire(Tools& tools, const Targets& targets, const Frame& frame, const S
     const Program& program = tools.use({"wire", "wire", {}});
     program.set("scene_to_clip", frame.view_clip);
     for (const SceneItem& item : scene.items) {
-        if (!item.edges || item.edges->count == 0) continue;
+        if (!item.edges || item.edges->indices->count == 0) continue;
         program.set("to_scene", item.to_scene);
         const float room = glm::smoothstep(1.5f, 6.0f, edge_px(item, frame));
         program.set("opacity", item.opacity * glm::mix(0.12f, 0.7f, room));
         item.edges->vertices.bind();
-        glDrawElements(GL_LINES, item.edges->count, GL_UNSIGNED_INT, nullptr);
+        glDrawElements(GL_LINES, item.edges->indices->count, GL_UNSIGNED_INT, nullptr);
     }
 }
 

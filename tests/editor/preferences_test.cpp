@@ -28,8 +28,9 @@ TEST(Preferences, AreAsIfNewWhereTheTextIsOdd)
 {
     for (const std::string text :
          {"", "no JSON", "[1,2]", "{", R"({"scale":"big","dock":null,"show_dock":3})",
-          R"({"quality":"best"})", R"({"quality":7})", R"({"recent_commands":[1,{"a":2},null]})", R"({"dock":1e999})",
-          R"({"keys":[{"Undo":3}]})", R"({"keys":{"Undo":"Ctrl+Z"}})", "\xFF\xFE{}"})
+          R"({"quality":"best"})", R"({"quality":7})", R"({"recent_commands":[1,{"a":2},null]})",
+          R"({"dock":1e999})", R"({"keys":[{"Undo":3}]})", R"({"keys":{"Undo":"Ctrl+Z"}})",
+          "\xFF\xFE{}"})
         EXPECT_EQ(preferences_from(text), Preferences()) << text;
     EXPECT_EQ(preferences_from(std::string(200000, '[')), Preferences());
     const std::string nested =

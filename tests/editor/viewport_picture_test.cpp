@@ -66,10 +66,10 @@ TEST(ViewportPicture, IsTheSameAfterTheGraphicsCardWasResetAndOneNoticeSaysSo)
     const std::string document = digest(rig.editor.session.document());
     rig.screen.lose_context([&] { rig.editor.lose_context(); });
     EXPECT_EQ(rig.editor.viewport.texture(), 0u);
+    EXPECT_EQ(rig.editor.session.notices.all().size(), notices + 1);
     EXPECT_EQ(shown(rig, size_px), before);
     EXPECT_EQ(rig.steps(), steps);
     EXPECT_EQ(digest(rig.editor.session.document()), document);
-    EXPECT_EQ(rig.editor.session.notices.all().size(), notices + 1);
     EXPECT_GT(rig.screen.picture().rgba.size(), 0u);
 }
 

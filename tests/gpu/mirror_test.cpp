@@ -89,4 +89,15 @@ TEST_F(TheMirror, UploadsAnImageOnceForEachUse)
     EXPECT_EQ(mirror.texture_count(), 0u);
 }
 
+TEST_F(TheMirror, SortsTheEdgesOfAMeshAndOfWhatItBecomesOnce)
+{
+    const Ref<Mesh> rest = make_ref(box_mesh(glm::dvec3(1), glm::ivec3(2)));
+    Mesh moved = *rest;
+    for (glm::vec3& p : moved.positions) p.x += 1;
+    const Ref<Mesh> deformed = make_ref(std::move(moved));
+    const MirroredEdges& edges = mirror.edges(deformed, rest);
+    EXPECT_EQ(edges.indices, mirror.edges(rest, rest).indices);
+    EXPECT_GT(edges.indices->count, 0);
+}
+
 } // namespace trivar::gpu::testing

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+namespace trivar::gpu {
+
+// Leaves the context as ImGui and other guests expect it, whatever was drawn.
+class StateGuard {
+public:
+    StateGuard();
+    ~StateGuard();
+    StateGuard(const StateGuard&) = delete;
+    StateGuard& operator=(const StateGuard&) = delete;
+
+private:
+    int framebuffer_ = 0;
+    std::array<int, 4> viewport_{};
+    bool encodes_ = false;
+};
+
+} // namespace trivar::gpu
