@@ -196,6 +196,23 @@ void edit_actions(std::vector<Action>& a)
                  },
                  something_there()});
     a.push_back({"Edit",
+                 "Repeat last",
+                 {{.key = 'R', .shift = true}},
+                 [](Editor& e) {
+                     const auto command = repeated(e.session);
+                     if (!command) return;
+                     const Id first = e.session.committed().next_id;
+                     if (e.session.run(*command)) e.session.select_new(first);
+                 },
+                 {[](const Editor& e) { return repeated(e.session).has_value(); },
+                  "the last step cannot be repeated on what is selected"}});
+    a.push_back(
+        {"Edit",
+         "Adjust last",
+         {{ui::key_f1 + 8}},
+         [](Editor& e) { e.adjustment.open = !e.adjustment.open; },
+         {[](const Editor& e) { return e.adjustment.step != 0; }, "the last step has no numbers"}});
+    a.push_back({"Edit",
                  preferences_action,
                  {ctrl(ui::key_comma)},
                  [](Editor& e) { e.preferences_dialog.open = true; },
@@ -317,6 +334,15 @@ void window_actions(std::vector<Action>& a)
                  true});
     a.push_back({"View", "History", {}, [](Editor& e) { open_tab(e, Editor::Tab::history); }});
     a.push_back({"View", "Log", {}, [](Editor& e) { open_tab(e, Editor::Tab::log); }});
+    a.push_back({"View", "Next panel", {{ui::key_f1 + 5}}, [](Editor& e) {
+                     using Panel = Editor::Panel;
+                     e.show_focus = true;
+                     e.preferences.show_dock = true;
+                     e.only_view = false;
+                     e.panel = e.panel == Panel::view       ? Panel::outliner
+                               : e.panel == Panel::outliner ? Panel::dock
+                                                            : Panel::view;
+                 }});
     a.push_back({"View", "Viewport only", {{.key = ui::key_space, .ctrl = true}}, [](Editor& e) {
                      e.only_view = !e.only_view;
                  }});
@@ -432,6 +458,8 @@ void run_keys(Editor& editor)
     if (escape()) {
         if (editor.session.committing())
             editor.session.cancel();
+        else if (editor.show_focus && editor.panel != Editor::Panel::view)
+            editor.panel = Editor::Panel::view;
         else if (editor.start_card.asked == editor.session.scenes())
             editor.start_card.asked = -1;
         else

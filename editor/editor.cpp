@@ -36,6 +36,9 @@ void meet_scene(Editor& editor)
     editor.scene = editor.session.scenes();
     editor.active_tool().cancel(editor.session);
     editor.outliner = {};
+    const bool open = editor.adjustment.open;
+    editor.adjustment = {};
+    editor.adjustment.open = open;
     editor.inspecting = false;
 }
 
@@ -51,6 +54,22 @@ void follow_click(Editor& editor, const Layout& layout)
                    : layout.outliner.contains(at)  ? Panel::outliner
                    : layout.inspector.contains(at) ? Panel::dock
                                                    : Panel::view;
+}
+
+// Where the keyboard is, once it went there by a key.
+void paint_focus(const Editor& editor, const ui::Theme& theme, const Layout& layout)
+{
+    using Panel = Editor::Panel;
+    if (!editor.show_focus || editor.only_view) return;
+    const ui::Rect dock = {layout.tabs.lo, layout.inspector.hi};
+    const ui::Rect& r = editor.panel == Panel::view       ? layout.view
+                        : editor.panel == Panel::outliner ? layout.outliner
+                                                          : dock;
+    if (editor.panel != Panel::view && !layout.dock) return;
+    const float half = 0.75f * theme.scale;
+    ImGui::GetForegroundDrawList()->AddRect({r.lo.x + half, r.lo.y + half},
+                                            {r.hi.x - half, r.hi.y - half}, theme.color.focus, 0, 0,
+                                            2 * half);
 }
 
 } // namespace
@@ -93,6 +112,8 @@ void draw_editor(Editor& editor, ui::Frame& frame)
             editor.active_tool().cancel(editor.session);
     }
     if (frame.close_asked) editor.files.ask_close();
+    // Its Enter is not the outliner's.
+    if (editor.active_tool().busy()) editor.panel = Editor::Panel::view;
     run_keys(editor);
     meet_scene(editor);
 
@@ -121,8 +142,10 @@ void draw_editor(Editor& editor, ui::Frame& frame)
             draw_log(editor, theme, layout);
     }
     finish_edit(editor);
+    follow_steps(editor.adjustment, editor.session);
     draw_viewport(editor, frame, layout); // last of the panels: it shows what they changed
     draw_status_line(editor, theme, layout);
+    paint_focus(editor, theme, layout);
     editor.files.draw(theme);
     draw_manual(editor, theme);
     draw_preferences(editor, theme);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "editor/adjustment.h"
 #include "editor/command_palette.h"
 #include "editor/files.h"
 #include "editor/manual.h"
@@ -42,6 +43,7 @@ struct Editor {
     OutlinerState outliner;
     enum class Panel { view, outliner, dock } panel = Panel::view; // the keyboard's
     bool show_focus = false;                                       // it came there by a key
+    Adjustment adjustment;
     long scene = 0;               // number of the session's scene that the tools know
     bool add_menu_asked = false;  // it opens at the mouse in the next frame
     bool right_cancelled = false; // the right button, which is held, ended a gesture

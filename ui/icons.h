@@ -20,6 +20,7 @@ inline constexpr const char *select = "\uf245", *move = "\uf047", *rotate = "\uf
                             *target = "\uf05b", *level_up = "\uf148", *home = "\uf015",
                             *link = "\uf0c1", *group = "\uf247", *grid = "\uf0ce", *log = "\uf120",
                             *copy = "\uf0c5", *pencil = "\uf044", *drop = "\uf043",
-                            *command = "\uf138", *lock = "\uf023", *open_lock = "\uf09c";
+                            *command = "\uf138", *lock = "\uf023", *open_lock = "\uf09c",
+                            *more = "\uf141";
 
 } // namespace trivar::ui::icon

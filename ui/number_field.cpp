@@ -157,6 +157,11 @@ Edit type_number(const Theme& theme, const Memory& memory, double& value, const 
 
 } // namespace
 
+void type_next_number()
+{
+    ImGui::GetStateStorage()->SetInt(tab_key(), ImGui::GetFrameCount() + 1);
+}
+
 std::string with_commas(std::size_t number)
 {
     std::string digits = std::to_string(number);

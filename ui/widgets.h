@@ -30,6 +30,9 @@ Edit number_field(const Theme& theme, const std::string& id, double& value,
 Edit integer_field(const Theme& theme, const std::string& id, int& value, const NumberStyle& style,
                    float width);
 
+// The next number that is drawn in the current window is typed: where Tab begins.
+void type_next_number();
+
 Edit check_box(const Theme& theme, const std::string& id, bool& value, const std::string& effect);
 Edit segments(const Theme& theme, const std::string& id, int& chosen,
               const std::vector<std::string>& names, float width);

@@ -237,6 +237,10 @@ void draw_history(Editor& editor, const ui::Theme& theme, const Layout& layout)
     const bool elsewhere =
         previewed && !(previewed->kind == Line::step && previewed->after == history.position());
     session.preview(elsewhere && !go_to ? document_of(history, *previewed) : nullptr);
+    const bool keys = editor.panel == Editor::Panel::dock && !ImGui::GetIO().WantTextInput &&
+                      !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+    if (keys && ImGui::IsKeyPressed(ui::key_up)) session.undo();
+    if (keys && ImGui::IsKeyPressed(ui::key_down)) session.redo();
     if (go_to && go_to->kind == Line::step) session.go_to_step(go_to->after);
     if (go_to && go_to->kind == Line::other) session.go_to_branch(go_to->branch, go_to->at + 1);
     ImGui::End();

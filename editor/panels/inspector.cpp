@@ -306,6 +306,9 @@ void draw_inspector(Editor& editor, const ui::Theme& theme, const Layout& layout
     if (effects != editor.session.evaluated().objects.end())
         fields.hi.y -= draw_notices(theme, layout.inspector, effects->second->notices);
     begin_panel("inspector", fields, theme.color.panel, true);
+    if (editor.panel == Editor::Panel::dock && editor.show_focus && !ImGui::IsAnyItemActive() &&
+        ImGui::IsKeyPressed(ui::key_tab, false))
+        ui::type_next_number();
     const auto& objects = editor.session.document().objects;
     const auto found = objects.find(id);
     if (found == objects.end()) {

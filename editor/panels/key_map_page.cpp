@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/key_presets.h"
 #include "editor/letters_in_order.h"
 #include "editor/panels/panels.h"
 #include "ui/icons.h"
@@ -141,6 +142,28 @@ void draw_rows(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
     ImGui::PopStyleVar();
 }
 
+// Whole key maps; one that was changed by hand is none of them.
+void draw_presets(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
+{
+    int chosen = -1;
+    std::vector<std::string> names;
+    for (const KeyPreset& preset : key_presets()) {
+        std::vector<Action> actions = editor.actions;
+        use_keys(actions, preset.keys);
+        if (changed_keys(actions) == changed_keys(editor.actions))
+            chosen = static_cast<int>(names.size());
+        names.push_back(preset.name);
+    }
+    ImGui::SetCursorScreenPos({r.lo.x, r.lo.y});
+    if (ui::segments(theme, "presets", chosen, names, std::min(theme.px(360), r.width())) !=
+        ui::Edit::changed)
+        return;
+    use_keys(editor.actions, key_presets()[static_cast<std::size_t>(chosen)].keys);
+    editor.preferences.keys = changed_keys(editor.actions);
+    editor.preferences_dialog.asking.clear();
+    editor.preferences_dialog.given.clear();
+}
+
 } // namespace
 
 void ask_for_key(Editor& editor, const std::string& action)
@@ -163,10 +186,11 @@ void draw_key_map(Editor& editor, const ui::Theme& theme, const ui::Rect& page)
             else
                 changed(editor, name, give_key(editor.actions, name, *chord));
         }
-    ImGui::SetCursorScreenPos({page.lo.x, page.lo.y + theme.px(12)});
+    draw_presets(editor, theme, {{page.lo.x, page.lo.y + theme.px(12)}, page.hi});
+    ImGui::SetCursorScreenPos({page.lo.x, page.lo.y + theme.px(44)});
     ui::text_field(theme, "filter", dialog.filter, "Find a command", page.width() - theme.px(12),
                    ui::icon::search);
-    draw_rows(editor, theme, {{page.lo.x, page.lo.y + theme.px(44)}, page.hi});
+    draw_rows(editor, theme, {{page.lo.x, page.lo.y + theme.px(76)}, page.hi});
 }
 
 } // namespace trivar

@@ -46,6 +46,7 @@ void draw_legend(const ui::Theme& theme, const ui::Rect& view); // of the colour
 void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
 bool shows_welcome(const Editor& editor);
 void draw_welcome(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
+void draw_adjustment(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
 void draw_first_steps(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
 void draw_tutorial(Editor& editor, ui::Frame& frame, const ui::Rect& view);
 

@@ -139,6 +139,7 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
         draw_welcome(editor, theme, view);
     else
         draw_first_steps(editor, theme, view);
+    draw_adjustment(editor, theme, view);
     ImGui::End();
     progress(editor, frame, view);
     session.notices.draw(frame, view);

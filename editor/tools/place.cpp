@@ -4,6 +4,7 @@
 #include "core/placement/redraw.h"
 #include "editor/tools/strip_paint.h"
 #include "ui/icons.h"
+#include "ui/option_bar.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -258,7 +259,6 @@ void PlaceTool::paint_stroke(const Session& session, const ui::Theme& theme,
 
 void PlaceTool::options(Session& session, const ui::Theme& theme, float width)
 {
-    const float x0 = ImGui::GetCursorScreenPos().x;
     std::vector<std::string> names{"Automatic"};
     std::vector<Id> ids{0};
     for (const auto& [id, each] : session.document().objects)
@@ -270,54 +270,30 @@ void PlaceTool::options(Session& session, const ui::Theme& theme, float width)
     if (chosen_ == 0 && model != 0) names[0] = "Automatic: " + name_of(session.document(), model);
     auto at = std::find(ids.begin(), ids.end(), chosen_);
     int index = at == ids.end() ? 0 : static_cast<int>(at - ids.begin());
-    const auto label = [&](const char* words) {
-        const ImVec2 p = ImGui::GetCursorScreenPos();
-        const float w = ui::text_width(theme.font.body, words);
-        ui::paint_text(theme.font.body, ui::rect_at({p.x, p.y}, {w, theme.size.row}),
-                       theme.color.text_2, words);
-        ImGui::SetCursorScreenPos({p.x + w + theme.px(8), p.y});
-    };
-    const auto fits = [&](float more) {
-        return ImGui::GetCursorScreenPos().x - x0 + theme.px(more) <= width;
-    };
-    const auto advance = [&](ImVec2 from, float by) {
-        ImGui::SetCursorScreenPos({from.x + theme.px(by), from.y});
-    };
-    label("Model");
-    ImVec2 p = ImGui::GetCursorScreenPos();
-    if (ui::choice(theme, "model", index, names, theme.px(208)) == ui::Edit::changed)
-        chosen_ = ids[static_cast<std::size_t>(index)];
-    advance(p, 208 + 16);
     const ui::NumberStyle size{.lo = 0, .hi = 1e6, .unit = "m", .zero = "auto"};
-    if (fits(160)) {
-        label("Width");
-        p = ImGui::GetCursorScreenPos();
-        ui::number_field(theme, "width", parameters_.width, size, theme.px(88));
-        advance(p, 88 + 16);
-    }
-    if (fits(160)) {
-        label("Height");
-        p = ImGui::GetCursorScreenPos();
-        ui::number_field(theme, "height", parameters_.height, size, theme.px(88));
-        advance(p, 88 + 16);
-    }
-    if (fits(270)) {
-        label("Brush");
-        p = ImGui::GetCursorScreenPos();
-        int brush = static_cast<int>(brush_);
-        ui::segments(theme, "brush", brush, {"Even", "Speed", "Wheel"}, theme.px(192));
-        brush_ = static_cast<Brush>(brush);
-        advance(p, 192 + 16);
-    }
-    if (fits(220)) {
-        label("Gaps");
-        p = ImGui::GetCursorScreenPos();
-        int gaps = parameters_.springs ? 0 : 1;
-        ui::segments(theme, "gaps", gaps, {"Bridge", "Follow"}, theme.px(144));
-        parameters_.springs = gaps == 0;
-        advance(p, 144 + 16);
-    }
-    if (fits(300)) handles_.options(session, theme);
+    std::vector<ui::Option> options;
+    options.push_back({"Model", 208, [&](float field) {
+                           if (ui::choice(theme, "model", index, names, field) == ui::Edit::changed)
+                               chosen_ = ids[static_cast<std::size_t>(index)];
+                       }});
+    options.push_back({"Width", 88, [&](float field) {
+                           ui::number_field(theme, "width", parameters_.width, size, field);
+                       }});
+    options.push_back({"Height", 88, [&](float field) {
+                           ui::number_field(theme, "height", parameters_.height, size, field);
+                       }});
+    options.push_back({"Brush", 192, [&](float field) {
+                           int brush = static_cast<int>(brush_);
+                           ui::segments(theme, "brush", brush, {"Even", "Speed", "Wheel"}, field);
+                           brush_ = static_cast<Brush>(brush);
+                       }});
+    options.push_back({"Gaps", 144, [&](float field) {
+                           int gaps = parameters_.springs ? 0 : 1;
+                           ui::segments(theme, "gaps", gaps, {"Bridge", "Follow"}, field);
+                           parameters_.springs = gaps == 0;
+                       }});
+    if (const auto handles = handles_.option(session, theme)) options.push_back(*handles);
+    ui::option_bar(theme, options, width);
 }
 
 std::vector<Hint> PlaceTool::hints(const Session& session) const

@@ -164,17 +164,15 @@ std::vector<Hint> PlacementHandles::hints() const
     return {{{"left"}, "Drag: " + name_of(hovered_.kind)}};
 }
 
-void PlacementHandles::options(const Session& session, const ui::Theme& theme)
+std::optional<ui::Option> PlacementHandles::option(const Session& session, const ui::Theme& theme)
 {
-    if (!selected_placement(session)) return;
-    const ImVec2 p = ImGui::GetCursorScreenPos();
-    const float w = ui::text_width(theme.font.body, "Handles");
-    ui::paint_text(theme.font.body, ui::rect_at({p.x, p.y}, {w, theme.size.row}),
-                   theme.color.text_2, "Handles");
-    ImGui::SetCursorScreenPos({p.x + w + theme.px(8), p.y});
-    int chosen = static_cast<int>(*choice_);
-    ui::segments(theme, "handles", chosen, {"All", "Stroke", "Sizes", "None"}, theme.px(224));
-    *choice_ = static_cast<HandleChoice>(chosen);
+    if (!selected_placement(session)) return std::nullopt;
+    return ui::Option{
+        "Handles", 224, [this, &theme](float width) {
+            int chosen = static_cast<int>(*choice_);
+            ui::segments(theme, "handles", chosen, {"All", "Stroke", "Sizes", "None"}, width);
+            *choice_ = static_cast<HandleChoice>(chosen);
+        }};
 }
 
 } // namespace trivar

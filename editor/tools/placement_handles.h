@@ -3,6 +3,7 @@
 
 #include "editor/tools/placement_holds.h"
 #include "editor/tools/tool.h"
+#include "ui/option_bar.h"
 
 namespace trivar {
 
@@ -24,7 +25,7 @@ public:
     std::vector<Hint> hints() const; // of a drag
     bool hovers() const { return hovered_.kind != HoldKind::none; }
     // The choice of handles, where an object that has some is selected.
-    void options(const Session& session, const ui::Theme& theme);
+    std::optional<ui::Option> option(const Session& session, const ui::Theme& theme);
 
 private:
     std::vector<HoldPoint> points(const Session& session) const;

@@ -86,7 +86,8 @@ void SelectTool::options(Session& session, const ui::Theme& theme, float width)
     if (!handles) return;
     const float taken = std::min(room, ui::text_width(theme.font.body, words));
     ImGui::SetCursorScreenPos({at.x + taken + theme.px(24), at.y});
-    handles_.options(session, theme);
+    if (const auto option = handles_.option(session, theme))
+        ui::option_bar(theme, {*option}, width - taken - theme.px(24));
 }
 
 std::vector<Hint> SelectTool::hints(const Session& session) const

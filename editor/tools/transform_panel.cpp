@@ -2,6 +2,7 @@
 // What the transform tools show: handles, the axis at work, the amount, settings and hints.
 #include "editor/tools/hand_motion.h"
 #include "editor/tools/transform.h"
+#include "ui/option_bar.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -68,18 +69,6 @@ void TransformTool::gesture_overlay(const Camera& camera, const ui::Theme& theme
 void TransformTool::options(Session& session, const ui::Theme& theme, float width)
 {
     (void)session;
-    const float end = ImGui::GetCursorScreenPos().x + width;
-    // A label and its field, or neither where they do not fit.
-    const auto setting = [&](const char* words, float field_px, auto&& field) {
-        const ImVec2 p = ImGui::GetCursorScreenPos();
-        const float label = ui::text_width(theme.font.body, words) + theme.px(8);
-        if (p.x + label + theme.px(field_px) > end) return;
-        ui::paint_text(theme.font.body, ui::rect_at({p.x, p.y}, {label, theme.size.row}),
-                       theme.color.text_2, words);
-        ImGui::SetCursorScreenPos({p.x + label, p.y});
-        field(theme.px(field_px));
-        ImGui::SetCursorScreenPos({p.x + label + theme.px(field_px + 16), p.y});
-    };
     const bool roomy = width >= theme.px(640); // else the choices are lists
     const auto one_of = [&](const char* id, auto& value, const std::vector<std::string>& names) {
         return [&theme, &value, roomy, id, names](float field) {
@@ -92,6 +81,10 @@ void TransformTool::options(Session& session, const ui::Theme& theme, float widt
         };
     };
     TransformChoices& c = *choices_;
+    std::vector<ui::Option> options;
+    const auto setting = [&](const char* words, float field_px, auto field) {
+        options.push_back({words, field_px, std::move(field)});
+    };
     setting("Axes", roomy ? 168 : 88, one_of("axes", c.orientation, {"World", "Local", "View"}));
     setting("Pivot", roomy ? 216 : 88,
             one_of("pivot", c.pivot, {"Origin", "Centre", "Each", "Active"}));
@@ -104,6 +97,7 @@ void TransformTool::options(Session& session, const ui::Theme& theme, float widt
                                                      : c.step_factor;
         ui::number_field(theme, "step", step, style, field);
     });
+    ui::option_bar(theme, options, width);
 }
 
 std::vector<Hint> TransformTool::hints(const Session& session) const

@@ -161,6 +161,18 @@ TEST(OutlinerByHand, ArrowsGoFromRowToRowAndEnterRenames)
     EXPECT_EQ(name_of(rig.editor.session.document(), 4), "Z");
 }
 
+TEST(OutlinerByHand, TheEnterThatEndsAMoveRenamesNothing)
+{
+    Room rig;
+    rig.click(rig.row(0.5f));
+    rig.move(rig.layout().view.center());
+    rig.key({'G'});
+    rig.type("1");
+    rig.key({ui::key_enter});
+    EXPECT_EQ(rig.steps(), 5u);
+    EXPECT_EQ(rig.editor.outliner.renaming, 0);
+}
+
 TEST(OutlinerByHand, CtrlFGoesToTheFilterAndEscapeClearsIt)
 {
     Room rig;

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/step_title.h"
+#include "editor/panels/panels.h"
+#include "ui/icons.h"
+#include "ui/widgets.h"
+
+#include <algorithm>
+#include <cctype>
+#include <imgui.h>
+
+namespace trivar {
+namespace {
+
+// As a person reads a field's name: "rotation_deg" is the rotation.
+std::string label_of(std::string_view field)
+{
+    if (field == "translation") return "Position";
+    std::string label(field.substr(0, field.ends_with("_deg") ? field.size() - 4 : field.size()));
+    std::ranges::replace(label, '_', ' ');
+    label[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(label[0])));
+    return label;
+}
+
+// Rows for the numbers of a command, from its list of fields.
+class Rows {
+public:
+    explicit Rows(const ui::Theme& theme) : theme_(theme) {}
+    ui::Edit edit = ui::Edit::none;
+
+    void operator()(std::string_view name, double& value, std::string_view help, Rule rule = {})
+    {
+        ui::NumberStyle style{.lo = rule.lo, .hi = rule.hi};
+        style.unit = name.ends_with("_deg")                     ? "deg"
+                     : help.find("metres") != std::string::npos ? "m"
+                                                                : "";
+        const float width = ui::label_row(theme_, label_of(name)).width;
+        take(ui::number_field(theme_, std::string(name), value, style, width));
+    }
+    void operator()(std::string_view name, int& value, std::string_view, Rule rule = {})
+    {
+        if (name == "object") return;
+        const float width = ui::label_row(theme_, label_of(name)).width;
+        take(ui::integer_field(theme_, std::string(name), value, {.lo = rule.lo, .hi = rule.hi},
+                               width));
+    }
+    template <int n, class T>
+    void operator()(std::string_view name, glm::vec<n, T>& value, std::string_view help,
+                    Rule rule = {})
+    {
+        const float all = ui::label_row(theme_, label_of(name)).width, gap = theme_.px(4);
+        const float width = (all - gap * static_cast<float>(n - 1)) / static_cast<float>(n);
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        (void)help;
+        for (int i = 0; i < n; ++i) {
+            ImGui::SetCursorScreenPos({at.x + static_cast<float>(i) * (width + gap), at.y});
+            const std::string id = std::string(name) + std::to_string(i);
+            const ui::NumberStyle style{.lo = rule.lo, .hi = rule.hi};
+            if constexpr (std::is_same_v<T, int>)
+                take(ui::integer_field(theme_, id, value[i], style, width));
+            else if constexpr (std::is_same_v<T, double>)
+                take(ui::number_field(theme_, id, value[i], style, width));
+        }
+    }
+    void operator()(std::string_view, PlacementParameters& p, std::string_view, Rule = {})
+    {
+        each_field(
+            p, [&](std::string_view name, auto& value, std::string_view help, Rule rule = {}) {
+                if constexpr (std::is_same_v<std::remove_reference_t<decltype(value)>, double>)
+                    if (name == "width" || name == "height" || name == "offset" ||
+                        name == "start" || name == "fill" || name == "clearance")
+                        (*this)(name, value, help, rule);
+            });
+    }
+    void operator()(std::string_view, Transform& t, std::string_view, Rule = {})
+    {
+        (*this)("translation", t.translation, "metres");
+    }
+    void operator()(std::string_view, auto&, std::string_view, Rule = {}) {} // no number
+
+private:
+    void take(ui::Edit one)
+    {
+        if (one != ui::Edit::none) edit = one;
+    }
+    const ui::Theme& theme_;
+};
+
+} // namespace
+
+void draw_adjustment(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
+{
+    Adjustment& a = editor.adjustment;
+    Session& session = editor.session;
+    const History& history = session.scene().history();
+    if (a.step == 0 || editor.active_tool().busy() || session.committing()) return;
+    const std::size_t at = a.running ? history.position() : a.step - 1;
+    if (at >= history.steps().size()) return;
+    const History::Step& step = history.steps()[at];
+    const Document& before = at == 0 ? history.start() : history.steps()[at - 1].result;
+    Command command = session.proposing() && a.running ? history.proposal()->command : step.command;
+    const StepTitle title = step_title(step.command, before, step.result);
+    const float pad = theme.px(12), head = theme.px(32);
+    const float end = session.notices.all().empty() ? view.hi.x : ui::Notices::left_of(theme, view);
+    const float width = std::min(theme.px(a.open ? 300 : 260), end - pad - (view.lo.x + pad));
+    if (width < theme.px(160)) return;
+    const float body = a.open ? std::max(a.height_px, theme.px(28)) + theme.px(8) : 0;
+    const float up = view.width() < theme.px(1000) ? theme.px(88) : pad; // over the hint's card
+    const ui::Rect card =
+        ui::rect_at({view.lo.x + pad, view.hi.y - up - head - body}, {width, head + body});
+    if (card.lo.y < view.lo.y + theme.px(80)) return;
+    ui::paint_card(theme, card);
+    const std::string key = key_text(action(editor, "Adjust last"));
+    const float key_width = ui::text_width(theme.font.small, key) + theme.px(12);
+    ImGui::SetCursorScreenPos({card.lo.x, card.lo.y});
+    if (ImGui::InvisibleButton("adjust", {width, head})) a.open = !a.open;
+    if (ImGui::IsItemHovered())
+        ui::paint_box({card.lo, {card.hi.x, card.lo.y + head}}, theme.color.row_hover,
+                      theme.size.rounding_card);
+    const ui::Rect line = {card.lo + glm::vec2(pad, 0), {card.hi.x - pad, card.lo.y + head}};
+    ui::paint_text(theme.font.body, line, theme.color.text_2,
+                   a.open ? ui::icon::open : ui::icon::closed);
+    ui::paint_text(theme.font.small, line, theme.color.text_2, key, ui::Align::right);
+    const ui::Rect words = {line.lo + glm::vec2(theme.px(18), 0),
+                            line.hi - glm::vec2(key_width, 0)};
+    ui::paint_text(theme.font.strong, words, theme.color.text,
+                   ui::elided(theme.font.strong, title.text(), words.width()));
+    if (!a.open) return;
+    ImGui::SetCursorScreenPos({card.lo.x, card.lo.y + head});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::BeginChild("adjusted", {width, body}, false, ImGuiWindowFlags_NoScrollbar);
+    ImGui::PopStyleVar();
+    const float top = ImGui::GetCursorScreenPos().y;
+    Rows rows(theme);
+    std::visit([&](auto& c) { each_field(c, rows); }, command);
+    a.height_px = ImGui::GetCursorScreenPos().y - top;
+    ImGui::EndChild();
+    if (rows.edit == ui::Edit::changed) propose_instead(a, session, command);
+    if (rows.edit == ui::Edit::cancelled)
+        finish_adjusting(a, session, true);
+    else if (a.running && !ImGui::IsAnyItemActive())
+        finish_adjusting(a, session, false);
+}
+
+} // namespace trivar
