@@ -159,6 +159,33 @@ std::vector<PaletteEntry> palette_objects(const Editor& editor)
     return entries;
 }
 
+std::vector<PaletteEntry> palette_preferences(const Editor& editor)
+{
+    const Preferences& p = editor.preferences;
+    std::vector<PaletteEntry> entries;
+    const auto add = [&](const std::string& name, bool on, auto change) {
+        entries.push_back(
+            {name, on ? "on" : "off", ui::icon::settings, {}, {}, [change](Editor& e) {
+                 change(e.preferences);
+             }});
+    };
+    add("Light theme", p.look.light, [](Preferences& q) { q.look.light = !q.look.light; });
+    add("High contrast", p.look.high_contrast,
+        [](Preferences& q) { q.look.high_contrast = !q.look.high_contrast; });
+    add("Overlays for colour-blind eyes", p.look.other_hues,
+        [](Preferences& q) { q.look.other_hues = !q.look.other_hues; });
+    add("Side panels", p.show_dock, [](Preferences& q) { q.show_dock = !q.show_dock; });
+    add("Hints", p.hints, [](Preferences& q) { q.hints = !q.hints; });
+    add("Reduced motion", p.reduced_motion,
+        [](Preferences& q) { q.reduced_motion = !q.reduced_motion; });
+    add("Backdrop as in pictures", p.backdrop_as_in_pictures,
+        [](Preferences& q) { q.backdrop_as_in_pictures = !q.backdrop_as_in_pictures; });
+    for (const double scale : interface_scales)
+        add("Size of the interface " + std::to_string(static_cast<int>(100 * scale + 0.5)) + " %",
+            p.scale == scale, [scale](Preferences& q) { q.scale = scale; });
+    return entries;
+}
+
 std::vector<Ranked> ranked(std::string_view letters, const std::vector<std::string>& names,
                            const std::vector<std::string>& recent)
 {

@@ -28,9 +28,11 @@ struct PaletteEntry {
     std::function<void(Editor&)> run;
     std::string action = {}; // whose key can be changed; empty: it is none
 };
-// Every action and every command of the document; or, after ">", the objects.
+// Every action and every command of the document; after ">" the objects, after ":" what can be
+// preferred.
 std::vector<PaletteEntry> palette_commands(const Editor& editor);
 std::vector<PaletteEntry> palette_objects(const Editor& editor);
+std::vector<PaletteEntry> palette_preferences(const Editor& editor);
 
 // The names that hold the letters in order, the best match first; of equal ones those used last,
 // then those listed first. Without letters: the recent ones and then all others.

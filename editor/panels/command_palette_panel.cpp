@@ -92,11 +92,45 @@ void draw_field(CommandPalette& palette, const ui::Theme& theme, const ui::Rect&
     ImGui::PopFont();
     if (palette.typed.empty())
         ui::paint_text(theme.font.body, {{left + theme.px(4), r.lo.y}, {field.hi.x, r.hi.y}},
-                       c.text_3, "Search commands, or > and the name of an object");
+                       c.text_3, "Search commands, > objects, : preferences");
     ui::paint_box({{r.lo.x, r.hi.y}, {r.hi.x, r.hi.y + theme.size.hairline}}, c.line_soft);
 }
 
-void draw_hints(const ui::Theme& theme, const ui::Rect& r, bool objects)
+struct List {
+    std::vector<PaletteEntry> entries;
+    std::vector<Ranked> found;
+    bool objects = false, preferences = false;
+    bool commands() const { return !objects && !preferences; }
+    const char* what() const
+    {
+        return objects ? "objects" : preferences ? "preferences" : "commands";
+    }
+};
+List list_of(const Editor& editor)
+{
+    const std::string& typed = editor.palette.typed;
+    List list;
+    list.objects = typed.starts_with('>');
+    list.preferences = typed.starts_with(':');
+    list.entries = list.objects       ? palette_objects(editor)
+                   : list.preferences ? palette_preferences(editor)
+                                      : palette_commands(editor);
+    const std::string_view letters = std::string_view(typed).substr(list.commands() ? 0 : 1);
+    std::vector<std::string> names, notes;
+    for (const PaletteEntry& each : list.entries) {
+        names.push_back(each.name);
+        notes.push_back(each.note);
+    }
+    const std::vector<std::string> none;
+    list.found =
+        ranked(letters, names, list.commands() ? editor.preferences.recent_commands : none);
+    if (!list.found.empty()) return list;
+    list.found = ranked(letters, notes, none); // by its menu or by what it is for
+    for (Ranked& each : list.found) each.letters.clear();
+    return list;
+}
+
+void draw_hints(const ui::Theme& theme, const ui::Rect& r, const List& list)
 {
     const ui::Palette& c = theme.color;
     ui::paint_box({r.lo, {r.hi.x, r.lo.y + theme.size.hairline}}, c.line_soft);
@@ -108,36 +142,12 @@ void draw_hints(const ui::Theme& theme, const ui::Rect& r, bool objects)
         ui::paint_text(theme.font.small, {{x, r.lo.y}, r.hi}, c.text_2, verb);
         x += ui::text_width(theme.font.small, verb) + theme.px(18);
     };
-    hint({"Enter"}, objects ? "Select" : "Run");
+    hint({"Enter"}, list.objects ? "Select" : list.preferences ? "Change" : "Run");
     hint({"Up", "Down"}, "Choose");
-    if (!objects) hint({"Alt", "Enter"}, "Change its key");
-    if (!objects) hint({">"}, "Objects");
+    if (list.commands()) hint({"Alt", "Enter"}, "Change its key");
+    if (list.commands()) hint({">"}, "Objects");
+    if (list.commands()) hint({":"}, "Preferences");
     hint({"Esc"}, "Close");
-}
-
-struct List {
-    std::vector<PaletteEntry> entries;
-    std::vector<Ranked> found;
-    bool objects = false;
-};
-List list_of(const Editor& editor)
-{
-    const std::string& typed = editor.palette.typed;
-    List list;
-    list.objects = typed.starts_with('>');
-    list.entries = list.objects ? palette_objects(editor) : palette_commands(editor);
-    const std::string_view letters = std::string_view(typed).substr(list.objects ? 1 : 0);
-    std::vector<std::string> names, notes;
-    for (const PaletteEntry& each : list.entries) {
-        names.push_back(each.name);
-        notes.push_back(each.note);
-    }
-    const std::vector<std::string> none;
-    list.found = ranked(letters, names, list.objects ? none : editor.preferences.recent_commands);
-    if (!list.found.empty()) return list;
-    list.found = ranked(letters, notes, none); // by its menu or by what it is for
-    for (Ranked& each : list.found) each.letters.clear();
-    return list;
 }
 
 // The rows with their captions; the index in `found` that was clicked.
@@ -157,6 +167,7 @@ std::optional<std::size_t> draw_list(CommandPalette& palette, const ui::Theme& t
         const bool first = i == 0, others = i > 0 && list.found[i - 1].recent;
         if (first || (others && !list.found[i].recent)) {
             const char* words = list.objects           ? "OBJECTS"
+                                : list.preferences     ? "PREFERENCES"
                                 : list.found[i].recent ? "RECENT"
                                                        : "COMMANDS";
             ui::paint_text(theme.font.small_strong,
@@ -199,8 +210,7 @@ void draw_command_palette(Editor& editor, const ui::Theme& theme)
     List list = list_of(editor);
     const std::size_t count = list.found.size();
     draw_field(palette, theme, {r.lo, {r.hi.x, r.lo.y + head}},
-               fmt::format("{} of {} {}", count, list.entries.size(),
-                           list.objects ? "objects" : "commands"));
+               fmt::format("{} of {} {}", count, list.entries.size(), list.what()));
     list = list_of(editor); // by what was typed in this frame
     const bool down = ImGui::IsKeyPressed(ui::key_down), up = ImGui::IsKeyPressed(ui::key_up);
     const std::size_t found = list.found.size();
@@ -212,12 +222,14 @@ void draw_command_palette(Editor& editor, const ui::Theme& theme)
     const PaletteEntry* picked = nullptr;
     if (found == 0)
         ui::empty_state(theme, rows, ui::icon::search,
-                        list.objects ? "No object is called that" : "No command is called that",
-                        list.objects ? "Take letters away to see more of them."
-                                     : "Take letters away, or begin with > to find an object.");
+                        list.objects       ? "No object is called that"
+                        : list.preferences ? "No preference is called that"
+                                           : "No command is called that",
+                        list.commands() ? "Take letters away, or begin with > to find an object."
+                                        : "Take letters away to see more of them.");
     else if (const auto clicked = draw_list(palette, theme, rows, list, down || up))
         picked = entry_at(*clicked);
-    draw_hints(theme, {{r.lo.x, r.hi.y - foot}, r.hi}, list.objects);
+    draw_hints(theme, {{r.lo.x, r.hi.y - foot}, r.hi}, list);
     const bool enter = ImGui::IsKeyPressed(ui::key_enter, false) ||
                        ImGui::IsKeyPressed(ui::key_keypad_enter, false);
     if (enter && found > 0) picked = entry_at(palette.chosen);
@@ -235,7 +247,7 @@ void draw_command_palette(Editor& editor, const ui::Theme& theme)
     ui::end_dialog();
     if (!picked) return;
     if (key_wanted) return ask_for_key(editor, picked->action);
-    if (!list.objects) remember(editor.preferences.recent_commands, picked->name);
+    if (list.commands()) remember(editor.preferences.recent_commands, picked->name);
     picked->run(editor);
 }
 

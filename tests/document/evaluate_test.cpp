@@ -204,11 +204,32 @@ TEST(ModelOf, HoldsEveryPartWithItsNameAndMaterials)
     Evaluator evaluate = new_evaluator();
     const Document document = after(small_document(), SetMaterial{{2}, {}});
     const Model model = model_of(evaluate(document), document);
-    ASSERT_EQ(model.nodes.size(), 3u);
-    EXPECT_EQ(model.nodes[1].name, "Ball");
+    ASSERT_EQ(model.nodes.size(), 4u);
+    EXPECT_EQ(model.nodes[2].name, "Ball");
     for (const Ref<Mesh>& mesh : model.meshes)
         for (const std::uint32_t material : mesh->face_material)
             EXPECT_LT(material, model.materials.size());
+}
+
+TEST(ModelOf, HangsPartsOnTheirGroupsWhichMoveNothing)
+{
+    Evaluator evaluate = new_evaluator();
+    Document document = after(small_document(), Group{{4, 2}, "All"});
+    document = after(document, SetTransform{5, {.translation = {1, 2, 3}}});
+    const Evaluated evaluated = evaluate(document);
+    const Model model = model_of(evaluated, document);
+    std::vector<std::string> names;
+    for (const Node& node : model.nodes)
+        names.push_back(
+            (node.parent < 0 ? "" : model.nodes[static_cast<std::size_t>(node.parent)].name + "/") +
+            node.name);
+    EXPECT_THAT(names, ::testing::ElementsAre("All", "All/Furniture", "Furniture/Table", "All/Ball",
+                                              "Pot"));
+    for (int n = 0; n < std::ssize(model.nodes); ++n) {
+        EXPECT_LT(model.nodes[static_cast<std::size_t>(n)].parent, n);
+        if (model.nodes[static_cast<std::size_t>(n)].name != "Ball") continue;
+        EXPECT_EQ(node_to_model(model, n), evaluated.objects.at(2)->parts[0].to_world);
+    }
 }
 
 } // namespace

@@ -102,6 +102,17 @@ TEST(CommandPalette, FindsByTheMenuWhatHasNoSuchName)
     EXPECT_TRUE(rig.editor.manual_dialog.open);
 }
 
+TEST(CommandPalette, ChangesAPreferenceAfterAColon)
+{
+    testing::Rig rig;
+    rig.frames();
+    rig.key({.key = 'P', .ctrl = true});
+    rig.type(":reduced");
+    rig.key({.key = ui::key_enter});
+    EXPECT_TRUE(rig.editor.preferences.reduced_motion);
+    EXPECT_TRUE(rig.editor.preferences.recent_commands.empty());
+}
+
 TEST(CommandPalette, LeadsToTheKeyOfACommand)
 {
     testing::Rig rig;
