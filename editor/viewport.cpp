@@ -254,6 +254,7 @@ ViewportStyle viewport_style(const ui::Theme& theme, bool as_in_pictures)
     backdrop.bottom = ui::linear_light(c.sky_bottom);
     backdrop.middle = glm::mix(backdrop.bottom, backdrop.top, 0.6f);
     backdrop.corners = 0;
+    backdrop.line_px = theme.scale;
     backdrop.grid = ui::linear_light(c.grid);
     backdrop.grid_major = ui::linear_light(c.grid_major);
     backdrop.axis_x = ui::linear_light(ui::faded(c.axis_x, axis_share));

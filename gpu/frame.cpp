@@ -107,7 +107,8 @@ Frame frame_of(const Picture& picture, const Camera& camera, const Scene& scene,
     // The grid stays where it is in the world, whatever the middle of the scene.
     const glm::dvec2 origin(scene.origin_world);
     f.grid_at = glm::vec4(-glm::mod(origin, 5 * step), -origin);
-    f.centre = glm::vec4((scene.lo + scene.hi) * 0.5f, 0);
+    const float line_px = backdrop.line_px * static_cast<float>(picture.scale);
+    f.centre = glm::vec4((scene.lo + scene.hi) * 0.5f, line_px);
     // Upwards the harmonics of bands 1 and 2 that count are z and 3 z^2 - 1.
     const glm::vec3 ambient = studio.ambient[0] + studio.ambient[2] + 2.0f * studio.ambient[6];
     const glm::vec3 key = studio.key_irradiance * std::max(studio.boxes[0].direction.z, 0.0f);

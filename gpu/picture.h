@@ -53,6 +53,7 @@ struct Translucent {
 struct Backdrop {
     glm::vec3 top{0}, middle{0}, bottom{0};
     float corners = 0.55f; // how much darker they are
+    float line_px = 1;     // width of the grid's finest lines
     glm::vec4 grid{0, 0, 0, 0.041f}, grid_major{0, 0, 0, 0.103f}, axis_x{0}, axis_y{0};
     bool operator==(const Backdrop&) const = default;
 };

@@ -53,6 +53,7 @@ std::vector<ProgramName> every_program()
     for (const char* fragment : {"shade", "occlusion_blur", "contact", "contact_blur", "average",
                                  "outline", "layers_over"})
         out.push_back(full_screen_program(fragment));
+    out.push_back(full_screen_program("outline", {"DRAFT"}));
     out.push_back({"line", "line", {}});
     for (const Defines& more : {Defines{}, Defines{"LAYER_DEPTHS"}})
         out.push_back({"veil", "veil", more});

@@ -69,7 +69,9 @@ void draw_outline(Tools& tools, const Targets& targets, const Frame& frame, cons
     targets.to_encoded.bind();
     set_state({.blend = true});
     only_part();
-    const Program& program = tools.use(full_screen_program("outline"));
+    std::vector<std::string> defines;
+    if (draft) defines.emplace_back("DRAFT");
+    const Program& program = tools.use(full_screen_program("outline", defines));
     program.set("color", outline.color);
     program.set("halo", outline.halo);
     program.set("width_px", outline.width_px);

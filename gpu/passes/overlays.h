@@ -18,7 +18,7 @@ private:
     VertexArray vertices_;
 };
 
-// Round highlighted instances; that of a draft costs half and is rougher.
+// Round highlighted instances; that of a draft costs a third and is rougher.
 void draw_outline(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
                   const Outline& outline, bool draft);
 

@@ -38,8 +38,10 @@ void main()
     Ground g = ground_behind(uv);
 #ifdef GRID // derivatives stay outside branches
     vec2 on_grid = g.at.xy - frame.grid_at.xy;
-    float fine = grid_line(on_grid, frame.ground.y, 1.0), coarse = grid_line(on_grid, frame.ground.y * 5.0, 1.35);
-    vec2 axes = axis_lines(g.at.xy - frame.grid_at.zw, 1.6);
+    float width_px = frame.centre.w;
+    float fine = grid_line(on_grid, frame.ground.y, width_px);
+    float coarse = grid_line(on_grid, frame.ground.y * 5.0, 1.35 * width_px);
+    vec2 axes = axis_lines(g.at.xy - frame.grid_at.zw, 1.6 * width_px);
 #endif
     if (g.seen && frame.ground.w > 0.5) {
         float fade = 1.0 - smoothstep(0.35, 1.0, g.away);

@@ -25,7 +25,7 @@ layout(std140, binding = 0) uniform Frame {
     vec4 shadow_map;   // 1/resolution, width, depth range (world), tangent of the light's half angle
     vec4 scene;        // radius (world), exposure factor, occlusion radius (world), noise seed
     vec4 backdrop[3];  // rgb display-linear: top (w: darker in the corners), middle, bottom
-    vec4 centre;       // xyz centre of the ground's fade
+    vec4 centre;       // xyz centre of the ground's fade, w width of the grid's finest lines in pixels
     vec4 ground_share; // share of the ambient light in all that reaches the open ground, rgb
     vec4 grid_lines[4]; // grid, every fifth line, x axis, y axis: display-linear, share of the encoded colour
     vec4 grid_at;      // xy a crossing of fifth lines, zw of the axes (scene)

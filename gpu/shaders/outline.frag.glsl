@@ -1,5 +1,5 @@
 // A line of constant width outside the mask and a dark halo round it, so that it reads on any
-// ground; weaker where the instance is hidden.
+// ground; weaker where the instance is hidden. DRAFT costs a third and is rougher.
 #include "frame.glsl"
 #include "encode.glsl"
 in vec2 uv;
@@ -7,27 +7,36 @@ layout(location = 0) out vec4 out_color;
 layout(binding = 0) uniform sampler2D mask; // 0.5: hidden, 1: visible
 uniform vec4 color, halo;
 uniform float width_px, halo_px;
-uniform int taps; // on the rings of line and halo; a draft has fewer, and no ring within the line
+uniform int taps; // on each ring
 
-// The most of the mask on a ring of bilinear taps: a full search costs four times as much.
-float ring(float radius_px, int count)
+// The most of the mask on a ring of bilinear taps, and the share of the ring that lies in it: a
+// full search costs four times as much.
+vec2 ring(float radius_px, int count)
 {
-    float m = 0.0;
+    vec2 found = vec2(0.0);
     for (int i = 0; i < count; i++) {
         float a = 6.2832 / float(count) * float(i) + 0.2;
-        m = max(m, textureLod(mask, uv + vec2(cos(a), sin(a)) * radius_px * frame.size_px.zw, 0.0).r);
+        float m = textureLod(mask, uv + vec2(cos(a), sin(a)) * radius_px * frame.size_px.zw, 0.0).r;
+        found = vec2(max(found.x, m), found.y + m);
     }
-    return m > 0.55 ? m : 0.8 * m;
+    found.y /= float(count) * max(found.x, 0.5);
+    found.x = found.x > 0.55 ? found.x : 0.8 * found.x;
+    return found;
 }
 
 void main()
 {
     if (texelFetch(mask, ivec2(gl_FragCoord.xy), 0).r > 0.25) discard;
-    float line = ring(width_px, taps);
-    if (taps > 8) line = max(line, ring(width_px * 0.55, 8));
-    float dark = ring(width_px + halo_px, taps);
+    vec2 outer = ring(width_px + halo_px, taps);
+#ifdef DRAFT
+    // Beside a straight edge at distance d the share of the ring in the mask is acos(d / radius) / pi.
+    float share = acos(width_px / (width_px + halo_px)) / PI;
+    float line = outer.x * smoothstep(share - 0.1, share + 0.06, outer.y);
+#else
+    float line = max(ring(width_px, taps).x, ring(width_px * 0.55, 8).x);
+#endif
     line *= color.a;
-    dark *= halo.a * (1.0 - line);
+    float dark = outer.x * halo.a * (1.0 - line);
     if (line + dark < 0.01) discard;
     out_color = vec4(mix(encoded(halo.rgb), encoded(color.rgb), line / (line + dark)), line + dark);
 }
