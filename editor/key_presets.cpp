@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/key_presets.h"
 
+#include "editor/chords.h"
+
 namespace trivar {
-namespace {
-
-using ui::Chord;
-
-constexpr Chord ctrl(int key, bool shift = false)
-{
-    return {.key = key, .ctrl = true, .shift = shift};
-}
-
-} // namespace
 
 const std::vector<KeyPreset>& key_presets()
 {

@@ -190,7 +190,7 @@ std::vector<gpu::Line> PlaceTool::lines(const Session& session, const ui::Theme&
         gpu::Line line;
         line.points.assign(curve.begin(), curve.end());
         line.color = ui::linear_light(theme.color.stroke);
-        line.width_px = theme.scale * (lines.empty() ? 3.0f : 1.4f);
+        line.width_px = theme.line(lines.empty() ? 3.0f : 1.4f);
         lines.push_back(std::move(line));
     }
     return lines;
@@ -246,8 +246,8 @@ void PlaceTool::paint_stroke(const Session& session, const ui::Theme& theme,
         paint_nodes(theme, input, session.camera, *placement);
         paint_strip_legend(theme, input.rect, *placement);
     }
-    ui::paint_path(path, theme.color.halo, 5 * theme.scale);
-    ui::paint_path(path, theme.color.stroke, 3 * theme.scale);
+    ui::paint_path(path, theme.color.halo, theme.line(5));
+    ui::paint_path(path, theme.color.stroke, theme.line(3));
     // The brush, and its middle.
     ui::paint_dot(mouse, static_cast<float>(radius_px), 0, theme.color.halo, 3 * theme.scale);
     ui::paint_dot(mouse, static_cast<float>(radius_px), 0, theme.color.stroke, 1.5f * theme.scale);

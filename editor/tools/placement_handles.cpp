@@ -142,8 +142,8 @@ void PlacementHandles::overlay(const Session& session, const ui::Theme& theme,
         }
         // A thread to what its size is measured from, in the hand or where it would look lost.
         if (sized ? on || stalk : stalk) {
-            ui::paint_line(from, p, theme.color.halo, 3 * theme.scale);
-            ui::paint_line(from, p, color_of(theme, kind), 1.4f * theme.scale);
+            ui::paint_line(from, p, theme.color.halo, theme.line(3));
+            ui::paint_line(from, p, color_of(theme, kind), theme.line(1.4f));
         }
         ui::paint_dot(p, radius, color, theme.color.halo, 1.5f * theme.scale);
     }
