@@ -140,7 +140,7 @@ void draw_hints(const ui::Theme& theme, const ui::Rect& r, const List& list)
             x += ui::paint_keycap(theme, {x, r.lo.y}, r.height(), cap) + theme.px(4);
         x += theme.px(4);
         ui::paint_text(theme.font.small, {{x, r.lo.y}, r.hi}, c.text_2, verb);
-        x += ui::text_width(theme.font.small, verb) + theme.px(18);
+        x += ui::text_width(theme.font.small, verb) + theme.px(14);
     };
     hint({"Enter"}, list.objects ? "Select" : list.preferences ? "Change" : "Run");
     hint({"Up", "Down"}, "Choose");
