@@ -11,9 +11,10 @@ set(test_headers ${common_headers} <gmock/gmock.h> <gtest/gtest.h>)
 set(test_options -O1)
 
 # trivar_room(NAME DEPENDS lib...): every .cpp of the current folder becomes the library trivar_NAME.
-# PUBLIC names what includers of its headers need, DEPENDS what only its sources need.
+# PUBLIC names what includers of its headers need, DEPENDS what only its sources need. HEADERS are
+# its own that nearly all of its sources read: they are precompiled for it, beside the system's.
 function(trivar_room name)
-  cmake_parse_arguments(ROOM "" "" "PUBLIC;DEPENDS;SUBFOLDERS" ${ARGN})
+  cmake_parse_arguments(ROOM "" "" "PUBLIC;DEPENDS;SUBFOLDERS;HEADERS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS *.cpp *.h)
   foreach(folder ${ROOM_SUBFOLDERS})
     file(GLOB more CONFIGURE_DEPENDS ${folder}/*.cpp ${folder}/*.h)
@@ -29,6 +30,8 @@ function(trivar_room name)
   elseif(name STREQUAL test_support)
     target_precompile_headers(trivar_test_support PRIVATE ${test_headers})
     target_compile_options(trivar_test_support PRIVATE ${test_options})
+  elseif(ROOM_HEADERS)
+    target_precompile_headers(trivar_${name} PRIVATE ${common_headers} ${ROOM_HEADERS})
   else()
     target_precompile_headers(trivar_${name} REUSE_FROM trivar_base)
   endif()
@@ -36,7 +39,7 @@ endfunction()
 
 # trivar_tests(NAME LIBRARIES lib...): every tests/NAME/*_test.cpp becomes one program, found by ctest test by test.
 function(trivar_tests name)
-  cmake_parse_arguments(ROOM "" "" "LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ROOM "" "" "LIBRARIES;HEADERS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
   if(NOT sources)
     return()
@@ -45,7 +48,11 @@ function(trivar_tests name)
   target_include_directories(${name}_test PRIVATE ${CMAKE_SOURCE_DIR})
   target_link_libraries(${name}_test PRIVATE ${ROOM_LIBRARIES} trivar_test_support GTest::gmock
                                              GTest::gtest_main)
-  target_precompile_headers(${name}_test REUSE_FROM trivar_test_support)
+  if(ROOM_HEADERS)
+    target_precompile_headers(${name}_test PRIVATE ${test_headers} ${ROOM_HEADERS})
+  else()
+    target_precompile_headers(${name}_test REUSE_FROM trivar_test_support)
+  endif()
   target_compile_options(${name}_test PRIVATE ${test_options})
   target_compile_definitions(${name}_test PRIVATE TRIVAR_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
                                                   TRIVAR_BINARY_DIR="${CMAKE_BINARY_DIR}")
