@@ -37,13 +37,6 @@ const Placement* placement_of(const Session& session, Id id)
     return found == session.evaluated().objects.end() ? nullptr : found->second->placement.get();
 }
 
-// The picture without the legend of the colours, where there is one.
-ui::Rect legend_place(const Session& session, const ui::Theme& theme, ui::Rect picture)
-{
-    if (session.document().render->color_by != ColorBy::material) picture.hi.y -= theme.px(86);
-    return picture;
-}
-
 // The corner nearest to the mouse would be covered by the hand; the chips stand to its right.
 void measure_chips(const ui::Theme& theme, glm::vec2 at, const Placement* placement)
 {
@@ -220,7 +213,7 @@ void PlaceTool::overlay(const Session& session, const ui::Theme& theme,
     if (const EvaluatedObject* laid = selected_placement(session);
         laid && handles_.shown(session)) {
         paint_nodes(theme, input, session.camera, *laid->placement);
-        paint_strip_legend(theme, legend_place(session, theme, input.rect), *laid->placement);
+        paint_strip_legend(theme, input.rect, *laid->placement);
     }
     handles_.overlay(session, theme, input);
     if (!input.hovered || handles_.hovers() || handles_.busy()) return;
@@ -251,7 +244,7 @@ void PlaceTool::paint_stroke(const Session& session, const ui::Theme& theme,
         const double share = brush_ == Brush::pressure ? 2 * pressure_ : 1;
         radius_px = std::clamp(width_px / 2 * share, radius_px, 200.0);
         paint_nodes(theme, input, session.camera, *placement);
-        paint_strip_legend(theme, legend_place(session, theme, input.rect), *placement);
+        paint_strip_legend(theme, input.rect, *placement);
     }
     ui::paint_path(path, theme.color.halo, theme.line(5));
     ui::paint_path(path, theme.color.stroke, theme.line(3));

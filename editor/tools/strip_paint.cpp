@@ -95,16 +95,16 @@ void paint_strip_legend(const ui::Theme& theme, const ui::Rect& picture, const P
     std::array<std::size_t, 5> count{};
     for (const StripNode& node : placement.nodes)
         ++count.at(static_cast<std::size_t>(state_of(node)));
-    glm::vec2 at{picture.lo.x + theme.px(12), picture.hi.y - theme.px(36)};
-    for (std::size_t i = 0; i < count.size(); ++i) {
+    glm::vec2 at{picture.hi.x - theme.px(196), picture.hi.y - theme.px(36)};
+    for (std::size_t i = count.size(); i-- > 0;) {
         if (count.at(i) == 0) continue;
         const Shown state = shown(theme, static_cast<State>(i));
         const double share =
             100.0 * static_cast<double>(count.at(i)) / static_cast<double>(placement.nodes.size());
-        const ui::Rect chip = ui::paint_chip(
+        ui::paint_chip(
             theme, at,
             {fmt::format("{} {:.0f} %", state.words, std::max(1.0, share)), state.color});
-        at.x = chip.hi.x + theme.px(6);
+        at.y -= theme.px(28);
     }
 }
 

@@ -16,7 +16,7 @@ gpu::Translucent strip_veil(const Placement& placement, const ui::Theme& theme);
 void paint_nodes(const ui::Theme& theme, const ViewportInput& input, const Camera& camera,
                  const Placement& placement);
 
-// What the colours mean, of those that occur; at the lower left of the picture.
+// What the colours mean, of those that occur; at the lower right of the picture.
 void paint_strip_legend(const ui::Theme& theme, const ui::Rect& picture,
                         const Placement& placement);
 
