@@ -120,11 +120,11 @@ glm::dvec2 at_share(const Sketch& sketch, double at)
     return glm::mix(sketch.samples[i - 1].p_px, sketch.samples[i].p_px, f);
 }
 
-double length_px(const Sketch& sketch)
+double length_px(const Samples& samples)
 {
     double sum = 0;
-    for (std::size_t i = 1; i < sketch.samples.size(); ++i)
-        sum += glm::distance(sketch.samples[i].p_px, sketch.samples[i - 1].p_px);
+    for (std::size_t i = 1; i < samples.size(); ++i)
+        sum += glm::distance(samples[i].p_px, samples[i - 1].p_px);
     return sum;
 }
 

@@ -20,7 +20,7 @@ struct NearestShare {
 };
 NearestShare nearest_share(const Sketch& sketch, glm::dvec2 p_px);
 glm::dvec2 at_share(const Sketch& sketch, double share);
-double length_px(const Sketch& sketch);
+double length_px(const std::vector<StrokeSample>& samples);
 
 // The stroke with a piece drawn anew. It leaves the old stroke at the sample nearest to where the
 // piece begins. A piece that ends within `near_px` of the stroke replaces what is between; any

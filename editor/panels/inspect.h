@@ -14,6 +14,11 @@ namespace trivar {
 // Proposes the command if the edit changed something, or cancels what was proposed before.
 void propose_edit(Editor& editor, ui::Edit edit, const std::function<Command()>& command);
 
+// Three fields beside each other, X, Y and Z, in a row of that width, pixels.
+using AxisField = std::function<ui::Edit(int axis, const ui::NumberStyle& style, float width)>;
+ui::Edit axis_fields(const ui::Theme& theme, float width, ui::NumberStyle style,
+                     const AxisField& field);
+
 // Commits what was proposed once no field is held any more; every frame, after all panels.
 void finish_edit(Editor& editor);
 

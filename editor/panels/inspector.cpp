@@ -16,28 +16,17 @@ namespace trivar {
 namespace {
 
 ui::Edit vector_row(const ui::Theme& theme, const std::string& label, glm::dvec3& value,
-                    const glm::dvec3& rest, ui::NumberStyle style)
+                    const glm::dvec3& rest, const ui::NumberStyle& style)
 {
     const ui::Row row = ui::label_row(theme, label, value != rest);
     if (row.reset) {
         value = rest;
         return ui::Edit::changed;
     }
-    const float gap = theme.px(4), width = std::floor((row.width - 2 * gap) / 3);
-    const ui::Palette& c = theme.color;
-    const std::array<ui::Color, 3> colors{c.letter_x, c.letter_y, c.letter_z};
-    const std::array<const char*, 3> names{"X", "Y", "Z"};
-    ui::Edit edit = ui::Edit::none;
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    for (int i = 0; i < 3; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        ImGui::SetCursorScreenPos({at.x + static_cast<float>(i) * (width + gap), at.y});
-        style.axis = names[k];
-        style.axis_color = colors[k];
-        const ui::Edit one = ui::number_field(theme, label + names[k], value[i], style, width);
-        if (one != ui::Edit::none) edit = one;
-    }
-    return edit;
+    return axis_fields(
+        theme, row.width, style, [&](int axis, const ui::NumberStyle& own, float width) {
+            return ui::number_field(theme, label + own.axis, value[axis], own, width);
+        });
 }
 
 void object_card(const ui::Theme& theme, const Object& each)
@@ -154,6 +143,26 @@ void facts(Editor& editor, const ui::Theme& theme, const Object& each, Id id)
 }
 
 } // namespace
+
+ui::Edit axis_fields(const ui::Theme& theme, float width, ui::NumberStyle style,
+                     const AxisField& field)
+{
+    const float gap = theme.px(4), each = std::floor((width - 2 * gap) / 3);
+    const ui::Palette& c = theme.color;
+    const std::array<ui::Color, 3> colors{c.letter_x, c.letter_y, c.letter_z};
+    const std::array<const char*, 3> names{"X", "Y", "Z"};
+    ui::Edit edit = ui::Edit::none;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto k = static_cast<std::size_t>(axis);
+        ImGui::SetCursorScreenPos({at.x + static_cast<float>(axis) * (each + gap), at.y});
+        style.axis = names.at(k);
+        style.axis_color = colors.at(k);
+        const ui::Edit one = field(axis, style, each);
+        if (one != ui::Edit::none) edit = one;
+    }
+    return edit;
+}
 
 void propose_edit(Editor& editor, ui::Edit edit, const std::function<Command()>& command)
 {

@@ -4,7 +4,6 @@
 #include "editor/tools/motion.h"
 #include "ui/icons.h"
 
-#include <array>
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -39,7 +38,8 @@ ui::Edit shared_number(const ui::Theme& theme, const std::string& id, std::vecto
 using Component = glm::dvec3 Transform::*;
 
 ui::Edit shared_row(const ui::Theme& theme, const std::string& label,
-                    std::vector<Transform>& transforms, Component part, ui::NumberStyle style)
+                    std::vector<Transform>& transforms, Component part,
+                    const ui::NumberStyle& style)
 {
     const glm::dvec3 rest = Transform{}.*part;
     bool changed = false;
@@ -49,23 +49,12 @@ ui::Edit shared_row(const ui::Theme& theme, const std::string& label,
         for (Transform& t : transforms) t.*part = rest;
         return ui::Edit::changed;
     }
-    const float gap = theme.px(4), width = std::floor((row.width - 2 * gap) / 3);
-    const ui::Palette& c = theme.color;
-    const std::array<ui::Color, 3> colors{c.axis_x, c.axis_y, c.axis_z};
-    const std::array<const char*, 3> names{"X", "Y", "Z"};
-    ui::Edit edit = ui::Edit::none;
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    for (int i = 0; i < 3; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        ImGui::SetCursorScreenPos({at.x + static_cast<float>(i) * (width + gap), at.y});
-        style.axis = names.at(k);
-        style.axis_color = colors.at(k);
-        std::vector<double*> values;
-        for (Transform& t : transforms) values.push_back(&(t.*part)[i]);
-        const ui::Edit one = shared_number(theme, label + names.at(k), values, style, width);
-        if (one != ui::Edit::none) edit = one;
-    }
-    return edit;
+    return axis_fields(theme, row.width, style,
+                       [&](int axis, const ui::NumberStyle& own, float width) {
+                           std::vector<double*> values;
+                           for (Transform& t : transforms) values.push_back(&(t.*part)[axis]);
+                           return shared_number(theme, label + own.axis, values, own, width);
+                       });
 }
 
 void transforms(Editor& editor, const ui::Theme& theme)

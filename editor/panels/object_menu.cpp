@@ -40,12 +40,6 @@ struct MenuStyle {
     MenuStyle& operator=(const MenuStyle&) = delete;
 };
 
-void menu_item(Editor& editor, const Action& each)
-{
-    if (ImGui::MenuItem(each.name.c_str(), key_text(each).c_str(), false, is_enabled(editor, each)))
-        each.run(editor);
-}
-
 } // namespace
 
 void draw_object_menu(Editor& editor, const ui::Theme& theme, const char* name)

@@ -65,6 +65,8 @@ void draw_picture_settings(Editor& editor, const ui::Theme& theme);
 void draw_key_map(Editor& editor, const ui::Theme& theme, const ui::Rect& page);
 void ask_for_key(Editor& editor, const std::string& action); // opens that page
 
+// An action as an item of the menu that is open.
+void menu_item(Editor& editor, const Action& each);
 // What can be done with the selection, as a popup of that name.
 void draw_object_menu(Editor& editor, const ui::Theme& theme, const char* name);
 void draw_add_menu(Editor& editor, const ui::Theme& theme); // at the mouse, when it is asked for

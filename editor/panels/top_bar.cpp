@@ -27,18 +27,6 @@ void paint_mark(const ui::Theme& theme, glm::vec2 at)
     }
 }
 
-void menu_item(Editor& editor, const Action& each)
-{
-    if (each.group_begins) ImGui::Separator();
-    const bool on = (each.name == "Perspective" && editor.session.camera.perspective) ||
-                    (each.name == "Timing" && editor.timing.open) ||
-                    (each.name == "Side panels" && editor.preferences.show_dock) ||
-                    (each.name == "Viewport only" && editor.only_view) ||
-                    (each.name == "Full screen" && editor.full_screen);
-    if (ImGui::MenuItem(each.name.c_str(), key_text(each).c_str(), on, is_enabled(editor, each)))
-        each.run(editor);
-}
-
 void bookmarks(Editor& editor)
 {
     if (editor.session.document().bookmarks.empty()) return;
@@ -85,6 +73,7 @@ void menus(Editor& editor, const ui::Theme& theme)
         if (ImGui::BeginMenu(menu)) {
             for (std::size_t i = 0; i < editor.actions.size(); ++i)
                 if (editor.actions[i].menu == menu) {
+                    if (editor.actions[i].group_begins) ImGui::Separator();
                     menu_item(editor, editor.actions[i]);
                     if (editor.actions[i].name == "Open...") recent_scenes(editor);
                 }
@@ -149,6 +138,17 @@ std::string words_of_step(const History& history, bool undo)
 }
 
 } // namespace
+
+void menu_item(Editor& editor, const Action& each)
+{
+    const bool on = (each.name == "Perspective" && editor.session.camera.perspective) ||
+                    (each.name == "Timing" && editor.timing.open) ||
+                    (each.name == "Side panels" && editor.preferences.show_dock) ||
+                    (each.name == "Viewport only" && editor.only_view) ||
+                    (each.name == "Full screen" && editor.full_screen);
+    if (ImGui::MenuItem(each.name.c_str(), key_text(each).c_str(), on, is_enabled(editor, each)))
+        each.run(editor);
+}
 
 void draw_top_bar(Editor& editor, const ui::Theme& theme, const Layout& layout)
 {

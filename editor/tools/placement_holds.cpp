@@ -107,7 +107,7 @@ Sketch pulled(const HoldDrag& drag, glm::dvec2 to_px)
     }
     const double share = nearest_share(drag.step.sketch, own).share;
     const double reach =
-        std::clamp(px_a_place / length_px(drag.step.sketch), 1.0 / most_places, 0.5);
+        std::clamp(px_a_place / length_px(drag.step.sketch.samples), 1.0 / most_places, 0.5);
     return bent(drag.step.sketch, share, by, reach);
 }
 
@@ -131,7 +131,7 @@ std::vector<HoldPoint> hold_points(const PlacementStep& step, const Placement& p
         add(HoldKind::height, index++, {u, 0.5, 1}, {u, 0.5, 0});
     add(HoldKind::contact, 0, {1.0 / 3, 1, 0}, {1.0 / 3, 1, 1});
     const int places =
-        std::clamp(1 + static_cast<int>(std::lround(length_px(step.sketch) / px_a_place)),
+        std::clamp(1 + static_cast<int>(std::lround(length_px(step.sketch.samples) / px_a_place)),
                    least_places, most_places);
     for (int i = 0; i < places; ++i) {
         const double u = static_cast<double>(i) / (places - 1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/stroke_drawing.h"
 
+#include "core/placement/redraw.h"
 #include "editor/tools/tool.h"
 
 #include <algorithm>
@@ -12,14 +13,6 @@ namespace {
 constexpr double closing_px = 40;  // from the start, at scale 1
 constexpr double longest_loop = 3; // a ring is at least so many times as long as that
 constexpr double step_px = 4;      // of a straight piece
-
-double length_of(const std::vector<StrokeSample>& samples)
-{
-    double sum = 0;
-    for (std::size_t i = 1; i < samples.size(); ++i)
-        sum += glm::distance(samples[i].p_px, samples[i - 1].p_px);
-    return sum;
-}
 
 } // namespace
 
@@ -70,7 +63,7 @@ bool StrokeDrawing::take(const std::vector<StrokeSample>& moves, const StrokeKey
     }
     std::vector<StrokeSample>& samples = sketch_.samples;
     const double near = closing_px * keys.scale;
-    if (keys.close && !snapped_ && samples.size() > 2 && length_of(samples) > longest_loop * near &&
+    if (keys.close && !snapped_ && samples.size() > 2 && length_px(samples) > longest_loop * near &&
         glm::distance(samples.back().p_px, samples.front().p_px) < near) {
         StrokeSample end = samples.back();
         end.p_px = samples.front().p_px;

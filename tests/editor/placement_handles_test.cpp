@@ -178,7 +178,7 @@ TEST(PlaceTool, AStrokeFromTheOldOneRedrawsThatPartOfIt)
     EXPECT_EQ(now.samples.front().p_px, before.samples.front().p_px);
     EXPECT_EQ(now.samples.back().p_px, before.samples.back().p_px);
     EXPECT_LT(nearest_share(now, glm::dvec2(hill - rig.layout().view.lo)).distance_px, 2);
-    EXPECT_GT(length_px(now), length_px(before) + 20);
+    EXPECT_GT(length_px(now.samples), length_px(before.samples) + 20);
 }
 
 TEST(PlaceTool, TheWheelSetsTheWidthWhileAStrokeIsDrawn)

@@ -114,7 +114,7 @@ TEST(NearestShare, IsTheShareOfTheLength)
     EXPECT_NEAR(nearest_share(straight, {350, 520}).share, 0.25, 1e-12);
     EXPECT_NEAR(nearest_share(straight, {350, 520}).distance_px, 20, 1e-12);
     EXPECT_NEAR(at_share(straight, 0.25).x, 350, 1e-9);
-    EXPECT_NEAR(length_px(straight), 1000, 1e-9);
+    EXPECT_NEAR(length_px(straight.samples), 1000, 1e-9);
 }
 
 } // namespace
