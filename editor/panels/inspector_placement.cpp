@@ -129,24 +129,23 @@ void volume_rows(Rows& rows, const PlacementReport* report, Editor& editor)
         value = one == ui::Edit::changed ? shown : before;
         rows.take(one);
     };
-    sized("Width", p.width, report ? report->width_world : 0,
+    const auto profile = [&](const std::string& of, double present, ui::Color color,
+                             std::vector<glm::dvec2>& points, int& chosen) {
+        rows.take(draw_profile(rows.theme,
+                               {of + " profile",
+                                "How it changes along the stroke. In the curve: drag a point; "
+                                "Ctrl and click adds one or takes one away.",
+                                present, color},
+                               points, chosen));
+    };
+    const double width = report ? report->width_world : 0;
+    const double height = report ? report->height_world : 0;
+    sized("Width", p.width, width,
           "Of the strip, across the stroke. Reset: in proportion to the model.");
-    rows.take(
-        draw_profile(rows.theme,
-                     {"Width profile",
-                      "How the width changes along the stroke. In the curve: drag a point; Ctrl "
-                      "and click adds one or takes one away.",
-                      report ? report->width_world : 0, rows.theme.color.stroke},
-                     p.width_profile, editor.width_point));
-    sized("Height", p.height, report ? report->height_world : 0,
+    profile("Width", width, rows.theme.color.stroke, p.width_profile, editor.width_point);
+    sized("Height", p.height, height,
           "Of the volume, away from the scene. Reset: in proportion to the model.");
-    rows.take(
-        draw_profile(rows.theme,
-                     {"Height profile",
-                      "How the height changes along the stroke. In the curve: drag a point; Ctrl "
-                      "and click adds one or takes one away.",
-                      report ? report->height_world : 0, rows.theme.color.lattice},
-                     p.height_profile, editor.height_point));
+    profile("Height", height, rows.theme.color.lattice, p.height_profile, editor.height_point);
     rows.number("Offset", p.offset, rest.offset, {.lo = 0, .hi = 1, .bar_hi = 1},
                 "0: the volume is extruded toward the camera. 1: it stands on the surface along "
                 "its normals.");

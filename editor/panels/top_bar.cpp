@@ -60,7 +60,10 @@ void tutorials(Editor& editor)
 {
     if (!ImGui::BeginMenu("Tutorials")) return;
     for (std::size_t i = 0; i < editor.actions.size(); ++i)
-        if (editor.actions[i].menu == "Tutorials") menu_item(editor, editor.actions[i]);
+        if (editor.actions[i].menu == "Tutorials") {
+            if (editor.actions[i].group_begins) ImGui::Separator();
+            menu_item(editor, editor.actions[i]);
+        }
     ImGui::EndMenu();
 }
 
