@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gpu/buffer.h"
 
+#include "core/base/rejected.h"
+
+#include <cassert>
 #include <epoxy/gl.h>
+#include <fmt/format.h>
 #include <utility>
 
 namespace trivar::gpu {
@@ -33,6 +37,31 @@ void Buffer::write(std::span<const std::byte> bytes)
     glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(),
                  GL_DYNAMIC_DRAW);
     glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+}
+
+void Buffer::reserve(std::size_t bytes)
+{
+    if (name_ && bytes_ == bytes) return;
+    if (!name_) glGenBuffers(1, &name_);
+    while (glGetError() != GL_NO_ERROR) // what was before is not ours
+        ;
+    glBindBuffer(GL_COPY_WRITE_BUFFER, name_);
+    glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_COPY);
+    glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+    bytes_ = bytes;
+    if (glGetError() == GL_NO_ERROR) return;
+    bytes_ = 0;
+    throw Rejected(fmt::format("The graphics card has no room for {} MB more.", bytes >> 20));
+}
+
+void Buffer::read(std::span<std::byte> into) const
+{
+    if (into.empty()) return;
+    assert(into.size() <= bytes_);
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    glBindBuffer(GL_COPY_READ_BUFFER, name_);
+    glGetBufferSubData(GL_COPY_READ_BUFFER, 0, static_cast<GLsizeiptr>(into.size()), into.data());
+    glBindBuffer(GL_COPY_READ_BUFFER, 0);
 }
 
 } // namespace trivar::gpu

@@ -16,6 +16,11 @@ public:
 
     // Replaces the contents; the old storage is orphaned, so nothing waits for draws under way.
     void write(std::span<const std::byte> bytes);
+    // So many bytes of anything, kept where there are that many already. Throws Rejected where the
+    // device has no room.
+    void reserve(std::size_t bytes);
+    // Waits until what is written there has been written.
+    void read(std::span<std::byte> into) const;
     unsigned name() const { return name_; }
     std::size_t bytes() const { return bytes_; }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gpu/program.h"
 
-#include <cassert>
+#include "core/base/rejected.h"
+
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 #include <glm/gtc/type_ptr.hpp>
@@ -10,43 +11,63 @@
 namespace trivar::gpu {
 namespace {
 
-GLuint compiled(GLenum stage, const std::string& file, const std::vector<std::string>& defines)
+// The first line of what a compiler has to say.
+std::string first_line(const std::string& log)
 {
-    const std::string source = shader_source(file, defines);
+    return log.substr(0, log.find_first_of("\n\0"));
+}
+
+GLuint compiled(const ShaderStage& stage, const std::vector<std::string>& defines)
+{
+    const std::string source = shader_source(stage.file, defines);
     const char* text = source.c_str();
-    const GLuint shader = glCreateShader(stage);
+    const GLuint shader = glCreateShader(stage.kind == "vert"   ? GL_VERTEX_SHADER
+                                         : stage.kind == "frag" ? GL_FRAGMENT_SHADER
+                                                                : GL_COMPUTE_SHADER);
     glShaderSource(shader, 1, &text, nullptr);
     glCompileShader(shader);
     GLint good = 0;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &good);
-    if (!good) {
-        std::string why(8192, '\0');
-        glGetShaderInfoLog(shader, static_cast<GLsizei>(why.size()), nullptr, why.data());
-        fmt::print(stderr, "{} ({}): {}\n", file, fmt::join(defines, ", "), why.c_str());
-    }
-    assert(good && "a shader of ours does not compile");
-    return shader;
+    if (good) return shader;
+    std::string why(8192, '\0');
+    glGetShaderInfoLog(shader, static_cast<GLsizei>(why.size()), nullptr, why.data());
+    glDeleteShader(shader);
+    throw Rejected(fmt::format("The graphics driver does not compile {} ({}): {}", stage.file,
+                               fmt::join(defines, ", "), first_line(why.c_str())));
+}
+
+// What the vertex shader's outputs are written to: a buffer each.
+void capture(GLuint program, const std::vector<std::string>& outputs)
+{
+    std::vector<const char*> names;
+    for (const std::string& name : outputs) names.push_back(name.c_str());
+    glTransformFeedbackVaryings(program, static_cast<GLsizei>(names.size()), names.data(),
+                                GL_SEPARATE_ATTRIBS);
 }
 
 } // namespace
 
 Program::Program(const ProgramName& name) : name_(glCreateProgram())
 {
-    const std::string vertex = name.vertex + ".vert.glsl", fragment = name.fragment + ".frag.glsl";
-    for (const GLuint shader : {compiled(GL_VERTEX_SHADER, vertex, name.defines),
-                                compiled(GL_FRAGMENT_SHADER, fragment, name.defines)}) {
-        glAttachShader(name_, shader);
-        glDeleteShader(shader); // lives on with the program
-    }
-    glLinkProgram(name_);
-    GLint good = 0;
-    glGetProgramiv(name_, GL_LINK_STATUS, &good);
-    if (!good) {
+    try {
+        for (const ShaderStage& stage : stages(name)) {
+            const GLuint shader = compiled(stage, name.defines);
+            glAttachShader(name_, shader);
+            glDeleteShader(shader); // lives on with the program
+        }
+        if (!name.captured.empty()) capture(name_, name.captured);
+        glLinkProgram(name_);
+        GLint good = 0;
+        glGetProgramiv(name_, GL_LINK_STATUS, &good);
+        if (good) return;
         std::string why(8192, '\0');
         glGetProgramInfoLog(name_, static_cast<GLsizei>(why.size()), nullptr, why.data());
-        fmt::print(stderr, "{} + {}: {}\n", vertex, fragment, why.c_str());
+        throw Rejected(fmt::format("The graphics driver does not link {}: {}",
+                                   stages(name).front().file, first_line(why.c_str())));
+    } catch (const Rejected&) {
+        glDeleteProgram(name_);
+        throw;
     }
-    assert(good && "a program of ours does not link");
 }
 
 Program::Program(Program&& other) noexcept

@@ -13,7 +13,7 @@ namespace trivar::gpu {
 // dropped is ignored, as GL does.
 class Program {
 public:
-    explicit Program(const ProgramName& name); // asserts that our shaders compile, printing why not
+    explicit Program(const ProgramName& name); // throws Rejected where a driver does not take it
     Program(Program&& other) noexcept;
     Program& operator=(Program&& other) noexcept;
     ~Program();

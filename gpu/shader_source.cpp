@@ -25,6 +25,18 @@ std::string pasted(std::string_view name, std::set<std::string, std::less<>>& se
 
 } // namespace
 
+std::vector<ShaderStage> stages(const ProgramName& name)
+{
+    std::vector<ShaderStage> out;
+    const auto add = [&](const std::string& base, const char* kind) {
+        if (!base.empty()) out.push_back({kind, base + '.' + kind + ".glsl"});
+    };
+    add(name.vertex, "vert");
+    add(name.fragment, "frag");
+    add(name.compute, "comp");
+    return out;
+}
+
 std::string shader_source(const std::string& file, const std::vector<std::string>& defines)
 {
     std::string out = "#version 430 core\n";

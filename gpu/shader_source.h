@@ -7,15 +7,23 @@
 
 namespace trivar::gpu {
 
-// One program of the renderer: files gpu/shaders/VERTEX.vert.glsl and FRAGMENT.frag.glsl, and the
-// names its variant defines, each "NAME" or "NAME VALUE".
+// One program: files gpu/shaders/VERTEX.vert.glsl, FRAGMENT.frag.glsl or COMPUTE.comp.glsl, those
+// that are named, and the names its variant defines, each "NAME" or "NAME VALUE".
 struct ProgramName {
     std::string vertex, fragment;
     std::vector<std::string> defines;
+    std::string compute = {};
+    std::vector<std::string> captured = {}; // outputs of the vertex shader to write to buffers
     auto operator<=>(const ProgramName&) const = default;
 };
 
-// The text of a file of gpu/shaders as embedded at build; asserts that there is one.
+// The stages of a program: "vert", "frag" or "comp", and the file.
+struct ShaderStage {
+    std::string kind, file;
+};
+std::vector<ShaderStage> stages(const ProgramName& name);
+
+// The text of a file of gpu/shaders or core/kernel as embedded at build; asserts that there is one.
 std::string_view shader_file(std::string_view name);
 
 // What the compiler is given for a file: version, defines, and the text with every file it includes

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gpu/shader_variants.h"
 
+#include "gpu/ffd/device_deformer.h"
 #include "gpu/passes/sample.h"
 
 #include <fmt/format.h>
@@ -14,6 +15,22 @@ Defines with(Defines defines, const Defines& more)
 {
     defines.insert(defines.end(), more.begin(), more.end());
     return defines;
+}
+
+// Whatever deforms by lattices of these orders.
+std::vector<ProgramName> deforming_programs(const std::array<int, 3>& orders)
+{
+    std::vector<ProgramName> out;
+    for (const bool compute : {true, false}) {
+        for (const bool tangents : {true, false})
+            out.push_back(deform_program(orders, {}, tangents, compute));
+        for (const Sum sum : {Sum::nested, Sum::raised, Sum::filtered})
+            for (const NormalsBy normals : {NormalsBy::nothing, NormalsBy::differences})
+                out.push_back(deform_program(orders, {sum, normals}, false, compute));
+    }
+    for (const char* own : {"PLAIN", "TEXTURES 31"})
+        out.push_back({"mesh", "surfaces", with(order_defines(orders), {own})});
+    return out;
 }
 
 } // namespace
@@ -58,6 +75,9 @@ std::vector<ProgramName> every_program()
     for (const Defines& more : {Defines{}, Defines{"LAYER_DEPTHS"}})
         out.push_back({"veil", "veil", more});
     out.push_back({"wire", "wire", {}});
+    for (const std::array<int, 3>& orders :
+         {std::array{2, 2, 2}, std::array{3, 3, 3}, std::array{4, 4, 4}, std::array{4, 3, 2}})
+        for (const ProgramName& name : deforming_programs(orders)) out.push_back(name);
     return out;
 }
 

@@ -21,6 +21,9 @@ out vec3 at_rest;
 layout(location = 7) in float value;
 out float at_value;
 #endif
+#ifdef ORDER_U // deforms as it draws
+#include "volume_inputs.glsl"
+#endif
 uniform mat4 to_scene;
 uniform mat3 normal_to_scene;
 uniform mat4 scene_to_clip;
@@ -34,8 +37,17 @@ out vec4 at_uv;
 
 void main()
 {
-    at_scene = (to_scene * vec4(position, 1.0)).xyz;
-    at_normal = normal_to_scene * normal;
+    vec3 p = position, n = normal, t = tangent.xyz;
+#ifdef ORDER_U
+    DeformedPoint there = deformed_point(position);
+    p = there.position;
+    n = deformed_normal(there.jacobian, normal);
+#ifdef TEXTURES
+    t = deformed_tangent(there.jacobian, tangent, n).xyz;
+#endif
+#endif
+    at_scene = (to_scene * vec4(p, 1.0)).xyz;
+    at_normal = normal_to_scene * n;
     at_color = color;
 #ifdef SOLID
     at_rest = (rest - rest_middle.xyz) * rest_middle.w;
@@ -45,11 +57,11 @@ void main()
 #endif
 #ifdef TEXTURES
     // A mirroring matrix turns the bitangent's sense round.
-    at_tangent = vec4(mat3(to_scene) * tangent.xyz, tangent.w * sign(determinant(mat3(to_scene))));
+    at_tangent = vec4(mat3(to_scene) * t, tangent.w * sign(determinant(mat3(to_scene))));
     at_uv = vec4(uv_first, uv_second);
 #endif
 #ifdef PLAIN
-    Surface s = plain_surface(normal, vec4(1.0));
+    Surface s = plain_surface(n, vec4(1.0));
 #ifdef CLAY
     s = as_clay(s);
 #endif

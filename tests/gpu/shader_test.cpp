@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/rejected.h"
 #include "gpu/program.h"
 #include "gpu/shader_variants.h"
 #include "tests/gpu/support.h"
 #include "tests/support/fixtures.h"
 
 #include <cstdlib>
+#include <epoxy/gl.h>
 #include <filesystem>
 #include <fstream>
+#include <gmock/gmock.h>
 #include <set>
 
 namespace trivar::gpu::testing {
@@ -21,18 +24,29 @@ TEST_F(Shaders, CompileAndLinkInEveryVariant)
 TEST_F(Shaders, AreAllPartOfSomeProgram)
 {
     std::set<std::string> used;
-    for (const ProgramName& name : every_program()) {
-        used.insert(name.vertex + ".vert.glsl");
-        used.insert(name.fragment + ".frag.glsl");
-    }
+    for (const ProgramName& name : every_program())
+        for (const ShaderStage& stage : stages(name)) used.insert(stage.file);
     const auto folder = std::filesystem::path(TRIVAR_SOURCE_DIR) / "gpu" / "shaders";
     for (const auto& file : std::filesystem::directory_iterator(folder)) {
         const std::string name = file.path().filename().string();
-        const bool stage = name.ends_with(".vert.glsl") || name.ends_with(".frag.glsl");
+        const bool stage = name.ends_with(".vert.glsl") || name.ends_with(".frag.glsl") ||
+                           name.ends_with(".comp.glsl");
         EXPECT_TRUE(!stage || used.count(name)) << name;
         std::ifstream in(file.path());
         const std::string text{std::istreambuf_iterator<char>(in), {}};
         EXPECT_EQ(shader_file(name), text) << name << " is embedded as it is";
+    }
+}
+
+TEST_F(Shaders, ThatADriverDoesNotTakeAreRefusedInASentence)
+{
+    glDisable(GL_DEBUG_OUTPUT); // which would fail the test for what it says
+    try {
+        Program({"line", "line", {"layout nonsense"}});
+        FAIL() << "it was taken";
+    } catch (const Rejected& error) {
+        EXPECT_THAT(error.what(),
+                    ::testing::StartsWith("The graphics driver does not compile line"));
     }
 }
 
@@ -45,11 +59,10 @@ TEST_F(Shaders, PassTheReferenceCompiler)
     int count = 0;
     std::set<std::string> seen;
     for (const ProgramName& name : every_program())
-        for (const char* stage : {"vert", "frag"}) {
-            const std::string base = *stage == 'v' ? name.vertex : name.fragment;
-            const std::string source = shader_source(base + '.' + stage + ".glsl", name.defines);
-            if (!seen.insert(stage + source).second) continue;
-            const std::string file = folder.file(base + std::to_string(count++) + '.' + stage);
+        for (const ShaderStage& stage : stages(name)) {
+            const std::string source = shader_source(stage.file, name.defines);
+            if (!seen.insert(stage.kind + source).second) continue;
+            const std::string file = folder.file(std::to_string(count++) + '.' + stage.kind);
             std::ofstream(file) << source;
             command += ' ' + file;
         }

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gpu/ffd/device_deformer.h"
+
+#include "core/base/rejected.h"
+
+#include <algorithm>
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+namespace trivar::gpu {
+namespace {
+
+constexpr unsigned frame_binding = 1, points_binding = 0, cells_binding = 1; // volume_inputs.glsl
+constexpr unsigned group = 64;                                               // deform.comp.glsl
+// Slices begin where any device lets a buffer's range begin: a multiple of 256 bytes.
+constexpr std::size_t slice_step = 256;
+
+template <class T> void write(Buffer& buffer, const std::vector<T>& values)
+{
+    if (!values.empty()) buffer.write(std::as_bytes(std::span(values)));
+}
+
+template <class T> std::vector<T> read(const Buffer& buffer)
+{
+    std::vector<T> out(buffer.bytes() / sizeof(T));
+    buffer.read(std::as_writable_bytes(std::span(out)));
+    return out;
+}
+
+// A range of `count` vertices from `first` on, of so many bytes each.
+void bind_range(unsigned binding, const Buffer& buffer, std::size_t first, std::size_t count,
+                std::size_t bytes)
+{
+    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, binding, buffer.name(),
+                      static_cast<GLintptr>(first * bytes), static_cast<GLsizeiptr>(count * bytes));
+}
+
+} // namespace
+
+DeviceVertices uploaded_vertices(const Mesh& mesh)
+{
+    DeviceVertices out;
+    write(out.positions, mesh.positions);
+    write(out.normals, mesh.normals);
+    if (!mesh.normals.empty()) write(out.tangents, mesh.tangents);
+    out.count = mesh.vertex_count();
+    out.bounds = bounding_box(mesh);
+    return out;
+}
+
+Deformed read_back(const DeviceVertices& vertices)
+{
+    return {read<glm::vec3>(vertices.positions), read<glm::vec3>(vertices.normals),
+            read<glm::vec4>(vertices.tangents)};
+}
+
+DeviceLimits device_limits()
+{
+    DeviceLimits out;
+    out.gl_version = epoxy_gl_version();
+    if (out.gl_version < 43) return out;
+    GLint64 block = 0;
+    GLint groups = 0;
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &block);
+    glGetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 0, &groups);
+    glGetIntegerv(GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, &out.vertex_shader_buffers);
+    out.storage_block = static_cast<std::size_t>(block);
+    out.groups = static_cast<std::size_t>(groups);
+    const std::size_t most = std::min(out.groups * group, out.storage_block / sizeof(glm::vec4));
+    out.slice_vertices = most / slice_step * slice_step;
+    return out;
+}
+
+std::vector<std::string> order_defines(const std::array<int, 3>& orders)
+{
+    return {fmt::format("ORDER_U {}", orders[0]), fmt::format("ORDER_V {}", orders[1]),
+            fmt::format("ORDER_W {}", orders[2])};
+}
+
+ProgramName deform_program(const std::array<int, 3>& orders, const Method& method, bool tangents,
+                           bool compute)
+{
+    ProgramName name{"", "", order_defines(orders)};
+    name.defines.push_back(fmt::format("NORMALS {}", static_cast<int>(method.normals)));
+    if (tangents && method.normals == NormalsBy::cofactors) name.defines.emplace_back("TANGENTS");
+    if (method.sum != Sum::nested) name.defines.emplace_back("RAISED");
+    if (method.sum == Sum::filtered) name.defines.emplace_back("FILTERED");
+    (compute ? name.compute : name.vertex) = "deform";
+    if (!compute) name.captured = {"to_position", "to_normal", "to_tangent"};
+    return name;
+}
+
+Box deformed_bounds(const Stage& stage, const Box& object)
+{
+    if (object.empty()) return {};
+    Box rest, moved;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec4 p(corner & 1 ? object.hi.x : object.lo.x,
+                           corner & 2 ? object.hi.y : object.lo.y,
+                           corner & 4 ? object.hi.z : object.lo.z, 1);
+        rest.add(glm::dvec3(stage.embedding.to_rest * p));
+    }
+    for (const glm::dvec3& d : stage.lattice->displacement.points) moved.add(d);
+    return {rest.lo + moved.lo, rest.hi + moved.hi};
+}
+
+DeviceDeformer::DeviceDeformer(const DeviceLimits& limits) : limits_(limits)
+{
+    if (limits.gl_version < 43)
+        throw Rejected(
+            fmt::format("Deforming on the graphics card needs OpenGL 4.3, this is {}.{}.",
+                        limits.gl_version / 10, limits.gl_version % 10));
+}
+
+void DeviceDeformer::deform(const DeviceVertices& from, DeviceVertices& to,
+                            std::span<const Stage> stages, const Method& method,
+                            const glm::dvec3& origin_world)
+{
+    const auto reserve = [](Buffer& buffer, const Buffer& like, bool wanted) {
+        if (wanted && like.bytes() > 0) buffer.reserve(like.bytes());
+    };
+    reserve(to.positions, from.positions, true);
+    reserve(to.normals, from.normals, method.normals != NormalsBy::nothing);
+    reserve(to.tangents, from.tangents, method.normals == NormalsBy::cofactors);
+    to.count = from.count;
+    to.bounds = from.bounds;
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        const bool last = i + 1 == stages.size();
+        deform_by(stages[i], i == 0 ? from : to, to, method, last ? origin_world : glm::dvec3(0));
+        to.bounds = deformed_bounds(stages[i], to.bounds);
+        if (!last) glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    }
+    to.bounds.lo -= origin_world;
+    to.bounds.hi -= origin_world;
+    glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+void DeviceDeformer::bind(const Stage& stage, const Box& object, const glm::dvec3& origin_world)
+{
+    const DeviceLattice& lattice = lattices_.lattice(stage.lattice);
+    const std::size_t largest = std::max(lattice.points.bytes(), lattice.axes->cells.bytes());
+    if (largest > limits_.storage_block)
+        throw Rejected(fmt::format("The lattice takes {} MB; shaders of this graphics card see {}.",
+                                   largest >> 20, limits_.storage_block >> 20));
+    const VolumeFrame frame =
+        volume_frame(*stage.lattice, lattice.axes->packed, stage.embedding, object, origin_world);
+    frame_.write(std::as_bytes(std::span(&frame, 1)));
+    glBindBufferBase(GL_UNIFORM_BUFFER, frame_binding, frame_.name());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, points_binding, lattice.points.name());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, cells_binding, lattice.axes->cells.name());
+}
+
+void DeviceDeformer::deform_by(const Stage& stage, const DeviceVertices& from, DeviceVertices& to,
+                               const Method& method, const glm::dvec3& origin_world)
+{
+    if (from.count == 0) return;
+    bind(stage, to.bounds, origin_world);
+    const PackedAxes& axes = lattices_.lattice(stage.lattice).axes->packed;
+    if (method.sum != Sum::nested && !axes.raisable)
+        throw Rejected("Order raising cannot evaluate a lattice that is torn at a knot.");
+    if (method.sum == Sum::filtered) lattices_.texture(stage.lattice).bind(0);
+    Method possible = method;
+    if (from.normals.bytes() == 0) possible.normals = NormalsBy::nothing;
+    const bool normals = possible.normals != NormalsBy::nothing,
+               tangents = from.tangents.bytes() > 0 && possible.normals == NormalsBy::cofactors;
+    const Program& program = programs_.use(deform_program(axes.order, possible, tangents, true));
+    for (std::size_t first = 0; first < from.count; first += limits_.slice_vertices) {
+        const std::size_t count = std::min(limits_.slice_vertices, from.count - first);
+        const auto both = [&](unsigned binding, const Buffer& in, const Buffer& out,
+                              std::size_t bytes) {
+            bind_range(binding, in, first, count, bytes);
+            bind_range(binding + 1, out, first, count, bytes);
+        };
+        both(2, from.positions, to.positions, sizeof(glm::vec3));
+        if (normals) both(4, from.normals, to.normals, sizeof(glm::vec3));
+        if (tangents) both(6, from.tangents, to.tangents, sizeof(glm::vec4));
+        program.set("vertex_count", static_cast<unsigned>(count));
+        glDispatchCompute(static_cast<GLuint>((count + group - 1) / group), 1, 1);
+    }
+}
+
+} // namespace trivar::gpu

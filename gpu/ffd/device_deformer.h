@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/mesh/mesh.h"
+#include "gpu/ffd/lattice_mirror.h"
+#include "gpu/program.h"
+
+namespace trivar::gpu {
+
+// One volume of a stack, and how what comes out of the volume before lies in it.
+struct Stage {
+    Ref<Lattice> lattice;
+    Embedding embedding;
+    bool operator==(const Stage&) const = default;
+};
+
+// How a deformation is evaluated. All but the first are there to be compared with it.
+enum class Sum { nested, raised, filtered }; // filtered: by the device's filter, a preview
+enum class NormalsBy { nothing, cofactors, differences };
+struct Method {
+    Sum sum = Sum::nested;
+    NormalsBy normals = NormalsBy::cofactors;
+    bool operator==(const Method&) const = default;
+};
+
+// Vertices on the device: three floats a position and a normal, four a tangent, as attributes and
+// storage alike. What a mesh has none of is an empty buffer.
+struct DeviceVertices {
+    Buffer positions, normals, tangents;
+    std::size_t count = 0;
+    Box bounds; // of the positions, or more
+};
+DeviceVertices uploaded_vertices(const Mesh& mesh);
+Deformed read_back(const DeviceVertices& vertices);
+
+// What deforming asks of a device.
+struct DeviceLimits {
+    int gl_version = 0;             // 43 is 4.3
+    std::size_t storage_block = 0;  // bytes that a shader sees at once
+    std::size_t groups = 0;         // a dispatch
+    int vertex_shader_buffers = 0;  // storage that a vertex shader may read
+    std::size_t slice_vertices = 0; // the most that one dispatch deforms
+};
+DeviceLimits device_limits(); // of the current context
+
+// The variant of "deform" that a stage wants: compute, or the vertex shader alone.
+ProgramName deform_program(const std::array<int, 3>& orders, const Method& method, bool tangents,
+                           bool compute);
+// ORDER_U, ORDER_V and ORDER_W, which make mesh.vert deform as it draws.
+std::vector<std::string> order_defines(const std::array<int, 3>& orders);
+
+// Deforms on the device. Two phases: vertices are deformed to buffers, which any number of passes
+// draw. One phase: a vertex shader deforms as it draws.
+//
+// Positions, normals and tangents are those of trivar::Deformer up to single precision, except that
+// where no normal can be told it stays what it was before.
+class DeviceDeformer {
+public:
+    // Throws Rejected where the device lacks what it takes.
+    explicit DeviceDeformer(const DeviceLimits& limits = device_limits());
+
+    // Through one volume after another, without read-back. `to` is relative to `origin_world`.
+    // Throws Rejected before anything was drawn: orders above 4, order raising of what is torn, no
+    // room.
+    void deform(const DeviceVertices& from, DeviceVertices& to, std::span<const Stage> stages,
+                const Method& method = {}, const glm::dvec3& origin_world = glm::dvec3(0));
+
+    // For one phase: binds the volume for a program with order_defines(). Throws Rejected.
+    void bind(const Stage& stage, const Box& object, const glm::dvec3& origin_world);
+
+    LatticeMirror& lattices() { return lattices_; }
+
+private:
+    void deform_by(const Stage& stage, const DeviceVertices& from, DeviceVertices& to,
+                   const Method& method, const glm::dvec3& origin_world);
+    DeviceLimits limits_;
+    LatticeMirror lattices_;
+    Programs programs_;
+    Buffer frame_;
+};
+
+// Where a box may come to lie by a deformation: the displacement is a mean of those of the lattice.
+Box deformed_bounds(const Stage& stage, const Box& object);
+
+} // namespace trivar::gpu

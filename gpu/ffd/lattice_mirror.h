@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/ffd/packed_volume.h"
+#include "gpu/buffer.h"
+
+#include <map>
+#include <memory>
+
+namespace trivar::gpu {
+
+// The axes of lattices as the device has them.
+struct DeviceAxes {
+    PackedAxes packed;
+    Buffer cells;
+};
+
+// Control points in a texture that is filtered; freed with this.
+class PointTexture {
+public:
+    // By unwrapped index, w fastest. Throws Rejected where the device's textures are smaller.
+    PointTexture(const std::vector<glm::vec4>& points, const glm::ivec3& count);
+    ~PointTexture();
+    PointTexture(const PointTexture&) = delete;
+    PointTexture& operator=(const PointTexture&) = delete;
+    void bind(unsigned unit) const;
+
+private:
+    unsigned name_ = 0;
+};
+
+struct DeviceLattice {
+    Buffer points;
+    std::shared_ptr<const DeviceAxes> axes;
+    std::unique_ptr<PointTexture> texture; // made when it is first wanted
+};
+
+// Uploads of lattices by Ref identity, as Mirror has those of meshes: a changed lattice uploads its
+// control points and, where its knots are new, its axes.
+class LatticeMirror {
+public:
+    const DeviceLattice& lattice(const Ref<Lattice>& lattice); // throws Rejected for orders above 4
+    const PointTexture& texture(const Ref<Lattice>& lattice);
+    void drop_dead();
+    std::size_t uploads() const { return uploads_; } // of control points, since this was made
+
+private:
+    struct Entry {
+        std::weak_ptr<const Lattice> alive;
+        DeviceLattice lattice;
+    };
+    std::shared_ptr<const DeviceAxes> axes(const std::array<Knots, 3>& knots);
+    Entry& entry(const Ref<Lattice>& lattice);
+    std::map<const Lattice*, Entry> lattices_;
+    // The last few, the newest at the end.
+    std::vector<std::pair<std::array<Knots, 3>, std::shared_ptr<const DeviceAxes>>> axes_;
+    std::size_t uploads_ = 0;
+};
+
+} // namespace trivar::gpu
