@@ -23,6 +23,11 @@ Framebuffer::Framebuffer(std::initializer_list<const Texture2D*> colors, const T
         glFramebufferTexture(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depth->name(), 0);
         size_px_ = depth->size_px();
     }
+    if (targets.empty() && !depth) {
+        size_px_ = {1, 1};
+        glFramebufferParameteri(GL_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_WIDTH, 1);
+        glFramebufferParameteri(GL_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_HEIGHT, 1);
+    }
     if (targets.empty()) targets.push_back(GL_NONE);
     glDrawBuffers(static_cast<GLsizei>(targets.size()), targets.data());
     if (targets.front() == GL_NONE) glReadBuffer(GL_NONE);

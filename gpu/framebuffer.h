@@ -7,7 +7,8 @@
 
 namespace trivar::gpu {
 
-// A GL framebuffer object over textures that others own.
+// A GL framebuffer object over textures that others own; over none where only the vertices of a
+// draw matter.
 class Framebuffer {
 public:
     Framebuffer() = default;

@@ -21,15 +21,16 @@ Defines with(Defines defines, const Defines& more)
 std::vector<ProgramName> deforming_programs(const std::array<int, 3>& orders)
 {
     std::vector<ProgramName> out;
-    for (const bool compute : {true, false}) {
-        for (const bool tangents : {true, false})
-            out.push_back(deform_program(orders, {}, tangents, compute));
-        for (const Sum sum : {Sum::nested, Sum::raised, Sum::filtered})
-            for (const NormalsBy normals : {NormalsBy::nothing, NormalsBy::differences})
-                out.push_back(deform_program(orders, {sum, normals}, false, compute));
-    }
+    for (const bool texels : {true, false})
+        for (const bool compute : {true, false}) {
+            for (const bool tangents : {true, false})
+                out.push_back(deform_program({orders, {}, tangents, texels, compute}));
+            for (const Sum sum : {Sum::nested, Sum::raised, Sum::filtered})
+                for (const NormalsBy normals : {NormalsBy::nothing, NormalsBy::differences})
+                    out.push_back(deform_program({orders, {sum, normals}, false, texels, compute}));
+        }
     for (const char* own : {"PLAIN", "TEXTURES 31"})
-        out.push_back({"mesh", "surfaces", with(order_defines(orders), {own})});
+        out.push_back({"mesh", "surfaces", with(volume_defines(orders, true), {own})});
     return out;
 }
 
@@ -75,8 +76,9 @@ std::vector<ProgramName> every_program()
     for (const Defines& more : {Defines{}, Defines{"LAYER_DEPTHS"}})
         out.push_back({"veil", "veil", more});
     out.push_back({"wire", "wire", {}});
+    out.push_back({"", "", {}, "arithmetic"});
     for (const std::array<int, 3>& orders :
-         {std::array{2, 2, 2}, std::array{3, 3, 3}, std::array{4, 4, 4}, std::array{4, 3, 2}})
+         {std::array{3, 3, 3}, std::array{4, 3, 2}}) // the others are the same text
         for (const ProgramName& name : deforming_programs(orders)) out.push_back(name);
     return out;
 }

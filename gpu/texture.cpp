@@ -71,6 +71,23 @@ void Texture2D::bind(unsigned unit) const
     glBindTexture(GL_TEXTURE_2D, name_);
 }
 
+Texels::Texels()
+{
+    glGenTextures(1, &name_);
+}
+
+Texels::~Texels()
+{
+    glDeleteTextures(1, &name_);
+}
+
+void Texels::bind(unsigned unit, const Buffer& buffer) const
+{
+    glActiveTexture(GL_TEXTURE0 + unit);
+    glBindTexture(GL_TEXTURE_BUFFER, name_);
+    glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, buffer.name());
+}
+
 Sampler::Sampler(Edge u, Edge v, bool smooth, bool compare)
 {
     const auto wrap = [](Edge edge) {

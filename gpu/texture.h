@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "gpu/buffer.h"
+
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
@@ -28,6 +30,20 @@ public:
 private:
     unsigned name_ = 0;
     glm::ivec2 size_px_{0};
+};
+
+// A buffer read as texels of four floats. Which buffer is said at every binding, for writing one
+// may give it another storage.
+class Texels {
+public:
+    Texels();
+    Texels(const Texels&) = delete;
+    Texels& operator=(const Texels&) = delete;
+    ~Texels();
+    void bind(unsigned unit, const Buffer& buffer) const;
+
+private:
+    unsigned name_ = 0;
 };
 
 // How a texture is read, apart from the texture.

@@ -4,6 +4,7 @@
 #include "core/base/rejected.h"
 #include "core/document/command.h"
 #include "editor/app.h"
+#include "editor/command_line/bench.h"
 #include "editor/command_line/info.h"
 #include "editor/command_line/replay.h"
 #include "editor/tutorial.h"
@@ -20,6 +21,7 @@ struct Choices {
     std::vector<std::string> files;
     ReplayOptions replay;
     InfoOptions info;
+    BenchOptions bench;
     bool commands_json = false, commands_markdown = false;
 };
 
@@ -87,6 +89,27 @@ CLI::App* add_commands(CLI::App& app, Choices& choices)
     return commands;
 }
 
+CLI::App* add_bench(CLI::App& app, BenchOptions& o)
+{
+    CLI::App* bench = app.add_subcommand("bench", "measure this machine");
+    bench->description(
+        "Measures how fast vertices are deformed: by the processor and, in every way\n"
+        "there is, by the graphics card, beside what copying and arithmetic allow.");
+    bench->footer("Example:\n  trivar bench gpu --json > rates.json");
+    bench->add_option("WHAT", o.what, "gpu")
+        ->required()
+        ->type_name("")
+        ->check(CLI::IsMember({"gpu"}));
+    bench->add_flag("--json", o.json, "as JSON, for programs");
+    bench->add_option("--vertices", o.vertices, "measure with at most N vertices")
+        ->type_name("N")
+        ->check(CLI::Range(1, 10'000'000));
+    bench->add_option("--seconds", o.most_s, "leave out what takes longer a run; 1 if left out")
+        ->type_name("S")
+        ->check(CLI::Range(0.001, 1000.0));
+    return bench;
+}
+
 Status list_commands(const Choices& choices, const Streams& streams)
 {
     if (choices.commands_json)
@@ -136,6 +159,7 @@ Status dispatch(const std::vector<std::string>& arguments, const Streams& stream
     const CLI::App* replay = add_replay(app, choices.replay);
     const CLI::App* info = add_info(app, choices.info);
     const CLI::App* commands = add_commands(app, choices);
+    const CLI::App* bench = add_bench(app, choices.bench);
     try {
         app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     } catch (const CLI::ParseError& error) {
@@ -144,6 +168,7 @@ Status dispatch(const std::vector<std::string>& arguments, const Streams& stream
     if (replay->parsed()) return run_replay(choices.replay, streams);
     if (info->parsed()) return run_info(choices.info, streams);
     if (commands->parsed()) return list_commands(choices, streams);
+    if (bench->parsed()) return run_bench(choices.bench, streams);
     EditorOptions options;
     options.files = choices.files;
     options.samples = sample_scenes();

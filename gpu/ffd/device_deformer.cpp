@@ -2,6 +2,7 @@
 #include "gpu/ffd/device_deformer.h"
 
 #include "core/base/rejected.h"
+#include "gpu/context.h"
 
 #include <algorithm>
 #include <epoxy/gl.h>
@@ -10,8 +11,10 @@
 namespace trivar::gpu {
 namespace {
 
-constexpr unsigned frame_binding = 1, points_binding = 0, cells_binding = 1; // volume_inputs.glsl
-constexpr unsigned group = 64;                                               // deform.comp.glsl
+// volume_inputs.glsl
+constexpr unsigned frame_binding = 1, points_binding = 0, cells_binding = 1;
+constexpr unsigned points_unit = 14, cells_unit = 15;
+constexpr unsigned group = 64; // deform.comp.glsl
 // Slices begin where any device lets a buffer's range begin: a multiple of 256 bytes.
 constexpr std::size_t slice_step = 256;
 
@@ -60,10 +63,13 @@ DeviceLimits device_limits()
     out.gl_version = epoxy_gl_version();
     if (out.gl_version < 43) return out;
     GLint64 block = 0;
-    GLint groups = 0;
+    GLint groups = 0, texels = 0, in_vertex_shaders = 0;
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &block);
     glGetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_COUNT, 0, &groups);
-    glGetIntegerv(GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, &out.vertex_shader_buffers);
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
+    glGetIntegerv(GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, &in_vertex_shaders);
+    out.texels = static_cast<std::size_t>(texels);
+    out.reads_texels = is_software() || in_vertex_shaders < 2;
     out.storage_block = static_cast<std::size_t>(block);
     out.groups = static_cast<std::size_t>(groups);
     const std::size_t most = std::min(out.groups * group, out.storage_block / sizeof(glm::vec4));
@@ -71,22 +77,26 @@ DeviceLimits device_limits()
     return out;
 }
 
-std::vector<std::string> order_defines(const std::array<int, 3>& orders)
+std::vector<std::string> volume_defines(const std::array<int, 3>& orders, bool texels)
 {
-    return {fmt::format("ORDER_U {}", orders[0]), fmt::format("ORDER_V {}", orders[1]),
-            fmt::format("ORDER_W {}", orders[2])};
+    std::vector<std::string> out{fmt::format("ORDER_U {}", orders[0]),
+                                 fmt::format("ORDER_V {}", orders[1]),
+                                 fmt::format("ORDER_W {}", orders[2])};
+    if (texels) out.emplace_back("TEXELS");
+    return out;
 }
 
-ProgramName deform_program(const std::array<int, 3>& orders, const Method& method, bool tangents,
-                           bool compute)
+ProgramName deform_program(const DeformVariant& variant)
 {
-    ProgramName name{"", "", order_defines(orders)};
+    const Method& method = variant.method;
+    ProgramName name{"", "", volume_defines(variant.orders, variant.texels)};
     name.defines.push_back(fmt::format("NORMALS {}", static_cast<int>(method.normals)));
-    if (tangents && method.normals == NormalsBy::cofactors) name.defines.emplace_back("TANGENTS");
+    if (variant.tangents && method.normals == NormalsBy::cofactors)
+        name.defines.emplace_back("TANGENTS");
     if (method.sum != Sum::nested) name.defines.emplace_back("RAISED");
     if (method.sum == Sum::filtered) name.defines.emplace_back("FILTERED");
-    (compute ? name.compute : name.vertex) = "deform";
-    if (!compute) name.captured = {"to_position", "to_normal", "to_tangent"};
+    (variant.compute ? name.compute : name.vertex) = "deform";
+    if (!variant.compute) name.captured = {"to_position", "to_normal", "to_tangent"};
     return name;
 }
 
@@ -110,6 +120,8 @@ DeviceDeformer::DeviceDeformer(const DeviceLimits& limits) : limits_(limits)
         throw Rejected(
             fmt::format("Deforming on the graphics card needs OpenGL 4.3, this is {}.{}.",
                         limits.gl_version / 10, limits.gl_version % 10));
+    points_ = std::make_unique<Texels>();
+    cells_ = std::make_unique<Texels>();
 }
 
 void DeviceDeformer::deform(const DeviceVertices& from, DeviceVertices& to,
@@ -139,13 +151,20 @@ void DeviceDeformer::bind(const Stage& stage, const Box& object, const glm::dvec
 {
     const DeviceLattice& lattice = lattices_.lattice(stage.lattice);
     const std::size_t largest = std::max(lattice.points.bytes(), lattice.axes->cells.bytes());
-    if (largest > limits_.storage_block)
-        throw Rejected(fmt::format("The lattice takes {} MB; shaders of this graphics card see {}.",
-                                   largest >> 20, limits_.storage_block >> 20));
+    const std::size_t most =
+        limits_.reads_texels ? limits_.texels * sizeof(glm::vec4) : limits_.storage_block;
+    if (largest > most)
+        throw Rejected(fmt::format("The lattice takes {} kB; shaders of this graphics card see {}.",
+                                   largest >> 10, most >> 10));
     const VolumeFrame frame =
         volume_frame(*stage.lattice, lattice.axes->packed, stage.embedding, object, origin_world);
     frame_.write(std::as_bytes(std::span(&frame, 1)));
     glBindBufferBase(GL_UNIFORM_BUFFER, frame_binding, frame_.name());
+    if (limits_.reads_texels) {
+        points_->bind(points_unit, lattice.points);
+        cells_->bind(cells_unit, lattice.axes->cells);
+        return;
+    }
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, points_binding, lattice.points.name());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, cells_binding, lattice.axes->cells.name());
 }
@@ -163,7 +182,8 @@ void DeviceDeformer::deform_by(const Stage& stage, const DeviceVertices& from, D
     if (from.normals.bytes() == 0) possible.normals = NormalsBy::nothing;
     const bool normals = possible.normals != NormalsBy::nothing,
                tangents = from.tangents.bytes() > 0 && possible.normals == NormalsBy::cofactors;
-    const Program& program = programs_.use(deform_program(axes.order, possible, tangents, true));
+    const Program& program =
+        programs_.use(deform_program({axes.order, possible, tangents, limits_.reads_texels}));
     for (std::size_t first = 0; first < from.count; first += limits_.slice_vertices) {
         const std::size_t count = std::min(limits_.slice_vertices, from.count - first);
         const auto both = [&](unsigned binding, const Buffer& in, const Buffer& out,

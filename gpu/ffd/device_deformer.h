@@ -4,6 +4,7 @@
 #include "core/mesh/mesh.h"
 #include "gpu/ffd/lattice_mirror.h"
 #include "gpu/program.h"
+#include "gpu/texture.h"
 
 namespace trivar::gpu {
 
@@ -38,16 +39,23 @@ struct DeviceLimits {
     int gl_version = 0;             // 43 is 4.3
     std::size_t storage_block = 0;  // bytes that a shader sees at once
     std::size_t groups = 0;         // a dispatch
-    int vertex_shader_buffers = 0;  // storage that a vertex shader may read
+    std::size_t texels = 0;         // of a texel buffer
     std::size_t slice_vertices = 0; // the most that one dispatch deforms
+    bool reads_texels = false;      // rather than storage: it is faster, or all a vertex shader has
 };
 DeviceLimits device_limits(); // of the current context
 
-// The variant of "deform" that a stage wants: compute, or the vertex shader alone.
-ProgramName deform_program(const std::array<int, 3>& orders, const Method& method, bool tangents,
-                           bool compute);
-// ORDER_U, ORDER_V and ORDER_W, which make mesh.vert deform as it draws.
-std::vector<std::string> order_defines(const std::array<int, 3>& orders);
+// A program "deform": a compute shader, or a vertex shader alone.
+struct DeformVariant {
+    std::array<int, 3> orders{3, 3, 3};
+    Method method;
+    bool tangents = false, texels = false;
+    bool compute = true;
+};
+ProgramName deform_program(const DeformVariant& variant);
+
+// What makes mesh.vert deform as it draws.
+std::vector<std::string> volume_defines(const std::array<int, 3>& orders, bool texels);
 
 // Deforms on the device. Two phases: vertices are deformed to buffers, which any number of passes
 // draw. One phase: a vertex shader deforms as it draws.
@@ -65,10 +73,11 @@ public:
     void deform(const DeviceVertices& from, DeviceVertices& to, std::span<const Stage> stages,
                 const Method& method = {}, const glm::dvec3& origin_world = glm::dvec3(0));
 
-    // For one phase: binds the volume for a program with order_defines(). Throws Rejected.
+    // For one phase: binds the volume for a program with volume_defines(). Throws Rejected.
     void bind(const Stage& stage, const Box& object, const glm::dvec3& origin_world);
 
     LatticeMirror& lattices() { return lattices_; }
+    bool reads_texels() const { return limits_.reads_texels; }
 
 private:
     void deform_by(const Stage& stage, const DeviceVertices& from, DeviceVertices& to,
@@ -77,6 +86,7 @@ private:
     LatticeMirror lattices_;
     Programs programs_;
     Buffer frame_;
+    std::unique_ptr<Texels> points_, cells_;
 };
 
 // Where a box may come to lie by a deformation: the displacement is a mean of those of the lattice.

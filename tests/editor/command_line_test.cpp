@@ -50,8 +50,12 @@ std::string scene_text()
 
 TEST(CommandLine, HelpIsAResultAndSpeaksOfExitStatuses)
 {
-    for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
-             {"--help"}, {"replay", "--help"}, {"info", "--help"}, {"commands", "--help"}}) {
+    for (const std::vector<std::string>& arguments :
+         std::vector<std::vector<std::string>>{{"--help"},
+                                               {"replay", "--help"},
+                                               {"info", "--help"},
+                                               {"bench", "--help"},
+                                               {"commands", "--help"}}) {
         const Ran ran = run(arguments);
         EXPECT_EQ(ran.status, Status::done);
         EXPECT_THAT(ran.out, HasSubstr("trivar"));
@@ -202,6 +206,19 @@ TEST(Info, DescribesScenesAndGoesOnAfterAFileItCannotRead)
     EXPECT_EQ(ran.status, Status::rejected);
     EXPECT_THAT(ran.talk, HasSubstr("missing.obj"));
     EXPECT_THAT(ran.out, HasSubstr("scene"));
+}
+
+// With so few vertices only the device itself is measured.
+TEST(CommandLine, BenchSaysWhatTheDeviceDoes)
+{
+    const Ran ran = run({"bench", "gpu", "--json", "--vertices", "1"});
+    ASSERT_EQ(ran.status, Status::done) << ran.talk;
+    const auto said = nlohmann::json::parse(ran.out);
+    EXPECT_GT(said["copy_bytes_per_s"], 0);
+    EXPECT_GT(said["multiply_adds_per_s"], 0);
+    EXPECT_TRUE(said["rates"].empty());
+    EXPECT_EQ(run({"bench"}).status, Status::usage);
+    EXPECT_EQ(run({"bench", "chair"}).status, Status::usage);
 }
 
 } // namespace

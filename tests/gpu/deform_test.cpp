@@ -2,6 +2,7 @@
 // core/kernel on the device. tests/ffd/kernel_test.cpp holds the same text as C++ to the textbook.
 #include "core/base/rejected.h"
 #include "gpu/ffd/device_deformer.h"
+#include "gpu/framebuffer.h"
 #include "gpu/vertex_array.h"
 #include "tests/ffd/samples.h"
 #include "tests/gpu/support.h"
@@ -89,19 +90,17 @@ protected:
         to.normals.reserve(from.normals.bytes());
         to.tangents.reserve(from.tangents.bytes());
         deformer.bind(stage, from.bounds, glm::dvec3(0));
-        const Program program(deform_program(
-            deformer.lattices().lattice(stage.lattice).axes->packed.order, {}, true, false));
+        const PackedAxes& axes = deformer.lattices().lattice(stage.lattice).axes->packed;
+        const Program program(
+            deform_program({axes.order, {}, true, deformer.reads_texels(), false}));
         program.use();
         VertexArray vertices;
         vertices.attribute(0, from.positions, 3, sizeof(glm::vec3));
         vertices.attribute(1, from.normals, 3, sizeof(glm::vec3));
         vertices.attribute(2, from.tangents, 4, sizeof(glm::vec4));
         vertices.bind();
-        unsigned framebuffer = 0;
-        glGenFramebuffers(1, &framebuffer);
-        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-        glFramebufferParameteri(GL_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_WIDTH, 1);
-        glFramebufferParameteri(GL_FRAMEBUFFER, GL_FRAMEBUFFER_DEFAULT_HEIGHT, 1);
+        const Framebuffer nowhere({}, nullptr);
+        nowhere.bind();
         glEnable(GL_RASTERIZER_DISCARD);
         for (const auto& [at, buffer] :
              {std::pair{0u, to.positions.name()}, std::pair{1u, to.normals.name()},
@@ -112,7 +111,6 @@ protected:
         glEndTransformFeedback();
         glDisable(GL_RASTERIZER_DISCARD);
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
-        glDeleteFramebuffers(1, &framebuffer);
         return read_back(to);
     }
 };
@@ -219,6 +217,18 @@ TEST_F(DeformedByTheDevice, WhatIsFarFromTheOriginKeepsItsDigitsRelativeToAnOthe
     expect_equal(read_back(to), by_processor(mesh, {here}));
 }
 
+TEST_F(DeformedByTheDevice, StorageAndTexelsAreReadAlike)
+{
+    const Mesh mesh = scattered_points(5000);
+    const Stage stage = stage_of(uniform(3, 5), 0.02);
+    DeviceLimits limits = device_limits();
+    limits.reads_texels = !limits.reads_texels;
+    const Deformed one = by_device(mesh, {stage});
+    deformer = DeviceDeformer(limits);
+    expect_equal(by_device(mesh, {stage}), one);
+    expect_equal(by_vertex_shader(mesh, stage), one);
+}
+
 TEST_F(DeformedByTheDevice, MeshesLargerThanADispatchAreDeformedInSlices)
 {
     const Mesh mesh = scattered_points(10000);
@@ -280,10 +290,10 @@ TEST_F(DeformedByTheDevice, WhatTheDeviceCannotDoIsRefusedInASentence)
                 }),
                 HasSubstr("torn"));
     DeviceLimits limits = device_limits();
-    limits.storage_block = 1000;
+    limits.storage_block = limits.texels = 100;
     deformer = DeviceDeformer(limits);
     EXPECT_THAT(sentence([&] { by_device(mesh, {stage_of(uniform(4, 8), 0.1)}); }),
-                HasSubstr("MB"));
+                HasSubstr("kB"));
     limits.gl_version = 33;
     EXPECT_THAT(sentence([&] { DeviceDeformer{limits}; }), HasSubstr("needs OpenGL 4.3"));
 }

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/command_line/bench.h"
+
+#include "gpu/context.h"
+#include "gpu/ffd/deform_rates.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace trivar {
+namespace {
+
+using gpu::DeformRate, gpu::NormalsBy, gpu::Sum, gpu::Way;
+
+const char* name_of(Way way)
+{
+    return way == Way::processor ? "processor" : way == Way::one_phase ? "one phase" : "two phases";
+}
+
+const char* name_of(Sum sum)
+{
+    return sum == Sum::nested ? "nested" : sum == Sum::raised ? "raised" : "filtered (preview)";
+}
+
+const char* name_of(NormalsBy normals)
+{
+    return normals == NormalsBy::nothing     ? "none"
+           : normals == NormalsBy::cofactors ? "exact"
+                                             : "differences";
+}
+
+// What the device would allow at most, and which of the two says so.
+double allowed(const DeformRate& rate)
+{
+    return std::min(rate.copy_allows_per_s, rate.arithmetic_allows_per_s);
+}
+
+const char* bound_by(const DeformRate& rate)
+{
+    return rate.copy_allows_per_s < rate.arithmetic_allows_per_s ? "copying" : "arithmetic";
+}
+
+std::string text(const gpu::DeformReport& report)
+{
+    std::string out =
+        fmt::format("{}\ncopies buffers at {:.1f} GB/s, read and written; does {:.1f} "
+                    "thousand million multiply-adds a second\n\n",
+                    report.device.name, report.device.copy_bytes_per_s / 1e9,
+                    report.device.multiply_adds_per_s / 1e9);
+    out += fmt::format("{:<11} {:<18} {:<11} {:>5} {:>7} {:>9} {:>9} {:>10}  {:>5} {:<11} {}\n",
+                       "way", "sum", "normals", "order", "lattice", "vertices", "time ms",
+                       "million/s", "share", "of what", "error: position, normal");
+    for (const DeformRate& r : report.rates) {
+        out += fmt::format("{:<11} {:<18} {:<11} {:>5} {:>5}^3 {:>9} {:>9.3f} {:>10.2f}",
+                           name_of(r.what.way), name_of(r.what.method.sum),
+                           name_of(r.what.method.normals), r.what.order, r.what.lattice,
+                           r.what.vertices, r.time_ms, r.vertices_per_s / 1e6);
+        if (r.copy_allows_per_s > 0)
+            out +=
+                fmt::format("  {:>4.0f}% {:<11}", 100 * r.vertices_per_s / allowed(r), bound_by(r));
+        if (r.position_error) out += fmt::format(" {:.1e}", *r.position_error);
+        if (r.normal_error_deg) out += fmt::format(", {:.4f} degrees", *r.normal_error_deg);
+        out += '\n';
+    }
+    return out;
+}
+
+nlohmann::ordered_json json(const gpu::DeformReport& report)
+{
+    nlohmann::ordered_json rates = nlohmann::ordered_json::array();
+    for (const DeformRate& r : report.rates) {
+        nlohmann::ordered_json rate{{"way", name_of(r.what.way)},
+                                    {"sum", name_of(r.what.method.sum)},
+                                    {"normals", name_of(r.what.method.normals)},
+                                    {"order", r.what.order},
+                                    {"lattice", r.what.lattice},
+                                    {"vertices", r.what.vertices},
+                                    {"time_ms", r.time_ms},
+                                    {"vertices_per_s", r.vertices_per_s}};
+        if (r.copy_allows_per_s > 0) {
+            rate["copy_allows_per_s"] = r.copy_allows_per_s;
+            rate["arithmetic_allows_per_s"] = r.arithmetic_allows_per_s;
+            rate["bound_by"] = bound_by(r);
+        }
+        if (r.position_error) rate["position_error"] = *r.position_error;
+        if (r.normal_error_deg) rate["normal_error_deg"] = *r.normal_error_deg;
+        rates.push_back(std::move(rate));
+    }
+    return {{"device", report.device.name},
+            {"copy_bytes_per_s", report.device.copy_bytes_per_s},
+            {"multiply_adds_per_s", report.device.multiply_adds_per_s},
+            {"rates", rates},
+            {"notices", report.notices}};
+}
+
+} // namespace
+
+Status run_bench(const BenchOptions& options, const Streams& streams)
+{
+    const gpu::HeadlessContext context;
+    std::vector<gpu::DeformCase> cases = gpu::every_deform_case();
+    const auto most = static_cast<std::size_t>(options.vertices);
+    std::erase_if(cases, [&](const gpu::DeformCase& c) { return c.vertices > most; });
+    const auto shown = [&](double fraction, std::string_view stage) {
+        streams.talk << fmt::format("\r\x1b[K{:3.0f} % {}", 100 * fraction, stage) << std::flush;
+    };
+    const gpu::DeformReport report =
+        gpu::deform_rates(cases, options.most_s, streams.terminal ? Progress(shown) : Progress());
+    if (streams.terminal) streams.talk << "\r\x1b[K";
+    streams.out << (options.json ? json(report).dump(2) + "\n" : text(report));
+    for (const std::string& notice : report.notices) streams.talk << "trivar: " << notice << "\n";
+    return Status::done;
+}
+
+} // namespace trivar
