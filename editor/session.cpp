@@ -197,6 +197,7 @@ void Session::preview(const Document* document)
     }
     // Documents that share all objects and settings look alike.
     if (previewed_ && previewed_->render == document->render &&
+        previewed_->time == document->time &&
         std::ranges::equal(previewed_->objects, document->objects))
         return;
     previewed_ = *document;
@@ -282,7 +283,7 @@ void Session::tell_what_is_missing()
 {
     std::vector<std::string> reasons;
     for (const auto& [id, effects] : evaluated_.objects)
-        if (effects->parts.empty() && !effects->notices.empty())
+        if (effects->parts.empty() && !effects->placement && !effects->notices.empty())
             reasons.push_back(name_of(document(), id) + ": " + effects->notices.front());
     if (reasons.empty()) return;
     const std::size_t count = reasons.size();

@@ -10,13 +10,13 @@ namespace trivar {
 
 Ref<std::vector<float>> Stretches::of(const Part& part, const EvaluatedObject& object)
 {
-    if (!part.rest || !object.placement) return nullptr;
+    if (!part.rest || !object.volume) return nullptr;
     if (const auto found = known_.find(part.mesh.get());
         found != known_.end() && found->second.alive.lock() == part.mesh)
         return found->second.values;
     std::erase_if(known_, [](const auto& known) { return known.second.alive.expired(); });
     std::vector<float> factors =
-        volume_change(*part.rest->mesh, part.rest->embedding, object.placement->volume);
+        volume_change(*part.rest->mesh, part.rest->embedding, *object.volume);
     std::vector<float> sizes(factors.size());
     std::ranges::transform(factors, sizes.begin(), [](float f) { return std::abs(f); });
     const auto middle = sizes.begin() + std::ssize(sizes) / 2;

@@ -113,8 +113,10 @@ json present_values(const json& typed, const Document& document)
     };
     const std::string name = typed["do"].get<std::string>();
     if (name == SetRender::verb) return fields_of(SetRender{*document.render});
+    if (name == SetTime::verb) return fields_of(SetTime{document.time});
     const Object* object = found();
     if (!object) return json::object();
+    if (name == SetTravel::verb) return fields_of(SetTravel{{}, object->travel});
     if (const auto* file = std::get_if<ImportedFile>(&object->source);
         file && name == EditImport::verb)
         return fields_of(EditImport{0, *file});

@@ -80,6 +80,10 @@ void add(Digest& digest, const Object& object)
         add(digest, object.placement->parameters);
         add(digest, object.placement->onto);
     }
+    if (object.travel != Travel{}) { // there were scenes without it
+        digest.add_text("travel");
+        add(digest, object.travel);
+    }
 }
 
 } // namespace
@@ -152,6 +156,10 @@ std::string digest(const Document& document)
     }
     add(digest, *document.render);
     if (!document.rows->empty()) add(digest, *document.rows);
+    if (document.time != Time{}) { // there were scenes without it
+        digest.add_text("time");
+        add(digest, document.time);
+    }
     return digest.hex();
 }
 

@@ -7,6 +7,7 @@
 #include "core/document/render_settings.h"
 #include "core/files/read_model.h"
 #include "core/placement/placement.h"
+#include "core/placement/travel.h"
 
 #include <map>
 #include <optional>
@@ -101,8 +102,16 @@ struct Object {
     bool hidden = false;
     bool locked = false; // no hand takes it by accident; a command that names it may
     std::optional<PlacementStep>
-        placement; // a placed object's translation waits; its rotation and scale turn it first
+        placement;      // a placed object's translation waits; its rotation and scale turn it first
+    Travel travel = {}; // along its stroke, if it lies on one
     bool operator==(const Object&) const = default;
+};
+
+// The frames of a scene. Which of them is the present one is no part of it.
+struct Time {
+    int first_frame = 1, last_frame = 240;
+    double frames_per_second = 24;
+    bool operator==(const Time&) const = default;
 };
 
 // All causes, no effects. Copies share what they have in common.
@@ -111,6 +120,7 @@ struct Document {
     Id next_id = 1;
     std::map<std::string, Camera> bookmarks;
     Ref<RenderSettings> render = make_ref(RenderSettings{});
+    Time time = {};
     // The order of the outliner's rows where it was arranged; the others follow by id.
     Ref<std::vector<Id>> rows = make_ref(std::vector<Id>{});
 };

@@ -68,6 +68,11 @@ EvaluatedObject evaluated_object(Id id, const Causes& causes)
         result.placement = causes.laid->placement;
         result.lies_on = causes.laid->scene;
         result.parts = causes.laid->parts;
+        result.volume = causes.laid->volume;
+        result.journey = causes.laid->journey;
+        if (result.journey && !result.journey->has_room())
+            result.notices.emplace_back(
+                "it fills its whole stroke and has no room to travel; make its fill smaller");
         const std::vector<std::string>& more = causes.laid->placement->report.notices;
         result.notices.insert(result.notices.end(), more.begin(), more.end());
     } else
@@ -114,7 +119,7 @@ Evaluator::Evaluator(Ref<AssetStore> assets) : cache_(std::make_unique<Cache>(st
 
 Evaluator::~Evaluator() = default;
 
-Evaluated Evaluator::operator()(const Document& document, const Progress& progress)
+Evaluated Evaluator::operator()(const Document& document, double frame, const Progress& progress)
 {
     Evaluated result;
     std::map<Id, Ref<EvaluatedObject>> done;
@@ -138,6 +143,10 @@ Evaluated Evaluator::operator()(const Document& document, const Progress& progre
             causes.laid =
                 kept.laying(kept.shape, glm::dmat3(ref->transform.matrix()), *ref->placement,
                             supports, cache_->ray_meshes, result.timings);
+            const double seconds =
+                (frame - ref->travel.start_frame) / document.time.frames_per_second;
+            causes.laid = kept.laying.travelled(
+                causes.laid, ref->travel, ref->placement->parameters, seconds, result.timings);
         }
         auto& results = kept.results;
         const auto found =

@@ -29,9 +29,11 @@ struct EvaluatedObject {
     std::vector<Part> parts;
     Ref<std::vector<Material>> materials; // what face_material indexes
     Ref<Placement> placement;             // null where nothing was placed
-    Ref<RayScene> lies_on;                // what its stroke falls on; null where there is none
-    Box bounds;                           // world
-    std::vector<std::string> notices;     // a missing file, a stroke that misses now
+    Ref<Lattice> volume; // the rest of the parts lies in it: the placement's, or that one prolonged
+    Ref<Journey> journey;             // null where it does not travel
+    Ref<RayScene> lies_on;            // what its stroke falls on; null where there is none
+    Box bounds;                       // world
+    std::vector<std::string> notices; // a missing file, a stroke that misses now
     // Why the stroke gave nothing, as a sentence for the user; the object then stands undeformed
     // where its transform says. A tool shows it and does not commit. Empty: it lies, or has none.
     std::string rejected;
@@ -53,7 +55,13 @@ class Evaluator {
 public:
     explicit Evaluator(Ref<AssetStore> assets);
     ~Evaluator();
-    Evaluated operator()(const Document& document, const Progress& progress = {});
+    // At a frame of the document's time, or between two: what it shows does not depend on what was
+    // evaluated before. Without a frame: at the first one.
+    Evaluated operator()(const Document& document, double frame, const Progress& progress = {});
+    Evaluated operator()(const Document& document, const Progress& progress = {})
+    {
+        return (*this)(document, document.time.first_frame, progress);
+    }
 
 private:
     struct Cache;

@@ -2,14 +2,38 @@
 #include "core/document/laying.h"
 
 #include "core/base/rejected.h"
+#include "core/ffd/prolong.h"
 
 #include <algorithm>
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace trivar {
 namespace {
 
 // Enough for undo and redo of a step or two without computing anything.
 constexpr std::size_t kept_results = 3;
+
+// The volume as far as the model is on it, straight on beyond its ends or round once more.
+Ref<Lattice> reaching(const Ref<Lattice>& volume, const Journey& journey,
+                      const PlacementParameters& p, double shift_u)
+{
+    constexpr double slack = 1e-3; // a model's faces lie on its box, give or take a rounding
+    const double from = p.start + shift_u, to = from + p.fill;
+    if (from >= -1e-9 && to <= 1 + 1e-9) return volume;
+    if (journey.rounds()) return make_ref(twice_round(*volume));
+    return make_ref(prolonged(*volume, from - slack, to + slack));
+}
+
+// The part further along its volume, sorted into it anew.
+Part shifted(const Part& part, const Lattice& volume, double shift_u)
+{
+    Embedding embedding = part.rest->embedding;
+    embedding.to_uvw = glm::translate(glm::dmat4(1), {shift_u, 0, 0}) * embedding.to_uvw;
+    embedding.to_rest = volume.rest * embedding.to_uvw;
+    const Ref<Mesh>& mesh = part.rest->mesh;
+    return {make_ref(Deformer(mesh, embedding, volume.displacement.axes)(volume)), glm::dmat4(1),
+            make_ref(Rest{mesh, embedding})};
+}
 
 } // namespace
 
@@ -92,11 +116,12 @@ Laid Laying::lay(const Shape& shape, const glm::dmat3& turned, const PlacementSt
     }
     sorted_ = std::move(used);
     laid.placement = make_ref(std::move(placement));
+    laid.volume = Ref<Lattice>(laid.placement, &laid.placement->volume);
     return laid;
 }
 
 Part Laying::deformed(const Ref<Mesh>& mesh, const Embedding& embedding, const Lattice& volume,
-                      std::vector<Sorted>& used)
+                      std::vector<Sorted>& used) const
 {
     const std::array<Knots, 3>& axes = volume.displacement.axes;
     const auto found = std::ranges::find_if(sorted_, [&](const Sorted& s) {
@@ -107,6 +132,38 @@ Part Laying::deformed(const Ref<Mesh>& mesh, const Embedding& embedding, const L
                        : Sorted{make_ref(Rest{mesh, embedding}), axes,
                                 std::make_shared<const Deformer>(mesh, embedding, axes)});
     return {make_ref((*used.back().deformer)(volume)), glm::dmat4(1), used.back().rest};
+}
+
+Ref<Laid> Laying::travelled(const Ref<Laid>& at_rest, const Travel& travel,
+                            const PlacementParameters& parameters, double seconds, Timings& timings)
+{
+    if (!at_rest->placement || travel.speed == 0) return at_rest;
+    const auto last = std::ranges::find_if(moved_, [&](const Moved& m) {
+        return m.at_rest == at_rest && m.journey->travel() == travel;
+    });
+    const Ref<Journey> journey =
+        last != moved_.end()
+            ? last->journey
+            : std::make_shared<const Journey>(travel, parameters, at_rest->placement->contact);
+    const Journey::Place place = journey->at(seconds);
+    const auto found = std::ranges::find_if(
+        moved_, [&](const Moved& m) { return m.journey == journey && m.place == place; });
+    if (found != moved_.end()) {
+        std::rotate(moved_.begin(), found, found + 1);
+        return moved_.front().laid;
+    }
+    Laid laid = *at_rest;
+    laid.journey = journey;
+    if (place.hidden)
+        laid.parts.clear();
+    else if (place.shift_u != 0)
+        timed(timings, "deform", [&] {
+            laid.volume = reaching(at_rest->volume, *journey, parameters, place.shift_u);
+            for (Part& part : laid.parts) part = shifted(part, *laid.volume, place.shift_u);
+        });
+    moved_.insert(moved_.begin(), {at_rest, journey, place, make_ref(std::move(laid))});
+    if (moved_.size() > kept_results) moved_.pop_back();
+    return moved_.front().laid;
 }
 
 void Laying::add_meshes(std::set<Ref<Mesh>>& meshes) const

@@ -20,6 +20,8 @@ struct Laid {
     Ref<Placement> placement; // null: rejected
     Ref<RayScene> scene;      // that the stroke fell on
     std::vector<Part> parts;  // in the world
+    Ref<Lattice> volume;      // that they were deformed by
+    Ref<Journey> journey;     // null: it does not travel
     std::string rejected;
 };
 
@@ -42,6 +44,9 @@ public:
     Ref<Laid> operator()(const Ref<Shape>& shape, const glm::dmat3& turned,
                          const PlacementStep& step, const std::vector<Support>& supports,
                          RayMeshes& ray_meshes, Timings& timings);
+    // The same some seconds after it set out; what rests is as it was. Stage: deform.
+    Ref<Laid> travelled(const Ref<Laid>& at_rest, const Travel& travel,
+                        const PlacementParameters& parameters, double seconds, Timings& timings);
     void add_meshes(std::set<Ref<Mesh>>& meshes) const; // that the kept results fell on
 
 private:
@@ -59,15 +64,22 @@ private:
     };
     Ref<RayScene> scene_of(const std::vector<Support>& supports, RayMeshes& ray_meshes,
                            Timings& timings);
+    struct Moved {
+        Ref<Laid> at_rest;
+        Ref<Journey> journey;
+        Journey::Place place;
+        Ref<Laid> laid;
+    };
     Laid lay(const Shape& shape, const glm::dmat3& turned, const PlacementStep& step,
              const RayScene& scene, Timings& timings);
     Part deformed(const Ref<Mesh>& mesh, const Embedding& embedding, const Lattice& volume,
-                  std::vector<Sorted>& used);
+                  std::vector<Sorted>& used) const;
 
     std::vector<Known> known_; // the latest first
     std::vector<Support> scene_supports_;
     Ref<RayScene> scene_;
     std::vector<Sorted> sorted_;
+    std::vector<Moved> moved_; // the latest first
 };
 
 } // namespace trivar

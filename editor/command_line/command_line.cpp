@@ -35,12 +35,15 @@ CLI::App* add_replay(CLI::App& app, ReplayOptions& o)
         "Examples:\n"
         "  trivar replay snake.trivar --image snake.png --size 1920x1080\n"
         "  trivar replay snake.trivar --export snake.glb snake.obj\n"
+        "  trivar replay ants.trivar --frame 48 --image ants_048.png\n"
         "  trivar replay snake.trivar --set terrain.obj=/data/alps.obj --image alps.png\n"
         "  trivar replay snake.trivar --check          # status 3 if a digest differs");
     replay->add_option("LOG", o.log, "the scene")->required()->type_name("FILE");
     replay->add_option("--to", o.to, "stop after line N of the file")
         ->type_name("N")
         ->check(CLI::Range(1, 1 << 30));
+    replay->add_option("--frame", o.frame, "what moves as it is in frame N; the first if left out")
+        ->type_name("N");
     replay->add_option("--set", o.relinked, "use FILE where the scene names the file NAME")
         ->type_name("NAME=FILE")
         ->allow_extra_args(false);
@@ -60,7 +63,8 @@ CLI::App* add_replay(CLI::App& app, ReplayOptions& o)
         ->type_name("NAME");
     replay->add_flag("--check", o.check,
                      "compare with the digests in the file, and one thread with all of them");
-    replay->add_flag("--digest", o.digest, "print the digests as a line to append to the scene");
+    replay->add_flag("--digest", o.digest, "print the digests as a line to append to the scene")
+        ->excludes("--frame");
     replay->add_option("--timings", o.timings, "write how long each stage took, as JSON")
         ->type_name("OUT.json");
     replay->add_option("--threads", o.threads, "use at most N threads")

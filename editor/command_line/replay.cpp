@@ -117,16 +117,27 @@ void check_line(Replayed& replayed, const LogLine& line, const std::string& name
         compare(line.effects, digest(evaluator(document)), "result's digest");
 }
 
+double frame_of(const ReplayOptions& options, const Document& document)
+{
+    const Time& time = document.time;
+    const int frame = options.frame.value_or(time.first_frame);
+    if (frame < time.first_frame || frame > time.last_frame)
+        throw Rejected(fmt::format("--frame {}: the scene's frames are {} to {}", frame,
+                                   time.first_frame, time.last_frame));
+    return frame;
+}
+
 // One thread must give the same bits as many, and nothing may be missing.
 void check_result(Replayed& replayed, const ReplayOptions& options, const Streams& streams)
 {
     const ThreadLimit one_thread(1);
     Evaluator again(asset_store(options));
-    if (digest(again(replayed.document)) != digest(replayed.evaluated))
+    if (digest(again(replayed.document, frame_of(options, replayed.document))) !=
+        digest(replayed.evaluated))
         differs(replayed, streams,
                 fmt::format("{}: one thread gives another result than all of them", options.log));
     for (const auto& [id, ref] : replayed.evaluated.objects)
-        if (ref->parts.empty() || !ref->rejected.empty())
+        if ((ref->parts.empty() && !ref->placement) || !ref->rejected.empty())
             differs(replayed, streams,
                     fmt::format("{}: {} is not as it was meant: {}", options.log,
                                 object(replayed.document, id).name,
@@ -153,7 +164,8 @@ Replayed replay(const ReplayOptions& options, const Streams& streams)
     }
     result.document = history.document();
     check_relinked(options, result.document);
-    result.evaluated = evaluator(result.document, shown_progress(streams));
+    result.evaluated =
+        evaluator(result.document, frame_of(options, result.document), shown_progress(streams));
     if (streams.terminal) streams.talk << "\r\x1b[K";
     result.timings.add(result.evaluated.timings);
     for (const auto& [id, ref] : result.evaluated.objects)

@@ -4,6 +4,8 @@
 #include "core/base/rejected.h"
 #include "editor/command_line/command_line.h"
 
+#include <optional>
+
 namespace trivar {
 
 // An option's value that is no value of that option: status 2.
@@ -13,7 +15,8 @@ struct WrongUsage : Rejected {
 
 struct ReplayOptions {
     std::string log;
-    int to = 0; // line of the file; 0: all
+    int to = 0;               // line of the file; 0: all
+    std::optional<int> frame; // nothing: the first
     std::vector<std::string> relinked, exports;
     std::string image, size = "1280x720", camera, quality = "standard";
     bool check = false, digest = false;

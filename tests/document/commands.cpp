@@ -124,9 +124,11 @@ std::vector<Command> fitting_commands()
             Place{.object = 2, .sketch = small_sketch(), .parameters = {}, .onto = {1}},
             EditPlacement{.object = 3, .parameters = flat, .sketch = {}, .onto = {}},
             Unplace{.object = 3},
+            SetTravel{.objects = {3}, .travel = {.speed = 0.5, .ends = Ends::loop}},
             SaveCamera{.name = "side", .camera = {}},
             DeleteCamera{.name = "front"},
-            SetRender{.settings = {.look = "clay"}}};
+            SetRender{.settings = {.look = "clay"}},
+            SetTime{.time = {.first_frame = 0, .last_frame = 99, .frames_per_second = 29.97}}};
 }
 
 Command random_command(std::mt19937& random)

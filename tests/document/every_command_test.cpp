@@ -18,7 +18,7 @@ std::map<Id, Ref<Object>> pointers(const Document& document)
 bool same(const Document& a, const Document& b)
 {
     return pointers(a) == pointers(b) && a.next_id == b.next_id && a.bookmarks == b.bookmarks &&
-           a.render == b.render && a.rows == b.rows;
+           a.render == b.render && a.rows == b.rows && a.time == b.time;
 }
 
 TEST(EveryCommand, HasAFittingExampleHere)

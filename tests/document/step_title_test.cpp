@@ -50,14 +50,35 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Place Ball on Table",
         "Offset of Pot 1",
         "Take Pot off its stroke",
+        "Let Pot travel 0.5 m/s",
         "Keep side",
         "Forget front",
         "Look clay",
+        "Frames 3 values",
     };
     const std::vector<Command> commands = testing::fitting_commands();
     ASSERT_EQ(commands.size(), expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i)
         EXPECT_EQ(said(testing::fitting_document(), commands[i]), expected[i]);
+}
+
+TEST(StepTitle, NamesWhatChangedOfATravel)
+{
+    const Travel before{.speed = 0.5};
+    const Document document = after(small_document(), SetTravel{{3}, before});
+    const auto edited = [&](auto change) {
+        Travel travel = before;
+        change(travel);
+        return said(document, SetTravel{{3}, travel});
+    };
+    EXPECT_EQ(edited([](Travel& t) { t.speed = 0; }), "Let Pot rest");
+    EXPECT_EQ(edited([](Travel& t) { t.speed = 0.75; }), "Speed of Pot 0.75 m/s");
+    EXPECT_EQ(edited([](Travel& t) { t.ends = Ends::back_and_forth; }),
+              "Ends of Pot back and forth");
+    EXPECT_EQ(edited([](Travel& t) { t.start_frame = 24; }), "Start of Pot at frame 24");
+    EXPECT_EQ(edited([](Travel& t) { t.ease_in = t.ease_out = 0.5; }),
+              "Ease in and ease out of Pot");
+    EXPECT_EQ(said(document, SetTime{{1, 120, 24}}), "Last frame 120");
 }
 
 TEST(StepTitle, NamesTheOneNumberOfAPlacementThatChanged)

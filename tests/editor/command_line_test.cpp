@@ -71,6 +71,8 @@ TEST(CommandLine, WrongUsageIsStatusTwoAndNoResult)
          std::vector<std::vector<std::string>>{{"replay"},
                                                {"--wings"},
                                                {"replay", "a", "--to", "x"},
+                                               {"replay", "a", "--frame", "x"},
+                                               {"replay", "a", "--frame", "3", "--digest"},
                                                {"replay", "a", "--size", "9x"},
                                                {"replay", "a", "--set", "triangle.obj"},
                                                {"commands", "--json", "--markdown"}}) {
@@ -99,6 +101,25 @@ TEST(Replay, RejectsWithFileAndLine)
     EXPECT_EQ(run({"replay", folder.file("missing.trivar")}).status, Status::rejected);
     EXPECT_EQ(run({"replay", folder.path().string()}).status, Status::rejected);
     EXPECT_EQ(run({"replay", "/dev/zero"}).status, Status::rejected);
+}
+
+TEST(Replay, ShowsWhatMovesInTheFrameThatIsAskedFor)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.trivar");
+    write(path, scene_text() + command_line(SetTravel{{2}, {.speed = 1, .ends = Ends::run_on}}));
+    const auto at = [&](const std::string& frame) {
+        const std::string out = folder.file("a" + frame + ".ply");
+        const Ran ran = run({"replay", path, "--frame", frame, "--check", "--export", out});
+        EXPECT_EQ(ran.status, Status::done) << ran.talk;
+        return read_text_file(out);
+    };
+    ASSERT_EQ(run({"replay", path, "--export", folder.file("a.ply")}).status, Status::done);
+    EXPECT_TRUE(at("1") == read_text_file(folder.file("a.ply")));
+    EXPECT_FALSE(at("48") == at("1"));
+    const Ran beyond = run({"replay", path, "--frame", "241"});
+    EXPECT_EQ(beyond.status, Status::rejected);
+    EXPECT_THAT(beyond.talk, HasSubstr("--frame 241: the scene's frames are 1 to 240"));
 }
 
 TEST(Replay, ChecksItsOwnDigestsWithAnyNumberOfThreads)

@@ -38,6 +38,8 @@ Document applied(Document document, const Unplace& command);
 Document applied(Document document, const SaveCamera& command);
 Document applied(Document document, const DeleteCamera& command);
 Document applied(Document document, const SetRender& command);
+Document applied(Document document, const SetTime& command);
+Document applied(Document document, const SetTravel& command);
 
 // The ids of a list. Throws Rejected if it is empty, an object does not exist or is named twice.
 std::set<Id> distinct(const Document& document, const std::vector<Id>& ids);

@@ -80,6 +80,11 @@ std::string in_degrees(double value)
     return brief_number(value) + "°";
 }
 
+std::string in_seconds(double value)
+{
+    return brief_number(value) + " s";
+}
+
 Changes changes(const PlacementParameters& before, const PlacementParameters& after)
 {
     const PlacementParameters &a = before, &b = after;
@@ -154,6 +159,41 @@ Changes changes(const RenderSettings& before, const RenderSettings& after)
         return std::string(choice_names<ColorBy>[static_cast<std::size_t>(by)]);
     });
     compare("Ground", before.ground, after.ground, either("on", "off"));
+    return compare.take();
+}
+
+Changes changes(const Travel& before, const Travel& after)
+{
+    const auto ends = [](Ends e) -> std::string {
+        switch (e) {
+        case Ends::stay: return "stay";
+        case Ends::hide: return "hide";
+        case Ends::run_on: return "run on";
+        case Ends::loop: return "loop";
+        case Ends::back_and_forth: return "back and forth";
+        }
+        return {};
+    };
+    Compared compare;
+    compare("Speed", before.speed, after.speed, [](double v) { return brief_number(v) + " m/s"; });
+    compare("Ends", before.ends, after.ends, ends);
+    compare("Ease in", before.ease_in, after.ease_in, in_seconds);
+    compare("Ease out", before.ease_out, after.ease_out, in_seconds);
+    compare("Start", before.start_frame, after.start_frame,
+            [](int frame) { return fmt::format("at frame {}", frame); });
+    compare("Duration", before.duration, after.duration,
+            [](double s) { return s == 0 ? std::string("unlimited") : in_seconds(s); });
+    return compare.take();
+}
+
+Changes changes(const Time& before, const Time& after)
+{
+    const auto frame = [](int number) { return std::to_string(number); };
+    Compared compare;
+    compare("First frame", before.first_frame, after.first_frame, frame);
+    compare("Last frame", before.last_frame, after.last_frame, frame);
+    compare("Rate", before.frames_per_second, after.frames_per_second,
+            [](double fps) { return brief_number(fps) + " fps"; });
     return compare.take();
 }
 

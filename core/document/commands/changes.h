@@ -17,11 +17,14 @@ using Changes = std::vector<Change>;
 Changes changes(const PlacementParameters& before, const PlacementParameters& after);
 Changes changes(const Surfacing& before, const Surfacing& after);
 Changes changes(const RenderSettings& before, const RenderSettings& after);
+Changes changes(const Travel& before, const Travel& after);
+Changes changes(const Time& before, const Time& after);
 
 // Three significant digits, no trailing zeros: "0.24", "12.3", "4".
 std::string brief_number(double value);
 std::string in_metres(double value);
 std::string in_degrees(double value);
+std::string in_seconds(double value);
 
 // "Width of Snake" "0.24 m"; "Width and height of Snake"; `whole` "of Snake" for more of them.
 StepTitle title_of_changes(const Changes& changes, const std::string& whole,

@@ -146,8 +146,17 @@ Document applied(Document document, const EditPlacement& command)
 Document applied(Document document, const Unplace& command)
 {
     check_placed(object(document, command.object), command.object);
-    return with_changed(std::move(document), command.object,
-                        [](Object& o) { o.placement.reset(); });
+    return with_changed(std::move(document), command.object, [](Object& o) {
+        o.placement.reset();
+        o.travel = {};
+    });
+}
+
+Document applied(Document document, const SetTravel& command)
+{
+    for (const Id id : distinct(document, command.objects)) check_placed(object(document, id), id);
+    return with_all_changed(std::move(document), command.objects,
+                            [&](Object& o) { o.travel = command.travel; });
 }
 
 } // namespace trivar

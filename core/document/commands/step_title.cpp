@@ -256,6 +256,16 @@ struct Titles {
     {
         return {"Take " + name_in(before, c.object) + " off its stroke", {}};
     }
+    StepTitle operator()(const SetTravel& c) const
+    {
+        const std::string names = names_in(before, c.objects);
+        const Object* object = c.objects.empty() ? nullptr : was(c.objects.front());
+        const Travel old = object ? object->travel : Travel{};
+        const std::string speed = brief_number(c.travel.speed) + " m/s";
+        if (old.speed == 0 && c.travel.speed != 0) return {"Let " + names + " travel", speed};
+        if (old.speed != 0 && c.travel.speed == 0) return {"Let " + names + " rest", {}};
+        return title_of_changes(changes(old, c.travel), "Travel", names);
+    }
     StepTitle operator()(const SaveCamera& c) const
     {
         if (c.name == "picture") return {"Use this view for pictures", {}};
@@ -265,6 +275,10 @@ struct Titles {
     StepTitle operator()(const SetRender& c) const
     {
         return title_of_changes(changes(*before.render, c.settings), "Picture settings", {});
+    }
+    StepTitle operator()(const SetTime& c) const
+    {
+        return title_of_changes(changes(before.time, c.time), "Frames", {});
     }
 };
 

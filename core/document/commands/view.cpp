@@ -3,6 +3,8 @@
 #include "core/document/commands/apply.h"
 #include "core/document/commands/check.h"
 
+#include <fmt/format.h>
+
 namespace trivar {
 
 Document applied(Document document, const SaveCamera& command)
@@ -23,6 +25,15 @@ Document applied(Document document, const DeleteCamera& command)
 Document applied(Document document, const SetRender& command)
 {
     document.render = make_ref(command.settings);
+    return document;
+}
+
+Document applied(Document document, const SetTime& command)
+{
+    if (command.time.last_frame < command.time.first_frame)
+        throw Rejected(fmt::format("field \"last_frame\" is {}, before the first frame, {}",
+                                   command.time.last_frame, command.time.first_frame));
+    document.time = command.time;
     return document;
 }
 

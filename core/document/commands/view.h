@@ -43,6 +43,22 @@ template <> struct FieldsOf<RenderSettings> {
         field("ground", s.ground, "a ground under the scene that catches shadows");
     }
 };
+template <> struct FieldsOf<Time> {
+    static void fields(auto& t, auto&& field)
+    {
+        field("first_frame", t.first_frame, "where playing begins", between(-999999, 999999));
+        field("last_frame", t.last_frame, "where it ends, itself shown", between(-999999, 999999));
+        field("frames_per_second", t.frames_per_second, "how fast they follow each other",
+              between(0.1, 1000));
+    }
+};
+struct SetTime {
+    static constexpr std::string_view verb = "set_time",
+                                      summary = "Say which frames the scene has, as a whole.";
+    Time time;
+    bool operator==(const SetTime&) const = default;
+    static void fields(auto& c, auto&& field) { FieldsOf<Time>::fields(c.time, field); }
+};
 struct SetRender {
     static constexpr std::string_view verb = "set_render",
                                       summary = "Say how the picture is made, as a whole.";

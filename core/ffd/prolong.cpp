@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/ffd/prolong.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace trivar {
+namespace {
+
+std::ptrdiff_t slice_size(const Trivariate<glm::dvec3>& f)
+{
+    return std::ssize(f.points) / f.axes[0].count();
+}
+
+// u turned round: F(-u).
+Trivariate<glm::dvec3> mirrored(const Trivariate<glm::dvec3>& f)
+{
+    std::vector<double> knots = f.axes[0].values();
+    std::ranges::reverse(knots);
+    for (double& t : knots) t = -t;
+    Trivariate<glm::dvec3> out{{Knots::general(f.axes[0].order(), knots), f.axes[1], f.axes[2]},
+                               f.points};
+    const std::ptrdiff_t size = slice_size(f), count = f.axes[0].count();
+    for (std::ptrdiff_t i = 0; i < count; ++i)
+        std::copy_n(f.points.begin() + i * size, size, out.points.begin() + (count - 1 - i) * size);
+    return out;
+}
+
+// Control points are blossoms at `degree` knots in a row (Ramshaw 1989). With the end as a knot of
+// multiplicity degree - 1, for one derivative to be continuous, the last one gives way to those of
+// the straight piece: P + (mean of the knots - end) F'.
+Trivariate<glm::dvec3> prolonged_end(const Trivariate<glm::dvec3>& f, double to)
+{
+    const Knots& axis = f.axes[0];
+    const double end = axis.end();
+    if (!(to > end)) return f;
+    const int degree = axis.degree();
+    const std::ptrdiff_t size = slice_size(f);
+    std::vector<double> knots = axis.values();
+    const double before = knots[static_cast<std::size_t>(axis.count() - 1)];
+    knots.resize(knots.size() - 2);
+    knots.insert(knots.end(), static_cast<std::size_t>(degree) + 1, to);
+    Trivariate<glm::dvec3> out{{Knots::general(axis.order(), knots), f.axes[1], f.axes[2]},
+                               {f.points.begin(), f.points.end() - size}};
+    const auto last = f.points.end() - size, previous = last - size;
+    for (int n = 1; n <= degree; ++n) // of the knots are at `to`
+        for (std::ptrdiff_t s = 0; s < size; ++s) {
+            const glm::dvec3 slope = (last[s] - previous[s]) * (degree / (end - before));
+            out.points.push_back(last[s] + slope * ((to - end) * n / degree));
+        }
+    return out;
+}
+
+} // namespace
+
+Lattice prolonged(const Lattice& lattice, double from, double to)
+{
+    assert(lattice.displacement.axes[0].closure() == Closure::open);
+    Lattice out = lattice;
+    if (from < lattice.displacement.axes[0].begin())
+        out.displacement = mirrored(prolonged_end(mirrored(out.displacement), -from));
+    out.displacement = prolonged_end(out.displacement, to);
+    return out;
+}
+
+Lattice twice_round(const Lattice& lattice)
+{
+    const Trivariate<glm::dvec3>& f = lattice.displacement;
+    const Knots& axis = f.axes[0];
+    assert(axis.closure() == Closure::open);
+    std::vector<double> knots(axis.values().begin(), axis.values().end() - 1);
+    for (std::size_t i = static_cast<std::size_t>(axis.order()); i < axis.values().size(); ++i)
+        knots.push_back(axis.values()[i] + (axis.end() - axis.begin()));
+    Lattice out{{{Knots::general(axis.order(), knots), f.axes[1], f.axes[2]}, f.points},
+                lattice.rest};
+    out.displacement.points.insert(out.displacement.points.end(), f.points.begin() + slice_size(f),
+                                   f.points.end());
+    return out;
+}
+
+} // namespace trivar

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/placement/travel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace trivar {
+namespace {
+
+constexpr std::size_t chords = 1024;
+constexpr double endless = std::numeric_limits<double>::infinity();
+
+double modulo(double x, double period)
+{
+    return x - period * std::floor(x / period);
+}
+
+// Whether the strip's ends lie on each other, as far as the strip is wide.
+bool ends_meet(const Surface<glm::dvec3>& contact)
+{
+    constexpr double near_enough = 0.02; // of the width
+    const auto at = [&](double u, double v) { return evaluate(contact, {u, v}).value; };
+    const double width = glm::distance(at(0, 0), at(0, 1));
+    for (const double v : {0.0, 0.5, 1.0})
+        if (glm::distance(at(0, v), at(1, v)) > near_enough * width) return false;
+    return true;
+}
+
+} // namespace
+
+MiddleLine::MiddleLine(const Surface<glm::dvec3>& contact)
+    : length_{0},
+      first_(glm::length(evaluate(contact, {0, 0.5}, 1).u)),
+      last_(glm::length(evaluate(contact, {1, 0.5}, 1).u)),
+      closed_(ends_meet(contact))
+{
+    glm::dvec3 before = evaluate(contact, {0, 0.5}).value;
+    for (std::size_t i = 1; i <= chords; ++i) {
+        const double u = static_cast<double>(i) / chords;
+        const glm::dvec3 p = evaluate(contact, {u, 0.5}).value;
+        length_.push_back(length_.back() + glm::distance(before, p));
+        before = p;
+    }
+}
+
+double MiddleLine::length_at(double u) const
+{
+    if (u <= 0) return u * first_;
+    if (u >= 1) return length() + (u - 1) * last_;
+    const double at = u * chords;
+    const auto i = std::min(static_cast<std::size_t>(at), chords - 1);
+    return length_[i] + (at - static_cast<double>(i)) * (length_[i + 1] - length_[i]);
+}
+
+double MiddleLine::u_at(double length) const
+{
+    if (length <= 0) return first_ > 0 ? length / first_ : 0;
+    if (length >= this->length()) return last_ > 0 ? 1 + (length - this->length()) / last_ : 1;
+    const auto next = std::upper_bound(length_.begin(), length_.end(), length);
+    const auto i = static_cast<std::size_t>(next - length_.begin()) - 1;
+    return (static_cast<double>(i) + (length - length_[i]) / (length_[i + 1] - length_[i])) /
+           chords;
+}
+
+// A way that is too short for the speed is covered at a lower one, in the time of the easing.
+Journey::Run Journey::run_over(double way, double speed, double in, double out)
+{
+    if (!(way > 0)) return {};
+    if (speed * (in + out) / 2 > way) speed = 2 * way / (in + out);
+    return {way, speed, in, out};
+}
+
+double Journey::Run::seconds() const
+{
+    return way > 0 ? way / speed + (in + out) / 2 : 0;
+}
+
+double Journey::Run::covered(double t) const
+{
+    const double end = seconds();
+    if (t <= 0) return 0;
+    if (t >= end) return way;
+    if (t < in) return speed * t * t / (2 * in);
+    if (t > end - out) return way - speed * (end - t) * (end - t) / (2 * out);
+    return speed * (t - in / 2);
+}
+
+// The run as far as its time lasts, at the end of which it slows down.
+Journey::Run Journey::limited(const Run& run) const
+{
+    const double time = travel_.duration;
+    if (time <= 0 || run.seconds() <= time) return run;
+    double in = travel_.ease_in, out = travel_.ease_out;
+    if (const double both = in + out; both > time) {
+        in *= time / both;
+        out *= time / both;
+    }
+    const double speed = std::abs(travel_.speed), way = speed * (time - (in + out) / 2);
+    // Where slowing down takes it as far as the end, it gets there as if there were no limit.
+    return way < run.way ? Run{way, speed, in, out} : run;
+}
+
+Journey::Journey(const Travel& travel, const PlacementParameters& parameters,
+                 const Surface<glm::dvec3>& contact)
+    : travel_(travel),
+      line_(contact),
+      fill_(parameters.fill),
+      middle_(parameters.start + parameters.fill / 2),
+      from_(line_.length_at(middle_)),
+      least_(line_.length_at(parameters.fill / 2)),
+      most_(line_.length_at(1 - parameters.fill / 2))
+{
+    constexpr double least_room = 1e-6; // of the length: less is rounding
+    direction_ = (travel.speed < 0) != parameters.reverse ? -1 : 1;
+    rounds_ = travel.ends == Ends::loop && line_.closed();
+    has_room_ =
+        rounds_ || travel.ends == Ends::run_on || most_ - least_ > least_room * line_.length();
+    if (!has_room_ || travel.speed == 0) return;
+    const double speed = std::abs(travel.speed), in = travel.ease_in, out = travel.ease_out;
+    const double room = std::max(0.0, direction_ > 0 ? most_ - from_ : from_ - least_);
+    switch (travel.ends) {
+    case Ends::stay: run_ = limited(run_over(room, speed, in, out)); break;
+    case Ends::hide: run_ = limited(run_over(room, speed, in, 0)); break;
+    case Ends::run_on:
+    case Ends::loop: run_ = limited(run_over(endless, speed, in, 0)); break;
+    case Ends::back_and_forth:
+        run_ = run_over(room, speed, in, out);
+        back_ = run_over(most_ - least_, speed, in, out);
+        break;
+    }
+}
+
+double Journey::turned_length(double seconds) const
+{
+    if (travel_.duration > 0) seconds = std::min(seconds, travel_.duration);
+    if (seconds < run_.seconds()) return from_ + direction_ * run_.covered(seconds);
+    seconds -= run_.seconds();
+    const double legs = std::floor(seconds / back_.seconds());
+    const double covered = back_.covered(seconds - legs * back_.seconds());
+    const bool returning = std::fmod(legs, 2) == 0;
+    const bool falls = returning == (direction_ > 0);
+    return falls ? most_ - covered : least_ + covered;
+}
+
+Journey::Place Journey::at(double seconds) const
+{
+    if (!(seconds > 0) || !has_room_ || travel_.speed == 0) return {};
+    double length = from_ + direction_ * run_.covered(seconds);
+    if (travel_.ends == Ends::back_and_forth) length = turned_length(seconds);
+    if (travel_.ends == Ends::loop && !rounds_)
+        length = least_ + modulo(length - least_, most_ - least_);
+    if (!rounds_) {
+        const bool gone = travel_.ends == Ends::hide && seconds >= run_.seconds() &&
+                          (direction_ > 0 ? most_ - length : length - least_) <= 1e-9 * most_;
+        return {line_.u_at(length) - middle_, gone};
+    }
+    const double middle = line_.u_at(modulo(length, line_.length()));
+    return {(middle < fill_ / 2 ? middle + 1 : middle) - middle_, false};
+}
+
+double Journey::seconds() const
+{
+    if (!has_room_ || travel_.speed == 0) return 0;
+    if (travel_.ends != Ends::back_and_forth) return run_.seconds();
+    return travel_.duration > 0 ? travel_.duration : endless;
+}
+
+double Journey::speed_for(double seconds) const
+{
+    const bool ends = travel_.ends == Ends::stay || travel_.ends == Ends::hide;
+    if (!ends || !has_room_ || travel_.duration > 0) return travel_.speed;
+    const double in = travel_.ease_in, out = travel_.ends == Ends::stay ? travel_.ease_out : 0;
+    const double speed = run_.way / std::max(seconds - (in + out) / 2, (in + out) / 2);
+    return std::isfinite(speed) ? std::copysign(speed, travel_.speed) : travel_.speed;
+}
+
+} // namespace trivar

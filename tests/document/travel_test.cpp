@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/parallel.h"
+#include "core/base/rejected.h"
+#include "core/document/command.h"
+#include "core/document/evaluate.h"
+#include "tests/document/commands.h"
+
+#include <gmock/gmock.h>
+
+namespace trivar {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::small_document, testing::small_sketch;
+
+Evaluator new_evaluator()
+{
+    return Evaluator(std::make_shared<const AssetStore>("."));
+}
+
+// The teapot fills a fifth of its stroke and travels.
+Document with_travel(const Travel& travel)
+{
+    PlacementParameters p;
+    p.fill = 0.2;
+    return after(after(small_document(), EditPlacement{3, p, {}, {}}), SetTravel{{3}, travel});
+}
+
+std::string shown(Evaluator& evaluate, const Document& document, double frame)
+{
+    return digest(evaluate(document, frame));
+}
+
+TEST(Travel, AnyFrameIsTheSameDirectlyAndAfterPlaying)
+{
+    for (const Ends ends : {Ends::stay, Ends::run_on, Ends::loop, Ends::back_and_forth}) {
+        const Document document = with_travel({.speed = 0.4, .ends = ends, .ease_in = 0.5});
+        Evaluator playing = new_evaluator();
+        std::string at_60;
+        for (int frame = 1; frame <= 60; frame += 7) shown(playing, document, frame);
+        at_60 = shown(playing, document, 60);
+        Evaluator direct = new_evaluator();
+        EXPECT_EQ(shown(direct, document, 60), at_60);
+        EXPECT_EQ(shown(direct, document, 1), shown(playing, document, 1)); // and back
+        const ThreadLimit one(1);
+        Evaluator alone = new_evaluator();
+        EXPECT_EQ(shown(alone, document, 60), at_60);
+        EXPECT_NE(shown(alone, document, 59), at_60);
+    }
+}
+
+TEST(Travel, WithoutSpeedOrBeforeItSetsOutKeepsEveryBit)
+{
+    Evaluator evaluate = new_evaluator();
+    const std::string at_rest = shown(evaluate, with_travel({}), 1);
+    EXPECT_EQ(shown(evaluate, with_travel({.speed = 0, .ends = Ends::loop}), 50), at_rest);
+    const Document later = with_travel({.speed = 1, .start_frame = 20});
+    EXPECT_EQ(shown(evaluate, later, 20), at_rest);
+    EXPECT_NE(shown(evaluate, later, 21), at_rest);
+}
+
+TEST(Travel, DeformsWhatMovesAndNothingElse)
+{
+    Evaluator evaluate = new_evaluator();
+    const Document document = with_travel({.speed = 0.4});
+    const Evaluated first = evaluate(document, 1), later = evaluate(document, 30);
+    EXPECT_EQ(later.objects.at(1), first.objects.at(1));
+    EXPECT_NE(later.objects.at(3), first.objects.at(3));
+    EXPECT_EQ(later.objects.at(3)->placement, first.objects.at(3)->placement); // not laid again
+    for (const Timings::Stage& stage : later.timings.stages) EXPECT_EQ(stage.name, "deform");
+    EXPECT_EQ(evaluate(document, 30).objects.at(3), later.objects.at(3));
+}
+
+TEST(Travel, HidesWhatIsGoneAndSaysWhereThereIsNoRoom)
+{
+    Evaluator evaluate = new_evaluator();
+    const Document document = with_travel({.speed = 10, .ends = Ends::hide});
+    EXPECT_TRUE(evaluate(document, 240).objects.at(3)->parts.empty());
+    EXPECT_FALSE(evaluate(document, 1).objects.at(3)->parts.empty());
+    const Document full = after(small_document(), SetTravel{{3}, {.speed = 1}});
+    EXPECT_THAT(evaluate(full).objects.at(3)->notices, ::testing::Contains(HasSubstr("no room")));
+}
+
+TEST(Travel, LaysWhatLiesOnAMovingThingAgain)
+{
+    AddTorus ring;
+    ring.shape = {.radius = 0.1, .tube = 0.03, .segments = {24, 12}};
+    Sketch sketch = small_sketch();
+    for (StrokeSample& sample : sketch.samples) sample.p_px.x = 540 + (sample.p_px.x - 440) / 2;
+    const Document document =
+        after(after(with_travel({.speed = 0.4}), ring), Place{5, sketch, {}, {1, 3}});
+    Evaluator evaluate = new_evaluator();
+    const auto first = evaluate(document, 1).objects, later = evaluate(document, 40).objects;
+    EXPECT_NE(first.at(5)->placement, later.at(5)->placement);
+}
+
+TEST(Travel, FollowsTheClockAndNotTheFrames)
+{
+    Evaluator evaluate = new_evaluator();
+    const Document document = with_travel({.speed = 0.4});
+    const Document fast = after(document, SetTime{{1, 480, 48}});
+    EXPECT_EQ(shown(evaluate, fast, 49), shown(evaluate, document, 25)); // a second later both
+}
+
+TEST(Travel, StaysWithAStrokeThatIsDrawnAnewAndGoesWithIt)
+{
+    const Document document = with_travel({.speed = 0.4});
+    const Document again = after(document, Place{3, small_sketch(), {}, {1}});
+    EXPECT_EQ(object(again, 3).travel, object(document, 3).travel);
+    EXPECT_EQ(object(after(document, Unplace{3}), 3).travel, Travel{});
+}
+
+TEST(Travel, IsRefusedForWhatIsNotPlacedAndForNonsense)
+{
+    const auto why = [](const Command& command) -> std::string {
+        try {
+            after(small_document(), command);
+        } catch (const Rejected& rejected) {
+            return rejected.what();
+        }
+        return "";
+    };
+    EXPECT_THAT(why(SetTravel{{2}, {.speed = 1}}), HasSubstr("is not placed"));
+    EXPECT_THAT(why(SetTravel{{3}, {.ease_in = -1}}), HasSubstr("ease_in"));
+    EXPECT_THAT(why(SetTravel{{3}, {.speed = std::nan("")}}), HasSubstr("speed"));
+    EXPECT_THAT(why(SetTime{{10, 9, 24}}), HasSubstr("before the first frame"));
+    EXPECT_THAT(why(SetTime{{1, 9, 0}}), HasSubstr("frames_per_second"));
+}
+
+} // namespace
+} // namespace trivar
