@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/ffd/axis_cells.h"
 
+#include "core/base/index.h"
 #include "core/ffd/lattice.h"
 
 #include <algorithm>
@@ -10,11 +11,6 @@ namespace trivar {
 namespace {
 
 using Polynomial = std::array<double, max_order>;
-
-std::size_t at(int i)
-{
-    return static_cast<std::size_t>(i);
-}
 
 // (a + b t) p
 Polynomial times(const Polynomial& p, double a, double b)

@@ -37,30 +37,30 @@ std::string_view json_chunk(const FileText& file)
     if (bytes.size() < 20 || bytes.substr(0, 4) != "glTF") fail(file, "this is no GLB file");
     if (word_at(bytes, 4) != 2)
         fail(file, fmt::format("this is glTF {}, only 2 can be read", word_at(bytes, 4)));
-    const std::size_t length = word_at(bytes, 8), json = word_at(bytes, 12);
-    if (length > bytes.size() || length < 20 || json > length - 20)
+    const std::size_t length = word_at(bytes, 8), text = word_at(bytes, 12);
+    if (length > bytes.size() || length < 20 || text > length - 20)
         fail(file, "the file is cut off");
     if (word_at(bytes, 16) != 0x4e4f534a) fail(file, "the first chunk of the file is no JSON");
-    const std::size_t end = 20 + json;
+    const std::size_t end = 20 + text;
     if (end < length && (length - end < 8 || word_at(bytes, end) > length - end - 8))
         fail(file, "the binary chunk is cut off");
-    return bytes.substr(20, json);
+    return bytes.substr(20, text);
 }
 
 // Parsers of JSON recurse; this does not.
-void check_nesting(std::string_view json, const FileText& file)
+void check_nesting(std::string_view source, const FileText& file)
 {
     int depth = 0;
-    bool text = false;
-    for (std::size_t i = 0; i < json.size(); ++i) {
-        const char c = json[i];
-        if (text) {
+    bool quoted = false;
+    for (std::size_t i = 0; i < source.size(); ++i) {
+        const char c = source[i];
+        if (quoted) {
             if (c == '\\')
                 ++i;
             else if (c == '"')
-                text = false;
+                quoted = false;
         } else if (c == '"') {
-            text = true;
+            quoted = true;
         } else if (c == '{' || c == '[') {
             if (++depth > max_nesting) fail(file, "its JSON is nested too deep");
         } else if (c == '}' || c == ']') {
@@ -69,24 +69,24 @@ void check_nesting(std::string_view json, const FileText& file)
     }
 }
 
-void check_structure(const nlohmann::json& json, bool binary, const FileText& file)
+void check_structure(const nlohmann::json& root, bool binary, const FileText& file)
 {
-    if (!json.is_object()) fail(file, "its JSON is damaged");
-    const auto asset = json.find("asset");
-    if (asset == json.end() || !asset->is_object() || !asset->contains("version") ||
+    if (!root.is_object()) fail(file, "its JSON is damaged");
+    const auto asset = root.find("asset");
+    if (asset == root.end() || !asset->is_object() || !asset->contains("version") ||
         !(*asset)["version"].is_string() ||
         (*asset)["version"].get_ref<const std::string&>().substr(0, 1) != "2")
         fail(file, "it does not say that it is glTF 2");
     static const std::set<std::string> known{"KHR_mesh_quantization",
                                              "KHR_materials_emissive_strength"};
-    if (const auto required = json.find("extensionsRequired");
-        required != json.end() && required->is_array())
+    if (const auto required = root.find("extensionsRequired");
+        required != root.end() && required->is_array())
         for (const auto& name : *required)
             if (name.is_string() && !known.contains(name.get<std::string>()))
                 fail(file, fmt::format("it needs the extension {}, which is not supported",
                                        name.get<std::string>()));
-    const auto buffers = json.find("buffers");
-    if (buffers == json.end() || !buffers->is_array()) return;
+    const auto buffers = root.find("buffers");
+    if (buffers == root.end() || !buffers->is_array()) return;
     // Each is copied when it is loaded: two that name one file or one chunk would double it.
     std::set<std::string> uris;
     for (const auto& buffer : *buffers) {

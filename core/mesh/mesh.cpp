@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/mesh.h"
 
+#include "core/base/finite.h"
 #include "core/base/rejected.h"
 
 #include <algorithm>
@@ -12,13 +13,6 @@
 
 namespace trivar {
 namespace {
-
-template <class T> bool finite(const T& vector)
-{
-    for (int i = 0; i < T::length(); ++i)
-        if (!std::isfinite(vector[i])) return false;
-    return true;
-}
 
 template <class T>
 void check_values(const std::vector<T>& values, std::size_t expected, bool may_be_empty,

@@ -10,15 +10,15 @@
 namespace trivar {
 namespace {
 
-constexpr double steepest_step = 3;   // length counted, relative to the length seen
-constexpr double sharpest_turn = 0.5; // off the line between the neighbours, relative to their gap
+constexpr double steepest_step = 3;    // length counted, relative to the length seen
+constexpr double sharpest_ridge = 0.5; // off the line between the neighbours, relative to their gap
 
 bool turns_sharply(const glm::dvec3& before, const glm::dvec3& p, const glm::dvec3& after,
                    const glm::dvec3& direction)
 {
     const glm::dvec3 gap = (after - before) / 2.0;
     const double seen = glm::length(gap - glm::dot(gap, direction) * direction);
-    return std::abs(glm::dot(p - (before + after) / 2.0, direction)) > sharpest_turn * seen;
+    return std::abs(glm::dot(p - (before + after) / 2.0, direction)) > sharpest_ridge * seen;
 }
 
 } // namespace

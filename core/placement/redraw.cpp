@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/placement/redraw.h"
 
+#include "core/placement/sketch.h"
 #include "core/placement/view.h"
 
 #include <algorithm>
@@ -12,7 +13,6 @@ namespace {
 
 using Samples = std::vector<StrokeSample>;
 
-constexpr double closing_px = 10; // as fit_sketch() takes a ring
 
 // Shares of the length up to each sample; evenly spread where it has none.
 std::vector<double> shares(const Samples& samples)
@@ -160,7 +160,7 @@ Sketch bent(const Sketch& sketch, double share, glm::dvec2 by_px, double reach)
     Sketch out = sketch;
     const std::vector<double> at = shares(sketch.samples);
     const bool ring =
-        glm::distance(sketch.samples.front().p_px, sketch.samples.back().p_px) <= closing_px;
+        glm::distance(sketch.samples.front().p_px, sketch.samples.back().p_px) <= ring_closing_px;
     for (std::size_t i = 0; i < at.size(); ++i) {
         double away = std::abs(at[i] - share);
         if (ring) away = std::min(away, 1 - away);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/placement/sketch.h"
 
+#include "core/base/finite.h"
 #include "core/base/rejected.h"
 #include "core/spline/fit.h"
 
@@ -13,12 +14,6 @@ namespace {
 constexpr double shortest_stroke_px = 8;
 constexpr std::size_t most_points = 1000;
 constexpr int most_control_points = 200;
-constexpr double closing_px = 10; // a stroke that ends this near its start is a ring
-
-bool finite(const glm::dvec3& p)
-{
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
 
 void check(const Camera& c)
 {
@@ -56,8 +51,8 @@ std::vector<glm::dvec2> thinned(const std::vector<glm::dvec2>& points, std::size
 // Whether the stroke comes back to where it began.
 bool closes(const std::vector<glm::dvec2>& points)
 {
-    return glm::length(points.back() - points.front()) <= closing_px &&
-           length_of(points) >= 10 * closing_px;
+    return glm::length(points.back() - points.front()) <= ring_closing_px &&
+           length_of(points) >= 10 * ring_closing_px;
 }
 
 Knots with(const Knots& knots, const std::vector<double>& more)

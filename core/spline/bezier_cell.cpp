@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/spline/bezier_cell.h"
 
+#include "core/base/index.h"
+
 namespace trivar {
 namespace {
-
-std::size_t at(int i)
-{
-    return static_cast<std::size_t>(i);
-}
 
 using Row = std::array<double, max_order>;
 

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/spline/derivative.h"
 
+#include "core/base/index.h"
+
 namespace trivar {
 namespace {
-
-std::size_t at(int i)
-{
-    return static_cast<std::size_t>(i);
-}
 
 // P_{i+1} - P_i, and the knot its control point brings into the derivative's sequence.
 struct Difference {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/spline/insert.h"
 
+#include "core/base/index.h"
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 
@@ -9,11 +10,6 @@
 
 namespace trivar {
 namespace {
-
-std::size_t at(int i)
-{
-    return static_cast<std::size_t>(i);
-}
 
 // The first span with a length, at or behind j, of the domain; the last one where there is none.
 int piece_of(const Knots& knots, int j)

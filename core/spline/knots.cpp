@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/spline/knots.h"
 
+#include "core/base/index.h"
 #include "core/base/rejected.h"
 
 #include <algorithm>
@@ -11,11 +12,6 @@ namespace trivar {
 namespace {
 
 using Row = std::array<double, max_order>;
-
-std::size_t at(int i)
-{
-    return static_cast<std::size_t>(i);
-}
 
 // The values of all basis functions of order o that are not zero on span s.
 Row values_of_order(const std::vector<double>& t, int s, int o, double u)

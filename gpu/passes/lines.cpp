@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gpu/passes/overlays.h"
 
+#include "core/base/finite.h"
+
 #include <cmath>
 #include <cstddef>
 #include <epoxy/gl.h>
@@ -13,11 +15,6 @@ struct Segment {
     glm::vec4 color;
     glm::vec3 arc_width; // arc length at both ends, width; pixels
 };
-
-bool finite(const glm::vec3& p)
-{
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
 
 std::vector<Segment> segments_of(const std::vector<Line>& lines, const Frame& frame,
                                  const glm::dvec3& origin_world)

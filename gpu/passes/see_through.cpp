@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gpu/passes/layers.h"
 
+#include "core/base/finite.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -13,11 +15,6 @@ struct Point {
     glm::vec3 p, normal;
     glm::vec4 color;
 };
-
-bool finite(const glm::vec3& p)
-{
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
 
 glm::vec4 color_of(const Translucent& veil, std::size_t point)
 {

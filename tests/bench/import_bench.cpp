@@ -11,9 +11,8 @@
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <benchmark/benchmark.h>
 
+namespace trivar {
 namespace {
-
-using namespace trivar;
 
 // Written once for all measurements: 1000 x 500 quads cut to a million triangles.
 struct MillionTriangles {
@@ -70,3 +69,4 @@ void import_million_triangles_by_openmesh(benchmark::State& state)
 BENCHMARK(import_million_triangles_by_openmesh)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 } // namespace
+} // namespace trivar

@@ -19,7 +19,7 @@ using ::testing::ElementsAre, ::testing::HasSubstr;
 using testing::FullDisk;
 using testing::TemporaryFolder;
 
-const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+const std::string rock = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 void write(const fs::path& path, const std::string& text)
 {
@@ -57,8 +57,8 @@ TEST(Collect, CopiesEachFileOnceAndTakesTheModelsFromThere)
 {
     const TemporaryFolder disk;
     const std::string folder = disk.file("scene/a.assets");
-    write(disk.file("one/rock.obj"), triangle);
-    write(disk.file("two/leaf.obj"), triangle + "# leaf\n");
+    write(disk.file("one/rock.obj"), rock);
+    write(disk.file("two/leaf.obj"), rock + "# leaf\n");
     const AssetStore assets(disk.file("scene"));
     Document document = with_imports({"../one/rock.obj", "../one/rock.obj", "../two/leaf.obj"});
     const Collected done = collect_files(document, assets, folder);
@@ -76,7 +76,7 @@ TEST(Collect, CopiesEachFileOnceAndTakesTheModelsFromThere)
 TEST(Collect, TakesWhatGoesWithAModelAlong)
 {
     const TemporaryFolder disk;
-    write(disk.file("one/rock.obj"), "mtllib my rock.mtl\n" + triangle);
+    write(disk.file("one/rock.obj"), "mtllib my rock.mtl\n" + rock);
     write(disk.file("one/my rock.mtl"), "newmtl a\nmap_Kd -s 1 1 1 maps/grey stone.png\n"
                                         "map_Bump ../../secret.png\n");
     write(disk.file("one/maps/grey stone.png"), "picture");
@@ -99,14 +99,14 @@ TEST(Collect, NeverWritesOverAnotherContentAndReusesAnEqualOne)
 {
     const TemporaryFolder disk;
     const fs::path folder = disk.file("scene/a.assets");
-    write(disk.file("one/rock.obj"), triangle);
-    write(disk.file("two/rock.obj"), triangle + "# other\n");
-    write(folder / "rock.obj", triangle + "# of somebody else\n");
+    write(disk.file("one/rock.obj"), rock);
+    write(disk.file("two/rock.obj"), rock + "# other\n");
+    write(folder / "rock.obj", rock + "# of somebody else\n");
     const AssetStore assets(disk.file("scene"));
     const Document document = with_imports({"../one/rock.obj", "../two/rock.obj"});
     const Collected done = collect_files(document, assets, folder.string());
     EXPECT_THAT(all_in(folder), ElementsAre("rock.obj", "rock/rock.obj", "rock_2/rock.obj"));
-    EXPECT_EQ(read_text_file((folder / "rock.obj").string()), triangle + "# of somebody else\n");
+    EXPECT_EQ(read_text_file((folder / "rock.obj").string()), rock + "# of somebody else\n");
     const Collected again = collect_files(document, assets, folder.string());
     EXPECT_EQ(again.copied, 0u);
     EXPECT_EQ(again.reused, 2u);
@@ -116,8 +116,8 @@ TEST(Collect, NeverWritesOverAnotherContentAndReusesAnEqualOne)
 TEST(Collect, LeavesNothingBehindWhereAFileIsMissingOrTheDiskIsFull)
 {
     const TemporaryFolder disk;
-    write(disk.file("one/a.obj"), triangle);
-    write(disk.file("one/b.obj"), triangle + std::string(100'000, '#') + "\n");
+    write(disk.file("one/a.obj"), rock);
+    write(disk.file("one/b.obj"), rock + std::string(100'000, '#') + "\n");
     fs::create_directories(disk.file("scene"));
     const std::string folder = disk.file("scene/a.assets");
     const AssetStore assets(disk.file("scene"));

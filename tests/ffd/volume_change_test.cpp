@@ -11,13 +11,13 @@ namespace {
 using namespace testing;
 
 const Knots knots = Knots::uniform(3, 6);
-const std::array<Knots, 3> axes{knots, knots, knots};
+const std::array<Knots, 3> cube_axes{knots, knots, knots};
 
 // The lattice that takes the unit cube through a linear map.
 Lattice through(const glm::dmat3& linear)
 {
-    Lattice lattice = lattice_at_rest(axes, glm::dmat4(1));
-    const Lattice mapped = lattice_at_rest(axes, glm::dmat4(linear));
+    Lattice lattice = lattice_at_rest(cube_axes, glm::dmat4(1));
+    const Lattice mapped = lattice_at_rest(cube_axes, glm::dmat4(linear));
     for (int i = 0; i < 6; ++i)
         for (int j = 0; j < 6; ++j)
             for (int k = 0; k < 6; ++k)
@@ -31,7 +31,8 @@ TEST(VolumeChange, AtRestIsThatOfTheMapThatPutsTheMeshThere)
     const Mesh mesh = scattered_points(500);
     const Embedding embedding{glm::dmat4(1), some_affine_map()};
     const auto whole = static_cast<float>(glm::determinant(glm::dmat3(some_affine_map())));
-    for (const float ratio : volume_change(mesh, embedding, lattice_at_rest(axes, glm::dmat4(1))))
+    for (const float ratio :
+         volume_change(mesh, embedding, lattice_at_rest(cube_axes, glm::dmat4(1))))
         EXPECT_EQ(ratio, whole);
 }
 
@@ -50,7 +51,7 @@ TEST(VolumeChange, OfALinearMapIsItsDeterminantAndNegativeWhereItMirrors)
 TEST(VolumeChange, IsWhatHappensToASmallPieceAtEachVertex)
 {
     const Mesh mesh = scattered_points(300, 0.1f, 0.9f);
-    const Lattice lattice = random_lattice(axes, 0.1);
+    const Lattice lattice = random_lattice(cube_axes, 0.1);
     const std::vector<float> ratios = volume_change(mesh, {}, lattice);
     const double h = 1e-5;
     for (std::size_t v = 0; v < ratios.size(); ++v) {

@@ -14,12 +14,6 @@ namespace {
 using namespace testing;
 using namespace ::testing;
 
-Placement placed(const Sketch& sketch, const RayScene& scene, const PlacementParameters& p = {})
-{
-    Timings timings;
-    return place(sketch, p, snake_box(), scene, timings);
-}
-
 glm::dmat4 moved(glm::dvec3 by)
 {
     glm::dmat4 m(1);

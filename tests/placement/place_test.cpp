@@ -20,12 +20,6 @@ RayScene ground()
     return scene_of(plane_mesh({20, 20}, {4, 4}));
 }
 
-Placement placed(const Sketch& sketch, const RayScene& scene, const PlacementParameters& p = {})
-{
-    Timings timings;
-    return place(sketch, p, snake_box(), scene, timings);
-}
-
 TEST(Place, OnAPlaneTheContactIsPlanarAndEvenlySpread)
 {
     const Camera camera = from_above();

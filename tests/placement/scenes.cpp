@@ -72,6 +72,12 @@ Box snake_box()
     return {{-5, -1, 0}, {5, 1, 1}};
 }
 
+Placement placed(const Sketch& sketch, const RayScene& scene, const PlacementParameters& p)
+{
+    Timings timings;
+    return place(sketch, p, snake_box(), scene, timings);
+}
+
 double penetration(const Surface<glm::dvec3>& contact, const Camera& camera, const RayScene& scene,
                    int n)
 {

@@ -23,6 +23,7 @@ Sketch stroke(const Camera& camera, const std::vector<glm::dvec2>& corners_px);
 Sketch stroke_over(const Camera& camera, const std::vector<glm::dvec3>& corners_world);
 
 Box snake_box(); // ten long, two wide, one high
+Placement placed(const Sketch& sketch, const RayScene& scene, const PlacementParameters& p = {});
 
 // How far the contact surface lies behind what the camera sees, largest over an n x n grid.
 double penetration(const Surface<glm::dvec3>& contact, const Camera& camera, const RayScene& scene,

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+
+namespace trivar {
+
+// No component of a vector of glm is infinite or not a number.
+template <class Vector> bool finite(const Vector& v)
+{
+    for (int i = 0; i < Vector::length(); ++i)
+        if (!std::isfinite(v[i])) return false;
+    return true;
+}
+
+} // namespace trivar
