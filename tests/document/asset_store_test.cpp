@@ -8,22 +8,16 @@
 #include "tests/support/fixtures.h"
 
 #include <filesystem>
-#include <fstream>
 #include <gmock/gmock.h>
 
 namespace trivar {
 namespace {
 
 using ::testing::HasSubstr, ::testing::IsEmpty;
-using testing::TemporaryFolder;
+using testing::TemporaryFolder, testing::write_file;
 
 constexpr const char* triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 constexpr const char* square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
-
-void write(const std::string& path, const std::string& text)
-{
-    std::ofstream(path, std::ios::binary) << text;
-}
 
 ImportedFile file(const std::string& path, const std::string& hash = "")
 {
@@ -36,7 +30,7 @@ ImportedFile file(const std::string& path, const std::string& hash = "")
 TEST(AssetStore, ReadsAFileOnce)
 {
     const TemporaryFolder folder;
-    write(folder.file("a.obj"), triangle);
+    write_file(folder.file("a.obj"), triangle);
     const AssetStore assets(folder.path().string());
     const AssetStore::Loaded first = assets.load(file("a.obj"));
     ASSERT_TRUE(first.model);
@@ -51,17 +45,17 @@ TEST(AssetStore, SaysThatAFileIsMissingAndFindsItWhenItIsBack)
     EXPECT_FALSE(missing.model);
     ASSERT_EQ(missing.notices.size(), 1u);
     EXPECT_THAT(missing.notices.front(), HasSubstr("a.obj"));
-    write(folder.file("a.obj"), triangle);
+    write_file(folder.file("a.obj"), triangle);
     EXPECT_TRUE(assets.load(file("a.obj")).model);
 }
 
 TEST(AssetStore, SaysThatTheContentIsNotTheOneThatWasMeant)
 {
     const TemporaryFolder folder;
-    write(folder.file("a.obj"), triangle);
+    write_file(folder.file("a.obj"), triangle);
     const std::string meant = file_hash(folder.file("a.obj"));
     EXPECT_THAT(AssetStore(folder.path().string()).load(file("a.obj", meant)).notices, IsEmpty());
-    write(folder.file("a.obj"), square);
+    write_file(folder.file("a.obj"), square);
     const AssetStore::Loaded changed =
         AssetStore(folder.path().string()).load(file("a.obj", meant));
     EXPECT_TRUE(changed.model);
@@ -82,7 +76,7 @@ TEST(Prepare, FillsInHashNameAndARelativePath)
 {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder.path() / "models");
-    write(folder.file("models/snail.obj"), triangle);
+    write_file(folder.file("models/snail.obj"), triangle);
     const AssetStore assets(folder.path().string());
     ImportModel import;
     import.file.path = folder.file("models/snail.obj");
@@ -95,7 +89,7 @@ TEST(Prepare, FillsInHashNameAndARelativePath)
 TEST(Prepare, RefusesAFileThatCannotBeRead)
 {
     const TemporaryFolder folder;
-    write(folder.file("bad.obj"), "f 1 2 3\n");
+    write_file(folder.file("bad.obj"), "f 1 2 3\n");
     const AssetStore assets(folder.path().string());
     for (const char* name : {"bad.obj", "missing.obj", "."}) {
         ImportModel import;
@@ -107,7 +101,7 @@ TEST(Prepare, RefusesAFileThatCannotBeRead)
 TEST(Evaluator, SubdividesImportedCages)
 {
     const TemporaryFolder folder;
-    write(folder.file("a.obj"), square);
+    write_file(folder.file("a.obj"), square);
     ImportModel import;
     import.file.path = "a.obj";
     import.file.subdivisions = 2;

@@ -8,7 +8,6 @@
 #include "tests/support/fixtures.h"
 
 #include <filesystem>
-#include <fstream>
 #include <gmock/gmock.h>
 
 namespace trivar {
@@ -17,15 +16,9 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::ElementsAre, ::testing::HasSubstr;
 using testing::FullDisk;
-using testing::TemporaryFolder;
+using testing::TemporaryFolder, testing::write_file;
 
 const std::string rock = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-
-void write(const fs::path& path, const std::string& text)
-{
-    fs::create_directories(path.parent_path());
-    std::ofstream(path, std::ios::binary) << text;
-}
 
 Document with_imports(const std::vector<std::string>& paths)
 {
@@ -57,8 +50,8 @@ TEST(Collect, CopiesEachFileOnceAndTakesTheModelsFromThere)
 {
     const TemporaryFolder disk;
     const std::string folder = disk.file("scene/a.assets");
-    write(disk.file("one/rock.obj"), rock);
-    write(disk.file("two/leaf.obj"), rock + "# leaf\n");
+    write_file(disk.file("one/rock.obj"), rock);
+    write_file(disk.file("two/leaf.obj"), rock + "# leaf\n");
     const AssetStore assets(disk.file("scene"));
     Document document = with_imports({"../one/rock.obj", "../one/rock.obj", "../two/leaf.obj"});
     const Collected done = collect_files(document, assets, folder);
@@ -76,15 +69,15 @@ TEST(Collect, CopiesEachFileOnceAndTakesTheModelsFromThere)
 TEST(Collect, TakesWhatGoesWithAModelAlong)
 {
     const TemporaryFolder disk;
-    write(disk.file("one/rock.obj"), "mtllib my rock.mtl\n" + rock);
-    write(disk.file("one/my rock.mtl"), "newmtl a\nmap_Kd -s 1 1 1 maps/grey stone.png\n"
-                                        "map_Bump ../../secret.png\n");
-    write(disk.file("one/maps/grey stone.png"), "picture");
-    write(disk.file("secret.png"), "secret");
-    write(
+    write_file(disk.file("one/rock.obj"), "mtllib my rock.mtl\n" + rock);
+    write_file(disk.file("one/my rock.mtl"), "newmtl a\nmap_Kd -s 1 1 1 maps/grey stone.png\n"
+                                             "map_Bump ../../secret.png\n");
+    write_file(disk.file("one/maps/grey stone.png"), "picture");
+    write_file(disk.file("secret.png"), "secret");
+    write_file(
         disk.file("two/shell.gltf"),
         R"({"buffers":[{"uri":"shell%201.bin"},{"uri":"data:,x"}],"images":[{"uri":"/etc/passwd"}]})");
-    write(disk.file("two/shell 1.bin"), "bytes");
+    write_file(disk.file("two/shell 1.bin"), "bytes");
     EXPECT_THAT(companions_of(disk.file("one/rock.obj")),
                 ElementsAre("maps/grey stone.png", "my rock.mtl"));
     const AssetStore assets(disk.file("scene"));
@@ -99,9 +92,9 @@ TEST(Collect, NeverWritesOverAnotherContentAndReusesAnEqualOne)
 {
     const TemporaryFolder disk;
     const fs::path folder = disk.file("scene/a.assets");
-    write(disk.file("one/rock.obj"), rock);
-    write(disk.file("two/rock.obj"), rock + "# other\n");
-    write(folder / "rock.obj", rock + "# of somebody else\n");
+    write_file(disk.file("one/rock.obj"), rock);
+    write_file(disk.file("two/rock.obj"), rock + "# other\n");
+    write_file(folder / "rock.obj", rock + "# of somebody else\n");
     const AssetStore assets(disk.file("scene"));
     const Document document = with_imports({"../one/rock.obj", "../two/rock.obj"});
     const Collected done = collect_files(document, assets, folder.string());
@@ -116,8 +109,8 @@ TEST(Collect, NeverWritesOverAnotherContentAndReusesAnEqualOne)
 TEST(Collect, LeavesNothingBehindWhereAFileIsMissingOrTheDiskIsFull)
 {
     const TemporaryFolder disk;
-    write(disk.file("one/a.obj"), rock);
-    write(disk.file("one/b.obj"), rock + std::string(100'000, '#') + "\n");
+    write_file(disk.file("one/a.obj"), rock);
+    write_file(disk.file("one/b.obj"), rock + std::string(100'000, '#') + "\n");
     fs::create_directories(disk.file("scene"));
     const std::string folder = disk.file("scene/a.assets");
     const AssetStore assets(disk.file("scene"));

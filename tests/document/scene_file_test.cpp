@@ -10,7 +10,6 @@
 #include <array>
 #include <csignal>
 #include <filesystem>
-#include <fstream>
 #include <gmock/gmock.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -20,12 +19,7 @@ namespace {
 
 using testing::FullDisk;
 using ::testing::HasSubstr;
-using testing::TemporaryFolder;
-
-void write(const std::string& path, const std::string& text)
-{
-    std::ofstream(path, std::ios::binary) << text;
-}
+using testing::TemporaryFolder, testing::write_file;
 
 TEST(SceneFile, ReplayedFromItsFileHasTheBranchesAgain)
 {
@@ -148,7 +142,7 @@ TEST(SceneFile, ACopyLeavesItsOriginalAsItIsAndIsKeptFromItsFirstStep)
     const TemporaryFolder folder;
     const std::string path = folder.file("a.trivar"), kept = folder.file("unnamed");
     const std::string text = log_header() + command_line(AddBox{});
-    write(path, text);
+    write_file(path, text);
     SceneFile scene = SceneFile::copy_of(path);
     scene.keep_in(kept);
     EXPECT_EQ(scene.path(), "");
@@ -168,7 +162,8 @@ TEST(SceneFile, ACopyCanBeLookedAtStepByStepAndIsStillAsOpened)
 {
     const TemporaryFolder folder;
     const std::string path = folder.file("a.trivar");
-    write(path, log_header() + command_line(AddBox{}, "first") + command_line(AddTorus{}, "then"));
+    write_file(path,
+               log_header() + command_line(AddBox{}, "first") + command_line(AddTorus{}, "then"));
     SceneFile scene = SceneFile::copy_of(path);
     scene.keep_in(folder.file("kept"));
     scene.look_at(1);
@@ -212,7 +207,7 @@ TEST(SceneFile, KeepsTheFileWithATornLineBesideBeforeItGoesOn)
     const std::string path = folder.file("a.trivar");
     const std::string whole = log_header() + command_line(AddBox{});
     const std::string torn = whole + "{\"do\":\"rena";
-    write(path, torn);
+    write_file(path, torn);
     SceneFile scene(path);
     ASSERT_EQ(scene.notices().size(), 1u);
     EXPECT_EQ(read_text_file(path), torn); // looking changes nothing
@@ -227,7 +222,7 @@ TEST(SceneFile, GoesOnAfterALastLineWithoutABreak)
     const TemporaryFolder folder;
     const std::string path = folder.file("a.trivar");
     const std::string whole = log_header() + command_line(AddBox{});
-    write(path, whole.substr(0, whole.size() - 1));
+    write_file(path, whole.substr(0, whole.size() - 1));
     SceneFile(path).run(AddSphere{});
     EXPECT_EQ(read_text_file(path), whole + command_line(AddSphere{}));
 }
@@ -283,7 +278,7 @@ TEST(SceneFile, OpenInAnotherProgramIsACopyThatCannotBeSavedOverIt)
 {
     const TemporaryFolder folder;
     const std::string path = folder.file("a.trivar");
-    write(path, log_header() + command_line(AddBox{}));
+    write_file(path, log_header() + command_line(AddBox{}));
     std::array<int, 2> opened{}, done{};
     ASSERT_EQ(::pipe(opened.data()), 0);
     ASSERT_EQ(::pipe(done.data()), 0);
@@ -329,7 +324,7 @@ TEST(SceneFile, LeavesThePreviousFileWhenSavingFails)
 {
     const TemporaryFolder folder;
     const std::string path = folder.file("a.trivar");
-    write(path, "precious");
+    write_file(path, "precious");
     SceneFile scene;
     scene.run(AddBox{});
     {
@@ -444,7 +439,7 @@ TEST(SceneFile, RewritesPathsWhenItIsSavedInAnotherFolder)
 TEST(SceneFile, RefusesWhatIsNoSceneFileByName)
 {
     const TemporaryFolder folder;
-    write(folder.file("a.trivar"), "no");
+    write_file(folder.file("a.trivar"), "no");
     EXPECT_THROW(SceneFile(folder.file("a.trivar")), Rejected);
     EXPECT_THROW(SceneFile(folder.file("missing.trivar")), Rejected);
     EXPECT_THROW(SceneFile(folder.path().string()), Rejected);

@@ -6,7 +6,6 @@
 #include "tests/support/fixtures.h"
 
 #include <filesystem>
-#include <fstream>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -15,7 +14,7 @@ namespace trivar {
 namespace {
 
 using ::testing::HasSubstr, ::testing::IsEmpty, ::testing::Not;
-using testing::TemporaryFolder;
+using testing::TemporaryFolder, testing::write_file;
 
 struct Ran {
     Status status;
@@ -27,11 +26,6 @@ Ran run(const std::vector<std::string>& arguments)
     std::ostringstream out, talk;
     const Status status = run_program(arguments, {out, talk});
     return {status, out.str(), talk.str()};
-}
-
-void write(const std::string& path, const std::string& text)
-{
-    std::ofstream(path, std::ios::binary) << text;
 }
 
 // A teapot laid over a table.
@@ -94,7 +88,7 @@ TEST(Replay, RejectsWithFileAndLine)
 {
     const TemporaryFolder folder;
     const std::string path = folder.file("a.trivar");
-    write(path, log_header() + "{\"do\":\"fly\"}\n");
+    write_file(path, log_header() + "{\"do\":\"fly\"}\n");
     const Ran ran = run({"replay", path});
     EXPECT_EQ(ran.status, Status::rejected);
     EXPECT_THAT(ran.talk, HasSubstr(path + ":2: there is no command"));
@@ -126,10 +120,10 @@ TEST(Replay, ChecksItsOwnDigestsWithAnyNumberOfThreads)
 {
     const TemporaryFolder folder;
     const std::string path = folder.file("a.trivar");
-    write(path, scene_text());
+    write_file(path, scene_text());
     const Ran printed = run({"replay", path, "--digest"});
     ASSERT_EQ(printed.status, Status::done) << printed.talk;
-    write(path, scene_text() + printed.out);
+    write_file(path, scene_text() + printed.out);
     for (const char* threads : {"1", "2"}) {
         const Ran ran = run({"replay", path, "--check", "--threads", threads});
         EXPECT_EQ(ran.status, Status::done) << ran.talk;
@@ -141,7 +135,7 @@ TEST(Replay, NamesTheFirstLineThatDiffers)
     const TemporaryFolder folder;
     const std::string path = folder.file("a.trivar");
     const std::string zeros(32, '0');
-    write(path, scene_text() + check_line(zeros, "") + check_line("", zeros));
+    write_file(path, scene_text() + check_line(zeros, "") + check_line("", zeros));
     const Ran ran = run({"replay", path, "--check"});
     EXPECT_EQ(ran.status, Status::check_failed);
     EXPECT_THAT(ran.talk, HasSubstr(path + ":5: the scene's digest differs"));
@@ -155,7 +149,7 @@ TEST(Replay, SaysWhatIsMissingAndFailsTheCheck)
     const std::string path = folder.file("a.trivar");
     ImportModel import;
     import.file.path = "snail.obj";
-    write(path, log_header() + command_line(import));
+    write_file(path, log_header() + command_line(import));
     const Ran ran = run({"replay", path});
     EXPECT_EQ(ran.status, Status::done);
     EXPECT_THAT(ran.talk, HasSubstr("snail.obj"));
@@ -168,8 +162,8 @@ TEST(Replay, RelinksFilesByName)
     const std::string path = folder.file("a.trivar");
     ImportModel import;
     import.file.path = "models/triangle.obj";
-    write(path, log_header() + command_line(import));
-    write(folder.file("other.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    write_file(path, log_header() + command_line(import));
+    write_file(folder.file("other.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     const Ran ran =
         run({"replay", path, "--set", "triangle.obj=" + folder.file("other.obj"), "--check"});
     EXPECT_EQ(ran.status, Status::done) << ran.talk;
@@ -184,7 +178,7 @@ TEST(Replay, ExportsTheResultAndItsTimings)
 {
     const TemporaryFolder folder;
     const std::string path = folder.file("a.trivar");
-    write(path, scene_text());
+    write_file(path, scene_text());
     const Ran ran = run({"replay", path, "--export", folder.file("a.obj"), folder.file("a.glb"),
                          "--timings", folder.file("t.json")});
     ASSERT_EQ(ran.status, Status::done) << ran.talk;
@@ -205,7 +199,7 @@ TEST(Replay, DrawsAPictureWithoutADisplay)
 {
     const TemporaryFolder folder;
     const std::string path = folder.file("a.trivar");
-    write(path, scene_text());
+    write_file(path, scene_text());
     const Ran ran = run({"replay", path, "--image", folder.file("a.png"), "--size", "160x90"});
     ASSERT_EQ(ran.status, Status::done) << ran.talk;
     const auto facts = nlohmann::json::parse(run({"info", folder.file("a.png"), "--json"}).out);
@@ -222,7 +216,7 @@ TEST(Replay, DrawsAPictureWithoutADisplay)
 TEST(Info, DescribesScenesAndGoesOnAfterAFileItCannotRead)
 {
     const TemporaryFolder folder;
-    write(folder.file("a.trivar"), scene_text());
+    write_file(folder.file("a.trivar"), scene_text());
     const Ran ran = run({"info", folder.file("missing.obj"), folder.file("a.trivar")});
     EXPECT_EQ(ran.status, Status::rejected);
     EXPECT_THAT(ran.talk, HasSubstr("missing.obj"));

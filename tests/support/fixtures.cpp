@@ -2,6 +2,7 @@
 #include "tests/support/fixtures.h"
 
 #include <cstdlib>
+#include <fstream>
 
 namespace trivar::testing {
 
@@ -15,6 +16,12 @@ TemporaryFolder::~TemporaryFolder()
 {
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);
+}
+
+void write_file(const std::filesystem::path& path, const std::string& bytes)
+{
+    std::filesystem::create_directories(path.parent_path());
+    std::ofstream(path, std::ios::binary) << bytes;
 }
 
 std::string real_data_folder()

@@ -20,6 +20,9 @@ private:
     std::filesystem::path path_;
 };
 
+// Writes a file, bytes as they are, and the folders that it is to stand in.
+void write_file(const std::filesystem::path& path, const std::string& bytes);
+
 // The folder of real models and volumes, from the environment's TRIVAR_DATA or ../shared/data
 // beside the checkout; empty where there is none. Tests that want it carry the label `realdata`
 // (their suite's name starts with RealData) and skip with a message.
