@@ -15,6 +15,7 @@ void add_attribute(MirroredMesh& out, unsigned location, const std::vector<T>& v
     if (values.empty()) return;
     out.buffers.emplace_back().write(std::as_bytes(std::span(values)));
     out.vertices.attribute(location, out.buffers.back(), T::length(), sizeof(T));
+    out.attributes.push_back({location, T::length(), out.buffers.size() - 1});
 }
 
 // The triangles' corners, those of one material together.
@@ -90,6 +91,13 @@ template <class Entries> void erase_dead(Entries& entries)
 }
 
 } // namespace
+
+const Buffer* MirroredMesh::attribute(unsigned location) const
+{
+    for (const Attribute& a : attributes)
+        if (a.location == location) return &buffers[a.buffer];
+    return nullptr;
+}
 
 Mirror::MeshEntry& Mirror::entry(const Ref<Mesh>& mesh)
 {

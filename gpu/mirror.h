@@ -17,9 +17,17 @@ struct MirroredMesh {
         std::uint32_t material = 0;
         int first = 0, count = 0; // of the indices
     };
+    struct Attribute {
+        unsigned location;
+        int components;
+        std::size_t buffer;
+    };
     VertexArray vertices;
-    std::vector<Buffer> buffers;
+    std::vector<Buffer> buffers; // of the attributes, and the indices at the end
+    std::vector<Attribute> attributes;
     std::vector<Part> parts;
+    // The buffer of an attribute, or null.
+    const Buffer* attribute(unsigned location) const;
     bool colored = false;     // has vertex colours
     std::uint64_t serial = 0; // no two uploads have the same
 };
@@ -42,11 +50,13 @@ public:
     // `faces` has the same faces, and so the same edges: a mesh and what it becomes by deformation
     // share theirs. O(#C log #C) when first asked for.
     const MirroredEdges& edges(const Ref<Mesh>& mesh, const Ref<Mesh>& faces);
+    std::shared_ptr<const EdgeIndices> edge_indices(const Ref<Mesh>& faces);
     // bounding_box(), remembered for the last few matrices a mesh was seen with.
     Box box_world(const Ref<Mesh>& mesh, const glm::dmat4& to_world);
     const Buffer& values(const Ref<std::vector<float>>& values);
     const Texture2D& texture(const Ref<Image>& image, bool srgb);
     void drop_dead();
+    std::uint64_t next_serial() { return ++uploads_; } // of what somebody else uploads
 
     std::size_t bytes() const; // of all uploads
     std::size_t mesh_count() const { return meshes_.size(); }
@@ -71,7 +81,6 @@ private:
         std::weak_ptr<const std::vector<float>> alive;
         Buffer buffer;
     };
-    std::shared_ptr<const EdgeIndices> edge_indices(const Ref<Mesh>& faces);
     MeshEntry& entry(const Ref<Mesh>& mesh);
     std::map<const Mesh*, MeshEntry> meshes_;
     std::map<const Mesh*, EdgesEntry> edges_;

@@ -54,10 +54,11 @@ void PassClock::start_picture()
     timings_ = {};
 }
 
-std::size_t PassClock::begin(const char* name)
+std::size_t PassClock::begin(const char* name, std::size_t vertices)
 {
     Span span;
     span.name = name;
+    span.vertices = vertices;
     if (software_)
         span.start = std::chrono::steady_clock::now();
     else
@@ -75,7 +76,7 @@ void PassClock::end(std::size_t at)
     wait_for_draws();
     const std::chrono::duration<double, std::milli> spent =
         std::chrono::steady_clock::now() - spans_[at].start;
-    timings_.add(spans_[at].name, spent.count());
+    timings_.add(spans_[at].name, spent.count(), spans_[at].vertices);
 }
 
 const Timings& PassClock::timings()
@@ -83,7 +84,8 @@ const Timings& PassClock::timings()
     if (!software_) {
         for (const Span& span : spans_)
             timings_.add(span.name,
-                         static_cast<double>(stamped_ns(span.to) - stamped_ns(span.from)) / 1e6);
+                         static_cast<double>(stamped_ns(span.to) - stamped_ns(span.from)) / 1e6,
+                         span.vertices);
         forget();
     }
     return timings_;

@@ -15,9 +15,10 @@ public:
     PassClock& operator=(const PassClock&) = delete;
 
     void start_picture();
-    template <class Body> void pass(const char* name, Body&& body)
+    // `vertices`: how many it works on, where that is what it does.
+    template <class Body> void pass(const char* name, Body&& body, std::size_t vertices = 0)
     {
-        const std::size_t at = begin(name);
+        const std::size_t at = begin(name, vertices);
         body();
         end(at);
     }
@@ -26,10 +27,11 @@ public:
 private:
     struct Span {
         std::string name;
+        std::size_t vertices = 0;
         unsigned from = 0, to = 0; // query objects
         std::chrono::steady_clock::time_point start;
     };
-    std::size_t begin(const char* name);
+    std::size_t begin(const char* name, std::size_t vertices);
     void end(std::size_t at);
     void forget();
     bool software_;

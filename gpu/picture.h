@@ -5,6 +5,7 @@
 #include "core/base/ref.h"
 #include "core/document/render_settings.h"
 #include "core/mesh/model.h"
+#include "gpu/ffd/stage.h"
 
 #include <cstdint>
 #include <optional>
@@ -22,6 +23,8 @@ struct Instance {
     float opacity = 1;        // below 1: a ghost, for previews
     Ref<Mesh> rest = {};      // before it was deformed, vertex by vertex: for solid materials
     Ref<std::vector<float>> values = {}; // one a vertex: see value_colors
+    // Volumes that deform `mesh`, one after another, before to_world; `rest` is then not looked at.
+    std::vector<Stage> stages = {};
 };
 
 // How the values of instances become colours; see gpu/color_map.h.
@@ -74,7 +77,8 @@ struct Picture {
     Outline outline;
     // The values of instances are shown in place of materials, and what has none is grey.
     std::optional<ValueColors> value_colors;
-    int samples = 4;    // of antialiasing
+    DeformBy deform_by = DeformBy::two_phases; // instances that have stages
+    int samples = 4;                           // of antialiasing
     bool draft = false; // leave out the slow parts while something is being dragged
     double scale = 1;   // of the size: a draft drawn smaller is shown enlarged
     bool grid = false;  // lines on the ground, for orientation while working

@@ -95,9 +95,14 @@ struct Renderer::State {
         if (picture.value_colors) look.clay = glm::vec3(0.3f);
         const Studio& light = studio_of(look, picture.settings);
         Scene scene;
+        tools.mirror().drop_dead();
+        if (const std::size_t vertices = tools.deformed().stale_vertices(picture); vertices > 0)
+            clock.pass(
+                "deform", [&] { tools.deformed().update(picture, tools.mirror()); }, vertices);
+        else
+            tools.deformed().update(picture, tools.mirror());
         clock.pass("upload", [&] {
-            tools.mirror().drop_dead();
-            scene = scene_of(picture, tools.mirror());
+            scene = scene_of(picture, tools.mirror(), tools.deformed());
             see_through.load(picture.translucent, scene.origin_world);
         });
         const Frame frame = frame_of(picture, camera, scene, look, light);
@@ -277,6 +282,11 @@ std::vector<int> Renderer::pick_in(glm::ivec2 lo_px, glm::ivec2 hi_px)
 std::size_t Renderer::uploaded_bytes() const
 {
     return state_->tools.mirror().bytes();
+}
+
+const std::string& Renderer::notice() const
+{
+    return state_->tools.deformed().notice();
 }
 
 const Timings& Renderer::timings() const

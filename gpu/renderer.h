@@ -40,6 +40,8 @@ public:
 
     // How long the passes of the last picture took (by fences on software GL).
     const Timings& timings() const;
+    // What of the last picture was not drawn as it was asked, as a sentence; empty: nothing.
+    const std::string& notice() const;
     std::size_t uploaded_bytes() const; // of meshes and their textures
 
 private:

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace trivar::gpu {
 namespace {
@@ -16,6 +17,18 @@ bool drawable(const Box& box)
     return !box.empty();
 }
 
+// The box of a box.
+Box transformed(const Box& box, const glm::dmat4& matrix)
+{
+    Box out;
+    for (int k = 0; k < 8 && !box.empty(); ++k) {
+        const glm::dvec3 p((k & 1 ? box.hi : box.lo).x, (k & 2 ? box.hi : box.lo).y,
+                           (k & 4 ? box.hi : box.lo).z);
+        out.add(glm::dvec3(matrix * glm::dvec4(p, 1)));
+    }
+    return out;
+}
+
 // Whether what it was before it was deformed is known, with the same vertices and faces.
 bool has_rest(const Instance& instance)
 {
@@ -25,14 +38,18 @@ bool has_rest(const Instance& instance)
 }
 
 SceneItem item_of(const Instance& instance, const Picture& picture, const Box& box,
-                  const glm::dvec3& origin_world, Mirror& mirror)
+                  const glm::dvec3& origin_world, Mirror& mirror, const DeformedMesh* deformed)
 {
     SceneItem item;
-    item.mesh = &mirror.mesh(instance.mesh);
-    const Ref<Mesh>& faces = has_rest(instance) ? instance.rest : instance.mesh;
-    item.edges = picture.settings.wire ? &mirror.edges(instance.mesh, faces) : nullptr;
+    item.mesh = deformed ? &deformed->mirrored : &mirror.mesh(instance.mesh);
+    const Ref<Mesh>& faces = has_rest(instance) && !deformed ? instance.rest : instance.mesh;
+    item.edges = !picture.settings.wire ? nullptr
+                 : deformed             ? &deformed->edges
+                                        : &mirror.edges(instance.mesh, faces);
+    item.deformed_as_drawn = deformed && deformed->stage ? deformed : nullptr;
     item.materials = instance.materials;
     glm::dmat4 to_scene = instance.to_world;
+    if (deformed) to_scene = glm::translate(to_scene, deformed->origin_world);
     to_scene[3] -= glm::dvec4(origin_world, 0);
     item.to_scene = to_scene;
     const glm::dmat3 linear(to_scene);
@@ -86,14 +103,18 @@ CasterKey casters_of(const Scene& scene)
     return key;
 }
 
-Scene scene_of(const Picture& picture, Mirror& mirror)
+Scene scene_of(const Picture& picture, Mirror& mirror, const DeformedMeshes& deformed)
 {
     Scene scene;
     std::vector<Box> boxes;
     Box all, standing;
-    for (const Instance& instance : picture.instances) {
+    for (std::size_t i = 0; i < picture.instances.size(); ++i) {
+        const Instance& instance = picture.instances[i];
+        const DeformedMesh* by_volumes = deformed.of(i);
         const bool some = instance.mesh && instance.mesh->face_count() > 0;
-        const Box box = some ? mirror.box_world(instance.mesh, instance.to_world) : Box{};
+        const Box box = by_volumes ? transformed(by_volumes->box, instance.to_world)
+                        : some     ? mirror.box_world(instance.mesh, instance.to_world)
+                                   : Box{};
         boxes.push_back(drawable(box) && instance.opacity > 0 ? box : Box{});
         all.add(boxes.back());
         if (instance.opacity >= 1) standing.add(boxes.back());
@@ -108,8 +129,8 @@ Scene scene_of(const Picture& picture, Mirror& mirror)
         static_cast<float>((standing.empty() ? all : standing).lo.z - scene.origin_world.z);
     for (std::size_t i = 0; i < boxes.size(); ++i)
         if (!boxes[i].empty())
-            scene.items.push_back(
-                item_of(picture.instances[i], picture, boxes[i], scene.origin_world, mirror));
+            scene.items.push_back(item_of(picture.instances[i], picture, boxes[i],
+                                          scene.origin_world, mirror, deformed.of(i)));
     const ValueColors values = picture.value_colors.value_or(ValueColors{});
     scene.map_colors = map_colors(values);
     const float length = values.range.y - values.range.x;

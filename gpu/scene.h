@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gpu/color_map.h"
+#include "gpu/ffd/deformed_meshes.h"
 #include "gpu/mirror.h"
 #include "gpu/picture.h"
 
@@ -19,10 +20,11 @@ struct SceneItem {
     int id;
     bool highlighted;
     float opacity;
-    glm::vec3 lo, hi;      // box in scene space
-    const Buffer* values;  // one a vertex, or null
-    const Buffer* rest;    // positions that solid materials follow, or null
-    glm::vec4 rest_middle; // and 1 / radius of these
+    glm::vec3 lo, hi;                      // box in scene space
+    const Buffer* values;                  // one a vertex, or null
+    const Buffer* rest;                    // positions that solid materials follow, or null
+    glm::vec4 rest_middle;                 // and 1 / radius of these
+    const DeformedMesh* deformed_as_drawn; // null where it is not
 
     const Material& material(std::uint32_t index) const;
     // Whether a part lets what is behind shine through.
@@ -54,6 +56,6 @@ CasterKey casters_of(const Scene& scene);
 
 // Uploads what is missing. Instances without a mesh, without triangles or with a matrix that is
 // not finite are left out.
-Scene scene_of(const Picture& picture, Mirror& mirror);
+Scene scene_of(const Picture& picture, Mirror& mirror, const DeformedMeshes& deformed);
 
 } // namespace trivar::gpu

@@ -29,6 +29,8 @@ std::vector<ProgramName> deforming_programs(const std::array<int, 3>& orders)
                 for (const NormalsBy normals : {NormalsBy::nothing, NormalsBy::differences})
                     out.push_back(deform_program({orders, {sum, normals}, false, texels, compute}));
         }
+    for (const bool texels : {true, false})
+        out.push_back(bounds_program(volume_defines(orders, texels)));
     for (const char* own : {"PLAIN", "TEXTURES 31"})
         out.push_back({"mesh", "surfaces", with(volume_defines(orders, true), {own})});
     return out;
@@ -77,6 +79,7 @@ std::vector<ProgramName> every_program()
         out.push_back({"veil", "veil", more});
     out.push_back({"wire", "wire", {}});
     out.push_back({"", "", {}, "arithmetic"});
+    out.push_back(bounds_program({}));
     for (const std::array<int, 3>& orders :
          {std::array{3, 3, 3}, std::array{4, 3, 2}}) // the others are the same text
         for (const ProgramName& name : deforming_programs(orders)) out.push_back(name);

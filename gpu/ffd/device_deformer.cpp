@@ -5,6 +5,7 @@
 #include "gpu/context.h"
 
 #include <algorithm>
+#include <bit>
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
@@ -23,6 +24,17 @@ template <class T> void write(Buffer& buffer, const std::vector<T>& values)
     if (!values.empty()) buffer.write(std::as_bytes(std::span(values)));
 }
 
+std::size_t bytes(const Buffer* buffer)
+{
+    return buffer ? buffer->bytes() : 0;
+}
+
+// The float whose bits bounds.comp.glsl ordered so.
+double from_ordered(std::uint32_t ordered)
+{
+    return std::bit_cast<float>(ordered & 0x80000000u ? ordered ^ 0x80000000u : ~ordered);
+}
+
 template <class T> std::vector<T> read(const Buffer& buffer)
 {
     std::vector<T> out(buffer.bytes() / sizeof(T));
@@ -39,6 +51,15 @@ void bind_range(unsigned binding, const Buffer& buffer, std::size_t first, std::
 }
 
 } // namespace
+
+VertexSource::VertexSource(const DeviceVertices& vertices)
+    : positions(&vertices.positions),
+      normals(&vertices.normals),
+      tangents(&vertices.tangents),
+      count(vertices.count),
+      bounds(vertices.bounds)
+{
+}
 
 DeviceVertices uploaded_vertices(const Mesh& mesh)
 {
@@ -86,6 +107,11 @@ std::vector<std::string> volume_defines(const std::array<int, 3>& orders, bool t
     return out;
 }
 
+ProgramName bounds_program(std::vector<std::string> volume_defines)
+{
+    return {"", "", std::move(volume_defines), "bounds"};
+}
+
 ProgramName deform_program(const DeformVariant& variant)
 {
     const Method& method = variant.method;
@@ -124,12 +150,12 @@ DeviceDeformer::DeviceDeformer(const DeviceLimits& limits) : limits_(limits)
     cells_ = std::make_unique<Texels>();
 }
 
-void DeviceDeformer::deform(const DeviceVertices& from, DeviceVertices& to,
+void DeviceDeformer::deform(const VertexSource& from, DeviceVertices& to,
                             std::span<const Stage> stages, const Method& method,
                             const glm::dvec3& origin_world)
 {
-    const auto reserve = [](Buffer& buffer, const Buffer& like, bool wanted) {
-        if (wanted && like.bytes() > 0) buffer.reserve(like.bytes());
+    const auto reserve = [](Buffer& buffer, const Buffer* like, bool wanted) {
+        if (wanted && bytes(like) > 0) buffer.reserve(bytes(like));
     };
     reserve(to.positions, from.positions, true);
     reserve(to.normals, from.normals, method.normals != NormalsBy::nothing);
@@ -138,7 +164,8 @@ void DeviceDeformer::deform(const DeviceVertices& from, DeviceVertices& to,
     to.bounds = from.bounds;
     for (std::size_t i = 0; i < stages.size(); ++i) {
         const bool last = i + 1 == stages.size();
-        deform_by(stages[i], i == 0 ? from : to, to, method, last ? origin_world : glm::dvec3(0));
+        deform_by(stages[i], i == 0 ? from : VertexSource(to), to, method,
+                  last ? origin_world : glm::dvec3(0));
         to.bounds = deformed_bounds(stages[i], to.bounds);
         if (!last) glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
@@ -169,7 +196,7 @@ void DeviceDeformer::bind(const Stage& stage, const Box& object, const glm::dvec
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, cells_binding, lattice.axes->cells.name());
 }
 
-void DeviceDeformer::deform_by(const Stage& stage, const DeviceVertices& from, DeviceVertices& to,
+void DeviceDeformer::deform_by(const Stage& stage, const VertexSource& from, DeviceVertices& to,
                                const Method& method, const glm::dvec3& origin_world)
 {
     if (from.count == 0) return;
@@ -179,17 +206,17 @@ void DeviceDeformer::deform_by(const Stage& stage, const DeviceVertices& from, D
         throw Rejected("Order raising cannot evaluate a lattice that is torn at a knot.");
     if (method.sum == Sum::filtered) lattices_.texture(stage.lattice).bind(0);
     Method possible = method;
-    if (from.normals.bytes() == 0) possible.normals = NormalsBy::nothing;
+    if (bytes(from.normals) == 0) possible.normals = NormalsBy::nothing;
     const bool normals = possible.normals != NormalsBy::nothing,
-               tangents = from.tangents.bytes() > 0 && possible.normals == NormalsBy::cofactors;
+               tangents = bytes(from.tangents) > 0 && possible.normals == NormalsBy::cofactors;
     const Program& program =
         programs_.use(deform_program({axes.order, possible, tangents, limits_.reads_texels}));
     for (std::size_t first = 0; first < from.count; first += limits_.slice_vertices) {
         const std::size_t count = std::min(limits_.slice_vertices, from.count - first);
-        const auto both = [&](unsigned binding, const Buffer& in, const Buffer& out,
-                              std::size_t bytes) {
-            bind_range(binding, in, first, count, bytes);
-            bind_range(binding + 1, out, first, count, bytes);
+        const auto both = [&](unsigned binding, const Buffer* in, const Buffer& out,
+                              std::size_t size) {
+            bind_range(binding, *in, first, count, size);
+            bind_range(binding + 1, out, first, count, size);
         };
         both(2, from.positions, to.positions, sizeof(glm::vec3));
         if (normals) both(4, from.normals, to.normals, sizeof(glm::vec3));
@@ -197,6 +224,37 @@ void DeviceDeformer::deform_by(const Stage& stage, const DeviceVertices& from, D
         program.set("vertex_count", static_cast<unsigned>(count));
         glDispatchCompute(static_cast<GLuint>((count + group - 1) / group), 1, 1);
     }
+}
+
+Box DeviceDeformer::box_of(const VertexSource& vertices, const Stage* by,
+                           const glm::dvec3& origin_world)
+{
+    std::vector<std::string> defines;
+    if (by) {
+        bind(*by, vertices.bounds, origin_world);
+        defines =
+            volume_defines(lattices_.lattice(by->lattice).axes->packed.order, limits_.reads_texels);
+    }
+    const Program& program = programs_.use(bounds_program(std::move(defines)));
+    constexpr std::uint32_t none = ~0u;
+    std::array<std::uint32_t, 6> box{none, none, none, 0, 0, 0};
+    bounds_.write(std::as_bytes(std::span(box)));
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, bounds_.name());
+    for (std::size_t first = 0; first < vertices.count; first += limits_.slice_vertices) {
+        const std::size_t count = std::min(limits_.slice_vertices, vertices.count - first);
+        bind_range(2, *vertices.positions, first, count, sizeof(glm::vec3));
+        program.set("vertex_count", static_cast<unsigned>(count));
+        constexpr std::size_t most_groups = 128; // each ends with six atomic operations a thread
+        glDispatchCompute(static_cast<GLuint>(std::min(most_groups, (count + group - 1) / group)),
+                          1, 1);
+    }
+    bounds_.read(std::as_writable_bytes(std::span(box)));
+    Box out;
+    for (int axis = 0; axis < 3; ++axis) {
+        out.lo[axis] = from_ordered(box[static_cast<std::size_t>(axis)]);
+        out.hi[axis] = from_ordered(box[static_cast<std::size_t>(axis) + 3]);
+    }
+    return vertices.count > 0 ? out : Box{};
 }
 
 } // namespace trivar::gpu

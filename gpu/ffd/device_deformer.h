@@ -3,17 +3,11 @@
 
 #include "core/mesh/mesh.h"
 #include "gpu/ffd/lattice_mirror.h"
+#include "gpu/ffd/stage.h"
 #include "gpu/program.h"
 #include "gpu/texture.h"
 
 namespace trivar::gpu {
-
-// One volume of a stack, and how what comes out of the volume before lies in it.
-struct Stage {
-    Ref<Lattice> lattice;
-    Embedding embedding;
-    bool operator==(const Stage&) const = default;
-};
 
 // How a deformation is evaluated. All but the first are there to be compared with it.
 enum class Sum { nested, raised, filtered }; // filtered: by the device's filter, a preview
@@ -30,6 +24,15 @@ struct DeviceVertices {
     Buffer positions, normals, tangents;
     std::size_t count = 0;
     Box bounds; // of the positions, or more
+};
+
+// The same in buffers that belong to somebody; null or empty: none.
+struct VertexSource {
+    VertexSource() = default;
+    VertexSource(const DeviceVertices& vertices);
+    const Buffer *positions = nullptr, *normals = nullptr, *tangents = nullptr;
+    std::size_t count = 0;
+    Box bounds;
 };
 DeviceVertices uploaded_vertices(const Mesh& mesh);
 Deformed read_back(const DeviceVertices& vertices);
@@ -53,6 +56,7 @@ struct DeformVariant {
     bool compute = true;
 };
 ProgramName deform_program(const DeformVariant& variant);
+ProgramName bounds_program(std::vector<std::string> volume_defines);
 
 // What makes mesh.vert deform as it draws.
 std::vector<std::string> volume_defines(const std::array<int, 3>& orders, bool texels);
@@ -70,22 +74,27 @@ public:
     // Through one volume after another, without read-back. `to` is relative to `origin_world`.
     // Throws Rejected before anything was drawn: orders above 4, order raising of what is torn, no
     // room.
-    void deform(const DeviceVertices& from, DeviceVertices& to, std::span<const Stage> stages,
+    void deform(const VertexSource& from, DeviceVertices& to, std::span<const Stage> stages,
                 const Method& method = {}, const glm::dvec3& origin_world = glm::dvec3(0));
 
     // For one phase: binds the volume for a program with volume_defines(). Throws Rejected.
     void bind(const Stage& stage, const Box& object, const glm::dvec3& origin_world);
 
+    // The box of vertices, or of what `by` makes of them, less `origin_world`. Waits for the
+    // device: 24 bytes are all that comes back.
+    Box box_of(const VertexSource& vertices, const Stage* by = nullptr,
+               const glm::dvec3& origin_world = glm::dvec3(0));
+
     LatticeMirror& lattices() { return lattices_; }
     bool reads_texels() const { return limits_.reads_texels; }
 
 private:
-    void deform_by(const Stage& stage, const DeviceVertices& from, DeviceVertices& to,
+    void deform_by(const Stage& stage, const VertexSource& from, DeviceVertices& to,
                    const Method& method, const glm::dvec3& origin_world);
     DeviceLimits limits_;
     LatticeMirror lattices_;
     Programs programs_;
-    Buffer frame_;
+    Buffer frame_, bounds_;
     std::unique_ptr<Texels> points_, cells_;
 };
 

@@ -137,6 +137,11 @@ void Tools::draw(const SceneItem& item, const MirroredMesh::Part& part, const Me
     else if (pass.plain_variant && !mask && !item.mesh->colored)
         name.defines.emplace_back("PLAIN");
     if (mask && !values && !fills) name.defines.emplace_back("MASKED");
+    if (item.deformed_as_drawn) {
+        const std::vector<std::string>& more = item.deformed_as_drawn->defines;
+        name.defines.insert(name.defines.end(), more.begin(), more.end());
+        deformed_.bind(*item.deformed_as_drawn);
+    }
     const Program& program = programs_.use(name);
     program.set("to_scene", item.to_scene);
     program.set("normal_to_scene", item.normal_to_scene);

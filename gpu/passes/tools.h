@@ -37,6 +37,7 @@ public:
     Tools();
     const Program& use(const ProgramName& name) { return programs_.use(name); }
     Mirror& mirror() { return mirror_; }
+    DeformedMeshes& deformed() { return deformed_; }
     void set_frame(const Frame& frame);
     // Runs the program in use over the whole framebuffer, at the far plane.
     void full_screen() const;
@@ -46,6 +47,7 @@ public:
 private:
     Programs programs_;
     Mirror mirror_;
+    DeformedMeshes deformed_;
     VertexArray nothing_;
     Buffer frame_;
     std::vector<Sampler> samplers_;              // by 2 repeat_u + repeat_v

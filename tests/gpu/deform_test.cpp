@@ -182,6 +182,22 @@ TEST_F(DeformedByTheDevice, AStackOfVolumesIsComposedWithoutReadBack)
     expect_equal(by_device(mesh, stages), by_processor(mesh, stages));
 }
 
+TEST_F(DeformedByTheDevice, TheBoxIsThatOfThePositions)
+{
+    const Mesh mesh = scattered_points(10000, -3, 2);
+    const Stage stage = stage_of(uniform(3, 5), 0.3);
+    const DeviceVertices from = uploaded_vertices(mesh);
+    DeviceVertices to;
+    deformer.deform(from, to, std::vector{stage});
+    Box expected;
+    for (const glm::vec3& p : read_back(to).positions) expected.add(p);
+    EXPECT_EQ(deformer.box_of(to).lo, expected.lo);
+    EXPECT_EQ(deformer.box_of(to).hi, expected.hi);
+    EXPECT_LT(glm::distance(deformer.box_of(from, &stage).lo, expected.lo), 1e-6);
+    EXPECT_LT(glm::distance(deformer.box_of(from, &stage).hi, expected.hi), 1e-6);
+    EXPECT_EQ(deformer.box_of(from).lo, bounding_box(mesh).lo);
+}
+
 TEST_F(DeformedByTheDevice, AnUntouchedLatticeGivesTheVeryBitsBack)
 {
     const Mesh mesh = scattered_points(5000, -1, 2);

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gpu/ffd/deformed_meshes.h"
+
+#include "core/base/rejected.h"
+
+namespace trivar::gpu {
+namespace {
+
+VertexSource source_of(const MirroredMesh& mesh, const Mesh& values)
+{
+    VertexSource out;
+    out.positions = mesh.attribute(0);
+    out.normals = mesh.attribute(1);
+    out.tangents = mesh.attribute(2);
+    out.count = values.vertex_count();
+    out.bounds = bounding_box(values);
+    return out;
+}
+
+// The undeformed mesh's faces and colours with other vertices; what is not in `vertices` is as it
+// was.
+MirroredMesh with_vertices(const MirroredMesh& rest, const DeviceVertices* vertices)
+{
+    MirroredMesh out;
+    for (const MirroredMesh::Attribute& a : rest.attributes) {
+        const Buffer* buffer = &rest.buffers[a.buffer];
+        if (vertices) {
+            const Buffer* moved = a.location == 0   ? &vertices->positions
+                                  : a.location == 1 ? &vertices->normals
+                                  : a.location == 2 ? &vertices->tangents
+                                                    : nullptr;
+            if (moved && moved->bytes() > 0) buffer = moved;
+        }
+        out.vertices.attribute(a.location, *buffer, a.components,
+                               a.components * static_cast<int>(sizeof(float)));
+    }
+    out.vertices.indices(rest.buffers.back());
+    out.parts = rest.parts;
+    out.colored = rest.colored;
+    return out;
+}
+
+// A mesh whose normals the renderer would make up gets them before it is deformed.
+Ref<Mesh> with_normals(const Ref<Mesh>& mesh)
+{
+    if (!mesh->normals.empty()) return mesh;
+    Mesh out = *mesh;
+    out.normals = smooth_normals(*mesh);
+    return make_ref(std::move(out));
+}
+
+template <class T> void write(Buffer& buffer, const std::vector<T>& values)
+{
+    if (!values.empty()) buffer.write(std::as_bytes(std::span(values)));
+}
+
+bool deforms(const Instance& instance)
+{
+    return !instance.stages.empty() && instance.mesh && instance.mesh->face_count() > 0;
+}
+
+} // namespace
+
+bool DeformedMeshes::current(const Entry& entry, const Instance& instance, const Picture& picture)
+{
+    return entry.alive.lock() == instance.mesh && entry.stages == instance.stages &&
+           entry.by == picture.deform_by && entry.wire == picture.settings.wire;
+}
+
+std::size_t DeformedMeshes::stale_vertices(const Picture& picture) const
+{
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < picture.instances.size(); ++i) {
+        const Instance& instance = picture.instances[i];
+        if (!deforms(instance)) continue;
+        const auto found = entries_.find(i);
+        if (found == entries_.end() || !current(found->second, instance, picture))
+            count += instance.mesh->vertex_count();
+    }
+    return count;
+}
+
+void DeformedMeshes::update(const Picture& picture, Mirror& mirror)
+{
+    notice_.clear();
+    const auto& instances = picture.instances;
+    std::erase_if(entries_, [&](const auto& item) {
+        return item.first >= instances.size() || !deforms(instances[item.first]);
+    });
+    if (device_) device_->lattices().drop_dead();
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+        const Instance& instance = instances[i];
+        if (!deforms(instance)) continue;
+        Entry& entry = entries_[i];
+        if (current(entry, instance, picture)) continue;
+        if (entry.alive.lock() != instance.mesh) entry.on_processor.reset();
+        entry.by = picture.deform_by;
+        entry.wire = picture.settings.wire;
+        deform(entry, instance, mirror);
+        entry.alive = instance.mesh;
+        entry.stages = instance.stages;
+    }
+    for (const auto& [instance, entry] : entries_)
+        if (notice_.empty()) notice_ = entry.notice;
+}
+
+const DeformedMesh* DeformedMeshes::of(std::size_t instance) const
+{
+    const auto found = entries_.find(instance);
+    return found == entries_.end() ? nullptr : &found->second.drawn;
+}
+
+void DeformedMeshes::bind(const DeformedMesh& mesh)
+{
+    device().bind(*mesh.stage, mesh.undeformed, mesh.origin_world);
+}
+
+DeviceDeformer& DeformedMeshes::device()
+{
+    if (!device_) device_ = std::make_unique<DeviceDeformer>();
+    return *device_;
+}
+
+void DeformedMeshes::deform(Entry& entry, const Instance& instance, Mirror& mirror)
+{
+    const MirroredMesh& rest = mirror.mesh(instance.mesh);
+    entry.drawn = {};
+    entry.notice.clear();
+    bool done = false;
+    if (entry.by != DeformBy::processor) try {
+            deform_on_device(entry, instance, mirror);
+            done = true;
+        } catch (const Rejected& error) {
+            entry.notice = error.what();
+            entry.drawn = {};
+        }
+    if (!done) deform_on_processor(entry, instance);
+    DeformedMesh& drawn = entry.drawn;
+    const bool in_buffers = !drawn.stage || instance.stages.size() > 1;
+    drawn.mirrored = with_vertices(rest, in_buffers ? &entry.vertices : nullptr);
+    drawn.mirrored.serial = mirror.next_serial();
+    if (!entry.wire) return;
+    drawn.edges.indices = mirror.edge_indices(instance.mesh);
+    drawn.edges.vertices.attribute(0, entry.vertices.positions, 3, sizeof(glm::vec3));
+    drawn.edges.vertices.indices(drawn.edges.indices->buffer);
+}
+
+void DeformedMeshes::deform_on_device(Entry& entry, const Instance& instance, Mirror& mirror)
+{
+    const std::span<const Stage> stages(instance.stages);
+    VertexSource from = source_of(mirror.mesh(instance.mesh), *instance.mesh);
+    DeformedMesh& drawn = entry.drawn;
+    Box box = from.bounds;
+    for (const Stage& stage : stages) box = deformed_bounds(stage, box);
+    // A number of few digits, so that taking it off and adding it again is exact.
+    drawn.origin_world = glm::dvec3(glm::vec3(box.center()));
+    const bool one_phase = entry.by == DeformBy::one_phase && !entry.wire;
+    const std::span<const Stage> first = one_phase ? stages.first(stages.size() - 1) : stages;
+    if (!first.empty())
+        device().deform(from, entry.vertices, first, {},
+                        one_phase ? glm::dvec3(0) : drawn.origin_world);
+    if (!one_phase) {
+        drawn.box = device().box_of(entry.vertices);
+    } else {
+        const VertexSource last = first.empty() ? from : VertexSource(entry.vertices);
+        drawn.box = device().box_of(last, &stages.back(), drawn.origin_world);
+        drawn.stage = stages.back();
+        drawn.undeformed = last.bounds;
+        drawn.defines =
+            volume_defines(device().lattices().lattice(stages.back().lattice).axes->packed.order,
+                           device().reads_texels());
+    }
+    drawn.box.lo += drawn.origin_world;
+    drawn.box.hi += drawn.origin_world;
+}
+
+void DeformedMeshes::deform_on_processor(Entry& entry, const Instance& instance)
+{
+    const Stage& first = instance.stages.front();
+    const std::array<Knots, 3>& axes = first.lattice->displacement.axes;
+    const OnProcessor* kept = entry.on_processor.get();
+    if (!kept || kept->axes != axes || kept->embedding != first.embedding)
+        entry.on_processor = std::make_unique<OnProcessor>(OnProcessor{
+            first.embedding, axes, Deformer(with_normals(instance.mesh), first.embedding, axes)});
+    Deformed out = entry.on_processor->deformer.arrays(*first.lattice);
+    for (const Stage& stage : std::span(instance.stages).subspan(1)) {
+        Mesh between;
+        between.positions = std::move(out.positions);
+        between.normals = std::move(out.normals);
+        between.tangents = std::move(out.tangents);
+        const Deformer next(make_ref(std::move(between)), stage.embedding,
+                            stage.lattice->displacement.axes);
+        out = next.arrays(*stage.lattice);
+    }
+    write(entry.vertices.positions, out.positions);
+    write(entry.vertices.normals, out.normals);
+    write(entry.vertices.tangents, out.tangents);
+    entry.vertices.count = out.positions.size();
+    entry.drawn.box = {};
+    for (const glm::vec3& p : out.positions) entry.drawn.box.add(p);
+}
+
+} // namespace trivar::gpu

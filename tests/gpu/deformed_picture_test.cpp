@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pictures of meshes that the renderer deforms, beside those of meshes that were deformed before.
+#include "tests/gpu/support.h"
+#include "tests/support/splines.h"
+
+#include <gmock/gmock.h>
+
+namespace trivar::gpu::testing {
+namespace {
+
+constexpr glm::ivec2 size_px{160, 120};
+
+Stage stage_of(int order, double size, const Embedding& embedding = {}, unsigned seed = 1)
+{
+    const Knots knots = Knots::uniform(order, order + 2);
+    return {make_ref(Lattice{trivar::testing::random_volume({knots, knots, knots}, seed, size),
+                             glm::dmat4(1)}),
+            embedding};
+}
+
+// From the box [-1, 1]^3 to the parameters.
+Embedding in_a_box()
+{
+    glm::dmat4 half(0.5);
+    half[3] = {0.5, 0.5, 0.5, 1};
+    return {half, glm::dmat4(1)};
+}
+
+Picture picture_of(const Ref<Mesh>& mesh, const std::vector<Stage>& stages, DeformBy by)
+{
+    Picture picture;
+    picture.camera.eye = {2, -4, 3};
+    picture.samples = 1;
+    picture.deform_by = by;
+    Instance instance;
+    instance.mesh = mesh;
+    instance.stages = stages;
+    instance.id = 7;
+    picture.instances.push_back(instance);
+    picture.instances.push_back(instance_of(plane_mesh({6, 6}, {1, 1}), moved(0, 0, -1.5)));
+    return picture;
+}
+
+// The same, deformed beforehand.
+Picture expected_of(const Ref<Mesh>& mesh, const std::vector<Stage>& stages)
+{
+    Mesh out = *mesh;
+    for (const Stage& stage : stages) out = deform(out, stage.embedding, *stage.lattice);
+    return picture_of(make_ref(std::move(out)), {}, DeformBy::processor);
+}
+
+// How many pixels differ by more than a little.
+int different(const Image& a, const Image& b)
+{
+    int count = 0;
+    for (std::size_t i = 0; i < a.rgba.size(); i += 4)
+        for (std::size_t c = 0; c < 3; ++c)
+            if (std::abs(int{a.rgba[i + c]} - int{b.rgba[i + c]}) > 3) {
+                ++count;
+                break;
+            }
+    return count;
+}
+
+constexpr std::array every_way{DeformBy::processor, DeformBy::one_phase, DeformBy::two_phases};
+
+class DeformedPictures : public WithContext {
+protected:
+    Renderer renderer;
+    const Ref<Mesh> torus = make_ref(torus_mesh(0.6, 0.25, {48, 24}));
+};
+
+TEST_F(DeformedPictures, AreTheSameWhereverTheyAreDeformed)
+{
+    const std::vector<Stage> stages{stage_of(3, 0.2, in_a_box())};
+    const Image expected = renderer.render(expected_of(torus, stages), size_px);
+    const Image still = renderer.render(picture_of(torus, {}, DeformBy::processor), size_px);
+    EXPECT_GT(different(still, expected), 500);
+    for (const DeformBy by : every_way) {
+        const Image got = renderer.render(picture_of(torus, stages, by), size_px);
+        EXPECT_LE(different(got, expected), 8);
+        EXPECT_EQ(renderer.notice(), "");
+        EXPECT_EQ(renderer.pick({80, 45}), 7);
+    }
+}
+
+TEST_F(DeformedPictures, ComposeStacksAndShowTheirEdges)
+{
+    const std::vector<Stage> stages{stage_of(3, 0.2, in_a_box()), stage_of(4, 0.15, in_a_box(), 2)};
+    for (const bool wire : {false, true}) {
+        Picture expected = expected_of(torus, stages);
+        expected.settings.wire = wire;
+        const Image image = renderer.render(expected, size_px);
+        for (const DeformBy by : every_way) {
+            Picture picture = picture_of(torus, stages, by);
+            picture.settings.wire = wire;
+            EXPECT_LE(different(renderer.render(picture, size_px), image), 12);
+        }
+    }
+}
+
+TEST_F(DeformedPictures, AreDeformedAnewOnlyWhenSomethingChanged)
+{
+    const auto deformed_vertices = [&](const Picture& picture) -> std::size_t {
+        renderer.draw(picture, size_px);
+        for (const Timings::Stage& stage : renderer.timings().stages)
+            if (stage.name == "deform") return stage.vertices;
+        return 0;
+    };
+    Picture picture = picture_of(torus, {stage_of(3, 0.2, in_a_box())}, DeformBy::two_phases);
+    EXPECT_EQ(deformed_vertices(picture), torus->vertex_count());
+    picture.camera.eye = {-2, -4, 3};
+    EXPECT_EQ(deformed_vertices(picture), 0u);
+    picture.instances.front().stages.front().embedding.to_uvw[3].x += 0.1;
+    EXPECT_EQ(deformed_vertices(picture), torus->vertex_count());
+}
+
+TEST_F(DeformedPictures, FallToTheProcessorWhereTheDeviceCannotAndSayWhy)
+{
+    const std::vector<Stage> stages{stage_of(5, 0.2, in_a_box())};
+    const Image expected = renderer.render(expected_of(torus, stages), size_px);
+    const Picture picture = picture_of(torus, stages, DeformBy::two_phases);
+    for (int i = 0; i < 2; ++i) {
+        EXPECT_LE(different(renderer.render(picture, size_px), expected), 8);
+        EXPECT_THAT(renderer.notice(), ::testing::HasSubstr("order 5"));
+    }
+}
+
+} // namespace
+} // namespace trivar::gpu::testing
