@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/ffd/packed_volume.h"
 
+#include "core/base/index.h"
 #include "core/base/rejected.h"
 #include "core/ffd/axis_cells.h"
 
@@ -12,11 +13,6 @@
 
 namespace trivar {
 namespace {
-
-std::size_t at(int i)
-{
-    return static_cast<std::size_t>(i);
-}
 
 glm::vec4 first_four(const std::array<double, max_order>& row)
 {
@@ -74,7 +70,7 @@ void pack_axis(PackedAxes& out, std::size_t axis, const Knots& knots)
 }
 
 // The largest absolute value of an entry.
-double largest(const glm::dmat3& m)
+double largest_entry(const glm::dmat3& m)
 {
     double most = 0;
     for (int i = 0; i < 3; ++i)
@@ -137,7 +133,7 @@ VolumeFrame volume_frame(const Lattice& lattice, const PackedAxes& packed,
         out.cell_begin[a] = packed.cell_begin[at(a)];
         out.cell_count[a] = packed.cell_count[at(a)];
         out.closure[a] = static_cast<int>(knots.closure());
-        steepest = std::max(steepest, largest(glm::dmat3(x_by_p)) * out.cell_count[a]);
+        steepest = std::max(steepest, largest_entry(glm::dmat3(x_by_p)) * out.cell_count[a]);
     }
     out.x_by_p = x_by_p;
     out.x_middle = glm::vec4(middle, 0);
@@ -156,7 +152,8 @@ VolumeFrame volume_frame(const Lattice& lattice, const PackedAxes& packed,
     double displaced = 0;
     for (const glm::dvec3& d : lattice.displacement.points)
         displaced = std::max(displaced, glm::length(d));
-    out.jacobian_scale = scale_for(largest(glm::dmat3(embedding.to_rest)) + displaced * steepest);
+    out.jacobian_scale =
+        scale_for(largest_entry(glm::dmat3(embedding.to_rest)) + displaced * steepest);
     // The best of single precision: smaller steps lose digits, larger ones the slope.
     out.difference_step = static_cast<float>(1e-4 * extent);
     return out;

@@ -13,17 +13,17 @@ namespace {
 
 using gpu::DeformRate, gpu::NormalsBy, gpu::Sum, gpu::Way;
 
-const char* name_of(Way way)
+const char* bench_word(Way way)
 {
     return way == Way::processor ? "processor" : way == Way::one_phase ? "one phase" : "two phases";
 }
 
-const char* name_of(Sum sum)
+const char* bench_word(Sum sum)
 {
     return sum == Sum::nested ? "nested" : sum == Sum::raised ? "raised" : "filtered (preview)";
 }
 
-const char* name_of(NormalsBy normals)
+const char* bench_word(NormalsBy normals)
 {
     return normals == NormalsBy::nothing     ? "none"
            : normals == NormalsBy::cofactors ? "exact"
@@ -31,7 +31,7 @@ const char* name_of(NormalsBy normals)
 }
 
 // What the device would allow at most, and which of the two says so.
-double allowed(const DeformRate& rate)
+double device_allows(const DeformRate& rate)
 {
     return std::min(rate.copy_allows_per_s, rate.arithmetic_allows_per_s);
 }
@@ -41,7 +41,7 @@ const char* bound_by(const DeformRate& rate)
     return rate.copy_allows_per_s < rate.arithmetic_allows_per_s ? "copying" : "arithmetic";
 }
 
-std::string text(const gpu::DeformReport& report)
+std::string report_text(const gpu::DeformReport& report)
 {
     std::string out =
         fmt::format("{}\ncopies buffers at {:.1f} GB/s, read and written; does {:.1f} "
@@ -53,12 +53,12 @@ std::string text(const gpu::DeformReport& report)
                        "million/s", "share", "of what", "error: position, normal");
     for (const DeformRate& r : report.rates) {
         out += fmt::format("{:<11} {:<18} {:<11} {:>5} {:>5}^3 {:>9} {:>9.3f} {:>10.2f}",
-                           name_of(r.what.way), name_of(r.what.method.sum),
-                           name_of(r.what.method.normals), r.what.order, r.what.lattice,
+                           bench_word(r.what.way), bench_word(r.what.method.sum),
+                           bench_word(r.what.method.normals), r.what.order, r.what.lattice,
                            r.what.vertices, r.time_ms, r.vertices_per_s / 1e6);
         if (r.copy_allows_per_s > 0)
-            out +=
-                fmt::format("  {:>4.0f}% {:<11}", 100 * r.vertices_per_s / allowed(r), bound_by(r));
+            out += fmt::format("  {:>4.0f}% {:<11}", 100 * r.vertices_per_s / device_allows(r),
+                               bound_by(r));
         if (r.position_error) out += fmt::format(" {:.1e}", *r.position_error);
         if (r.normal_error_deg) out += fmt::format(", {:.4f} degrees", *r.normal_error_deg);
         out += '\n';
@@ -66,13 +66,13 @@ std::string text(const gpu::DeformReport& report)
     return out;
 }
 
-nlohmann::ordered_json json(const gpu::DeformReport& report)
+nlohmann::ordered_json report_json(const gpu::DeformReport& report)
 {
     nlohmann::ordered_json rates = nlohmann::ordered_json::array();
     for (const DeformRate& r : report.rates) {
-        nlohmann::ordered_json rate{{"way", name_of(r.what.way)},
-                                    {"sum", name_of(r.what.method.sum)},
-                                    {"normals", name_of(r.what.method.normals)},
+        nlohmann::ordered_json rate{{"way", bench_word(r.what.way)},
+                                    {"sum", bench_word(r.what.method.sum)},
+                                    {"normals", bench_word(r.what.method.normals)},
                                     {"order", r.what.order},
                                     {"lattice", r.what.lattice},
                                     {"vertices", r.what.vertices},
@@ -108,7 +108,7 @@ Status run_bench(const BenchOptions& options, const Streams& streams)
     const gpu::DeformReport report =
         gpu::deform_rates(cases, options.most_s, streams.terminal ? Progress(shown) : Progress());
     if (streams.terminal) streams.talk << "\r\x1b[K";
-    streams.out << (options.json ? json(report).dump(2) + "\n" : text(report));
+    streams.out << (options.json ? report_json(report).dump(2) + "\n" : report_text(report));
     for (const std::string& notice : report.notices) streams.talk << "trivar: " << notice << "\n";
     return Status::done;
 }

@@ -22,9 +22,9 @@ std::string label_of(std::string_view field)
 }
 
 // Rows for the numbers of a command, from its list of fields.
-class Rows {
+class CardRows {
 public:
-    explicit Rows(const ui::Theme& theme) : theme_(theme) {}
+    explicit CardRows(const ui::Theme& theme) : theme_(theme) {}
     ui::Edit edit = ui::Edit::none;
 
     void operator()(std::string_view name, double& value, std::string_view help, Rule rule = {})
@@ -130,7 +130,7 @@ void draw_adjustment(Editor& editor, const ui::Theme& theme, const ui::Rect& vie
     ImGui::BeginChild("adjusted", {width, body}, false, ImGuiWindowFlags_NoScrollbar);
     ImGui::PopStyleVar();
     const float top = ImGui::GetCursorScreenPos().y;
-    Rows rows(theme);
+    CardRows rows(theme);
     std::visit([&](auto& c) { each_field(c, rows); }, command);
     a.height_px = ImGui::GetCursorScreenPos().y - top;
     ImGui::EndChild();

@@ -65,7 +65,7 @@ struct Errors {
     double position = 0, normal_deg = 0;
 };
 
-Errors errors(const Deformed& a, const Deformed& exact)
+Errors errors_of(const Deformed& a, const Deformed& exact)
 {
     Box box;
     for (const glm::vec3& p : exact.positions) box.add(p);
@@ -195,7 +195,7 @@ private:
         constexpr std::size_t compared = 200000; // reading back takes its time
         if (what.vertices > compared) return least;
         const Deformer exact(mesh(what.method), stage.embedding, stage.lattice->displacement.axes);
-        const Errors off = errors(read_back(to_), exact.arrays(*stage.lattice));
+        const Errors off = errors_of(read_back(to_), exact.arrays(*stage.lattice));
         rate.position_error = off.position;
         if (what.method.normals != NormalsBy::nothing) rate.normal_error_deg = off.normal_deg;
         return least;

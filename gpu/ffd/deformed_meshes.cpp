@@ -49,11 +49,6 @@ Ref<Mesh> with_normals(const Ref<Mesh>& mesh)
     return make_ref(std::move(out));
 }
 
-template <class T> void write(Buffer& buffer, const std::vector<T>& values)
-{
-    if (!values.empty()) buffer.write(std::as_bytes(std::span(values)));
-}
-
 bool deforms(const Instance& instance)
 {
     return !instance.stages.empty() && instance.mesh && instance.mesh->face_count() > 0;
@@ -192,9 +187,9 @@ void DeformedMeshes::deform_on_processor(Entry& entry, const Instance& instance)
                             stage.lattice->displacement.axes);
         out = next.arrays(*stage.lattice);
     }
-    write(entry.vertices.positions, out.positions);
-    write(entry.vertices.normals, out.normals);
-    write(entry.vertices.tangents, out.tangents);
+    entry.vertices.positions.write(std::as_bytes(std::span(out.positions)));
+    entry.vertices.normals.write(std::as_bytes(std::span(out.normals)));
+    entry.vertices.tangents.write(std::as_bytes(std::span(out.tangents)));
     entry.vertices.count = out.positions.size();
     entry.drawn.box = {};
     for (const glm::vec3& p : out.positions) entry.drawn.box.add(p);

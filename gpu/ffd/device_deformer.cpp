@@ -13,18 +13,13 @@ namespace trivar::gpu {
 namespace {
 
 // volume_inputs.glsl
-constexpr unsigned frame_binding = 1, points_binding = 0, cells_binding = 1;
+constexpr unsigned volume_binding = 1, points_binding = 0, cells_binding = 1;
 constexpr unsigned points_unit = 14, cells_unit = 15;
-constexpr unsigned group = 64; // deform.comp.glsl
+constexpr unsigned group_size = 64; // deform.comp.glsl
 // Slices begin where any device lets a buffer's range begin: a multiple of 256 bytes.
 constexpr std::size_t slice_step = 256;
 
-template <class T> void write(Buffer& buffer, const std::vector<T>& values)
-{
-    if (!values.empty()) buffer.write(std::as_bytes(std::span(values)));
-}
-
-std::size_t bytes(const Buffer* buffer)
+std::size_t bytes_in(const Buffer* buffer)
 {
     return buffer ? buffer->bytes() : 0;
 }
@@ -35,7 +30,7 @@ double from_ordered(std::uint32_t ordered)
     return std::bit_cast<float>(ordered & 0x80000000u ? ordered ^ 0x80000000u : ~ordered);
 }
 
-template <class T> std::vector<T> read(const Buffer& buffer)
+template <class T> std::vector<T> values_in(const Buffer& buffer)
 {
     std::vector<T> out(buffer.bytes() / sizeof(T));
     buffer.read(std::as_writable_bytes(std::span(out)));
@@ -64,9 +59,9 @@ VertexSource::VertexSource(const DeviceVertices& vertices)
 DeviceVertices uploaded_vertices(const Mesh& mesh)
 {
     DeviceVertices out;
-    write(out.positions, mesh.positions);
-    write(out.normals, mesh.normals);
-    if (!mesh.normals.empty()) write(out.tangents, mesh.tangents);
+    out.positions.write(std::as_bytes(std::span(mesh.positions)));
+    out.normals.write(std::as_bytes(std::span(mesh.normals)));
+    if (!mesh.normals.empty()) out.tangents.write(std::as_bytes(std::span(mesh.tangents)));
     out.count = mesh.vertex_count();
     out.bounds = bounding_box(mesh);
     return out;
@@ -74,8 +69,8 @@ DeviceVertices uploaded_vertices(const Mesh& mesh)
 
 Deformed read_back(const DeviceVertices& vertices)
 {
-    return {read<glm::vec3>(vertices.positions), read<glm::vec3>(vertices.normals),
-            read<glm::vec4>(vertices.tangents)};
+    return {values_in<glm::vec3>(vertices.positions), values_in<glm::vec3>(vertices.normals),
+            values_in<glm::vec4>(vertices.tangents)};
 }
 
 DeviceLimits device_limits()
@@ -93,7 +88,8 @@ DeviceLimits device_limits()
     out.reads_texels = is_software() || in_vertex_shaders < 2;
     out.storage_block = static_cast<std::size_t>(block);
     out.groups = static_cast<std::size_t>(groups);
-    const std::size_t most = std::min(out.groups * group, out.storage_block / sizeof(glm::vec4));
+    const std::size_t most =
+        std::min(out.groups * group_size, out.storage_block / sizeof(glm::vec4));
     out.slice_vertices = most / slice_step * slice_step;
     return out;
 }
@@ -155,7 +151,7 @@ void DeviceDeformer::deform(const VertexSource& from, DeviceVertices& to,
                             const glm::dvec3& origin_world)
 {
     const auto reserve = [](Buffer& buffer, const Buffer* like, bool wanted) {
-        if (wanted && bytes(like) > 0) buffer.reserve(bytes(like));
+        if (wanted && bytes_in(like) > 0) buffer.reserve(bytes_in(like));
     };
     reserve(to.positions, from.positions, true);
     reserve(to.normals, from.normals, method.normals != NormalsBy::nothing);
@@ -186,7 +182,7 @@ void DeviceDeformer::bind(const Stage& stage, const Box& object, const glm::dvec
     const VolumeFrame frame =
         volume_frame(*stage.lattice, lattice.axes->packed, stage.embedding, object, origin_world);
     frame_.write(std::as_bytes(std::span(&frame, 1)));
-    glBindBufferBase(GL_UNIFORM_BUFFER, frame_binding, frame_.name());
+    glBindBufferBase(GL_UNIFORM_BUFFER, volume_binding, frame_.name());
     if (limits_.reads_texels) {
         points_->bind(points_unit, lattice.points);
         cells_->bind(cells_unit, lattice.axes->cells);
@@ -206,9 +202,9 @@ void DeviceDeformer::deform_by(const Stage& stage, const VertexSource& from, Dev
         throw Rejected("Order raising cannot evaluate a lattice that is torn at a knot.");
     if (method.sum == Sum::filtered) lattices_.texture(stage.lattice).bind(0);
     Method possible = method;
-    if (bytes(from.normals) == 0) possible.normals = NormalsBy::nothing;
+    if (bytes_in(from.normals) == 0) possible.normals = NormalsBy::nothing;
     const bool normals = possible.normals != NormalsBy::nothing,
-               tangents = bytes(from.tangents) > 0 && possible.normals == NormalsBy::cofactors;
+               tangents = bytes_in(from.tangents) > 0 && possible.normals == NormalsBy::cofactors;
     const Program& program =
         programs_.use(deform_program({axes.order, possible, tangents, limits_.reads_texels}));
     for (std::size_t first = 0; first < from.count; first += limits_.slice_vertices) {
@@ -222,7 +218,7 @@ void DeviceDeformer::deform_by(const Stage& stage, const VertexSource& from, Dev
         if (normals) both(4, from.normals, to.normals, sizeof(glm::vec3));
         if (tangents) both(6, from.tangents, to.tangents, sizeof(glm::vec4));
         program.set("vertex_count", static_cast<unsigned>(count));
-        glDispatchCompute(static_cast<GLuint>((count + group - 1) / group), 1, 1);
+        glDispatchCompute(static_cast<GLuint>((count + group_size - 1) / group_size), 1, 1);
     }
 }
 
@@ -245,8 +241,9 @@ Box DeviceDeformer::box_of(const VertexSource& vertices, const Stage* by,
         bind_range(2, *vertices.positions, first, count, sizeof(glm::vec3));
         program.set("vertex_count", static_cast<unsigned>(count));
         constexpr std::size_t most_groups = 128; // each ends with six atomic operations a thread
-        glDispatchCompute(static_cast<GLuint>(std::min(most_groups, (count + group - 1) / group)),
-                          1, 1);
+        glDispatchCompute(
+            static_cast<GLuint>(std::min(most_groups, (count + group_size - 1) / group_size)), 1,
+            1);
     }
     bounds_.read(std::as_writable_bytes(std::span(box)));
     Box out;

@@ -70,8 +70,8 @@ Exact textbook(const Trivariate<glm::dvec3>& f, glm::dvec3 uvw)
 }
 
 // A lattice of one unit beside its kernel; object space is parameter space.
-struct Volume {
-    explicit Volume(const std::array<Knots, 3>& axes, double size = 0.3)
+struct PackedVolume {
+    explicit PackedVolume(const std::array<Knots, 3>& axes, double size = 0.3)
         : lattice(random_lattice(axes, size)),
           packed(packed_axes(axes)),
           points(packed_points(lattice.displacement))
@@ -90,11 +90,6 @@ struct Volume {
     std::vector<glm::vec4> points;
     VolumeFrame frame;
 };
-
-double angle_deg(const glm::dvec3& a, const glm::dvec3& b)
-{
-    return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
-}
 
 // Parameters all over a domain, with every knot and both ends among them.
 std::vector<double> parameters(const Knots& knots)
@@ -120,7 +115,7 @@ bool at_a_kink(const Knots& knots, double t)
 
 template <int u, int v, int w> void expect_textbook(const std::array<Knots, 3>& axes)
 {
-    const Volume volume(axes);
+    const PackedVolume volume(axes);
     auto kernel = volume.kernel<u, v, w>();
     for (const double a : parameters(axes[0]))
         for (const double b : parameters(axes[1]))
@@ -238,7 +233,8 @@ TEST(Kernel, ReturnsTheVeryBitsOfWhatAnUntouchedLatticeHolds)
 // The thesis's normals, for comparison: two more evaluations, and off by a part of a degree.
 TEST(Kernel, GivesBetterNormalsByCofactorsThanByDifferences)
 {
-    const Volume volume({Knots::uniform(4, 6), Knots::uniform(4, 6), Knots::uniform(4, 6)}, 0.05);
+    const PackedVolume volume({Knots::uniform(4, 6), Knots::uniform(4, 6), Knots::uniform(4, 6)},
+                              0.05);
     auto kernel = volume.kernel<4, 4, 4>();
     const Mesh mesh = scattered_points(2000);
     const Mesh exact = deform_in_double(mesh, {}, volume.lattice);

@@ -61,4 +61,9 @@ double largest_distance(const std::vector<glm::vec3>& a, const std::vector<glm::
     return most;
 }
 
+double angle_deg(const glm::dvec3& a, const glm::dvec3& b)
+{
+    return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
+}
+
 } // namespace trivar::testing

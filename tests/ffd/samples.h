@@ -36,4 +36,7 @@ std::vector<std::array<std::uint32_t, sizeof(Vector) / 4>> bits(const std::vecto
 // Largest distance between positions, and between unit vectors.
 double largest_distance(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b);
 
+// Between two directions, to the last digit also where it is small.
+double angle_deg(const glm::dvec3& a, const glm::dvec3& b);
+
 } // namespace trivar::testing

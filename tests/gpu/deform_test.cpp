@@ -13,22 +13,18 @@
 namespace trivar::gpu::testing {
 namespace {
 
+using trivar::testing::angle_deg;
 using trivar::testing::random_lattice;
 using trivar::testing::scattered_points;
 using trivar::testing::some_affine_map;
 using trivar::testing::uneven_knots;
-
-double angle_deg(const glm::dvec3& a, const glm::dvec3& b)
-{
-    return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
-}
 
 Stage stage_of(const std::array<Knots, 3>& axes, double size, const Embedding& embedding = {})
 {
     return {make_ref(random_lattice(axes, size)), embedding};
 }
 
-std::array<Knots, 3> uniform(int order, int count)
+std::array<Knots, 3> equal_axes(int order, int count)
 {
     const Knots knots = Knots::uniform(order, count);
     return {knots, knots, knots};
@@ -126,7 +122,7 @@ TEST_F(DeformedByTheDevice, AMillionPointsAreWhereTheProcessorPutsThem)
 {
     const Mesh mesh = scattered_points(1'000'000, -0.02f, 1.02f);
     for (const int order : {3, 4}) {
-        const std::vector<Stage> stages{stage_of(uniform(order, 8), 0.02)};
+        const std::vector<Stage> stages{stage_of(equal_axes(order, 8), 0.02)};
         expect_equal(by_device(mesh, stages), by_processor(mesh, stages));
     }
 }
@@ -149,8 +145,9 @@ TEST_F(DeformedByTheDevice, MixedOrdersAndAllKnotsAreAsInDouble)
 TEST_F(DeformedByTheDevice, OrderTwoIsAsOnTheProcessor)
 {
     const Mesh mesh = scattered_points(20000);
-    for (const auto& axes : {uniform(2, 5), std::array{Knots::uniform(4, 5), Knots::uniform(3, 5),
-                                                       Knots::uniform(2, 5)}}) {
+    for (const auto& axes :
+         {equal_axes(2, 5),
+          std::array{Knots::uniform(4, 5), Knots::uniform(3, 5), Knots::uniform(2, 5)}}) {
         const std::vector<Stage> stages{stage_of(axes, 0.02)};
         const Deformed device = by_device(mesh, stages), processor = by_processor(mesh, stages);
         EXPECT_LT(differences(device, processor).position, 1e-6);
@@ -164,7 +161,7 @@ TEST_F(DeformedByTheDevice, OrderTwoIsAsOnTheProcessor)
 TEST_F(DeformedByTheDevice, TheVertexShaderGivesTheSame)
 {
     const Mesh mesh = scattered_points(20000, -0.1f, 1.1f);
-    const Stage stage = stage_of(uniform(3, 6), 0.02, {some_affine_map(), some_affine_map()});
+    const Stage stage = stage_of(equal_axes(3, 6), 0.02, {some_affine_map(), some_affine_map()});
     const Deformed two_phase = by_device(mesh, {stage}), one_phase = by_vertex_shader(mesh, stage);
     expect_equal(one_phase, two_phase);
     expect_equal(one_phase, by_processor(mesh, {stage}));
@@ -176,16 +173,16 @@ TEST_F(DeformedByTheDevice, AStackOfVolumesIsComposedWithoutReadBack)
     glm::dmat4 half(0.5);
     half[3] = {0.25, 0.25, 0.25, 1};
     const std::vector<Stage> stages{
-        stage_of(uniform(3, 5), 0.02, {half, some_affine_map()}),
-        stage_of(uniform(4, 6), 0.02, {half * glm::inverse(some_affine_map()), glm::dmat4(1)}),
-        stage_of(uniform(3, 4), 0.02, {glm::dmat4(1), half})};
+        stage_of(equal_axes(3, 5), 0.02, {half, some_affine_map()}),
+        stage_of(equal_axes(4, 6), 0.02, {half * glm::inverse(some_affine_map()), glm::dmat4(1)}),
+        stage_of(equal_axes(3, 4), 0.02, {glm::dmat4(1), half})};
     expect_equal(by_device(mesh, stages), by_processor(mesh, stages));
 }
 
 TEST_F(DeformedByTheDevice, TheBoxIsThatOfThePositions)
 {
     const Mesh mesh = scattered_points(10000, -3, 2);
-    const Stage stage = stage_of(uniform(3, 5), 0.3);
+    const Stage stage = stage_of(equal_axes(3, 5), 0.3);
     const DeviceVertices from = uploaded_vertices(mesh);
     DeviceVertices to;
     deformer.deform(from, to, std::vector{stage});
@@ -201,7 +198,7 @@ TEST_F(DeformedByTheDevice, TheBoxIsThatOfThePositions)
 TEST_F(DeformedByTheDevice, AnUntouchedLatticeGivesTheVeryBitsBack)
 {
     const Mesh mesh = scattered_points(5000, -1, 2);
-    const auto still = make_ref(lattice_at_rest(uniform(4, 6), glm::dmat4(1)));
+    const auto still = make_ref(lattice_at_rest(equal_axes(4, 6), glm::dmat4(1)));
     const Deformed out = by_device(mesh, {{still, {}}});
     EXPECT_EQ(trivar::testing::bits(out.positions), trivar::testing::bits(mesh.positions));
 }
@@ -225,7 +222,7 @@ TEST_F(DeformedByTheDevice, WhatIsFarFromTheOriginKeepsItsDigitsRelativeToAnOthe
     const Mesh mesh = scattered_points(5000);
     glm::dmat4 far(1);
     far[3] = {1e6, -2e6, 3e5, 1};
-    const Stage there = stage_of(uniform(3, 5), 0.02, {glm::dmat4(1), far});
+    const Stage there = stage_of(equal_axes(3, 5), 0.02, {glm::dmat4(1), far});
     const Stage here{there.lattice, {}};
     const DeviceVertices from = uploaded_vertices(mesh);
     DeviceVertices to;
@@ -236,7 +233,7 @@ TEST_F(DeformedByTheDevice, WhatIsFarFromTheOriginKeepsItsDigitsRelativeToAnOthe
 TEST_F(DeformedByTheDevice, StorageAndTexelsAreReadAlike)
 {
     const Mesh mesh = scattered_points(5000);
-    const Stage stage = stage_of(uniform(3, 5), 0.02);
+    const Stage stage = stage_of(equal_axes(3, 5), 0.02);
     DeviceLimits limits = device_limits();
     limits.reads_texels = !limits.reads_texels;
     const Deformed one = by_device(mesh, {stage});
@@ -248,7 +245,7 @@ TEST_F(DeformedByTheDevice, StorageAndTexelsAreReadAlike)
 TEST_F(DeformedByTheDevice, MeshesLargerThanADispatchAreDeformedInSlices)
 {
     const Mesh mesh = scattered_points(10000);
-    const std::vector<Stage> stages{stage_of(uniform(3, 5), 0.02)};
+    const std::vector<Stage> stages{stage_of(equal_axes(3, 5), 0.02)};
     DeviceLimits limits = device_limits();
     limits.slice_vertices = 1024;
     deformer = DeviceDeformer(limits);
@@ -258,12 +255,12 @@ TEST_F(DeformedByTheDevice, MeshesLargerThanADispatchAreDeformedInSlices)
 TEST_F(DeformedByTheDevice, ALatticeUploadsOnceAndAChangedOneUploadsItself)
 {
     const Mesh mesh = scattered_points(100);
-    const Stage stage = stage_of(uniform(3, 5), 0.02);
+    const Stage stage = stage_of(equal_axes(3, 5), 0.02);
     by_device(mesh, {stage});
     by_device(mesh, {stage});
     EXPECT_EQ(deformer.lattices().uploads(), 1u);
     const DeviceAxes* const axes = deformer.lattices().lattice(stage.lattice).axes.get();
-    const Stage changed{make_ref(random_lattice(uniform(3, 5), 0.02, 2)), {}};
+    const Stage changed{make_ref(random_lattice(equal_axes(3, 5), 0.02, 2)), {}};
     by_device(mesh, {changed});
     EXPECT_EQ(deformer.lattices().uploads(), 2u);
     EXPECT_EQ(deformer.lattices().lattice(changed.lattice).axes.get(), axes);
@@ -273,7 +270,8 @@ TEST_F(DeformedByTheDevice, ALatticeUploadsOnceAndAChangedOneUploadsItself)
 TEST_F(DeformedByTheDevice, OrderRaisingAndDifferencesComeNear)
 {
     const Mesh mesh = scattered_points(20000);
-    const std::vector<Stage> stages{stage_of(uniform(3, 6), 0.02)}; // cubics take long to compile
+    const std::vector<Stage> stages{
+        stage_of(equal_axes(3, 6), 0.02)}; // cubics take long to compile
     Deformed exact = by_processor(mesh, stages);
     exact.tangents.clear();
     for (const Sum sum : {Sum::nested, Sum::raised, Sum::filtered}) {
@@ -297,7 +295,7 @@ TEST_F(DeformedByTheDevice, WhatTheDeviceCannotDoIsRefusedInASentence)
         return "it was done";
     };
     const Mesh mesh = scattered_points(100);
-    EXPECT_THAT(sentence([&] { by_device(mesh, {stage_of(uniform(5, 6), 0.1)}); }),
+    EXPECT_THAT(sentence([&] { by_device(mesh, {stage_of(equal_axes(5, 6), 0.1)}); }),
                 HasSubstr("order 5"));
     const Knots torn = Knots::general(3, {0, 0, 0, 0.5, 0.5, 0.5, 1, 1, 1});
     const Method raised{Sum::raised, NormalsBy::nothing};
@@ -308,7 +306,7 @@ TEST_F(DeformedByTheDevice, WhatTheDeviceCannotDoIsRefusedInASentence)
     DeviceLimits limits = device_limits();
     limits.storage_block = limits.texels = 100;
     deformer = DeviceDeformer(limits);
-    EXPECT_THAT(sentence([&] { by_device(mesh, {stage_of(uniform(4, 8), 0.1)}); }),
+    EXPECT_THAT(sentence([&] { by_device(mesh, {stage_of(equal_axes(4, 8), 0.1)}); }),
                 HasSubstr("kB"));
     limits.gl_version = 33;
     EXPECT_THAT(sentence([&] { DeviceDeformer{limits}; }), HasSubstr("needs OpenGL 4.3"));

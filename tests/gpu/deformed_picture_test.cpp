@@ -8,9 +8,9 @@
 namespace trivar::gpu::testing {
 namespace {
 
-constexpr glm::ivec2 size_px{160, 120};
+constexpr glm::ivec2 picture_px{160, 120};
 
-Stage stage_of(int order, double size, const Embedding& embedding = {}, unsigned seed = 1)
+Stage volume_stage(int order, double size, const Embedding& embedding = {}, unsigned seed = 1)
 {
     const Knots knots = Knots::uniform(order, order + 2);
     return {make_ref(Lattice{trivar::testing::random_volume({knots, knots, knots}, seed, size),
@@ -26,7 +26,7 @@ Embedding in_a_box()
     return {half, glm::dmat4(1)};
 }
 
-Picture picture_of(const Ref<Mesh>& mesh, const std::vector<Stage>& stages, DeformBy by)
+Picture picture_with(const Ref<Mesh>& mesh, const std::vector<Stage>& stages, DeformBy by)
 {
     Picture picture;
     picture.camera.eye = {2, -4, 3};
@@ -46,11 +46,11 @@ Picture expected_of(const Ref<Mesh>& mesh, const std::vector<Stage>& stages)
 {
     Mesh out = *mesh;
     for (const Stage& stage : stages) out = deform(out, stage.embedding, *stage.lattice);
-    return picture_of(make_ref(std::move(out)), {}, DeformBy::processor);
+    return picture_with(make_ref(std::move(out)), {}, DeformBy::processor);
 }
 
 // How many pixels differ by more than a little.
-int different(const Image& a, const Image& b)
+int different_pixels(const Image& a, const Image& b)
 {
     int count = 0;
     for (std::size_t i = 0; i < a.rgba.size(); i += 4)
@@ -72,13 +72,13 @@ protected:
 
 TEST_F(DeformedPictures, AreTheSameWhereverTheyAreDeformed)
 {
-    const std::vector<Stage> stages{stage_of(3, 0.2, in_a_box())};
-    const Image expected = renderer.render(expected_of(torus, stages), size_px);
-    const Image still = renderer.render(picture_of(torus, {}, DeformBy::processor), size_px);
-    EXPECT_GT(different(still, expected), 500);
+    const std::vector<Stage> stages{volume_stage(3, 0.2, in_a_box())};
+    const Image expected = renderer.render(expected_of(torus, stages), picture_px);
+    const Image still = renderer.render(picture_with(torus, {}, DeformBy::processor), picture_px);
+    EXPECT_GT(different_pixels(still, expected), 500);
     for (const DeformBy by : every_way) {
-        const Image got = renderer.render(picture_of(torus, stages, by), size_px);
-        EXPECT_LE(different(got, expected), 8);
+        const Image got = renderer.render(picture_with(torus, stages, by), picture_px);
+        EXPECT_LE(different_pixels(got, expected), 8);
         EXPECT_EQ(renderer.notice(), "");
         EXPECT_EQ(renderer.pick({80, 45}), 7);
     }
@@ -86,15 +86,16 @@ TEST_F(DeformedPictures, AreTheSameWhereverTheyAreDeformed)
 
 TEST_F(DeformedPictures, ComposeStacksAndShowTheirEdges)
 {
-    const std::vector<Stage> stages{stage_of(3, 0.2, in_a_box()), stage_of(4, 0.15, in_a_box(), 2)};
+    const std::vector<Stage> stages{volume_stage(3, 0.2, in_a_box()),
+                                    volume_stage(4, 0.15, in_a_box(), 2)};
     for (const bool wire : {false, true}) {
         Picture expected = expected_of(torus, stages);
         expected.settings.wire = wire;
-        const Image image = renderer.render(expected, size_px);
+        const Image image = renderer.render(expected, picture_px);
         for (const DeformBy by : every_way) {
-            Picture picture = picture_of(torus, stages, by);
+            Picture picture = picture_with(torus, stages, by);
             picture.settings.wire = wire;
-            EXPECT_LE(different(renderer.render(picture, size_px), image), 12);
+            EXPECT_LE(different_pixels(renderer.render(picture, picture_px), image), 12);
         }
     }
 }
@@ -102,12 +103,12 @@ TEST_F(DeformedPictures, ComposeStacksAndShowTheirEdges)
 TEST_F(DeformedPictures, AreDeformedAnewOnlyWhenSomethingChanged)
 {
     const auto deformed_vertices = [&](const Picture& picture) -> std::size_t {
-        renderer.draw(picture, size_px);
+        renderer.draw(picture, picture_px);
         for (const Timings::Stage& stage : renderer.timings().stages)
             if (stage.name == "deform") return stage.vertices;
         return 0;
     };
-    Picture picture = picture_of(torus, {stage_of(3, 0.2, in_a_box())}, DeformBy::two_phases);
+    Picture picture = picture_with(torus, {volume_stage(3, 0.2, in_a_box())}, DeformBy::two_phases);
     EXPECT_EQ(deformed_vertices(picture), torus->vertex_count());
     picture.camera.eye = {-2, -4, 3};
     EXPECT_EQ(deformed_vertices(picture), 0u);
@@ -117,11 +118,11 @@ TEST_F(DeformedPictures, AreDeformedAnewOnlyWhenSomethingChanged)
 
 TEST_F(DeformedPictures, FallToTheProcessorWhereTheDeviceCannotAndSayWhy)
 {
-    const std::vector<Stage> stages{stage_of(5, 0.2, in_a_box())};
-    const Image expected = renderer.render(expected_of(torus, stages), size_px);
-    const Picture picture = picture_of(torus, stages, DeformBy::two_phases);
+    const std::vector<Stage> stages{volume_stage(5, 0.2, in_a_box())};
+    const Image expected = renderer.render(expected_of(torus, stages), picture_px);
+    const Picture picture = picture_with(torus, stages, DeformBy::two_phases);
     for (int i = 0; i < 2; ++i) {
-        EXPECT_LE(different(renderer.render(picture, size_px), expected), 8);
+        EXPECT_LE(different_pixels(renderer.render(picture, picture_px), expected), 8);
         EXPECT_THAT(renderer.notice(), ::testing::HasSubstr("order 5"));
     }
 }
