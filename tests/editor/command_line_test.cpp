@@ -101,7 +101,8 @@ TEST(Replay, ShowsWhatMovesInTheFrameThatIsAskedFor)
 {
     const TemporaryFolder folder;
     const std::string path = folder.file("a.trivar");
-    write(path, scene_text() + command_line(SetTravel{{2}, {.speed = 1, .ends = Ends::run_on}}));
+    write_file(path,
+               scene_text() + command_line(SetTravel{{2}, {.speed = 1, .ends = Ends::run_on}}));
     const auto at = [&](const std::string& frame) {
         const std::string out = folder.file("a" + frame + ".ply");
         const Ran ran = run({"replay", path, "--frame", frame, "--check", "--export", out});
