@@ -6,12 +6,13 @@
 namespace trivar {
 
 gpu::Picture picture_of(const Evaluated& evaluated, const Document& document, const Camera& camera,
-                        Stretches& stretches)
+                        Stretches& stretches, gpu::DeformBy by)
 {
     const bool stretch = document.render->color_by == ColorBy::stretch;
     gpu::Picture picture;
     picture.camera = camera;
     picture.settings = *document.render;
+    picture.deform_by = by;
     if (stretch) picture.value_colors = gpu::ValueColors{};
     for (const auto& [id, ref] : evaluated.objects)
         for (const Part& part : ref->parts) {
@@ -21,6 +22,10 @@ gpu::Picture picture_of(const Evaluated& evaluated, const Document& document, co
             instance.materials = ref->materials;
             instance.id = id;
             if (part.rest) instance.rest = part.rest->mesh;
+            if (by != gpu::DeformBy::processor && part.rest && ref->volume) {
+                instance.mesh = part.rest->mesh;
+                instance.stages = {{ref->volume, part.rest->embedding}};
+            }
             if (stretch) instance.values = stretches.of(part, *ref);
             picture.instances.push_back(std::move(instance));
         }

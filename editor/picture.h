@@ -8,9 +8,10 @@
 namespace trivar {
 
 // What the renderer draws of an evaluated document, seen from a camera. Objects can be picked by
-// their id. What colours show besides materials is kept in `stretches`.
+// their id. What colours show besides materials is kept in `stretches`. Placed objects are drawn as
+// they were evaluated, by the processor, or deformed by the renderer from what they were before.
 gpu::Picture picture_of(const Evaluated& evaluated, const Document& document, const Camera& camera,
-                        Stretches& stretches);
+                        Stretches& stretches, gpu::DeformBy by = gpu::DeformBy::processor);
 
 // Adds the vertices of an object, in world space.
 void add_points(std::vector<glm::dvec3>& points, const EvaluatedObject& object);

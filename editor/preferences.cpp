@@ -101,6 +101,8 @@ void each_preference(auto& p, const auto& field)
     field("backdrop_as_in_pictures", p.backdrop_as_in_pictures);
     field("quality", p.quality,
           std::initializer_list<std::string_view>{"automatic", "draft", "standard", "high"});
+    field("deform", p.deform,
+          std::initializer_list<std::string_view>{"processor", "one_phase", "two_phases"});
     field("keys", p.keys);
     field("recent_commands", p.recent_commands);
     field("recent_scenes", p.recent_scenes);

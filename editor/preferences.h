@@ -20,6 +20,7 @@ struct Preferences {
     bool reduced_motion = false;          // what would move is there at once
     bool backdrop_as_in_pictures = false; // of the viewport; else the window's own
     std::string quality = "automatic";    // of the viewport; or a level of the renderer
+    std::string deform = "processor";     // where the viewport's meshes are: gpu::deform_names
     KeyMap keys;
     std::vector<std::string> recent_commands, recent_scenes; // the newest first
     bool operator==(const Preferences&) const = default;

@@ -45,10 +45,11 @@ bool can_be_picked(const Document& document, Id id)
     return document.objects.contains(id) && !locked(document, id);
 }
 
-gpu::Picture picture_of(const Session& session, gpu::Level level, Stretches& stretches)
+gpu::Picture picture_of(const Session& session, gpu::Level level, gpu::DeformBy by,
+                        Stretches& stretches)
 {
     gpu::Picture picture =
-        picture_of(session.evaluated(), session.document(), session.camera, stretches);
+        picture_of(session.evaluated(), session.document(), session.camera, stretches, by);
     gpu::set_level(picture, level);
     const Members selected(session.document(), session.selected.ids());
     for (gpu::Instance& instance : picture.instances)
@@ -207,7 +208,7 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
     if (wanted.draft || begun_ != wanted) {
         gpu::Picture picture = picture_of(
             session, wanted.draft ? std::min(pace_->level(), style_.level) : style_.level,
-            stretches_);
+            style_.deform_by, stretches_);
         picture.backdrop = style_.backdrop;
         picture.grid = style_.backdrop.has_value();
         picture.outline = style_.outline;
@@ -237,6 +238,12 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
         frame.again_in(0);
     }
     return renderer_->texture();
+}
+
+std::string Viewport::new_notice()
+{
+    const std::string now = renderer_ ? renderer_->notice() : "";
+    return std::exchange(said_, now) == now ? "" : now;
 }
 
 ViewportStyle viewport_style(const ui::Theme& theme, bool as_in_pictures)

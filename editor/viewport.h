@@ -23,6 +23,7 @@ struct ViewportStyle {
     std::optional<gpu::Backdrop> backdrop; // with a grid; none: as in pictures
     gpu::Outline outline;
     gpu::Level level = gpu::Level::standard; // of what is at rest
+    gpu::DeformBy deform_by = gpu::DeformBy::processor;
     bool operator==(const ViewportStyle&) const = default;
 };
 // `as_in_pictures`: the backdrop of the scene's look, else the theme's own.
@@ -53,6 +54,8 @@ public:
     const Timings& full_timings() const { return full_timings_; } // of the last one
     std::size_t uploaded_bytes() const { return renderer_ ? renderer_->uploaded_bytes() : 0; }
     long pictures() const { return pictures_; } // begun so far
+    // What the renderer could not do as it was asked, each time once; empty: nothing new.
+    std::string new_notice();
 
 private:
     struct Shown { // what the present picture was drawn from
@@ -81,6 +84,7 @@ private:
     long timed_evaluation_ = 0; // the last one that is in the history
     Timings full_timings_;
     long pictures_ = 0;
+    std::string said_;
     double moved_s_ = -1e9;
 
     Move move_ = Move::none;

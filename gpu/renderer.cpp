@@ -98,7 +98,8 @@ struct Renderer::State {
         tools.mirror().drop_dead();
         if (const std::size_t vertices = tools.deformed().stale_vertices(picture); vertices > 0)
             clock.pass(
-                "deform", [&] { tools.deformed().update(picture, tools.mirror()); }, vertices);
+                "deform on device", [&] { tools.deformed().update(picture, tools.mirror()); },
+                vertices);
         else
             tools.deformed().update(picture, tools.mirror());
         clock.pass("upload", [&] {

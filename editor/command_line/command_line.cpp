@@ -58,6 +58,11 @@ CLI::App* add_replay(CLI::App& app, ReplayOptions& o)
                      "of the picture: draft, standard or high; standard if left out")
         ->type_name("LEVEL");
     replay
+        ->add_option("--deform", o.deform,
+                     "where the picture's placed objects are deformed: processor, one_phase or\n"
+                     "two_phases of the graphics card; processor if left out")
+        ->type_name("WHERE");
+    replay
         ->add_option("--camera", o.camera,
                      "bookmark to look from; else the one named picture, else all is in view")
         ->type_name("NAME");

@@ -44,6 +44,12 @@ gpu::Level level_of(const std::string& text)
     throw WrongUsage("--quality " + text + ": must be draft, standard or high");
 }
 
+gpu::DeformBy deform_of(const std::string& text)
+{
+    if (const auto by = gpu::deform_named(text)) return *by;
+    throw WrongUsage("--deform " + text + ": must be processor, one_phase or two_phases");
+}
+
 std::map<std::string, std::string> relinked_files(const std::vector<std::string>& settings)
 {
     std::map<std::string, std::string> files;
@@ -176,7 +182,7 @@ Replayed replay(const ReplayOptions& options, const Streams& streams)
     return result;
 }
 
-void draw(const ReplayOptions& options, Replayed& replayed)
+void draw(const ReplayOptions& options, Replayed& replayed, const Streams& streams)
 {
     const glm::ivec2 size = picture_size(options.size);
     Camera camera = picture_camera(replayed.evaluated, replayed.document, size);
@@ -190,9 +196,12 @@ void draw(const ReplayOptions& options, Replayed& replayed)
     const gpu::HeadlessContext context;
     gpu::Renderer renderer;
     Stretches stretches;
-    gpu::Picture picture = picture_of(replayed.evaluated, replayed.document, camera, stretches);
+    gpu::Picture picture = picture_of(replayed.evaluated, replayed.document, camera, stretches,
+                                      deform_of(options.deform));
     gpu::set_level(picture, level_of(options.quality));
     const Image image = renderer.render(picture, size);
+    if (!renderer.notice().empty())
+        streams.talk << "trivar: deformed by the processor: " << renderer.notice() << "\n";
     replayed.timings.add(renderer.timings());
     timed(replayed.timings, "write image", [&] { write_image(image, options.image); });
 }
@@ -216,6 +225,7 @@ Status run_replay(const ReplayOptions& options, const Streams& streams)
 {
     picture_size(options.size); // before any work is done
     level_of(options.quality);
+    deform_of(options.deform);
     relinked_files(options.relinked);
     if (!options.image.empty()) check_picture_name(options.image);
     for (const std::string& path : options.exports) check_model_name(path);
@@ -227,7 +237,7 @@ Status run_replay(const ReplayOptions& options, const Streams& streams)
         for (const std::string& path : options.exports)
             timed(replayed.timings, "export", [&] { write_model(model, path); });
     }
-    if (!options.image.empty()) draw(options, replayed);
+    if (!options.image.empty()) draw(options, replayed, streams);
     if (!options.timings.empty()) write_timings(options.timings, replayed.timings);
     if (options.digest)
         streams.out << check_line(digest(replayed.document), digest(replayed.evaluated));

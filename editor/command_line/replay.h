@@ -18,7 +18,7 @@ struct ReplayOptions {
     int to = 0;               // line of the file; 0: all
     std::optional<int> frame; // nothing: the first
     std::vector<std::string> relinked, exports;
-    std::string image, size = "1280x720", camera, quality = "standard";
+    std::string image, size = "1280x720", camera, quality = "standard", deform = "processor";
     bool check = false, digest = false;
     std::string timings;
     int threads = 0; // 0: as many as there are

@@ -110,12 +110,19 @@ void draw_viewport_page(Editor& editor, const ui::Theme& theme, const ui::Rect& 
     if (ui::segments(theme, "quality", quality, {"Automatic", "Draft", "Standard", "High"}, room) ==
         ui::Edit::changed)
         p.quality = qualities[static_cast<std::size_t>(quality)];
+    int deform = static_cast<int>(gpu::deform_named(p.deform).value_or(gpu::DeformBy::processor));
+    const float wide = std::min(theme.px(380), ui::label_row(theme, "Deform").width);
+    if (ui::segments(theme, "deform", deform, {"Processor", "One phase", "Two phases"}, wide) ==
+        ui::Edit::changed)
+        p.deform = gpu::deform_names[static_cast<std::size_t>(deform)];
     foot_note(
         theme, r,
         "The window has a quiet backdrop of its own, with a grid and the axes. As in "
         "pictures it is the one of the scene's look: the window then shows what a picture "
         "will show. The quality is that of what is at rest. What moves is drawn as well as it "
-        "keeps up with the hand, but no better.");
+        "keeps up with the hand, but no better. Placed objects are deformed by the processor, or "
+        "by "
+        "the graphics card: in one phase as they are drawn, in two phases once before.");
     ImGui::EndChild();
 }
 
@@ -127,6 +134,7 @@ void reset_page(Editor& editor)
     if (dialog.page == dialog.of_viewport) {
         p.backdrop_as_in_pictures = usual.backdrop_as_in_pictures;
         p.quality = usual.quality;
+        p.deform = usual.deform;
         return;
     }
     if (dialog.page == dialog.of_interface) {

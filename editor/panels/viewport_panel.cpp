@@ -117,9 +117,13 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     const ui::Theme over = theme_over_picture(theme, *session.document().render, as_in_pictures);
     ViewportStyle style = viewport_style(over, as_in_pictures);
     style.level = gpu::level_named(editor.preferences.quality).value_or(gpu::Level::standard);
+    style.deform_by =
+        gpu::deform_named(editor.preferences.deform).value_or(gpu::DeformBy::processor);
     editor.viewport.set_style(style);
     const unsigned texture = editor.viewport.draw(session, frame, size_px, moving, state,
                                                   [&] { return helpers_of(editor, over); });
+    if (const std::string notice = editor.viewport.new_notice(); !notice.empty())
+        session.notices.say(ui::NoticeKind::warning, "Deformed by the processor", notice);
     const auto name = static_cast<std::uintptr_t>(texture);
     ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(name), lo, hi, {0, 1},
                                          {1, 0});

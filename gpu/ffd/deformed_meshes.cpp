@@ -56,6 +56,13 @@ bool deforms(const Instance& instance)
 
 } // namespace
 
+std::optional<DeformBy> deform_named(std::string_view name)
+{
+    for (std::size_t i = 0; i < deform_names.size(); ++i)
+        if (deform_names[i] == name) return static_cast<DeformBy>(i);
+    return std::nullopt;
+}
+
 bool DeformedMeshes::current(const Entry& entry, const Instance& instance, const Picture& picture)
 {
     return entry.alive.lock() == instance.mesh && entry.stages == instance.stages &&

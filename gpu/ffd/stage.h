@@ -3,6 +3,10 @@
 
 #include "core/ffd/deform.h"
 
+#include <array>
+#include <optional>
+#include <string_view>
+
 namespace trivar::gpu {
 
 // One volume of a stack, and how what comes out of the volume before lies in it.
@@ -15,5 +19,8 @@ struct Stage {
 // Where the meshes of a picture are deformed. One phase: as they are drawn, in every pass anew; all
 // but the last volume of a stack, and meshes whose edges are drawn, take two phases all the same.
 enum class DeformBy { processor, one_phase, two_phases };
+inline constexpr std::array<std::string_view, 3> deform_names{"processor", "one_phase",
+                                                              "two_phases"};
+std::optional<DeformBy> deform_named(std::string_view name);
 
 } // namespace trivar::gpu

@@ -3,6 +3,7 @@
 
 #include "core/base/text.h"
 #include "core/document/log.h"
+#include "core/files/image.h"
 #include "tests/support/fixtures.h"
 
 #include <filesystem>
@@ -222,6 +223,28 @@ TEST(Info, DescribesScenesAndGoesOnAfterAFileItCannotRead)
     EXPECT_EQ(ran.status, Status::rejected);
     EXPECT_THAT(ran.talk, HasSubstr("missing.obj"));
     EXPECT_THAT(ran.out, HasSubstr("scene"));
+}
+
+TEST(CommandLine, ReplayDrawsTheSameWhereverPlacedObjectsAreDeformed)
+{
+    const TemporaryFolder folder;
+    write_file(folder.file("pot.trivar"), scene_text());
+    std::vector<Image> images;
+    for (const char* where : {"processor", "one_phase", "two_phases"}) {
+        const std::string image = folder.file(std::string(where) + ".png");
+        const Ran ran = run({"replay", folder.file("pot.trivar"), "--image", image, "--size",
+                             "200x150", "--deform", where});
+        ASSERT_EQ(ran.status, Status::done) << ran.talk;
+        images.push_back(read_image(image));
+    }
+    for (const Image& image : images) {
+        std::size_t off = 0;
+        for (std::size_t i = 0; i < image.rgba.size(); ++i)
+            off += std::abs(int{image.rgba[i]} - int{images.front().rgba[i]}) > 4;
+        EXPECT_LT(off, image.rgba.size() / 2000);
+    }
+    EXPECT_EQ(run({"replay", folder.file("pot.trivar"), "--deform", "magic"}).status,
+              Status::usage);
 }
 
 // With so few vertices only the device itself is measured.

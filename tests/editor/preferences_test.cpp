@@ -19,6 +19,7 @@ TEST(Preferences, ComeBackFromTheirText)
     p.show_dock = false;
     p.backdrop_as_in_pictures = true;
     p.quality = "high";
+    p.deform = "two_phases";
     p.recent_commands = {"Box", "Save as..."};
     p.keys = {{"Undo", {{.key = 'U', .ctrl = true}}}, {"Redo", {}}};
     EXPECT_EQ(preferences_from(text_of(p)), p);
@@ -28,9 +29,9 @@ TEST(Preferences, AreAsIfNewWhereTheTextIsOdd)
 {
     for (const std::string text :
          {"", "no JSON", "[1,2]", "{", R"({"scale":"big","dock":null,"show_dock":3})",
-          R"({"quality":"best"})", R"({"quality":7})", R"({"recent_commands":[1,{"a":2},null]})",
-          R"({"dock":1e999})", R"({"keys":[{"Undo":3}]})", R"({"keys":{"Undo":"Ctrl+Z"}})",
-          "\xFF\xFE{}"})
+          R"({"quality":"best"})", R"({"quality":7})", R"({"deform":"magic"})",
+          R"({"recent_commands":[1,{"a":2},null]})", R"({"dock":1e999})",
+          R"({"keys":[{"Undo":3}]})", R"({"keys":{"Undo":"Ctrl+Z"}})", "\xFF\xFE{}"})
         EXPECT_EQ(preferences_from(text), Preferences()) << text;
     EXPECT_EQ(preferences_from(std::string(200000, '[')), Preferences());
     const std::string nested =

@@ -105,7 +105,7 @@ TEST_F(DeformedPictures, AreDeformedAnewOnlyWhenSomethingChanged)
     const auto deformed_vertices = [&](const Picture& picture) -> std::size_t {
         renderer.draw(picture, picture_px);
         for (const Timings::Stage& stage : renderer.timings().stages)
-            if (stage.name == "deform") return stage.vertices;
+            if (stage.name == "deform on device") return stage.vertices;
         return 0;
     };
     Picture picture = picture_with(torus, {volume_stage(3, 0.2, in_a_box())}, DeformBy::two_phases);
