@@ -2,6 +2,7 @@
 #include "editor/command_palette.h"
 
 #include "editor/actions.h"
+#include "editor/as_it_is.h"
 #include "editor/editor.h"
 #include "editor/letters_in_order.h"
 #include "editor/panels/panels.h"
@@ -46,72 +47,43 @@ bool has_an_action(std::string_view verb)
 }
 
 // The command about the selection; what it leaves as it is stands in it already.
-Command about_selection(Command command, const Editor& editor)
+Command about_selection(const Command& command, const Editor& editor)
 {
     const Session& session = editor.session;
-    std::visit(
-        [&](auto& c) {
-            if constexpr (requires { c.objects; })
-                c.objects = topmost(session.document(), session.selected.ids());
-            if constexpr (requires { c.object; }) c.object = session.selected;
-        },
-        command);
-    const auto found = session.document().objects.find(session.selected);
-    const Object* object = found == session.document().objects.end() ? nullptr : &*found->second;
-    if (auto* c = std::get_if<SetTransform>(&command); c && object)
-        c->transform = object->transform;
-    if (auto* c = std::get_if<EditImport>(&command); c && object)
-        if (const auto* file = std::get_if<ImportedFile>(&object->source)) c->file = *file;
-    if (auto* c = std::get_if<SetMaterial>(&command); c && object && object->surfacing)
-        c->surfacing = *object->surfacing;
-    if (auto* c = std::get_if<EditPlacement>(&command); c && object && object->placement)
-        c->parameters = object->placement->parameters;
-    if (auto* c = std::get_if<SetRender>(&command)) c->settings = *session.document().render;
-    if (auto* c = std::get_if<SaveCamera>(&command)) *c = {"View", session.camera};
-    if (auto* c = std::get_if<DeleteCamera>(&command); c && !session.document().bookmarks.empty())
-        c->name = session.document().bookmarks.begin()->first;
-    return command;
+    const Document& document = session.document();
+    Command ready = as_it_is(command, session.selected, document).value_or(command);
+    ready = about(ready, topmost(document, session.selected.ids()));
+    if (auto* c = std::get_if<SaveCamera>(&ready)) *c = {"View", session.camera};
+    if (auto* c = std::get_if<DeleteCamera>(&ready); c && !document.bookmarks.empty())
+        c->name = document.bookmarks.begin()->first;
+    return ready;
 }
 
+constexpr const char* empty_scene = "the scene is empty";
+
+// Whether nothing but the objects says what it does.
+bool needs_values(const Command& command)
+{
+    return !std::holds_alternative<Hide>(command) && !std::holds_alternative<Show>(command) &&
+           !std::holds_alternative<Lock>(command) && !std::holds_alternative<Unlock>(command) &&
+           !std::holds_alternative<ClearMaterial>(command);
+}
+
+// Whether the selection has what the command is about. Where values are filled in, another object
+// can be named.
 std::string why_not(const Command& command, const Editor& editor)
 {
     const Document& document = editor.session.document();
-    const bool needs_object = std::visit(
-        [](const auto& c) {
-            return requires
-            {
-                c.object;
-            }
-            || requires
-            {
-                c.objects;
-            };
-        },
-        command);
-    const auto found = document.objects.find(editor.session.selected);
-    if (needs_object && found == document.objects.end()) return "select an object first";
-    if (std::holds_alternative<EditPlacement>(command) && !found->second->placement)
-        return "select a placed object first";
-    if (std::holds_alternative<EditImport>(command) &&
-        !std::holds_alternative<ImportedFile>(found->second->source))
-        return "select an imported model first";
     if (std::holds_alternative<DeleteCamera>(command) && document.bookmarks.empty())
         return "no view is kept";
-    return {};
+    if (!is_about_objects(command)) return {};
+    if (document.objects.empty()) return empty_scene;
+    return !needs_values(command) && editor.session.selected == 0 ? "select an object first" : "";
 }
 
-// Those that need nothing but the objects run; for the others the line to be changed is written
-// into the field of the log.
-void run_or_write(const Command& command, Editor& editor)
+// What nobody can fill in field by field is written into the field of the log, to be changed.
+void write_into_log(const Command& ready, Editor& editor)
 {
-    const Command ready = about_selection(command, editor);
-    const bool needs_values = !std::holds_alternative<Hide>(command) &&
-                              !std::holds_alternative<Show>(command) &&
-                              !std::holds_alternative<ClearMaterial>(command);
-    if (!needs_values) {
-        editor.session.run(ready);
-        return;
-    }
     editor.preferences.show_dock = true;
     editor.only_view = false;
     editor.tab = Editor::Tab::log;
@@ -121,11 +93,29 @@ void run_or_write(const Command& command, Editor& editor)
     field.focus = true;
 }
 
+// The command that an action of that name runs, where it is one with values of its own.
+std::optional<Command> command_of(const std::string& entry, const std::vector<Command>& commands)
+{
+    const auto lower = [](std::string text) {
+        std::ranges::transform(text, text.begin(),
+                               [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+        return text;
+    };
+    const std::string name = lower(entry);
+    for (const Command& each : commands) {
+        const std::string words = lower(words_of(verb(each)));
+        if (name == words || (words.starts_with("add ") && name.starts_with(words + " ")))
+            return each;
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 std::vector<PaletteEntry> palette_commands(const Editor& editor)
 {
     std::vector<PaletteEntry> entries;
+    const std::vector<Command> commands = every_command();
     for (const Action& each : editor.actions) {
         if (each.name == palette_action) continue; // it is open
         const bool add = each.menu == "Add";
@@ -134,16 +124,29 @@ std::vector<PaletteEntry> palette_commands(const Editor& editor)
         entries.push_back({add ? "Add " + each.name : each.name, each.menu, icon_of(editor, each),
                            caps, is_enabled(editor, each) ? "" : each.enabled.otherwise,
                            [name = each.name](Editor& e) { action(e, name).run(e); }, each.name});
+        PaletteEntry& entry = entries.back();
+        if (each.menu == "Tools") continue; // their values come from a hand
+        const auto command = command_of(entry.name, commands);
+        if (command && why_not(*command, editor) != empty_scene)
+            entry.fill = about_selection(*command, editor);
     }
-    for (const Command& each : every_command()) {
+    for (const Command& each : commands) {
         if (has_an_action(verb(each))) continue;
+        const Command ready = about_selection(each, editor);
+        const bool written = std::holds_alternative<Relink>(each);
+        const std::string missing = why_not(each, editor);
         const auto summary = std::visit([](const auto& c) { return c.summary; }, each);
         entries.push_back({words_of(verb(each)),
                            std::string(summary),
                            ui::icon::log,
                            {},
-                           why_not(each, editor),
-                           [each](Editor& e) { run_or_write(each, e); }});
+                           missing,
+                           [ready, written](Editor& e) {
+                               written ? write_into_log(ready, e) : void(e.session.run(ready));
+                           },
+                           {},
+                           written || missing == empty_scene ? std::nullopt : std::optional(ready),
+                           !written && needs_values(each)});
     }
     return entries;
 }
@@ -192,6 +195,7 @@ std::vector<Ranked> ranked(std::string_view letters, const std::vector<std::stri
     struct Scored {
         Ranked ranked;
         int score = 0;
+        bool whole = false;   // nothing of the name is left over
         std::size_t used = 0; // place among the recent ones
     };
     const bool all = letters.find_first_not_of(' ') == letters.npos;
@@ -200,12 +204,15 @@ std::vector<Ranked> ranked(std::string_view letters, const std::vector<std::stri
         std::optional<LetterMatch> match = letters_in_order(letters, names[i]);
         if (!match) continue;
         const auto place = std::ranges::find(recent, names[i]);
+        const bool whole = match->at.size() == names[i].size();
         found.push_back({{i, std::move(match->at), all && place != recent.end()},
                          match->score,
+                         whole,
                          static_cast<std::size_t>(place - recent.begin())});
     }
     std::ranges::stable_sort(found, [](const Scored& a, const Scored& b) {
-        return a.score != b.score ? a.score > b.score : a.used < b.used;
+        if (a.score != b.score) return a.score > b.score;
+        return a.whole != b.whole ? a.whole : a.used < b.used;
     });
     std::vector<Ranked> result;
     result.reserve(found.size());

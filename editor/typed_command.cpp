@@ -2,6 +2,7 @@
 #include "editor/typed_command.h"
 
 #include "core/base/text.h"
+#include "editor/as_it_is.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -64,15 +65,10 @@ Id id_of(const std::string& name, const Document& document)
     return found;
 }
 
-bool names_objects(std::string_view field)
-{
-    return field == "object" || field == "objects" || field == "onto";
-}
-
 // Names to numbers, and one object to a list of one where the field takes several.
 void resolve_objects(json& value, std::string_view field, const Document& document)
 {
-    if (field != "object" && !value.is_array()) value = json::array({value});
+    if (names_objects(field) && !value.is_array()) value = json::array({value});
     const auto resolve = [&](json& one) {
         if (one.is_string()) one = id_of(one.get<std::string>(), document);
     };
@@ -94,38 +90,31 @@ json& place_of(json& object, std::string_view field)
     return (*at)[std::string(field)];
 }
 
+// Of the command, but not the objects it is about.
+json fields_of(const Command& command)
+{
+    json values = json::parse(to_json_line(command));
+    for (const char* field : {"do", "object", "objects"}) values.erase(field);
+    return values;
+}
+
+Command default_of(std::string_view name)
+{
+    for (Command& each : every_command())
+        if (verb(each) == name) return std::move(each);
+    throw Rejected(fmt::format("There is no command \"{}\". Tab lists them.", printable(name)));
+}
+
 // What is not typed and stays as it is; nothing for commands that make something new.
 json present_values(const json& typed, const Document& document)
 {
-    const auto found = [&]() -> const Object* {
-        const json& ids = typed.contains("object")    ? typed["object"]
-                          : typed.contains("objects") ? typed["objects"]
-                                                      : json();
-        const json& id = ids.is_array() && !ids.empty() ? ids.front() : ids;
-        if (!id.is_number_integer()) return nullptr;
-        const auto at = document.objects.find(id.get<Id>());
-        return at == document.objects.end() ? nullptr : &*at->second;
-    };
-    const auto fields_of = [](const Command& command) {
-        json values = json::parse(to_json_line(command));
-        for (const char* field : {"do", "object", "objects"}) values.erase(field);
-        return values;
-    };
-    const std::string name = typed["do"].get<std::string>();
-    if (name == SetRender::verb) return fields_of(SetRender{*document.render});
-    if (name == SetTime::verb) return fields_of(SetTime{document.time});
-    const Object* object = found();
-    if (!object) return json::object();
-    if (name == SetTravel::verb) return fields_of(SetTravel{{}, object->travel});
-    if (const auto* file = std::get_if<ImportedFile>(&object->source);
-        file && name == EditImport::verb)
-        return fields_of(EditImport{0, *file});
-    if (name == SetTransform::verb) return fields_of(SetTransform{0, object->transform});
-    if (name == SetMaterial::verb && object->surfacing)
-        return fields_of(SetMaterial{{}, *object->surfacing});
-    if (name == EditPlacement::verb && object->placement)
-        return fields_of(EditPlacement{0, object->placement->parameters, {}, {}});
-    return json::object();
+    const json& ids = typed.contains("object")    ? typed["object"]
+                      : typed.contains("objects") ? typed["objects"]
+                                                  : json();
+    const json& id = ids.is_array() && !ids.empty() ? ids.front() : ids;
+    const auto same = as_it_is(default_of(typed["do"].get<std::string>()),
+                               id.is_number_integer() ? id.get<Id>() : 0, document);
+    return same ? fields_of(*same) : json::object();
 }
 
 void add_missing(json& to, const json& from)
@@ -146,18 +135,23 @@ template <std::size_t I> void add_from(std::vector<Command>& all)
     }
 }
 
-bool known_verb(std::string_view name)
+void put(json& object, std::string_view field, json value, const Document& document)
 {
-    const std::vector<Command> all = every_command();
-    return std::ranges::any_of(all, [&](const Command& each) { return verb(each) == name; });
+    if (names_object(field) || names_objects(field)) resolve_objects(value, field, document);
+    json& place = place_of(object, field);
+    if (!place.is_null()) throw Rejected(fmt::format("\"{}\" is given twice.", printable(field)));
+    place = std::move(value);
+}
+
+Command command_of(const json& object)
+{
+    return command_from_json_line(object.dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
 Command typed_fields(std::string_view text, const Document& document)
 {
     const std::string_view name = take_value(text);
-    if (!known_verb(name))
-        throw Rejected(fmt::format("There is no command \"{}\". Tab lists them.", printable(name)));
-    json object{{"do", std::string(name)}};
+    json object{{"do", std::string(verb(default_of(name)))}};
     while (true) {
         text.remove_prefix(std::min(text.find_first_not_of(blank), text.size()));
         if (text.empty()) break;
@@ -170,18 +164,22 @@ Command typed_fields(std::string_view text, const Document& document)
         const std::string_view value_text = take_value(text);
         if (value_text.empty())
             throw Rejected(fmt::format("\"{}\" has no value.", printable(field)));
-        json value = value_of(value_text, field);
-        if (names_objects(field)) resolve_objects(value, field, document);
-        json& place = place_of(object, field);
-        if (!place.is_null())
-            throw Rejected(fmt::format("\"{}\" is given twice.", printable(field)));
-        place = std::move(value);
+        put(object, field, value_of(value_text, field), document);
     }
     add_missing(object, present_values(object, document));
-    return command_from_json_line(object.dump(-1, ' ', false, json::error_handler_t::replace));
+    return command_of(object);
 }
 
 } // namespace
+
+bool names_object(std::string_view field)
+{
+    return field == "object" || field == "parent" || field == "before";
+}
+bool names_objects(std::string_view field)
+{
+    return field == "objects" || field == "onto";
+}
 
 std::vector<Command> every_command()
 {
@@ -207,6 +205,28 @@ TypedLine typed_line(std::string_view text, const Document& document)
     return typed_fields(text, document);
 }
 
+Command typed_values(const Command& otherwise, const std::vector<TypedValue>& values,
+                     const Document& document)
+{
+    json object{{"do", std::string(verb(otherwise))}};
+    for (const auto& [field, value] : values)
+        if (names_object(field) || names_objects(field))
+            put(object, field, value_of(value, field), document);
+    const bool others = object.contains("object") || object.contains("objects");
+    for (const auto& [field, value] : values)
+        if (!names_object(field) && !names_objects(field))
+            put(object, field, value_of(value, field), document);
+    json stays = json::parse(to_json_line(otherwise));
+    if (others) { // of which other values are what stays
+        const json own = present_values(stays, document);
+        add_missing(object, present_values(object, document));
+        if (!own.empty() && own == fields_of(otherwise))
+            stays = json::parse(to_json_line(default_of(verb(otherwise))));
+    }
+    add_missing(object, stays);
+    return command_of(object);
+}
+
 std::string typed_text(const Command& command, const Document& document)
 {
     const json object = json::parse(to_json_line(command));
@@ -223,7 +243,7 @@ std::string typed_text(const Command& command, const Document& document)
     for (const auto& [field, value] : object.items()) {
         if (field == "do") continue;
         json shown = value;
-        if (field == "object") shown = named(value);
+        if (names_object(field)) shown = named(value);
         if (names_objects(field) && value.is_array())
             for (json& one : shown) one = named(one);
         text += fmt::format(" {}={}", field,

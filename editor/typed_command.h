@@ -24,6 +24,18 @@ TypedLine typed_line(std::string_view text, const Document& document); // throws
 // The inverse, in the short form.
 std::string typed_text(const Command& command, const Document& document);
 
+// The command with other values of some fields, each as JSON; objects by name or number. Where that
+// makes it about other objects, what is not given stays as it is with those. Throws Rejected.
+struct TypedValue {
+    std::string field, json; // "parameters.width", "0.24"
+};
+Command typed_values(const Command& otherwise, const std::vector<TypedValue>& values,
+                     const Document& document);
+
+// Whether a field of that name holds the number of an object, or those of several.
+bool names_object(std::string_view field);
+bool names_objects(std::string_view field);
+
 // One of each, with default fields.
 std::vector<Command> every_command();
 

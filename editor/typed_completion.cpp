@@ -57,7 +57,7 @@ Completion completed(std::string_view text, const Document& document)
         });
     } else {
         const std::string_view field = text.substr(begin, equals - begin);
-        if (field == "object" || field == "objects" || field == "onto") words = names_of(document);
+        if (names_object(field) || names_objects(field)) words = names_of(document);
         begin = equals + 1;
     }
     const std::string_view typed = text.substr(begin);

@@ -1,25 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/step_title.h"
+#include "editor/field_words.h"
 #include "editor/panels/panels.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
-#include <cctype>
 #include <imgui.h>
 
 namespace trivar {
 namespace {
-
-// As a person reads a field's name: "rotation_deg" is the rotation.
-std::string label_of(std::string_view field)
-{
-    if (field == "translation") return "Position";
-    std::string label(field.substr(0, field.ends_with("_deg") ? field.size() - 4 : field.size()));
-    std::ranges::replace(label, '_', ' ');
-    label[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(label[0])));
-    return label;
-}
 
 // Rows for the numbers of a command, from its list of fields.
 class CardRows {
@@ -30,16 +20,14 @@ public:
     void operator()(std::string_view name, double& value, std::string_view help, Rule rule = {})
     {
         ui::NumberStyle style{.lo = rule.lo, .hi = rule.hi};
-        style.unit = name.ends_with("_deg")                     ? "deg"
-                     : help.find("metres") != std::string::npos ? "m"
-                                                                : "";
-        const float width = ui::label_row(theme_, label_of(name)).width;
+        style.unit = unit_of_field(name, help);
+        const float width = ui::label_row(theme_, label_of_field(name)).width;
         take(ui::number_field(theme_, std::string(name), value, style, width));
     }
     void operator()(std::string_view name, int& value, std::string_view, Rule rule = {})
     {
         if (name == "object") return;
-        const float width = ui::label_row(theme_, label_of(name)).width;
+        const float width = ui::label_row(theme_, label_of_field(name)).width;
         take(ui::integer_field(theme_, std::string(name), value, {.lo = rule.lo, .hi = rule.hi},
                                width));
     }
@@ -47,7 +35,7 @@ public:
     void operator()(std::string_view name, glm::vec<n, T>& value, std::string_view help,
                     Rule rule = {})
     {
-        const float all = ui::label_row(theme_, label_of(name)).width, gap = theme_.px(4);
+        const float all = ui::label_row(theme_, label_of_field(name)).width, gap = theme_.px(4);
         const float width = (all - gap * static_cast<float>(n - 1)) / static_cast<float>(n);
         const ImVec2 at = ImGui::GetCursorScreenPos();
         (void)help;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/command_palette.h"
+#include "editor/panels/palette_rows.h"
 #include "editor/panels/panels.h"
 #include "ui/dialog.h"
 #include "ui/icons.h"
@@ -12,60 +13,6 @@
 
 namespace trivar {
 namespace {
-
-// The name with the letters that matched in the accent; returns where it ends.
-float paint_matched(const ui::Theme& theme, const ui::Rect& in, const std::string& name,
-                    const Ranked& ranked, ui::Color color)
-{
-    const ImFont* font = theme.font.body;
-    float x = in.lo.x;
-    for (std::size_t i = 0; i < name.size();) {
-        const auto matched = [&](std::size_t at) {
-            return std::ranges::binary_search(ranked.letters, at);
-        };
-        std::size_t end = i + 1;
-        while (end < name.size() && matched(end) == matched(i)) ++end;
-        const std::string part = name.substr(i, end - i);
-        ui::paint_text(font, {{x, in.lo.y}, in.hi}, matched(i) ? theme.color.accent_text : color,
-                       part);
-        x += ui::text_width(font, part);
-        i = end;
-    }
-    return x;
-}
-
-float caps_width(const ui::Theme& theme, const std::vector<std::string>& caps)
-{
-    float width = 0;
-    for (const std::string& cap : caps) width += ui::keycap_width(theme, cap) + theme.px(4);
-    return width;
-}
-
-void paint_entry(const ui::Theme& theme, const ui::Rect& row, const PaletteEntry& entry,
-                 const Ranked& ranked, bool chosen)
-{
-    const ui::Palette& c = theme.color;
-    const bool can = entry.why_not.empty();
-    if (chosen)
-        ui::paint_box({row.lo + glm::vec2(theme.px(8), 0), row.hi - glm::vec2(theme.px(8), 0)},
-                      c.row_selected, theme.size.rounding);
-    const float caps = caps_width(theme, entry.key_caps);
-    const ui::Color quiet = chosen ? c.text_2 : c.text_3;
-    ui::paint_text(theme.font.body, {row.lo + glm::vec2(theme.px(20), 0), row.hi}, quiet,
-                   entry.icon);
-    const float left = row.lo.x + theme.px(52), right = row.hi.x - theme.px(20) - caps;
-    const std::string name = ui::elided(theme.font.body, entry.name, right - left);
-    if (name != entry.name) ui::tooltip(theme, entry.name);
-    const float end = paint_matched(theme, {{left, row.lo.y}, {right, row.hi.y}}, name, ranked,
-                                    can ? c.text : quiet);
-    const float room = right - theme.px(12) - end - theme.px(12);
-    if (room > theme.px(40))
-        ui::paint_text(theme.font.small, {{end + theme.px(12), row.lo.y}, row.hi}, quiet,
-                       ui::elided(theme.font.small, can ? entry.note : entry.why_not, room));
-    float x = row.hi.x - theme.px(20) - caps + theme.px(4);
-    for (const std::string& cap : entry.key_caps)
-        x += ui::paint_keycap(theme, {x, row.lo.y}, row.height(), cap) + theme.px(4);
-}
 
 // What is typed, in large letters, and how much is found.
 void draw_field(CommandPalette& palette, const ui::Theme& theme, const ui::Rect& r,
@@ -86,7 +33,11 @@ void draw_field(CommandPalette& palette, const ui::Theme& theme, const ui::Rect&
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0, theme.px(2)});
     ImGui::SetNextItemWidth(field.width());
     if (std::exchange(palette.fresh, false)) ImGui::SetKeyboardFocusHere();
-    if (ImGui::InputText("##letters", &palette.typed)) palette.chosen = 0;
+    // Tab would go to another field: here it is taken, and does what the list does with it.
+    const auto take_tab = [](ImGuiInputTextCallbackData*) { return 0; };
+    if (ImGui::InputText("##letters", &palette.typed, ImGuiInputTextFlags_CallbackCompletion,
+                         take_tab))
+        palette.chosen = 0;
     ImGui::PopStyleVar();
     ImGui::PopStyleColor();
     ImGui::PopFont();
@@ -96,9 +47,7 @@ void draw_field(CommandPalette& palette, const ui::Theme& theme, const ui::Rect&
     ui::paint_box({{r.lo.x, r.hi.y}, {r.hi.x, r.hi.y + theme.size.hairline}}, c.line_soft);
 }
 
-struct List {
-    std::vector<PaletteEntry> entries;
-    std::vector<Ranked> found;
+struct List : PaletteRows {
     bool objects = false, preferences = false;
     bool commands() const { return !objects && !preferences; }
     const char* what() const
@@ -115,6 +64,7 @@ List list_of(const Editor& editor)
     list.entries = list.objects       ? palette_objects(editor)
                    : list.preferences ? palette_preferences(editor)
                                       : palette_commands(editor);
+    list.caption = list.objects ? "OBJECTS" : list.preferences ? "PREFERENCES" : "COMMANDS";
     const std::string_view letters = std::string_view(typed).substr(list.commands() ? 0 : 1);
     std::vector<std::string> names, notes;
     for (const PaletteEntry& each : list.entries) {
@@ -130,70 +80,23 @@ List list_of(const Editor& editor)
     return list;
 }
 
-void draw_hints(const ui::Theme& theme, const ui::Rect& r, const List& list)
+std::vector<PaletteHint> hints_of(const List& list, const PaletteEntry* chosen)
 {
-    const ui::Palette& c = theme.color;
-    ui::paint_box({r.lo, {r.hi.x, r.lo.y + theme.size.hairline}}, c.line_soft);
-    float x = r.lo.x + theme.px(20);
-    const auto hint = [&](std::initializer_list<const char*> caps, const std::string& verb) {
-        for (const char* cap : caps)
-            x += ui::paint_keycap(theme, {x, r.lo.y}, r.height(), cap) + theme.px(4);
-        x += theme.px(4);
-        ui::paint_text(theme.font.small, {{x, r.lo.y}, r.hi}, c.text_2, verb);
-        x += ui::text_width(theme.font.small, verb) + theme.px(14);
-    };
-    hint({"Enter"}, list.objects ? "Select" : list.preferences ? "Change" : "Run");
-    hint({"Up", "Down"}, "Choose");
-    if (list.commands()) hint({"Alt", "Enter"}, "Change its key");
-    if (list.commands()) hint({">"}, "Objects");
-    if (list.commands()) hint({":"}, "Preferences");
-    hint({"Esc"}, "Close");
-}
-
-// The rows with their captions; the index in `found` that was clicked.
-std::optional<std::size_t> draw_list(CommandPalette& palette, const ui::Theme& theme,
-                                     const ui::Rect& r, const List& list, bool chosen_by_key)
-{
-    const ui::Palette& c = theme.color;
-    const float row = theme.px(36), caption = theme.px(28);
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-    ImGui::SetCursorScreenPos({r.lo.x, r.lo.y});
-    ImGui::BeginChild("list", {r.width(), r.height()});
-    const ImVec2 top = ImGui::GetCursorScreenPos();
-    std::optional<std::size_t> clicked;
-    float y = top.y;
-    const ImVec2 moved = ImGui::GetIO().MouseDelta;
-    for (std::size_t i = 0; i < list.found.size(); ++i) {
-        const bool first = i == 0, others = i > 0 && list.found[i - 1].recent;
-        if (first || (others && !list.found[i].recent)) {
-            const char* words = list.objects           ? "OBJECTS"
-                                : list.preferences     ? "PREFERENCES"
-                                : list.found[i].recent ? "RECENT"
-                                                       : "COMMANDS";
-            ui::paint_text(theme.font.small_strong,
-                           {{r.lo.x + theme.px(20), y}, {r.hi.x, y + caption}}, c.text_3, words);
-            y += caption;
-        }
-        const ui::Rect at = {{r.lo.x, y}, {r.hi.x, y + row}};
-        y += row;
-        if (i == palette.chosen && chosen_by_key) {
-            if (at.lo.y < r.lo.y) ImGui::SetScrollY(ImGui::GetScrollY() + at.lo.y - r.lo.y);
-            if (at.hi.y > r.hi.y) ImGui::SetScrollY(ImGui::GetScrollY() + at.hi.y - r.hi.y);
-        }
-        if (at.hi.y < r.lo.y || at.lo.y > r.hi.y) continue; // scrolled away
-        ImGui::PushID(static_cast<int>(i));
-        ImGui::SetCursorScreenPos({at.lo.x, at.lo.y});
-        if (ImGui::InvisibleButton("entry", {at.width(), at.height()})) clicked = i;
-        if (ImGui::IsItemHovered() && (moved.x != 0 || moved.y != 0)) palette.chosen = i;
-        ImGui::PopID();
-        paint_entry(theme, at, list.entries[list.found[i].index], list.found[i],
-                    i == palette.chosen);
-    }
-    ImGui::SetCursorScreenPos(top);
-    ImGui::Dummy({1, y - top.y + theme.px(8)});
-    ImGui::EndChild();
-    ImGui::PopStyleVar();
-    return clicked;
+    const bool values = chosen && chosen->fill;
+    const bool first = values && chosen->needs_values;
+    std::vector<PaletteHint> hints{{{"Enter"},
+                                    list.objects       ? "Select"
+                                    : list.preferences ? "Change"
+                                    : first            ? "Values"
+                                                       : "Run"}};
+    if (values && !first) hints.push_back({{"Tab"}, "Values"});
+    hints.push_back({{"Up", "Down"}, "Choose"});
+    if (list.commands() && (!chosen || !chosen->action.empty()))
+        hints.push_back({{"Alt", "Enter"}, "Change its key"});
+    if (list.commands()) hints.push_back({{">"}, "Objects"});
+    if (list.commands()) hints.push_back({{":"}, "Preferences"});
+    hints.push_back({{"Esc"}, "Close"});
+    return hints;
 }
 
 } // namespace
@@ -202,6 +105,7 @@ void draw_command_palette(Editor& editor, const ui::Theme& theme)
 {
     CommandPalette& palette = editor.palette;
     if (!palette.open) return;
+    if (palette.filling) return draw_filling(editor, theme);
     const bool fresh = palette.fresh; // the key that opened it is still struck
     const float head = theme.px(56), foot = theme.px(40);
     const float top = std::min(theme.px(120), ImGui::GetIO().DisplaySize.y * 0.14f);
@@ -227,15 +131,29 @@ void draw_command_palette(Editor& editor, const ui::Theme& theme)
                                            : "No command is called that",
                         list.commands() ? "Take letters away, or begin with > to find an object."
                                         : "Take letters away to see more of them.");
-    else if (const auto clicked = draw_list(palette, theme, rows, list, down || up))
-        picked = entry_at(*clicked);
-    draw_hints(theme, {{r.lo.x, r.hi.y - foot}, r.hi}, list);
+    std::optional<std::size_t> chosen = palette.chosen;
+    if (found > 0)
+        if (const auto clicked = draw_rows(theme, rows, list, chosen, down || up))
+            picked = entry_at(*clicked);
+    palette.chosen = chosen.value_or(0);
+    draw_palette_hints(theme, {{r.lo.x, r.hi.y - foot}, r.hi},
+                       hints_of(list, found > 0 ? entry_at(palette.chosen) : nullptr));
     const bool enter = ImGui::IsKeyPressed(ui::key_enter, false) ||
                        ImGui::IsKeyPressed(ui::key_keypad_enter, false);
-    if (enter && found > 0) picked = entry_at(palette.chosen);
+    const bool tab = ImGui::IsKeyPressed(ui::key_tab, false);
+    if ((enter || tab) && found > 0) picked = entry_at(palette.chosen);
     const bool key_wanted = enter && ImGui::GetIO().KeyAlt;
-    if (picked && (key_wanted ? picked->action.empty() : !picked->why_not.empty()))
+    const bool values_wanted = picked && picked->fill && (tab || picked->needs_values);
+    if (tab && !values_wanted) picked = nullptr;
+    if (picked && (key_wanted ? picked->action.empty() : !tab && !picked->why_not.empty()))
         picked = nullptr;
+    if (picked && values_wanted && !key_wanted)
+        if (auto form = form_of(*picked->fill, picked->name, editor.session.committed())) {
+            ui::end_dialog();
+            remember(editor.preferences.recent_commands, picked->name);
+            begin_filling(editor, std::move(*form));
+            return;
+        }
     // A click beside it closes it, as does the key that opened it.
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const bool beside =

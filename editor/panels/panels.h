@@ -37,6 +37,7 @@ void draw_status_line(Editor& editor, const ui::Theme& theme, const Layout& layo
 void draw_manual(Editor& editor, const ui::Theme& theme);
 void show_manual(Editor& editor, const std::string& page, std::size_t block = 0);
 void draw_command_palette(Editor& editor, const ui::Theme& theme);
+void draw_filling(Editor& editor, const ui::Theme& theme); // of a command's values, in its place
 void draw_preferences(Editor& editor, const ui::Theme& theme);
 // The lines between the panels; before the panels, so that they lie over them.
 void drag_splitters(Editor& editor, ui::Frame& frame, const Layout& layout);

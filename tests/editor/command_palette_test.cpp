@@ -46,6 +46,7 @@ TEST(Ranked, PutsTheBestMatchFirst)
 {
     EXPECT_THAT(found("sa", {"Use as", "Save as...", "Frame selection"}),
                 ElementsAre("Save as...", "Use as"));
+    EXPECT_THAT(found("hide", {"Hide or show", "Hide"}), ElementsAre("Hide", "Hide or show"));
     EXPECT_THAT(found("xyz", {"Save"}), IsEmpty());
 }
 

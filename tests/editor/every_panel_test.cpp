@@ -111,6 +111,12 @@ TEST_P(EveryPanel, IsDrawnAndCutsNoText)
     look(rig, "palette");
     rig.editor.palette.typed = ">";
     look(rig, "palette of objects");
+    rig.editor.palette.show();
+    begin_filling(rig.editor,
+                  *form_of(SetMaterial{ids, {}}, "Set material", rig.editor.session.committed()));
+    const std::size_t fields = rig.editor.palette.filling->form.fields.size();
+    for (std::size_t i = 0; i < fields; ++i, next_field(rig.editor, 1)) look(rig, "filling values");
+    leave_filling(rig.editor);
     rig.editor.palette.open = false;
     look(rig, "palette closed");
     for (int page = 0; page < 3; ++page) {

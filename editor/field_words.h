@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace trivar {
+
+// As a person reads a field's name: "rotation_deg" is the rotation.
+std::string label_of_field(std::string_view name);
+// "m", "deg", "rad", "s", "m/s" or nothing, by the field's name and what its help says of it.
+std::string unit_of_field(std::string_view name, std::string_view help);
+
+} // namespace trivar
