@@ -65,9 +65,20 @@ double least_difference(const Palette& c, Eyes eyes)
 
 TEST(Palette, OverlaysDifferForEyesThatLackAColour)
 {
-    for (const Eyes eyes : {Eyes::usual, Eyes::protanopia, Eyes::deuteranopia})
-        EXPECT_GE(least_difference(dark_palette(), eyes), 22);
-    EXPECT_GE(least_difference(dark_palette(), Eyes::tritanopia), 15);
+    for (const Palette& palette : {dark_palette(), light_palette()}) {
+        for (const Eyes eyes : {Eyes::usual, Eyes::protanopia, Eyes::deuteranopia})
+            EXPECT_GE(least_difference(palette, eyes), 22) << static_cast<int>(eyes);
+        EXPECT_GE(least_difference(palette, Eyes::tritanopia), 15);
+    }
+    EXPECT_GE(least_difference(light_palette(), Eyes::tritanopia), 20);
+}
+
+TEST(Palette, OverlaysOfTheLightThemeStandOutFromItsSky)
+{
+    const Palette c = light_palette();
+    for (const Color overlay :
+         {c.lattice, c.stroke, c.sphere, c.incision, c.fold, c.path, c.contact})
+        for (const Color sky : {c.sky_top, c.sky_bottom}) EXPECT_GE(contrast(overlay, sky), 2.2);
 }
 
 TEST(Palette, OtherHuesDifferMoreForEyesOfEveryKind)
