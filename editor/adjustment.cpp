@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/adjustment.h"
 
+#include "core/document/tries.h"
 #include "editor/tools/motion.h"
 
 namespace trivar {
@@ -41,12 +42,7 @@ std::optional<Command> moved_alike(const Session& session, const Change& change)
 
 bool can_be_adjusted(const Command& command)
 {
-    return std::visit(
-        []<class C>(const C&) {
-            return adds<C> || std::is_same_v<C, SetTransform> || std::is_same_v<C, Duplicate> ||
-                   std::is_same_v<C, Place> || std::is_same_v<C, EditPlacement>;
-        },
-        command);
+    return differ_in_numbers_only(command, command);
 }
 
 void follow_steps(Adjustment& a, const Session& session)

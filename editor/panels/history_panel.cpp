@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/step_title.h"
+#include "core/document/tries.h"
 #include "editor/panels/panels.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
@@ -33,7 +34,7 @@ std::vector<Line> lines_of(const History& history)
     std::vector<std::vector<std::size_t>> leaving(
         history.branches().empty() ? 0 : history.steps().size() + 1);
     for (std::size_t b = 0; b < history.branches().size(); ++b)
-        leaving[history.branches()[b].from].push_back(b);
+        if (!is_replaced_try(history, b)) leaving[history.branches()[b].from].push_back(b);
     for (std::size_t i = 0; i <= history.steps().size(); ++i) {
         lines.push_back({Line::step, i});
         if (leaving.empty() || leaving[i].empty()) continue;
@@ -63,8 +64,10 @@ StepTitle title_of(const History& history, const Line& line)
 {
     if (line.kind == Line::fork) {
         std::size_t count = 0;
-        for (const History::Branch& each : history.branches())
-            if (each.from == line.after) count += each.steps.size();
+        for (std::size_t b = 0; b < history.branches().size(); ++b)
+            if (const History::Branch& each = history.branches()[b];
+                each.from == line.after && !is_replaced_try(history, b))
+                count += each.steps.size();
         return {fmt::format("Other steps ({})", count), {}};
     }
     if (line.kind == Line::step) {
