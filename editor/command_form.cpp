@@ -18,12 +18,12 @@ namespace {
 using json = nlohmann::ordered_json;
 using Field = CommandForm::Field;
 
-constexpr std::string_view blank = " \t";
+constexpr std::string_view blanks = " \t";
 
 std::string_view trimmed(std::string_view text)
 {
-    text.remove_prefix(std::min(text.find_first_not_of(blank), text.size()));
-    text.remove_suffix(text.size() - std::min(text.find_last_not_of(blank) + 1, text.size()));
+    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+    text.remove_suffix(text.size() - std::min(text.find_last_not_of(blanks) + 1, text.size()));
     return text;
 }
 
@@ -32,8 +32,8 @@ std::string dumped(const json& value)
     return value.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
-// Cut where `separates` holds outside of quotes, brackets and parentheses.
-std::vector<std::string_view> parts_of(std::string_view text, std::string_view separators)
+// Cut at the separators outside of quotes, brackets and parentheses.
+std::vector<std::string_view> cut_at(std::string_view text, std::string_view separators)
 {
     std::vector<std::string_view> parts;
     int depth = 0;
@@ -64,7 +64,7 @@ std::vector<std::string> numbers_in(std::string_view text)
     text = trimmed(text);
     if (text.starts_with('[') && text.ends_with(']'))
         text = trimmed(text.substr(1, text.size() - 2));
-    const auto by_commas = parts_of(text, ",");
+    const auto by_commas = cut_at(text, ",");
     std::vector<std::string> numbers;
     if (by_commas.size() > 1) {
         for (const std::string_view each : by_commas) numbers.emplace_back(each);
@@ -72,7 +72,7 @@ std::vector<std::string> numbers_in(std::string_view text)
     }
     constexpr std::array<std::string_view, 8> units{"mm", "cm", "m",   "km",
                                                     "in", "ft", "deg", "rad"};
-    for (const std::string_view each : parts_of(text, blank)) {
+    for (const std::string_view each : cut_at(text, blanks)) {
         if (each.empty()) continue;
         if (!numbers.empty() && std::ranges::find(units, each) != units.end())
             numbers.back() += " " + std::string(each);
@@ -126,7 +126,7 @@ std::string value_json(const Field& field, const Document& document)
     if (field.kind == Field::objects) {
         json several = json::array();
         if (is_called(document, typed)) return dumped(json::array({std::string(typed)}));
-        for (const std::string_view each : parts_of(typed, ","))
+        for (const std::string_view each : cut_at(typed, ","))
             if (!each.empty()) several.push_back(object_json(each, document));
         return dumped(several);
     }
@@ -183,10 +183,10 @@ std::string present_text(const Field& field, const json& value, const Document& 
     return value.is_string() ? printable(value.get<std::string>()) : dumped(value);
 }
 
-std::vector<std::string> words_in(std::string_view choices)
+std::vector<std::string> choices_in(std::string_view choices)
 {
     std::vector<std::string> words;
-    for (const std::string_view each : parts_of(choices, ",")) words.emplace_back(each);
+    for (const std::string_view each : cut_at(choices, ",")) words.emplace_back(each);
     return words;
 }
 
@@ -210,16 +210,17 @@ bool add_fields(std::vector<Field>& fields, const json& list, const std::string&
         else if (type.ends_with("number"))
             field.kind = Field::number;
         else if (type.ends_with("numbers") && !type.starts_with("list"))
-            field.kind = Field::number, field.list = true;
+            field.kind = Field::number;
         else if (type == "text")
-            field.choices = range.empty() ? std::vector<std::string>{} : words_in(range);
+            field.choices = range.empty() ? std::vector<std::string>{} : choices_in(range);
         else if (type.find(", ") != type.npos)
-            field.choices = words_in(type);
+            field.choices = choices_in(type);
         else if (each["required"].get<bool>())
             return false;
         else
             continue;
         if (!field.choices.empty()) field.kind = Field::choice;
+        field.list = type.ends_with("numbers");
         if (field.kind == Field::object)
             field.help.replace(0, 2, "name or number"); // of "id of a ..."
         if (field.kind == Field::objects)
@@ -231,9 +232,9 @@ bool add_fields(std::vector<Field>& fields, const json& list, const std::string&
 }
 
 // What is typed of the object at hand: all of it, or what follows the last comma.
-std::string_view begun(const Field& field)
+std::string_view letters_of(const Field& field)
 {
-    return field.kind == Field::objects ? parts_of(field.typed, ",").back() : trimmed(field.typed);
+    return field.kind == Field::objects ? cut_at(field.typed, ",").back() : trimmed(field.typed);
 }
 
 } // namespace
@@ -290,7 +291,7 @@ std::vector<FormOption> options_of(const CommandForm& form, const Document& docu
     names.reserve(options.size());
     for (const FormOption& each : options) names.push_back(each.words);
     std::vector<FormOption> found;
-    std::string_view letters = begun(field);
+    std::string_view letters = letters_of(field);
     if (letters.starts_with('"')) letters.remove_prefix(1);
     for (Ranked& each : ranked(letters, names, {})) {
         found.push_back(std::move(options[each.index]));
@@ -306,7 +307,7 @@ std::optional<std::size_t> taken_option(const CommandForm& form,
     if (options.empty()) return std::nullopt;
     if (form.chosen) return std::min(*form.chosen, options.size() - 1);
     const Field& field = form.fields[form.at];
-    const std::string_view letters = begun(field);
+    const std::string_view letters = letters_of(field);
     const bool whole = letters.empty() || is_called(document, letters) || is_number(letters) ||
                        is_called(document, trimmed(field.typed)) ||
                        std::ranges::find(field.choices, letters) != field.choices.end() ||
@@ -322,7 +323,7 @@ void take(CommandForm& form, const FormOption& option)
         field.typed = option.typed;
         return;
     }
-    const std::string_view last = begun(field);
+    const std::string_view last = letters_of(field);
     const auto kept = static_cast<std::size_t>(
         last.empty() ? field.typed.size()
                      : static_cast<std::size_t>(last.data() - field.typed.data()));

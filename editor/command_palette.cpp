@@ -94,7 +94,8 @@ void write_into_log(const Command& ready, Editor& editor)
 }
 
 // The command that an action of that name runs, where it is one with values of its own.
-std::optional<Command> command_of(const std::string& entry, const std::vector<Command>& commands)
+std::optional<Command> command_called(const std::string& entry,
+                                      const std::vector<Command>& commands)
 {
     const auto lower = [](std::string text) {
         std::ranges::transform(text, text.begin(),
@@ -126,7 +127,7 @@ std::vector<PaletteEntry> palette_commands(const Editor& editor)
                            [name = each.name](Editor& e) { action(e, name).run(e); }, each.name});
         PaletteEntry& entry = entries.back();
         if (each.menu == "Tools") continue; // their values come from a hand
-        const auto command = command_of(entry.name, commands);
+        const auto command = command_called(entry.name, commands);
         if (command && why_not(*command, editor) != empty_scene)
             entry.fill = about_selection(*command, editor);
     }

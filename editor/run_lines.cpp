@@ -2,6 +2,7 @@
 #include "editor/run_lines.h"
 
 #include "core/base/rejected.h"
+#include "core/base/text.h"
 #include "editor/typed_command.h"
 
 #include <algorithm>
@@ -9,21 +10,6 @@
 
 namespace trivar {
 namespace {
-
-std::vector<std::string_view> lines_of(std::string_view text)
-{
-    constexpr std::string_view blank = " \t\r";
-    std::vector<std::string_view> lines;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        std::string_view line = text.substr(0, end);
-        text.remove_prefix(std::min(end + 1, text.size()));
-        line.remove_prefix(std::min(line.find_first_not_of(blank), line.size()));
-        line.remove_suffix(line.size() - std::min(line.find_last_not_of(blank) + 1, line.size()));
-        lines.push_back(line);
-    }
-    return lines;
-}
 
 // What a scene says of itself.
 bool is_no_step(std::string_view line)
@@ -37,11 +23,11 @@ bool is_no_step(std::string_view line)
 std::string run_typed(Session& session, std::string_view text)
 {
     try {
-        const TypedLine line = typed_line(text, session.committed());
+        const LogLine line = typed_line(text, session.committed());
         const History& history = session.scene().history();
-        if (const auto* command = std::get_if<Command>(&line))
-            return session.try_run(prepare(*command, *session.assets()));
-        if (std::holds_alternative<UndoLine>(line)) {
+        if (const auto* command = std::get_if<Command>(&line.what))
+            return session.try_run(prepare(*command, *session.assets()), line.note);
+        if (std::holds_alternative<UndoLine>(line.what)) {
             if (history.position() == 0) return "There is nothing to undo.";
             session.undo();
         } else {
@@ -56,13 +42,13 @@ std::string run_typed(Session& session, std::string_view text)
 
 bool holds_lines(std::string_view text)
 {
-    const auto lines = lines_of(text);
+    const auto lines = trimmed_lines(text);
     return std::ranges::count_if(lines, [](auto line) { return !line.empty(); }) > 1;
 }
 
 void run_lines(Session& session, std::string_view text)
 {
-    const auto lines = lines_of(text);
+    const auto lines = trimmed_lines(text);
     std::size_t ran = 0;
     const auto counted = [](std::size_t count) {
         return std::to_string(count) + (count == 1 ? " line" : " lines");

@@ -91,7 +91,7 @@ json& place_of(json& object, std::string_view field)
 }
 
 // Of the command, but not the objects it is about.
-json fields_of(const Command& command)
+json values_of(const Command& command)
 {
     json values = json::parse(to_json_line(command));
     for (const char* field : {"do", "object", "objects"}) values.erase(field);
@@ -114,7 +114,7 @@ json present_values(const json& typed, const Document& document)
     const json& id = ids.is_array() && !ids.empty() ? ids.front() : ids;
     const auto same = as_it_is(default_of(typed["do"].get<std::string>()),
                                id.is_number_integer() ? id.get<Id>() : 0, document);
-    return same ? fields_of(*same) : json::object();
+    return same ? values_of(*same) : json::object();
 }
 
 void add_missing(json& to, const json& from)
@@ -143,7 +143,7 @@ void put(json& object, std::string_view field, json value, const Document& docum
     place = std::move(value);
 }
 
-Command command_of(const json& object)
+Command command_with(const json& object)
 {
     return command_from_json_line(object.dump(-1, ' ', false, json::error_handler_t::replace));
 }
@@ -167,7 +167,14 @@ Command typed_fields(std::string_view text, const Document& document)
         put(object, field, value_of(value_text, field), document);
     }
     add_missing(object, present_values(object, document));
-    return command_of(object);
+    return command_with(object);
+}
+
+template <class What> LogLine line_of(What what)
+{
+    LogLine line;
+    line.what = std::move(what);
+    return line;
 }
 
 } // namespace
@@ -188,21 +195,19 @@ std::vector<Command> every_command()
     return all;
 }
 
-TypedLine typed_line(std::string_view text, const Document& document)
+LogLine typed_line(std::string_view text, const Document& document)
 {
     text.remove_prefix(std::min(text.find_first_not_of(blank), text.size()));
     text.remove_suffix(text.size() - std::min(text.find_last_not_of(blank) + 1, text.size()));
     if (text.empty()) throw Rejected("Type a command first; Tab lists them.");
-    if (text == "undo" || text == "{\"undo\":true}") return UndoLine{};
-    if (text == "redo" || text == "{\"redo\":true}") return RedoLine{};
+    if (text == "undo" || text == "{\"undo\":true}") return line_of(UndoLine{});
+    if (text == "redo" || text == "{\"redo\":true}") return line_of(RedoLine{});
     if (text.front() == '{') { // as it stands in a scene
-        const LogLine line = read_log_line(text);
-        if (const auto* command = std::get_if<Command>(&line.what)) return *command;
-        if (std::holds_alternative<UndoLine>(line.what)) return UndoLine{};
-        if (std::holds_alternative<RedoLine>(line.what)) return RedoLine{};
+        LogLine line = read_log_line(text);
+        if (!std::holds_alternative<CheckLine>(line.what)) return line;
         throw Rejected("The line holds a digest and no command.");
     }
-    return typed_fields(text, document);
+    return line_of(typed_fields(text, document));
 }
 
 Command typed_values(const Command& otherwise, const std::vector<TypedValue>& values,
@@ -220,11 +225,11 @@ Command typed_values(const Command& otherwise, const std::vector<TypedValue>& va
     if (others) { // of which other values are what stays
         const json own = present_values(stays, document);
         add_missing(object, present_values(object, document));
-        if (!own.empty() && own == fields_of(otherwise))
+        if (!own.empty() && own == values_of(otherwise))
             stays = json::parse(to_json_line(default_of(verb(otherwise))));
     }
     add_missing(object, stays);
-    return command_of(object);
+    return command_with(object);
 }
 
 std::string typed_text(const Command& command, const Document& document)

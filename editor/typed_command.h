@@ -5,7 +5,6 @@
 
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 namespace trivar {
@@ -18,8 +17,7 @@ namespace trivar {
 //
 // Values are JSON or bare words, dots reach into what is nested, objects go by name or number. In
 // the short form a transform, a material, a placement and the picture keep what is not typed.
-using TypedLine = std::variant<Command, UndoLine, RedoLine>;
-TypedLine typed_line(std::string_view text, const Document& document); // throws Rejected
+LogLine typed_line(std::string_view text, const Document& document); // throws Rejected
 
 // The inverse, in the short form.
 std::string typed_text(const Command& command, const Document& document);

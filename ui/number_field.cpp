@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/expression.h"
+#include "core/base/rounded.h"
 #include "core/base/text.h"
 #include "ui/keys.h"
 #include "ui/widgets.h"
@@ -39,14 +40,9 @@ struct Memory {
 };
 
 // A drag gives values that people can read: four significant digits, or whole steps.
-double rounded(double value, double step)
+double handy(double value, double step)
 {
-    if (step > 0) return std::round(value / step) * step;
-    if (value == 0 || !std::isfinite(value)) return 0;
-    const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) - 3);
-    // Multiplying by a whole power of ten keeps 0.42 the nearest double to 0.42.
-    return unit < 1 ? std::round(value / unit) / std::round(1 / unit)
-                    : std::round(value / unit) * unit;
+    return step > 0 ? std::round(value / step) * step : rounded(value, 4);
 }
 
 double per_px(double start, const NumberStyle& style)
@@ -215,7 +211,7 @@ Edit number_field(const Theme& theme, const std::string& id, double& value,
             const double start = memory.get();
             const double moved = start + memory.travel() / theme.scale * per_px(start, style);
             const double step = io.KeyCtrl ? round_step(start, style) : style.step;
-            const double next = std::clamp(rounded(moved, step), style.lo, style.hi);
+            const double next = std::clamp(handy(moved, step), style.lo, style.hi);
             if (next != value && memory.travel() != 0) edit = Edit::changed;
             if (edit == Edit::changed) value = next;
         }

@@ -3,6 +3,7 @@
 
 #include "core/base/rejected.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
@@ -48,6 +49,21 @@ std::string printable(std::string_view text)
     for (char& c : shown)
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
     return shown;
+}
+
+std::vector<std::string_view> trimmed_lines(std::string_view text)
+{
+    constexpr std::string_view blank = " \t\r";
+    std::vector<std::string_view> lines;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        std::string_view line = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        line.remove_prefix(std::min(line.find_first_not_of(blank), line.size()));
+        line.remove_suffix(line.size() - std::min(line.find_last_not_of(blank) + 1, line.size()));
+        lines.push_back(line);
+    }
+    return lines;
 }
 
 std::string read_text_file(const std::string& path)

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace trivar {
 
@@ -16,6 +17,9 @@ std::optional<double> parse_number(std::string_view text);
 
 // Words of a file for a message: what would not show as itself, or end it, is a question mark.
 std::string printable(std::string_view text);
+
+// The text's lines without the blanks at their ends, in their order; empty ones too.
+std::vector<std::string_view> trimmed_lines(std::string_view text);
 
 // The whole content of a file. Throws Rejected, naming the file and the reason.
 std::string read_text_file(const std::string& path);

@@ -18,10 +18,10 @@ const Document& History::document() const
     return proposal_ ? proposal_->result : committed();
 }
 
-void History::propose(Command command)
+void History::propose(Command command, std::string note)
 {
     Document result = after(committed(), command);
-    proposal_ = Step{std::move(command), std::move(result)};
+    proposal_ = Step{std::move(command), std::move(result), std::move(note)};
 }
 
 bool History::commit()
@@ -68,8 +68,7 @@ void History::forget_undone()
 
 void History::run(Command command, std::string note)
 {
-    propose(std::move(command));
-    proposal_->note = std::move(note);
+    propose(std::move(command), std::move(note));
     commit();
 }
 

@@ -31,7 +31,8 @@ public:
     const Document& committed() const; // after position() steps
     const std::optional<Step>& proposal() const { return proposal_; }
 
-    void propose(Command command); // Rejected: the pending proposal stays as it was
+    // Rejected: the pending proposal stays as it was.
+    void propose(Command command, std::string note = {});
     // False: nothing was proposed. The undone steps become a branch; a command that begins a branch
     // brings back its steps, the others of them undone.
     bool commit();

@@ -284,7 +284,8 @@ bool SceneFile::commit()
 {
     if (!state_->history.commit()) return false;
     const History& history = state_->history;
-    append(command_line(history.steps()[history.position() - 1].command));
+    const History::Step& step = history.steps()[history.position() - 1];
+    append(command_line(step.command, step.note));
     return true;
 }
 
@@ -293,9 +294,9 @@ void SceneFile::cancel()
     state_->history.cancel();
 }
 
-void SceneFile::run(Command command)
+void SceneFile::run(Command command, const std::string& note)
 {
-    propose(std::move(command));
+    state_->history.propose(std::move(command), note);
     commit();
 }
 

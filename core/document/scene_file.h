@@ -42,7 +42,7 @@ public:
     void propose(Command command);
     bool commit();
     void cancel();
-    void run(Command command);
+    void run(Command command, const std::string& note = {});
     bool undo();
     bool redo();
 

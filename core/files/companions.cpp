@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/companions.h"
 
+#include "core/base/text.h"
 #include "core/files/file_bytes.h"
 
 #include <filesystem>
@@ -18,13 +19,8 @@ constexpr std::uintmax_t largest_file = std::uintmax_t{4} << 30;
 // Calls use(keyword, rest) for each line.
 template <class Use> void each_line(std::string_view text, Use&& use)
 {
-    constexpr std::string_view blank = " \t\r";
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        std::string_view line = text.substr(0, end);
-        text.remove_prefix(std::min(end + 1, text.size()));
-        line.remove_prefix(std::min(line.find_first_not_of(blank), line.size()));
-        line.remove_suffix(line.size() - std::min(line.find_last_not_of(blank) + 1, line.size()));
+    constexpr std::string_view blank = " \t";
+    for (const std::string_view line : trimmed_lines(text)) {
         const std::size_t word = std::min(line.find_first_of(blank), line.size());
         std::string_view rest = line.substr(word);
         rest.remove_prefix(std::min(rest.find_first_not_of(blank), rest.size()));

@@ -19,7 +19,7 @@ namespace {
 using Field = CommandForm::Field;
 
 // Numbers with as many digits as a field shows.
-std::string shown(const Field& field)
+std::string text_shown(const Field& field)
 {
     if (field.kind != Field::number) return field.present;
     std::string text;
@@ -41,7 +41,7 @@ struct Widths {
 };
 Widths widths_of(const ui::Theme& theme, const Field& field, bool at_hand, float most)
 {
-    const std::string& text = field.typed.empty() ? shown(field) : field.typed;
+    const std::string& text = field.typed.empty() ? text_shown(field) : field.typed;
     const float least = at_hand ? theme.px(96) : theme.px(16);
     const float value = ui::text_width(theme.font.body, text) + theme.px(at_hand ? 28 : 14);
     Widths w{ui::text_width(theme.font.small, field.label) + theme.px(6), 0,
@@ -52,12 +52,12 @@ Widths widths_of(const ui::Theme& theme, const Field& field, bool at_hand, float
 }
 
 // As many whole fields as have room, with the one at hand among them.
-struct Shown {
+struct FieldsShown {
     std::size_t first = 0, end = 0;
 };
-Shown fields_in(const std::vector<float>& widths, std::size_t at, float room, float gap)
+FieldsShown fields_in(const std::vector<float>& widths, std::size_t at, float room, float gap)
 {
-    Shown part{at, at + 1};
+    FieldsShown part{at, at + 1};
     room -= widths[at];
     while (part.first > 0 && widths[part.first - 1] + gap <= room)
         room -= widths[--part.first] + gap;
@@ -119,14 +119,14 @@ bool type_value(CommandPalette& palette, const ui::Theme& theme, const ui::Rect&
         ui::paint_text(theme.font.body,
                        {box.lo + glm::vec2(theme.px(8), 0), box.hi - glm::vec2(theme.px(6), 0)},
                        theme.color.text_3,
-                       ui::elided(theme.font.body, shown(field), box.width() - theme.px(14)));
+                       ui::elided(theme.font.body, text_shown(field), box.width() - theme.px(14)));
     ImGui::PopID();
     return changed;
 }
 
 // The command's name and its fields one after another; the index of one that was clicked.
-std::optional<std::size_t> draw_line(CommandPalette& palette, const ui::Theme& theme,
-                                     const ui::Rect& r, bool& changed)
+std::optional<std::size_t> draw_form_line(CommandPalette& palette, const ui::Theme& theme,
+                                          const ui::Rect& r, bool& changed)
 {
     const ui::Palette& c = theme.color;
     const CommandForm& form = palette.filling->form;
@@ -145,7 +145,7 @@ std::optional<std::size_t> draw_line(CommandPalette& palette, const ui::Theme& t
         all.push_back(widths.back().all());
     }
     const std::size_t at = form.at; // Tab moves it on while it is drawn
-    const Shown part = fields_in(all, at, right - x - 2 * mark, gap);
+    const FieldsShown part = fields_in(all, at, right - x - 2 * mark, gap);
     const auto more = [&](float left) {
         ui::paint_text(theme.font.body, {{left, r.lo.y}, {left + mark, r.hi.y}}, c.text_3, "…");
     };
@@ -162,7 +162,7 @@ std::optional<std::size_t> draw_line(CommandPalette& palette, const ui::Theme& t
         if (i == at) {
             changed = type_value(palette, theme, box);
         } else {
-            const std::string text = field.typed.empty() ? shown(field) : field.typed;
+            const std::string text = field.typed.empty() ? text_shown(field) : field.typed;
             const ui::Rect words = {box.lo + glm::vec2(theme.px(4), 0), box.hi};
             ImGui::PushID(static_cast<int>(i));
             ImGui::SetCursorScreenPos({x, box.lo.y});
@@ -233,7 +233,8 @@ void draw_filling(Editor& editor, const ui::Theme& theme)
         ui::begin_dialog(theme, "command palette", {width, head + words + rows + foot},
                          {.from_top = top, .scrim = 0});
     bool changed = false;
-    const auto field_clicked = draw_line(palette, theme, {r.lo, {r.hi.x, r.lo.y + head}}, changed);
+    const auto field_clicked =
+        draw_form_line(palette, theme, {r.lo, {r.hi.x, r.lo.y + head}}, changed);
     float y = r.lo.y + head + theme.px(8);
     ui::paint_text(theme.font.small, {{r.lo.x, y}, {r.hi.x - pad, y + line}}, theme.color.text_3,
                    fmt::format("{} of {}", form.at + 1, form.fields.size()), ui::Align::right);

@@ -11,7 +11,7 @@ namespace trivar {
 namespace {
 
 // Rows that change one parameter each and remember whether any did.
-struct Rows {
+struct PlacementRows {
     const ui::Theme& theme;
     PlacementParameters& p;
     ui::Edit edit = ui::Edit::none;
@@ -106,7 +106,7 @@ void report_rows(const ui::Theme& theme, const PlacementReport& r)
                  folds ? theme.color.bad : theme.color.good);
 }
 
-void volume_rows(Rows& rows, const PlacementReport* report, Editor& editor)
+void volume_rows(PlacementRows& rows, const PlacementReport* report, Editor& editor)
 {
     const PlacementParameters rest;
     PlacementParameters& p = rows.p;
@@ -155,7 +155,7 @@ void volume_rows(Rows& rows, const PlacementReport* report, Editor& editor)
                 "Of the B-splines; 3 is quadratic, 4 is cubic.");
 }
 
-void spring_rows(Rows& rows)
+void spring_rows(PlacementRows& rows)
 {
     const PlacementParameters rest;
     PlacementParameters& p = rows.p;
@@ -176,7 +176,7 @@ void spring_rows(Rows& rows)
                "Nodes on the rim of the strip may move too.");
 }
 
-void fit_rows(Rows& rows)
+void fit_rows(PlacementRows& rows)
 {
     const PlacementParameters rest;
     PlacementParameters& p = rows.p;
@@ -193,7 +193,7 @@ void fit_rows(Rows& rows)
                 [&](int chosen) { p.roll_deg = chosen * 90; });
 }
 
-void contact_rows(Rows& rows)
+void contact_rows(PlacementRows& rows)
 {
     const PlacementParameters rest;
     PlacementParameters& p = rows.p;
@@ -227,7 +227,7 @@ void draw_placement(Editor& editor, const ui::Theme& theme, Id id)
     const Placement* placement = effects == editor.session.evaluated().objects.end()
                                      ? nullptr
                                      : effects->second->placement.get();
-    Rows rows{theme, p};
+    PlacementRows rows{theme, p};
     const auto part = [&](const char* title, bool open, auto&& fill) {
         ImGui::PushID(title);
         if (ui::section(theme, title, open)) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/placement_holds.h"
 
+#include "core/base/rounded.h"
 #include "core/document/commands/changes.h"
 #include "core/placement/profile.h"
 #include "core/placement/redraw.h"
@@ -38,10 +39,7 @@ std::vector<double> profile_shares(const std::vector<glm::dvec2>& profile)
 // Four digits, as drags of numbers give; in round steps a tenth of the size.
 double handy(double value, bool snap)
 {
-    if (!(std::abs(value) > 0)) return 0;
-    const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) - (snap ? 1 : 3));
-    return unit < 1 ? std::round(value / unit) / std::round(1 / unit)
-                    : std::round(value / unit) * unit;
+    return rounded(value, snap ? 2 : 4);
 }
 
 // Whether the way from its base to the hold can hardly be seen.

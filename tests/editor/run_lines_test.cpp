@@ -27,6 +27,8 @@ TEST(RunLines, RunsAStepEachAndPassesOverWhatIsNone)
     EXPECT_EQ(name_of(rig.editor.session.document(), 1), "Brick");
     ASSERT_THAT(rig.editor.session.notices.all(), SizeIs(1));
     EXPECT_EQ(rig.editor.session.notices.all()[0].title, "4 lines were run");
+    EXPECT_EQ(rig.editor.session.scene().history().steps()[0].note, "A box.");
+    EXPECT_THAT(rig.editor.session.scene().lines()[1], HasSubstr("\"note\":\"A box.\""));
 }
 
 TEST(RunLines, StopsAtTheFirstThatIsRefusedAndSaysWhichInOneNotice)

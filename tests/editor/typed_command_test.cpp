@@ -17,7 +17,7 @@ Document two_objects()
 }
 Command typed(std::string_view text, const Document& document = two_objects())
 {
-    return std::get<Command>(typed_line(text, document));
+    return std::get<Command>(typed_line(text, document).what);
 }
 std::string refusal(std::string_view text)
 {
@@ -41,8 +41,8 @@ TEST(TypedCommand, TakesALineOfTheFileAsItStands)
 {
     const Command command = SetTransform{2, {.translation = {0.1, 1.0 / 3, 0}}};
     EXPECT_EQ(typed(to_json_line(command)), command);
-    EXPECT_TRUE(std::holds_alternative<UndoLine>(typed_line("undo", {})));
-    EXPECT_TRUE(std::holds_alternative<RedoLine>(typed_line("{\"redo\":true}", {})));
+    EXPECT_TRUE(std::holds_alternative<UndoLine>(typed_line("undo", {}).what));
+    EXPECT_TRUE(std::holds_alternative<RedoLine>(typed_line("{\"redo\":true}", {}).what));
 }
 
 TEST(TypedCommand, KeepsWhatIsNotTypedOfATransformAndOfAPlacement)

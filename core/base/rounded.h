@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+
+namespace trivar {
+
+// The value with so many significant digits, as a person would type it; 0 for what is not finite.
+inline double rounded(double value, int digits)
+{
+    if (value == 0 || !std::isfinite(value)) return 0;
+    const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) - (digits - 1));
+    // Multiplying by a whole power of ten keeps 0.42 the nearest double to 0.42.
+    return unit < 1 ? std::round(value / unit) / std::round(1 / unit)
+                    : std::round(value / unit) * unit;
+}
+
+} // namespace trivar
