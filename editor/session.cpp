@@ -12,6 +12,13 @@
 #include <utility>
 
 namespace trivar {
+namespace {
+
+// What is told of one step takes the place of what was told of the one before; so with saving.
+constexpr const char* of_a_step = "step";
+constexpr const char* of_saving = "saving";
+
+} // namespace
 
 Session::Session(std::function<void()> wake, std::string unnamed_folder)
     : wake_(std::move(wake)),
@@ -39,7 +46,10 @@ void Session::refresh()
     selected.keep_those_in(scene_.document());
     if (scene_.trouble() == told_trouble_) return;
     told_trouble_ = scene_.trouble();
-    if (!told_trouble_.empty()) notices.say(ui::NoticeKind::error, "Not saved", told_trouble_);
+    if (told_trouble_.empty())
+        notices.forget(of_saving); // it is on disk now
+    else
+        notices.say(ui::NoticeKind::error, "Not saved", told_trouble_, of_saving);
 }
 
 template <class Change> bool Session::attempt(Change&& change, bool quietly)
@@ -47,7 +57,7 @@ template <class Change> bool Session::attempt(Change&& change, bool quietly)
     try {
         change();
     } catch (const Rejected& why) {
-        if (!quietly) notices.say(ui::NoticeKind::warning, why.what());
+        if (!quietly) notices.say(ui::NoticeKind::warning, why.what(), {}, of_a_step);
         return false;
     }
     refresh();
@@ -109,12 +119,15 @@ void Session::finish_check()
             why = found->second->notices.front();
         if (scene_.history().proposal()) refuse(scene_.history().proposal()->command, why);
         cancel();
-        notices.say(ui::NoticeKind::warning, "Nothing was placed", why);
+        notices.say(ui::NoticeKind::warning, "Nothing was placed", why, of_a_step);
         return;
     }
     if (!commit()) return;
-    for (const std::string& notice : found->second->placement->report.notices)
-        notices.say(ui::NoticeKind::warning, notice);
+    notices.forget(of_a_step);
+    const std::vector<std::string>& lines = found->second->placement->report.notices;
+    if (!lines.empty())
+        notices.say_all(ui::NoticeKind::warning, name_of(document(), check.object) + " was placed",
+                        lines, of_a_step);
 }
 
 void Session::cancel()
@@ -128,15 +141,15 @@ void Session::cancel()
 bool Session::run(const Command& command)
 {
     const std::string why = try_run(command);
-    if (!why.empty()) notices.say(ui::NoticeKind::warning, why);
+    if (!why.empty()) notices.say(ui::NoticeKind::warning, why, {}, of_a_step);
     return why.empty();
 }
 
-std::string Session::try_run(const Command& command)
+std::string Session::try_run(const Command& command, const std::string& note)
 {
     check_.reset();
     try {
-        scene_.run(command);
+        scene_.run(command, note);
     } catch (const Rejected& why) {
         refuse(command, why.what());
         return why.what();
@@ -230,7 +243,10 @@ void Session::replace_scene(SceneFile scene)
     frame_all_when_evaluated = picture == bookmarks.end();
     go_to.reset();
     if (picture != bookmarks.end()) go_to = picture->second;
-    for (const std::string& notice : scene_.notices()) notices.say(ui::NoticeKind::warning, notice);
+    const std::vector<std::string>& said = scene_.notices();
+    if (said.size() == 1) notices.say(ui::NoticeKind::warning, said.front());
+    if (said.size() > 1)
+        notices.say_all(ui::NoticeKind::warning, title_of(scene_) + " is open", said);
 }
 
 void Session::take_up_left_scene()

@@ -39,8 +39,9 @@ public:
     // says why. A stroke is checked this way, for only its evaluation knows what it hits.
     void commit_if_placed(Id object);
     void cancel();
-    bool run(const Command& command);            // propose and commit
-    std::string try_run(const Command& command); // the same; why it was refused, and no notice
+    bool run(const Command& command); // propose and commit
+    // The same; why it was refused, and no notice. The note stands beside it in the scene.
+    std::string try_run(const Command& command, const std::string& note = {});
     void undo();
     void redo();
     void go_to_step(std::size_t position); // by undo and redo

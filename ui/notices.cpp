@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/notices.h"
 
+#include "core/base/text.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
 
@@ -60,9 +61,14 @@ Drawn draw_one(const Theme& theme, const Notices::Notice& notice, glm::vec2 lowe
     const std::string counted =
         notice.count > 1 ? notice.title + "  (" + std::to_string(notice.count) + ")" : notice.title;
     const std::vector<std::string> title = wrapped(theme.font.strong, counted, room);
-    const std::vector<std::string> body = wrapped(theme.font.body, notice.body, room);
-    const float height = 2 * pad + line * static_cast<float>(title.size() + body.size()) +
-                         (body.empty() ? 0 : theme.px(4));
+    std::vector<std::vector<std::string>> body; // each a little below the one before
+    std::size_t lines = title.size();
+    for (const std::string_view each : trimmed_lines(notice.body)) {
+        body.push_back(wrapped(theme.font.body, each, room));
+        lines += body.back().size();
+    }
+    const float height =
+        2 * pad + line * static_cast<float>(lines) + theme.px(4) * static_cast<float>(body.size());
     const glm::vec2 size{width, height};
     Drawn drawn{.rect = {lower_right - size, lower_right}};
     begin_card(theme, name, drawn.rect);
@@ -72,15 +78,17 @@ Drawn draw_one(const Theme& theme, const Notices::Notice& notice, glm::vec2 lowe
         color, theme.px(2));
     float y = r.lo.y + pad;
     paint_text(theme.font.body, {{r.lo.x + theme.px(16), y}, {r.hi.x, y + line}}, color, icon);
-    const auto write = [&](const ImFont* font, Color ink, const std::vector<std::string>& lines) {
-        for (const std::string& words : lines) {
+    const auto write = [&](const ImFont* font, Color ink, const std::vector<std::string>& text) {
+        for (const std::string& words : text) {
             paint_text(font, {{r.lo.x + left, y}, {r.hi.x, y + line}}, ink, words);
             y += line;
         }
     };
     write(theme.font.strong, c.text, title);
-    y += theme.px(4);
-    write(theme.font.body, c.text_2, body);
+    for (const std::vector<std::string>& each : body) {
+        y += theme.px(4);
+        write(theme.font.body, c.text_2, each);
+    }
     ImGui::SetCursorScreenPos({r.hi.x - theme.px(32), r.lo.y + theme.px(7)});
     drawn.close =
         icon_button(theme, "close", icon::close, glm::vec2(theme.size.icon_button), "Close");
@@ -98,7 +106,20 @@ std::string sentence(std::string text)
     return capitalised(std::move(text));
 }
 
-void Notices::say(NoticeKind kind, std::string title, std::string body)
+void Notices::say_all(NoticeKind kind, std::string title, const std::vector<std::string>& lines,
+                      std::string topic)
+{
+    std::string body;
+    for (const std::string& line : lines) body += (body.empty() ? "" : "\n") + sentence(line);
+    say(kind, std::move(title), std::move(body), std::move(topic));
+}
+
+void Notices::forget(std::string_view topic)
+{
+    std::erase_if(notices_, [&](const Notice& notice) { return notice.topic == topic; });
+}
+
+void Notices::say(NoticeKind kind, std::string title, std::string body, std::string topic)
 {
     title = capitalised(std::move(title));
     body = sentence(std::move(body));
@@ -108,7 +129,8 @@ void Notices::say(NoticeKind kind, std::string title, std::string body)
             notice.left_s = lifetime_s(kind);
             return;
         }
-    notices_.push_back({kind, std::move(title), std::move(body), 1, -1});
+    if (!topic.empty()) forget(topic);
+    notices_.push_back({kind, std::move(title), std::move(body), std::move(topic), 1, -1});
     if (notices_.size() > most_shown) notices_.erase(notices_.begin());
 }
 

@@ -5,6 +5,7 @@
 #include "ui/paint.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace trivar::ui {
@@ -12,16 +13,22 @@ namespace trivar::ui {
 enum class NoticeKind { good, warning, error };
 
 // Sentences for the user that come up at the lower right and leave again: success after 4 s,
-// warnings after 10 s, errors when they are closed. The same sentence twice counts up.
+// warnings after 10 s, errors when they are closed. The same sentence twice counts up; what is said
+// about a topic takes the place of what was said about it before.
 class Notices {
 public:
-    void say(NoticeKind kind, std::string title, std::string body = {});
+    void say(NoticeKind kind, std::string title, std::string body = {}, std::string topic = {});
+    // Several things about one: a title, and a line for each. One line that says it all needs none.
+    void say_all(NoticeKind kind, std::string title, const std::vector<std::string>& lines,
+                 std::string topic = {});
+    void forget(std::string_view topic); // it is not so any more
     // Draws at most three over the lower right of the rectangle.
     void draw(Frame& frame, const Rect& in);
 
     struct Notice {
         NoticeKind kind = NoticeKind::good;
-        std::string title, body;
+        std::string title, body; // the body's lines end with \n
+        std::string topic = {};
         int count = 1;
         double left_s = 0; // before it leaves; negative: not yet shown
     };
