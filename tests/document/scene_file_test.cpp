@@ -4,11 +4,9 @@
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/document/log.h"
-#include "tests/document/full_disk.h"
 #include "tests/support/fixtures.h"
 
 #include <array>
-#include <csignal>
 #include <filesystem>
 #include <gmock/gmock.h>
 #include <sys/wait.h>
@@ -17,7 +15,6 @@
 namespace trivar {
 namespace {
 
-using testing::FullDisk;
 using ::testing::HasSubstr;
 using testing::TemporaryFolder, testing::write_file;
 
@@ -201,79 +198,6 @@ TEST(SceneFile, NamesTheFilesOfModelsFromItsNewFolder)
     EXPECT_EQ(path_now(), "../models/a.obj");
 }
 
-TEST(SceneFile, KeepsTheFileWithATornLineBesideBeforeItGoesOn)
-{
-    const TemporaryFolder folder;
-    const std::string path = folder.file("a.trivar");
-    const std::string whole = log_header() + command_line(AddBox{});
-    const std::string torn = whole + "{\"do\":\"rena";
-    write_file(path, torn);
-    SceneFile scene(path);
-    ASSERT_EQ(scene.notices().size(), 1u);
-    EXPECT_EQ(read_text_file(path), torn); // looking changes nothing
-    scene.run(AddSphere{});
-    EXPECT_EQ(scene.trouble(), "");
-    EXPECT_EQ(read_text_file(path), whole + command_line(AddSphere{}));
-    EXPECT_EQ(read_text_file(path + ".torn"), torn);
-}
-
-TEST(SceneFile, GoesOnAfterALastLineWithoutABreak)
-{
-    const TemporaryFolder folder;
-    const std::string path = folder.file("a.trivar");
-    const std::string whole = log_header() + command_line(AddBox{});
-    write_file(path, whole.substr(0, whole.size() - 1));
-    SceneFile(path).run(AddSphere{});
-    EXPECT_EQ(read_text_file(path), whole + command_line(AddSphere{}));
-}
-
-TEST(SceneFile, SaysThatTheDiskIsFullAndCatchesUpLater)
-{
-    const TemporaryFolder folder;
-    const std::string path = folder.file("a.trivar");
-    SceneFile scene;
-    scene.run(AddBox{});
-    scene.save_as(path);
-    const std::string before = read_text_file(path);
-    {
-        const FullDisk full(before.size() + 10);
-        scene.run(AddSphere{});
-        EXPECT_THAT(scene.trouble(), HasSubstr("cannot be written"));
-        EXPECT_EQ(read_text_file(path), before); // no half line
-        EXPECT_EQ(scene.document().objects.size(), 2u);
-    }
-    scene.undo();
-    EXPECT_EQ(scene.trouble(), "");
-    EXPECT_EQ(read_text_file(path), before + command_line(AddSphere{}) + undo_line());
-}
-
-TEST(SceneFile, WritesWhatIsMissingAsSoonAsThereIsRoom)
-{
-    const TemporaryFolder folder;
-    const std::string path = folder.file("a.trivar"), kept = folder.file("kept");
-    SceneFile scene, unnamed;
-    scene.run(AddBox{});
-    scene.save_as(path);
-    unnamed.keep_in(kept);
-    {
-        const FullDisk full(std::filesystem::file_size(path) + 10);
-        scene.run(AddSphere{});
-        scene.undo();
-        scene.write_missing();
-        EXPECT_THAT(scene.trouble(), HasSubstr("cannot be written"));
-        unnamed.run(AddBox{});
-        unnamed.run(AddSphere{});
-        EXPECT_NE(unnamed.trouble(), "");
-    }
-    scene.write_missing();
-    EXPECT_EQ(scene.trouble(), "");
-    EXPECT_EQ(replay(read_log(read_text_file(path), path)).steps().size(), 2u);
-    unnamed.write_missing();
-    EXPECT_EQ(unnamed.trouble(), "");
-    const std::string left = std::filesystem::directory_iterator(kept)->path().string();
-    EXPECT_EQ(replay(read_log(read_text_file(left), left)).steps().size(), 2u);
-}
-
 TEST(SceneFile, OpenInAnotherProgramIsACopyThatCannotBeSavedOverIt)
 {
     const TemporaryFolder folder;
@@ -318,107 +242,6 @@ TEST(SceneFile, SavesACopyAndGoesOnWhereItIs)
     EXPECT_EQ(scene.path(), folder.file("a.trivar"));
     EXPECT_EQ(SceneFile::copy_of(folder.file("b.trivar")).history().steps().size(), 1u);
     EXPECT_THROW(scene.save_copy(folder.file("b.trivar")), Rejected);
-}
-
-TEST(SceneFile, LeavesThePreviousFileWhenSavingFails)
-{
-    const TemporaryFolder folder;
-    const std::string path = folder.file("a.trivar");
-    write_file(path, "precious");
-    SceneFile scene;
-    scene.run(AddBox{});
-    {
-        const FullDisk full(20);
-        EXPECT_THROW(scene.save_as(path), Rejected);
-    }
-    EXPECT_EQ(read_text_file(path), "precious");
-    EXPECT_EQ(scene.path(), "");
-    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
-    EXPECT_THROW(scene.save_as(folder.file("missing/a.trivar")), Rejected);
-    EXPECT_THROW(scene.save_as(folder.path().string()), Rejected);
-    EXPECT_THROW(scene.save_as("/dev/null"), Rejected);
-}
-
-TEST(SceneFile, NoticesThatItsFileWasTakenAway)
-{
-    const TemporaryFolder folder;
-    const std::string path = folder.file("a.trivar");
-    SceneFile scene;
-    scene.save_as(path);
-    std::filesystem::remove(path);
-    scene.run(AddBox{});
-    EXPECT_THAT(scene.trouble(), HasSubstr("moved or deleted"));
-    scene.save_as(path);
-    EXPECT_EQ(scene.trouble(), "");
-    EXPECT_EQ(read_text_file(path), log_header() + command_line(AddBox{}));
-}
-
-TEST(SceneFile, WithoutANameIsKeptFromItsFirstStepTillItHasOne)
-{
-    const TemporaryFolder folder;
-    const std::string kept = folder.file("unnamed");
-    SceneFile scene;
-    scene.keep_in(kept);
-    EXPECT_FALSE(SceneFile::left_in(kept));
-    EXPECT_FALSE(std::filesystem::exists(kept)); // nothing was done yet
-    scene.run(AddBox{});
-    scene.run(AddSphere{});
-    scene.undo();
-    EXPECT_EQ(scene.path(), "");
-    EXPECT_EQ(scene.trouble(), "");
-    ASSERT_FALSE(std::filesystem::is_empty(kept));
-    EXPECT_EQ(read_text_file(std::filesystem::directory_iterator(kept)->path().string()),
-              log_header() + command_line(AddBox{}) + command_line(AddSphere{}) + undo_line());
-    EXPECT_FALSE(SceneFile::left_in(kept)); // it is still open
-    scene.save_as(folder.file("a.trivar"));
-    EXPECT_TRUE(std::filesystem::is_empty(kept));
-    EXPECT_EQ(SceneFile(folder.file("a.trivar")).history().steps().size(), 2u);
-}
-
-TEST(SceneFile, WithoutANameGoesWhenItIsLetGo)
-{
-    const TemporaryFolder folder;
-    SceneFile scene;
-    scene.keep_in(folder.path().string());
-    scene.run(AddBox{});
-    EXPECT_FALSE(std::filesystem::is_empty(folder.path()));
-    scene = SceneFile();
-    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
-}
-
-TEST(SceneFile, WithoutANameOutlivesAKilledProgram)
-{
-    const TemporaryFolder folder;
-    const pid_t child = ::fork();
-    if (child == 0) {
-        SceneFile scene;
-        scene.keep_in(folder.path().string());
-        scene.run(AddBox{});
-        scene.run(AddSphere{});
-        scene.undo();
-        ::kill(::getpid(), SIGKILL);
-    }
-    ::waitpid(child, nullptr, 0);
-    const auto left = SceneFile::left_in(folder.path().string());
-    ASSERT_TRUE(left);
-    {
-        SceneFile scene = SceneFile::taken_up(*left);
-        scene.keep_in(folder.path().string()); // as it is already
-        EXPECT_EQ(scene.path(), "");
-        EXPECT_EQ(scene.document().objects.size(), 1u);
-        EXPECT_TRUE(scene.redo());
-        EXPECT_FALSE(SceneFile::left_in(folder.path().string()));
-    }
-    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
-}
-
-TEST(SceneFile, SaysWhyItIsNotKept)
-{
-    SceneFile scene;
-    scene.keep_in("/proc/nowhere");
-    scene.run(AddBox{});
-    EXPECT_THAT(scene.trouble(), HasSubstr("cannot be written"));
-    EXPECT_EQ(scene.document().objects.size(), 1u);
 }
 
 TEST(SceneFile, RewritesPathsWhenItIsSavedInAnotherFolder)
