@@ -151,7 +151,7 @@ void draw_editor(Editor& editor, ui::Frame& frame)
     draw_preferences(editor, theme);
     draw_command_palette(editor, theme);
     // Panels drawn before the change still show what was there.
-    if (editor.session.change() != change) frame.again_in(0);
+    if (editor.session.change() != change || editor.outliner.scrolling) frame.again_in(0);
     frame.close = editor.files.close_agreed();
     frame.interface_scale = editor.preferences.scale;
     frame.look = editor.preferences.look;

@@ -43,6 +43,7 @@ struct OutlinerState {
     std::string new_name;    // of it, as typed so far
     Id shown = 0;            // the active object that was scrolled to
     std::vector<Id> dragged; // rows in the hand
+    bool scrolling = false;  // by itself, as the hand is near an edge of the list
     // A hand goes down a column and gives all that it meets what the first one got.
     enum class Column { none, eye, lock } painting = Column::none;
     bool paint = false; // hidden, or locked

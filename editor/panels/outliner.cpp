@@ -68,6 +68,27 @@ void drag_rows(Editor& editor, const ui::Theme& theme, const std::vector<Outline
     editor.session.run(drop.command);
 }
 
+// What is held near the upper or the lower edge of the list, or beyond it, brings the rows there.
+bool scroll_at_edges(const OutlinerState& o, const ui::Theme& theme, const ui::Rect& list)
+{
+    if (o.dragged.empty() && o.painting == Column::none) return false;
+    const ImGuiIO& io = ImGui::GetIO();
+    const float zone = std::min(1.5f * theme.size.row, list.height() / 3);
+    const float above = list.lo.y + zone - io.MousePos.y;
+    const float below = io.MousePos.y - (list.hi.y - zone);
+    const float depth = above > 0 ? -above : below > 0 ? below : 0;
+    if (depth == 0 || io.MousePos.x < list.lo.x || io.MousePos.x > list.hi.x) return false;
+    constexpr float rows_a_second = 12; // at the edge itself
+    constexpr float longest_frame_s = 0.1f;
+    const float share = std::clamp(depth / zone, -2.0f, 2.0f);
+    const float from = ImGui::GetScrollY();
+    const float to = std::clamp(from + share * rows_a_second * theme.size.row *
+                                           std::min(io.DeltaTime, longest_frame_s),
+                                0.0f, ImGui::GetScrollMaxY());
+    ImGui::SetScrollY(to);
+    return to != from;
+}
+
 void finish_painting(Editor& editor)
 {
     OutlinerState& o = editor.outliner;
@@ -200,6 +221,7 @@ void draw_outliner(Editor& editor, const ui::Theme& theme, const Layout& layout)
                                                 {{list.lo.x, y}, {list.hi.x, y + height}});
             menu = menu || asked;
         }
+    o.scrolling = scroll_at_edges(o, theme, list);
     drag_rows(editor, theme, rows, list, top);
     finish_painting(editor);
     if (menu) ImGui::OpenPopup("row menu");

@@ -4,27 +4,11 @@
 #include "ui/widgets.h"
 
 namespace trivar {
-namespace {
 
-bool is_plain(const std::string& typed)
-{
-    return typed.find_first_not_of("-.0123456789") == std::string::npos;
-}
-
-} // namespace
-
-// What is typed stands as typed, with a mark where the next letter goes, and what it comes to.
 std::string TransformGesture::amount_of(int number, double value) const
 {
     const char* unit = kind_ == MotionKind::move ? " m" : kind_ == MotionKind::rotate ? "°" : "";
-    const bool at_work = number == typed_.at();
-    std::string said = ui::short_number(value) + unit;
-    if (!typed_.open() || (!at_work && typed_.text(number).empty())) return said;
-    std::string typed = typed_.text(number);
-    const bool plain = is_plain(typed);
-    if (typed.starts_with('=')) typed.erase(0, 1);
-    if (at_work) typed += "|";
-    return plain ? typed + unit : typed + " = " + said;
+    return typed_.words(number, unit, ui::short_number(value) + unit);
 }
 
 std::string TransformGesture::amount() const

@@ -35,14 +35,11 @@ void paint(const ui::Theme& theme, glm::vec2 at, const HandleShape& shape, bool 
     const float opacity = lit ? 1 : shape.opacity;
     const ui::Color color = ui::faded(lit ? theme.color.selected : own, opacity);
     const ui::Color halo = ui::faded(theme.color.halo, opacity);
-    const float width = (lit                                   ? 3.0f
-                         : shape.closed && !shape.area.empty() ? 1.5f
-                                                               : 2.0f) *
-                        theme.scale;
+    const float width = theme.line(lit ? 3.0f : shape.closed && !shape.area.empty() ? 1.5f : 2.0f);
     const float around = width + 2 * theme.scale;
     const auto line = shifted(shape.line, at), area = shifted(shape.area, at);
     if (!shape.back.empty())
-        ui::paint_path(shifted(shape.back, at), ui::faded(color, 0.25f), 1.5f * theme.scale);
+        ui::paint_path(shifted(shape.back, at), ui::faded(color, 0.25f), theme.line(1.5f));
     ui::paint_path(line, halo, around, shape.closed);
     if (is_solid(shape)) ui::paint_path(area, halo, 2.5f * theme.scale, true);
     if (!area.empty()) fill(area, is_solid(shape) ? color : ui::faded(color, lit ? 0.5f : 0.2f));
@@ -107,15 +104,15 @@ void paint_turn(const ui::Theme& theme, glm::vec2 at, const Camera& camera,
     const std::vector<glm::vec2> turned = arc(std::clamp(angle_deg, -360.0, 360.0));
     const glm::vec2 center = at + glm::vec2(middle.p_px);
     const ui::Color halo = theme.color.halo;
-    const float px = theme.scale;
-    ui::paint_path(arc(360), halo, 3 * px);
-    ui::paint_path(arc(360), ui::faded(color, 0.6f), 1.25f * px);
+    const float thin = theme.line(1.25f), thick = theme.line(4), edge = 1.75f * theme.scale;
+    ui::paint_path(arc(360), halo, thin + edge);
+    ui::paint_path(arc(360), ui::faded(color, 0.6f), thin);
     for (const glm::vec2 end : {turned.front(), turned.back()}) {
-        ui::paint_line(center, end, halo, 3 * px);
-        ui::paint_line(center, end, color, 1.25f * px);
+        ui::paint_line(center, end, halo, thin + edge);
+        ui::paint_line(center, end, color, thin);
     }
-    ui::paint_path(turned, halo, 6 * px);
-    ui::paint_path(turned, color, 4 * px);
+    ui::paint_path(turned, halo, thick + edge);
+    ui::paint_path(turned, color, thick);
 }
 
 void paint_axis_line(const ui::Theme& theme, const ui::Rect& picture, const Camera& camera,
@@ -134,8 +131,9 @@ void paint_axis_line(const ui::Theme& theme, const ui::Rect& picture, const Came
         return picture.lo + glm::vec2(project(camera, frame.pivot + d * (length * share)).p_px);
     };
     const glm::vec2 a = end(-far), b = end(far);
-    ui::paint_line(a, b, theme.color.halo, 3 * theme.scale);
-    ui::paint_line(a, b, axis_color(theme, axis), 1.25f * theme.scale);
+    const float width = theme.line(1.25f);
+    ui::paint_line(a, b, theme.color.halo, width + 1.75f * theme.scale);
+    ui::paint_line(a, b, axis_color(theme, axis), width);
 }
 
 } // namespace trivar

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/place.h"
 
+#include "core/base/rounded.h"
 #include "core/placement/redraw.h"
 #include "editor/tools/strip_paint.h"
 #include "ui/icons.h"
@@ -17,12 +18,6 @@ namespace {
 
 constexpr double near_line_px = 7; // of the old stroke, at scale 1: a new one redraws it
 constexpr double rejoin_px = 16;   // in the old stroke's picture: a piece that ends so near rejoins
-
-double brief(double value) // three digits
-{
-    const double unit = std::pow(10, std::floor(std::log10(value)) - 2);
-    return std::round(value / unit) * unit;
-}
 
 bool can_be_placed(const Document& document, Id id)
 {
@@ -117,6 +112,7 @@ void PlaceTool::begin(Session& session, const ViewportInput& input)
     }
     drawing_ = true;
     width_ = 0;
+    typed_ = {};
     pressure_ = 0.5;
     stroke_.begin(session.camera, input.moves.empty() ? 0 : input.moves.front().time_s);
 }
@@ -141,8 +137,9 @@ void PlaceTool::use(Session& session, const ViewportInput& input)
         pressure_ = std::clamp(pressure_ * std::pow(1.15, input.wheel), 0.05, 1.0);
     else if (input.wheel != 0)
         if (const Placement* now = placement_of(session, model_))
-            width_ =
-                brief((width_ > 0 ? width_ : now->report.width_world) * std::pow(1.1, input.wheel));
+            width_ = rounded(
+                (width_ > 0 ? width_ : now->report.width_world) * std::pow(1.1, input.wheel), 3);
+    if (input.wheel != 0) typed_ = {};
     const bool grown =
         stroke_.take(input.moves, {.straight = io.KeyShift,
                                    .close = io.KeyCtrl && !redrawing_,
@@ -151,10 +148,19 @@ void PlaceTool::use(Session& session, const ViewportInput& input)
     constexpr std::size_t enough_to_show = 3;
     if (input.released)
         finish(session);
-    else if ((grown || input.wheel != 0) && stroke_.sketch().samples.size() >= enough_to_show &&
-             session.up_to_date())
+    else if ((grown || input.wheel != 0 || retyped_) &&
+             stroke_.sketch().samples.size() >= enough_to_show && session.up_to_date())
         // One proposal at a time: the next piece waits until the last one can be seen.
-        session.propose_quietly(command(session));
+        retyped_ = !session.propose_quietly(command(session));
+}
+
+void PlaceTool::take_keys(Session& session)
+{
+    (void)session;
+    if (!drawing_ || !typed_.take_letters()) return;
+    constexpr double widest = 1e6; // as in the options bar
+    width_ = std::clamp(typed_.value(0, Measure::length).value_or(0), 0.0, widest);
+    retyped_ = true;
 }
 
 void PlaceTool::finish(Session& session)
@@ -300,9 +306,16 @@ std::vector<Hint> PlaceTool::hints(const Session& session) const
 {
     if (handles_.busy() || handles_.hovers()) return handles_.hints();
     if (drawing_) {
-        std::vector<Hint> hints{{{"left"}, redrawing_ ? "Let go to redraw" : "Let go to place"},
-                                {{"wheel"}, "Width"},
-                                {{"Shift"}, "Straight"}};
+        std::vector<Hint> hints;
+        if (typed_.open())
+            hints.push_back(
+                {{}, "Width " + typed_.words(0, " m", ui::short_number(width_) + " m")});
+        const std::vector<Hint> usual{
+            {{"left"}, redrawing_ ? "Let go to redraw" : "Let go to place"},
+            {{"wheel"}, "Width"},
+            {{"Shift"}, "Straight"}};
+        hints.insert(hints.end(), usual.begin(), usual.end());
+        if (!typed_.open()) hints.push_back({{"0", "-", "9"}, "Type the width"});
         if (!redrawing_) hints.push_back({{"Ctrl"}, "Close the ring"});
         hints.push_back({{"Esc", "/", "right"}, "Cancel"});
         return hints;

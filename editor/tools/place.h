@@ -5,6 +5,7 @@
 #include "editor/tools/placement_handles.h"
 #include "editor/tools/stroke_drawing.h"
 #include "editor/tools/tool.h"
+#include "editor/tools/typed_amounts.h"
 
 namespace trivar {
 
@@ -26,6 +27,7 @@ public:
     void use(Session& session, const ViewportInput& input) override;
     bool busy() const override { return drawing_ || handles_.busy(); }
     bool takes_wheel() const override { return drawing_; }
+    void take_keys(Session& session) override;
     void cancel(Session& session) override;
     std::vector<gpu::Line> lines(const Session& session, const ui::Theme& theme) const override;
     std::vector<gpu::Translucent> veils(const Session& session,
@@ -50,7 +52,9 @@ private:
     StrokeDrawing stroke_;
     Brush brush_ = Brush::even;
     double pressure_ = 0.5;          // of a hand without a pen: what the wheel makes of it
-    double width_ = 0;               // that the wheel made of this stroke's; 0: none
+    double width_ = 0;               // that wheel or keys made of this stroke's; 0: none
+    TypedAmounts typed_;             // the width, while it is drawn
+    bool retyped_ = false;           // and not shown yet
     PlacementParameters parameters_; // for the next new placement
     PlacementHandles handles_;
 };

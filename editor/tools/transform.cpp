@@ -145,9 +145,7 @@ void TransformTool::take_keys(Session& session)
     const bool writes = typed.text(typed.at()).starts_with('=');
     for (int axis = 0; axis < 3 && !writes; ++axis)
         if (struck_anyhow('X' + axis)) gesture_->choose_axis(axis, ImGui::GetIO().KeyShift);
-    for (const ImWchar c : ImGui::GetIO().InputQueueCharacters)
-        if (c < 128) typed.take(static_cast<char>(c));
-    if (ImGui::IsKeyPressed(ui::key_backspace, true)) typed.erase_last();
+    typed.take_letters();
     if (struck_anyhow(ui::key_tab)) typed.next(gesture_->numbers());
     // A click elsewhere in the window ends it too, before the panel there sees the click.
     const bool elsewhere = by_key_ && outside_ && ImGui::IsMouseClicked(ImGuiMouseButton_Left);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/typed_amounts.h"
 
+#include "ui/keys.h"
+
 #include <algorithm>
 #include <cctype>
+#include <imgui.h>
 #include <string_view>
 
 namespace trivar {
@@ -49,6 +52,27 @@ std::optional<double> TypedAmounts::value(int i, Measure measure) const
         readable.pop_back();
     }
     return {};
+}
+
+std::string TypedAmounts::words(int i, const std::string& unit, const std::string& said) const
+{
+    const bool at_work = i == at_;
+    std::string typed = text(i);
+    if (!open() || (!at_work && typed.empty())) return said;
+    const bool plain = typed.find_first_not_of("-.0123456789") == std::string::npos;
+    if (typed.starts_with('=')) typed.erase(0, 1);
+    if (at_work) typed += "|";
+    return plain ? typed + unit : typed + " = " + said;
+}
+
+bool TypedAmounts::take_letters()
+{
+    bool taken = false;
+    for (const ImWchar c : ImGui::GetIO().InputQueueCharacters)
+        taken |= c < 128 && take(static_cast<char>(c));
+    if (!open() || !ImGui::IsKeyPressed(ui::key_backspace, true)) return taken;
+    erase_last();
+    return true;
 }
 
 } // namespace trivar

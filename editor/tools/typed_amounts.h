@@ -23,6 +23,11 @@ public:
     const std::string& text(int i) const { return texts_[static_cast<std::size_t>(i)]; }
     // The last value of a number that could be read; nothing where nothing was.
     std::optional<double> value(int i, Measure measure) const;
+    // As a status line shows it: what is typed as it is typed, with a mark where the next letter
+    // goes, and what it comes to, which is `said`, "1.25 m", where nothing is typed.
+    std::string words(int i, const std::string& unit, const std::string& said) const;
+    // The letters that were typed in this frame; whether there were any.
+    bool take_letters();
 
 private:
     std::array<std::string, 3> texts_;

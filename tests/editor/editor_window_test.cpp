@@ -70,6 +70,29 @@ TEST(EditorWindow, AStrokeIsSeenBeforeTheButtonIsLetGoAndEscapeTakesItBack)
     EXPECT_FALSE(rig.editor.session.evaluated().objects.at(2)->placement);
 }
 
+TEST(EditorWindow, AWidthTypedWhileTheButtonIsHeldIsThatOfTheStroke)
+{
+    Rig rig({1024, 700});
+    rig.two_objects();
+    rig.key({'D'});
+    rig.draw(rig.stroke(), false);
+    rig.type("25 cn");
+    rig.key({ui::key_backspace});
+    rig.type("m");
+    rig.frames();
+    const auto hints = rig.editor.active_tool().hints(rig.editor.session);
+    EXPECT_EQ(hints.front().verb, "Width 25 cm| = 0.25 m");
+    rig.wait();
+    rig.frames(4);
+    ASSERT_TRUE(rig.editor.session.proposing());
+    EXPECT_EQ(object(rig.editor.session.document(), 2).placement->parameters.width, 0.25);
+    rig.screen.input().push(ui::press(ui::Button::left, false));
+    rig.wait();
+    ASSERT_EQ(rig.steps(), 3u);
+    EXPECT_EQ(object(rig.editor.session.committed(), 2).placement->parameters.width, 0.25);
+    EXPECT_LE(rig.editor.session.notices.all().size(), 1u) << "one stroke, one notice";
+}
+
 TEST(EditorWindow, AClickOrAStrokeBesideTheSceneSaysWhatToDoAndChangesNothing)
 {
     Rig rig;

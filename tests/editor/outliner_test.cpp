@@ -3,6 +3,7 @@
 
 #include "editor/actions.h"
 #include "tests/editor/rig.h"
+#include "tests/editor/scenes.h"
 
 #include <gmock/gmock.h>
 
@@ -111,6 +112,30 @@ TEST(OutlinerByHand, DraggingRowsIsOneStepAndEscapeLeavesNone)
     EXPECT_EQ(rig.steps(), 5u);
     rig.draw({rig.row(0.5f), rig.row(2.5f)}); // onto a box
     EXPECT_EQ(rig.steps(), 5u);
+}
+
+TEST(OutlinerByHand, RowsComeWhileOneIsHeldAtAnEdge)
+{
+    Rig rig;
+    rig.editor.session.replace_scene(testing::scene_of_1000_objects());
+    rig.wait();
+    const auto before = ids_of(outline(rig.editor.session.document(), "", {}));
+    const ui::Rect r = rig.layout().outliner;
+    const glm::vec2 first = r.lo + glm::vec2(60, 72 + 12);
+    rig.screen.input().push(ui::move_to(first));
+    rig.screen.input().push(ui::press(ui::Button::left));
+    rig.frames(3);
+    rig.move(first + glm::vec2(0, 8));
+    rig.move({first.x, r.hi.y - 4});
+    rig.frames(60);
+    EXPECT_TRUE(rig.editor.outliner.scrolling);
+    rig.screen.input().push(ui::press(ui::Button::left, false));
+    rig.frames(4);
+    EXPECT_FALSE(rig.editor.outliner.scrolling);
+    const auto after = ids_of(outline(rig.editor.session.document(), "", {}));
+    const auto seen = static_cast<std::ptrdiff_t>((r.height() - 72) / 24);
+    EXPECT_GT(std::ranges::find(after, before.front()) - after.begin(), seen + 2)
+        << "farther down than rows were seen";
 }
 
 TEST(OutlinerByHand, PaintingDownTheEyesIsOneStep)
