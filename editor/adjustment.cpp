@@ -50,7 +50,8 @@ void follow_steps(Adjustment& a, const Session& session)
     const History& history = session.scene().history();
     const std::size_t now = history.position();
     if (a.running) return;
-    const bool made = a.known && now == a.seen + 1 && now == history.steps().size();
+    const bool made = a.known && now == a.seen + 1 && now == history.steps().size() &&
+                      !session.scene().look_only();
     if (made)
         a.step = can_be_adjusted(history.steps().back().command) ? now : 0;
     else if (now != a.step || now != history.steps().size())

@@ -58,7 +58,8 @@ bool run_filled(Editor& editor); // false: refused, and the form says why
 void leave_filling(Editor& editor);
 
 // The names that hold the letters in order, the best match first; of equal ones one that is matched
-// as a whole, then those used last, then those listed first. Without letters: the recent ones and then all others.
+// as a whole, then those used last, then those listed first. Without letters: the recent ones and
+// then all others.
 struct Ranked {
     std::size_t index = 0;            // in `names`
     std::vector<std::size_t> letters; // that matched

@@ -102,6 +102,8 @@ void draw_editor(Editor& editor, ui::Frame& frame)
     editor.session.poll();
     editor.stored_pictures.poll();
     editor.session.try_to_write(frame.time_s);
+    editor.session.follow_file(frame.time_s);
+    if (editor.session.scene().look_only()) frame.again_in(1);
     if (!editor.session.scene().trouble().empty()) frame.again_in(5);
     remember_scene(editor);
     const long change = editor.session.change();

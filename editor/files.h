@@ -69,6 +69,7 @@ private:
         std::function<void(int)> answer;
     };
     void open(const std::string& path, bool copy, std::function<void()> then);
+    void ask_how_to_open(std::shared_ptr<SceneFile> copy); // of a file that is open elsewhere
     void ask_for_file(Purpose purpose, ui::FileRequest request);
     void use_file(const std::string& path);
     void read_model_of(const std::string& path, bool frame_all, std::shared_ptr<Batch> batch);

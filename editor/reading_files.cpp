@@ -55,6 +55,7 @@ void Files::open(const std::string& path, bool copy, std::function<void()> then)
                  auto scene =
                      std::make_shared<SceneFile>(copy ? SceneFile::copy_of(path) : SceneFile(path));
                  return [this, scene, then] {
+                     if (scene->in_use()) return ask_how_to_open(scene);
                      session_->replace_scene(std::move(*scene));
                      if (then) then();
                  };
@@ -64,6 +65,29 @@ void Files::open(const std::string& path, bool copy, std::function<void()> then)
                                        reason(why, path));
              }});
     });
+}
+
+void Files::ask_how_to_open(std::shared_ptr<SceneFile> copy)
+{
+    const std::string path = copy->original();
+    question_ = Asked{{file_name(path) + " is open in another window",
+                       "Look at it here, and see what is done there as it is done. Or go on in a "
+                       "copy of your own, which has no name yet.",
+                       {{"Cancel", ui::ButtonKind::plain},
+                        {"Open a copy", ui::ButtonKind::plain},
+                        {"Look only", ui::ButtonKind::primary}},
+                       2},
+                      [this, copy, path](int answer) {
+                          if (answer == 1) session_->replace_scene(std::move(*copy));
+                          if (answer != 2) return;
+                          try {
+                              session_->replace_scene(SceneFile::looked_at(path));
+                          } catch (const Rejected& why) {
+                              session_->notices.say(ui::NoticeKind::error,
+                                                    file_name(path) + " was not opened",
+                                                    reason(why.what(), path));
+                          }
+                      }};
 }
 
 void Files::read_model_of(const std::string& path, bool frame_all, std::shared_ptr<Batch> batch)

@@ -320,6 +320,18 @@ void Session::try_to_write(double time_s)
     notices.say(ui::NoticeKind::good, "Everything is on disk again");
 }
 
+void Session::follow_file(double time_s)
+{
+    constexpr double pace_s = 1;
+    if (!scene_.look_only() || time_s < next_look_s_) return;
+    next_look_s_ = time_s + pace_s;
+    try {
+        if (scene_.follow()) refresh();
+    } catch (const Rejected& why) {
+        notices.say(ui::NoticeKind::warning, why.what(), {}, of_saving);
+    }
+}
+
 void Session::poll()
 {
     jobs_.poll();
@@ -380,6 +392,7 @@ bool belongs_to(const Document& document, Id id, Id group)
 
 std::string title_of(const SceneFile& scene)
 {
+    if (scene.look_only()) return stem_of(scene) + " (look only)";
     if (!scene.path().empty()) return std::filesystem::path(scene.path()).filename().string();
     return scene.original().empty() ? "Untitled" : stem_of(scene) + " (copy)";
 }

@@ -85,6 +85,8 @@ public:
     void poll();
     // While steps are not on disk: tries again every few seconds.
     void try_to_write(double time_s);
+    // While a file is only looked at: takes up, once a second, what was added to it.
+    void follow_file(double time_s);
     Jobs& jobs() { return jobs_; }
     const Jobs& jobs() const { return jobs_; }
     BackgroundEvaluator& evaluator() { return *evaluator_; }
@@ -114,7 +116,7 @@ private:
     std::string unnamed_folder_;
     SceneFile scene_;
     std::string told_trouble_;
-    double next_try_s_ = 0;
+    double next_try_s_ = 0, next_look_s_ = 0;
     std::vector<Refused> refused_;
     bool opened_ = false; // and not evaluated yet
     Ref<AssetStore> assets_;

@@ -125,7 +125,7 @@ void Notices::say(NoticeKind kind, std::string title, std::string body, std::str
     body = sentence(std::move(body));
     for (Notice& notice : notices_)
         if (notice.kind == kind && notice.title == title && notice.body == body) {
-            ++notice.count;
+            if (topic.empty()) ++notice.count; // else it is the same still
             notice.left_s = lifetime_s(kind);
             return;
         }

@@ -9,8 +9,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fstream>
 #include <functional>
 #include <optional>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
 
@@ -93,7 +95,8 @@ struct SceneFile::State {
 
     History history;
     std::vector<std::string> lines = lines_of(log_header());
-    bool as_opened = true;
+    bool as_opened = true, in_use = false, look_only = false;
+    ino_t looked_at = 0;  // the number of the file that is followed
     std::string original; // of a copy
     std::string path, folder = absolute_folder("");
     std::string kept_in; // folder for scenes without a name; empty: not kept
@@ -122,6 +125,7 @@ SceneFile::SceneFile(const std::string& path) : state_(std::make_unique<State>()
     state_->original = path; // till it turns out to be that very file
     if (!log.notice.empty()) state_->notices.push_back(log.notice);
     if (file.access() == LockedFile::Access::in_use) {
+        state_->in_use = true;
         state_->notices.push_back(fmt::format(
             "{}: is open in another Trivar; this is a copy, save it under another name", path));
         return;
@@ -151,6 +155,48 @@ SceneFile SceneFile::copy_of(const std::string& path)
     s.original = path;
     if (!log.notice.empty()) s.notices.push_back(log.notice);
     return scene;
+}
+
+SceneFile SceneFile::looked_at(const std::string& path)
+{
+    struct stat status {};
+    const bool there = ::stat(path.c_str(), &status) == 0; // before it is read: more may come
+    SceneFile scene = copy_of(path);
+    State& s = *scene.state_;
+    s.look_only = true;
+    s.looked_at = there ? status.st_ino : 0;
+    s.notices.clear(); // a torn line is one that is being written
+    for (const std::string& line : s.lines) s.length += line.size() + 1;
+    return scene;
+}
+
+bool SceneFile::follow()
+{
+    State& s = *state_;
+    struct stat status {};
+    if (!s.look_only || ::stat(s.original.c_str(), &status) != 0) return false;
+    const auto size = static_cast<std::uintmax_t>(status.st_size);
+    if (status.st_ino != s.looked_at || size < s.length) {
+        *this = looked_at(std::string(s.original));
+        return true;
+    }
+    if (size == s.length) return false;
+    std::ifstream file(s.original, std::ios::binary);
+    file.seekg(static_cast<std::streamoff>(s.length));
+    bool more = false;
+    for (std::string line; std::getline(file, line) && !file.eof(); more = true) {
+        apply(s.history, read_log_line(line), s.original);
+        s.length += line.size() + 1;
+        s.lines.push_back(std::move(line));
+    }
+    return more;
+}
+
+void SceneFile::check_may_change() const
+{
+    if (!state_->look_only) return;
+    throw Rejected(fmt::format("{} is only looked at here; save it under another name to change it",
+                               std::filesystem::path(state_->original).filename().string()));
 }
 
 std::optional<std::string> SceneFile::left_in(const std::string& folder)
@@ -186,7 +232,7 @@ SceneFile SceneFile::taken_up(const std::string& left)
 void SceneFile::keep_in(const std::string& folder)
 {
     State& s = *state_;
-    if (folder.empty() || !s.path.empty() || s.file) return;
+    if (folder.empty() || !s.path.empty() || s.file || s.look_only) return;
     s.kept_in = folder;
     const std::string from = std::exchange(s.folder, std::filesystem::absolute(folder).string());
     if (std::ranges::any_of(s.history.steps(), imports_by_relative_path))
@@ -277,6 +323,7 @@ void SceneFile::save_copy(const std::string& path) const
 
 void SceneFile::propose(Command command)
 {
+    check_may_change();
     state_->history.propose(std::move(command));
 }
 
@@ -296,6 +343,7 @@ void SceneFile::cancel()
 
 void SceneFile::run(Command command, const std::string& note)
 {
+    check_may_change();
     state_->history.propose(std::move(command), note);
     commit();
 }
@@ -313,6 +361,7 @@ void SceneFile::look_at(std::size_t position)
 
 bool SceneFile::undo()
 {
+    check_may_change();
     if (!state_->history.undo()) return false;
     append(undo_line());
     return true;
@@ -320,6 +369,7 @@ bool SceneFile::undo()
 
 bool SceneFile::redo()
 {
+    check_may_change();
     if (!state_->history.redo()) return false;
     append(redo_line());
     return true;
@@ -349,6 +399,7 @@ void SceneFile::save(const std::string& path, bool compact)
     s.file.emplace(std::move(file));
     s.path = s.file_path = path;
     s.original.clear();
+    s.in_use = s.look_only = false;
     s.folder = folder;
     s.length = text.size();
     s.lines = lines_of(text);
@@ -375,6 +426,16 @@ const std::string& SceneFile::path() const
 const std::string& SceneFile::original() const
 {
     return state_->original;
+}
+
+bool SceneFile::in_use() const
+{
+    return state_->in_use;
+}
+
+bool SceneFile::look_only() const
+{
+    return state_->look_only;
 }
 
 bool SceneFile::as_opened() const

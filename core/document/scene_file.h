@@ -12,7 +12,7 @@ namespace trivar {
 
 // A history that is kept in a file as it grows: each commit, undo and redo appends its line, so a
 // killed process loses no committed command and undo survives closing the program. While it lives
-// the file is locked; who opens it a second time gets a copy without a path.
+// the file is locked; who opens it a second time gets a copy without a path, or only looks at it.
 //
 // A scene without a name can be kept the same way, in a file of a folder for such scenes, which
 // goes when the scene gets a name or is let go; what a killed program left there can be taken up
@@ -26,6 +26,9 @@ public:
     explicit SceneFile(const std::string& path); // replays it. Throws Rejected
     // A copy without a path of a file that stays as it is. Throws Rejected.
     static SceneFile copy_of(const std::string& path);
+    // The same to look at: it refuses every change with a sentence till it is saved under another
+    // name, and follows the file. Throws Rejected.
+    static SceneFile looked_at(const std::string& path);
     // The file of the latest scene without a name that a program which is gone left in the folder.
     static std::optional<std::string> left_in(const std::string& folder);
     static SceneFile taken_up(const std::string& left); // goes on with it. Throws Rejected
@@ -50,6 +53,10 @@ public:
     // it either. No effect on other scenes.
     void look_at(std::size_t position);
 
+    // Takes up what was added to the file that is looked at; whether there was anything. A file
+    // that was replaced is read anew. Throws Rejected.
+    bool follow();
+
     // Writes the whole history, or only the steps in force (which forgets the undone ones), beside
     // the target, renames it over it and goes on there. In another folder the paths of imports
     // are rewritten. Throws Rejected, and neither the file at `path` nor this has changed.
@@ -67,11 +74,14 @@ public:
     const std::string& path() const;     // empty: without a name, or a copy
     const std::string& original() const; // the file it is a copy of; empty: none
     bool as_opened() const;              // nothing was done since, so closing it loses nothing
-    std::string folder() const;          // absolute; what paths of imports are relative to
-    const std::string& trouble() const;  // why the last append failed; empty: all is on disk
+    bool in_use() const;                 // a copy because another program has the file open
+    bool look_only() const;
+    std::string folder() const;         // absolute; what paths of imports are relative to
+    const std::string& trouble() const; // why the last append failed; empty: all is on disk
     const std::vector<std::string>& notices() const; // from opening, one sentence each
 
 private:
+    void check_may_change() const;
     void keep_torn(); // beside the file, with .torn after its name, before its end is cut off
     void append(const std::string& line);
     void start_kept();

@@ -99,6 +99,7 @@ State state_of(const Editor& editor, const ui::Palette& c)
     const std::string name = title_of(scene);
     if (!scene.trouble().empty()) return {name, "Not saved", c.bad};
     if (named) return {name, "All changes saved", c.text_3};
+    if (scene.look_only()) return {name, "Follows the file", c.text_3};
     const bool nothing = scene.as_opened();
     return {name, nothing ? "Nothing to save" : "Has no name yet", nothing ? c.text_3 : c.warn};
 }

@@ -216,6 +216,35 @@ TEST(EditorWindow, ASampleOpensAsACopyThatIsAskedForOnlyWhenItWasChanged)
     EXPECT_EQ(read_text_file(path), text);
 }
 
+TEST(EditorWindow, ASceneThatIsOpenElsewhereCanBeLookedAtAndRefusesChanges)
+{
+    const testing::TemporaryFolder folder;
+    SceneFile other;
+    other.save_as(folder.file("a.trivar"));
+    other.run(AddBox{});
+    Rig rig;
+    rig.editor.files.open_scene(folder.file("a.trivar"));
+    rig.wait();
+    ASSERT_TRUE(rig.editor.files.asking());
+    rig.key({ui::key_enter});
+    Session& session = rig.editor.session;
+    ASSERT_TRUE(session.scene().look_only());
+    EXPECT_FALSE(session.run(AddTorus{}));
+    ASSERT_EQ(session.notices.all().size(), 1u);
+    EXPECT_THAT(session.notices.all().front().title, ::testing::StartsWith("a.trivar is only"));
+    session.selected = 1;
+    other.run(AddSphere{});
+    session.follow_file(1e6);
+    rig.wait();
+    EXPECT_EQ(session.evaluated().objects.size(), 2u);
+    EXPECT_EQ(session.selected, 1);
+    rig.editor.files.open_scene(folder.file("a.trivar"));
+    rig.wait();
+    rig.key({ui::key_escape});
+    EXPECT_FALSE(rig.editor.files.asking());
+    EXPECT_TRUE(session.scene().look_only());
+}
+
 TEST(EditorWindow, ASceneWhoseModelIsGoneSaysSoWhenItOpens)
 {
     const testing::TemporaryFolder folder;

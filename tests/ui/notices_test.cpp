@@ -38,7 +38,7 @@ TEST(Notices, SayWhatBelongsTogetherInLinesUnderOneTitle)
 TEST(Notices, SaidTwiceCountUp)
 {
     Notices notices;
-    for (int i = 0; i < 3; ++i) notices.say(NoticeKind::warning, "Locked", {}, i > 1 ? "step" : "");
+    for (int i = 0; i < 3; ++i) notices.say(NoticeKind::warning, "Locked");
     ASSERT_THAT(notices.all(), SizeIs(1));
     EXPECT_EQ(notices.all()[0].count, 3);
 }
