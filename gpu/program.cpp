@@ -3,6 +3,7 @@
 
 #include "core/base/rejected.h"
 
+#include <algorithm>
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 #include <glm/gtc/type_ptr.hpp>
@@ -11,10 +12,10 @@
 namespace trivar::gpu {
 namespace {
 
-// The first line of what a compiler has to say.
+// The first line of what a compiler has to say, in a buffer that it does not fill.
 std::string first_line(const std::string& log)
 {
-    return log.substr(0, log.find_first_of("\n\0"));
+    return log.substr(0, std::min(log.find('\n'), log.find('\0')));
 }
 
 GLuint compiled(const ShaderStage& stage, const std::vector<std::string>& defines)
@@ -33,7 +34,7 @@ GLuint compiled(const ShaderStage& stage, const std::vector<std::string>& define
     glGetShaderInfoLog(shader, static_cast<GLsizei>(why.size()), nullptr, why.data());
     glDeleteShader(shader);
     throw Rejected(fmt::format("The graphics driver does not compile {} ({}): {}", stage.file,
-                               fmt::join(defines, ", "), first_line(why.c_str())));
+                               fmt::join(defines, ", "), first_line(why)));
 }
 
 // What the vertex shader's outputs are written to: a buffer each.
@@ -63,7 +64,7 @@ Program::Program(const ProgramName& name) : name_(glCreateProgram())
         std::string why(8192, '\0');
         glGetProgramInfoLog(name_, static_cast<GLsizei>(why.size()), nullptr, why.data());
         throw Rejected(fmt::format("The graphics driver does not link {}: {}",
-                                   stages(name).front().file, first_line(why.c_str())));
+                                   stages(name).front().file, first_line(why)));
     } catch (const Rejected&) {
         glDeleteProgram(name_);
         throw;
