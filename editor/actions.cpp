@@ -7,6 +7,7 @@
 #include "editor/help_actions.h"
 #include "editor/reset_actions.h"
 #include "editor/selection_actions.h"
+#include "editor/time_actions.h"
 #include "editor/view_actions.h"
 
 #include <algorithm>
@@ -60,6 +61,7 @@ std::vector<Action> all_actions(const Editor& editor)
     a.push_back(add_action<AddTeapot>("Teapot"));
     add_view_actions(a);
     add_window_actions(a);
+    add_time_actions(a);
     for (std::size_t i = 0; i < editor.tools.size(); ++i)
         a.push_back({"Tools", editor.tools[i]->name(), editor.tools[i]->keys(), [i](Editor& e) {
                          e.choose_tool(i);
@@ -118,7 +120,12 @@ void run_keys(Editor& editor)
             editor.choose_tool(0);
         editor.session.notices.clear(); // read
     }
+    const bool in_list = editor.panel == Editor::Panel::outliner;
+    const KeysIn here = editor.tutorial.runs(editor.session) ? KeysIn::tutorial
+                        : in_list                            ? KeysIn::anywhere
+                                                             : KeysIn::picture;
     for (const Action& each : editor.actions) {
+        if (each.keys_in != KeysIn::anywhere && each.keys_in != here) continue;
         bool hit = false;
         for (const ui::Chord& chord : each.keys) hit = hit || ui::struck(chord);
         if (!hit || !is_enabled(editor, each)) continue;

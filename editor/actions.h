@@ -26,6 +26,13 @@ struct Condition {
 Condition something_selected();
 Condition something_there(); // in the scene
 
+// Where keys count. `picture`: while no tutorial runs and no list has the keyboard.
+enum class KeysIn { anywhere, picture, tutorial };
+constexpr bool meet(KeysIn a, KeysIn b)
+{
+    return a == b || a == KeysIn::anywhere || b == KeysIn::anywhere;
+}
+
 // Something that can be done from a menu or by a key. The one table of them makes menus, keys,
 // tooltips and the list of keys in Help.
 struct Action {
@@ -35,6 +42,7 @@ struct Action {
     Condition enabled = {};
     bool group_begins = false;              // a rule above it in the menu
     std::vector<ui::Chord> usual_keys = {}; // before anybody changed them
+    KeysIn keys_in = KeysIn::anywhere;
 };
 
 inline constexpr const char* add_action_name = "Add...";

@@ -26,10 +26,10 @@ BackgroundEvaluator::~BackgroundEvaluator()
     thread_.join();
 }
 
-long BackgroundEvaluator::submit(Document document)
+long BackgroundEvaluator::submit(Document document, double frame)
 {
     const std::lock_guard lock(mutex_);
-    waiting_ = std::move(document);
+    waiting_ = Asked{std::move(document), frame};
     something_new_.notify_one();
     return ++submitted_;
 }
@@ -60,7 +60,7 @@ void BackgroundEvaluator::work(const std::stop_token& stop)
 {
     std::unique_lock lock(mutex_);
     while (something_new_.wait(lock, stop, [this] { return waiting_.has_value(); })) {
-        const Document document = std::move(*waiting_);
+        const Asked asked = std::move(*waiting_);
         waiting_.reset();
         Result result;
         result.ticket = submitted_;
@@ -80,7 +80,7 @@ void BackgroundEvaluator::work(const std::stop_token& stop)
             wake_();
         };
         try {
-            result.evaluated = evaluator_(document, progress);
+            result.evaluated = evaluator_(asked.document, asked.frame, progress);
         } catch (const Cancelled&) {
             result.problem = "The evaluation was stopped.";
         } catch (const std::exception& trouble) {

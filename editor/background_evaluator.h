@@ -22,7 +22,7 @@ public:
     BackgroundEvaluator(const BackgroundEvaluator&) = delete;
     BackgroundEvaluator& operator=(const BackgroundEvaluator&) = delete;
 
-    long submit(Document document); // its ticket: 1, 2, ...
+    long submit(Document document, double frame); // its ticket: 1, 2, ...
 
     struct Result {
         long ticket = 0;
@@ -47,7 +47,11 @@ private:
     std::function<void()> wake_;
     mutable std::mutex mutex_;
     std::condition_variable_any something_new_;
-    std::optional<Document> waiting_;
+    struct Asked {
+        Document document;
+        double frame;
+    };
+    std::optional<Asked> waiting_;
     std::optional<Result> finished_;
     Status status_;
     double started_s_ = 0;

@@ -40,6 +40,8 @@ void meet_scene(Editor& editor)
     editor.adjustment = {};
     editor.adjustment.open = open;
     editor.inspecting = false;
+    editor.playback.pause();
+    editor.timeline = {};
 }
 
 // The keyboard is where the mouse was pressed last.
@@ -101,6 +103,7 @@ void draw_editor(Editor& editor, ui::Frame& frame)
     const ui::Theme& theme = frame.theme;
     editor.session.poll();
     editor.stored_pictures.poll();
+    editor.playback.advance(editor.session, frame, editor.preferences.loop);
     editor.session.try_to_write(frame.time_s);
     editor.session.follow_file(frame.time_s);
     if (editor.session.scene().look_only()) frame.again_in(1);
@@ -126,10 +129,12 @@ void draw_editor(Editor& editor, ui::Frame& frame)
     const Layout layout = arranged();
     follow_click(editor, layout);
     paint_ground(theme, frame.size_px);
+    editor.timeline.hovered = false;
     if (!editor.only_view) {
         draw_top_bar(editor, theme, layout);
         draw_tool_strip(editor, theme, layout);
         draw_options_bar(editor, theme, layout);
+        draw_timeline(editor, theme, layout);
     }
     const bool history = layout.dock && editor.tab == Editor::Tab::history;
     if (!history) editor.session.preview(nullptr);

@@ -6,6 +6,7 @@
 #include "editor/files.h"
 #include "editor/manual.h"
 #include "editor/outline.h"
+#include "editor/playback.h"
 #include "editor/preferences.h"
 #include "editor/recent_scenes.h"
 #include "editor/stored_pictures.h"
@@ -41,6 +42,15 @@ struct Editor {
     ui::TimingView timing;
     enum class Tab { inspector, history, log } tab = Tab::inspector;
     OutlinerState outliner;
+    Playback playback;
+    struct Timeline {
+        enum class Hand { none, shift, begin, end }; // what of a bar is dragged
+        Hand hand = Hand::none;
+        Id id = 0;
+        Travel travel;                        // before it was
+        double grabbed = 0, from = 0, to = 0; // frames: under the mouse, and the bar's ends then
+        bool hovered = false;
+    } timeline;
     enum class Panel { view, outliner, dock } panel = Panel::view; // the keyboard's
     bool show_focus = false;                                       // it came there by a key
     Adjustment adjustment;

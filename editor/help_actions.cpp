@@ -37,6 +37,8 @@ void tutorial_actions(std::vector<Action>& a)
                  {{ui::key_escape}},
                  [](Editor& e) { e.tutorial.close(e.session); },
                  at("no tutorial is open", [](const Tutorial&, const Session&) { return true; })});
+    for (Action& each : a)
+        if (each.menu == "Tutorials") each.keys_in = KeysIn::tutorial;
 }
 
 } // namespace

@@ -12,6 +12,8 @@ std::vector<std::string> give(std::vector<Action>& actions, const std::string& n
                               const std::vector<ui::Chord>& keys)
 {
     std::vector<std::string> losers;
+    const auto owner = std::ranges::find(actions, name, &Action::name);
+    const KeysIn in = owner == actions.end() ? KeysIn::anywhere : owner->keys_in;
     for (Action& each : actions) {
         if (each.name == name) {
             each.keys = keys;
@@ -20,7 +22,8 @@ std::vector<std::string> give(std::vector<Action>& actions, const std::string& n
         const auto lost = [&](const ui::Chord& chord) {
             return std::ranges::find(keys, chord) != keys.end();
         };
-        if (std::erase_if(each.keys, lost) > 0) losers.push_back(each.name);
+        if (meet(each.keys_in, in) && std::erase_if(each.keys, lost) > 0)
+            losers.push_back(each.name);
     }
     return losers;
 }
@@ -45,8 +48,10 @@ void use_keys(std::vector<Action>& actions, const KeyMap& map)
     for (Action& each : actions)
         if (!map.contains(each.name))
             std::erase_if(each.keys, [&](const ui::Chord& chord) {
-                return std::ranges::any_of(map, [&](const auto& changed) {
-                    return std::ranges::find(changed.second, chord) != changed.second.end();
+                return std::ranges::any_of(actions, [&](const Action& other) {
+                    const auto changed = map.find(other.name);
+                    return changed != map.end() && meet(each.keys_in, other.keys_in) &&
+                           std::ranges::find(changed->second, chord) != changed->second.end();
                 });
             });
 }

@@ -12,8 +12,8 @@
 namespace trivar {
 namespace {
 
-constexpr std::array<std::string_view, 10> order{
-    "start",           "place", "select",  "move-rotate-scale", "outliner",
+constexpr std::array<std::string_view, 11> order{
+    "start",           "place", "select",  "move-rotate-scale", "outliner", "timeline",
     "history-and-log", "files", "picture", "preferences",       keys_page};
 
 std::string lower(std::string_view text)

@@ -14,8 +14,9 @@ namespace trivar {
 // What a person has arranged, for all scenes. Sizes are pixels at scale 1.
 struct Preferences {
     double scale = 1; // of the interface, times the monitor's, 0.75..2
-    double dock = 320, outliner = 256;
-    bool show_dock = true, hints = true;
+    double dock = 320, outliner = 256, timeline = 184;
+    bool show_dock = true, timeline_open = false, hints = true;
+    bool loop = true;                     // playing goes on at the first frame
     ui::Look look;                        // of the interface
     bool reduced_motion = false;          // what would move is there at once
     bool backdrop_as_in_pictures = false; // of the viewport; else the window's own

@@ -42,7 +42,7 @@ void Session::meet_document()
 void Session::refresh()
 {
     previewed_.reset();
-    asked_ticket_ = evaluator_->submit(scene_.document());
+    asked_ticket_ = submit(scene_.document());
     selected.keep_those_in(scene_.document());
     if (scene_.trouble() == told_trouble_) return;
     told_trouble_ = scene_.trouble();
@@ -50,6 +50,20 @@ void Session::refresh()
         notices.forget(of_saving); // it is on disk now
     else
         notices.say(ui::NoticeKind::error, "Not saved", told_trouble_, of_saving);
+}
+
+long Session::submit(const Document& document)
+{
+    frame_ = std::clamp(frame_, document.time.first_frame, document.time.last_frame);
+    return evaluator_->submit(document, frame_);
+}
+
+void Session::show_frame(int frame)
+{
+    const Document& document = shown();
+    const int before = frame_;
+    frame_ = std::clamp(frame, document.time.first_frame, document.time.last_frame);
+    if (frame_ != before && !travelling(document).empty()) asked_ticket_ = submit(document);
 }
 
 template <class Change> bool Session::attempt(Change&& change, bool quietly)
@@ -214,7 +228,7 @@ void Session::preview(const Document* document)
         std::ranges::equal(previewed_->objects, document->objects))
         return;
     previewed_ = *document;
-    asked_ticket_ = evaluator_->submit(*document);
+    asked_ticket_ = submit(*document);
 }
 
 void Session::look_at_step(std::size_t position)
@@ -229,6 +243,7 @@ void Session::look_at_step(std::size_t position)
 void Session::replace_scene(SceneFile scene)
 {
     scene_ = std::move(scene);
+    frame_ = document().time.first_frame;
     ++scenes_;
     scene_.keep_in(unnamed_folder_);
     selected = 0;
@@ -401,6 +416,16 @@ std::string stem_of(const SceneFile& scene)
 {
     const std::string& path = scene.path().empty() ? scene.original() : scene.path();
     return path.empty() ? "untitled" : std::filesystem::path(path).stem().string();
+}
+
+std::vector<Id> travelling(const Document& document)
+{
+    std::vector<Id> ids = in_row_order(document);
+    std::erase_if(ids, [&](Id id) {
+        const Object& each = object(document, id);
+        return !each.placement || each.travel.speed == 0;
+    });
+    return ids;
 }
 
 std::string name_of(const Document& document, Id id)

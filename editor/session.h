@@ -5,6 +5,7 @@
 #include "editor/background_evaluator.h"
 #include "editor/job.h"
 #include "editor/selection.h"
+#include "editor/session_facts.h"
 #include "ui/notices.h"
 
 #include <ctime>
@@ -30,6 +31,10 @@ public:
     // Counts up with every change of the document, proposed or committed.
     long change() const { return asked_ticket_; }
     bool up_to_date() const { return evaluated_ticket_ == asked_ticket_; }
+
+    // The present frame, within the document's time. Not part of the document.
+    int frame() const { return frame_; }
+    void show_frame(int frame);
 
     // Gestures. A command that is Rejected becomes a notice and the return value is false.
     bool propose(Command command);
@@ -106,6 +111,7 @@ private:
         Id object = 0;
     };
     void refresh();
+    long submit(const Document& document);
     void finish_check();
     void tell_what_is_missing();
     void meet_document(); // the scene changed as a whole
@@ -130,20 +136,7 @@ private:
     long evaluation_ = 0, evaluated_ticket_ = 0, asked_ticket_ = 0;
     std::optional<Check> check_;
     std::optional<Document> previewed_;
+    int frame_ = Time{}.first_frame;
 };
-
-// The box round an object, with what is in it if it is a group, or round everything for id 0.
-Box bounds_of(const Session& session, Id id);
-Box bounds_of(const Session& session, const std::vector<Id>& ids);
-// All vertices of these objects, in world space; of everything where there is none.
-std::vector<glm::dvec3> points_of(const Session& session, const std::vector<Id>& ids);
-// Whether it is that object or in that group, however deep; everything is in 0.
-bool belongs_to(const Document& document, Id id, Id group);
-// What the scene is called: its file's name, that of the file it is a copy of, or untitled; and
-// the same as the beginning of a new file's name.
-std::string title_of(const SceneFile& scene);
-std::string stem_of(const SceneFile& scene);
-// The name in the outliner, or nothing for an id that is gone.
-std::string name_of(const Document& document, Id id);
 
 } // namespace trivar

@@ -21,6 +21,8 @@ inline constexpr const char *select = "\uf245", *move = "\uf047", *rotate = "\uf
                             *link = "\uf0c1", *group = "\uf247", *grid = "\uf0ce", *log = "\uf120",
                             *copy = "\uf0c5", *pencil = "\uf044", *drop = "\uf043",
                             *command = "\uf138", *lock = "\uf023", *open_lock = "\uf09c",
-                            *more = "\uf141";
+                            *more = "\uf141", *travel = "\uf018", *first = "\uf048",
+                            *back = "\uf04a", *play = "\uf04b", *pause = "\uf04c",
+                            *forward = "\uf04e", *last = "\uf051", *again = "\uf079";
 
 } // namespace trivar::ui::icon

@@ -182,7 +182,8 @@ void finish_edit(Editor& editor)
     const auto& now = editor.session.document();
     const auto& before = editor.session.committed();
     // A drag that came back to where it began is no step.
-    bool changed = *now.render != *before.render || now.objects.size() != before.objects.size();
+    bool changed = *now.render != *before.render || now.time != before.time ||
+                   now.objects.size() != before.objects.size();
     for (const auto& [id, each] : now.objects) {
         if (changed) break;
         const auto found = before.objects.find(id);

@@ -2,81 +2,13 @@
 #include "editor/panels/inspect.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/profile_rows.h"
+#include "editor/panels/value_rows.h"
 
-#include <array>
 #include <fmt/format.h>
 #include <imgui.h>
 
 namespace trivar {
 namespace {
-
-// Rows that change one parameter each and remember whether any did.
-struct PlacementRows {
-    const ui::Theme& theme;
-    PlacementParameters& p;
-    ui::Edit edit = ui::Edit::none;
-
-    void take(ui::Edit one)
-    {
-        if (one != ui::Edit::none) edit = one;
-    }
-    // The row's field, unless its dot was pressed, which resets the value.
-    template <class T, class Field>
-    void row(const std::string& label, T& value, const T& rest, const std::string& help,
-             Field&& field)
-    {
-        const ui::Row at = ui::label_row(theme, label, value != rest, help);
-        if (at.reset) {
-            value = rest;
-            take(ui::Edit::changed);
-            return;
-        }
-        take(field(at.width));
-    }
-    void number(const std::string& label, double& value, double rest, const ui::NumberStyle& style,
-                const std::string& help)
-    {
-        row(label, value, rest, help,
-            [&](float width) { return ui::number_field(theme, label, value, style, width); });
-    }
-    void integer(const std::string& label, int& value, int rest, const ui::NumberStyle& style,
-                 const std::string& help)
-    {
-        row(label, value, rest, help,
-            [&](float width) { return ui::integer_field(theme, label, value, style, width); });
-    }
-    void check(const std::string& label, bool& value, bool rest, const std::string& effect,
-               const std::string& help)
-    {
-        row(label, value, rest, help,
-            [&](float) { return ui::check_box(theme, label, value, effect); });
-    }
-    void choice(const std::string& label, int value, int rest,
-                const std::vector<std::string>& names, const std::string& help, auto&& use)
-    {
-        row(label, value, rest, help,
-            [&](float width) { return ui::segments(theme, label, value, names, width); });
-        use(value);
-    }
-    void triple(const std::string& label, glm::ivec3& value, const glm::ivec3& rest,
-                const ui::NumberStyle& style, const std::string& help)
-    {
-        row(label, value, rest, help, [&](float width) {
-            constexpr std::array<const char*, 3> names{"U", "V", "W"};
-            const float gap = theme.px(4), each = std::floor((width - 2 * gap) / 3);
-            const ImVec2 at = ImGui::GetCursorScreenPos();
-            ui::Edit any = ui::Edit::none;
-            for (int i = 0; i < 3; ++i) {
-                ui::NumberStyle one = style;
-                one.axis = names[static_cast<std::size_t>(i)];
-                ImGui::SetCursorScreenPos({at.x + static_cast<float>(i) * (each + gap), at.y});
-                const ui::Edit e = ui::integer_field(theme, label + one.axis, value[i], one, each);
-                if (e != ui::Edit::none) any = e;
-            }
-            return any;
-        });
-    }
-};
 
 std::string percent(double share)
 {
@@ -106,10 +38,10 @@ void report_rows(const ui::Theme& theme, const PlacementReport& r)
                  folds ? theme.color.bad : theme.color.good);
 }
 
-void volume_rows(PlacementRows& rows, const PlacementReport* report, Editor& editor)
+void volume_rows(ValueRows& rows, PlacementParameters& p, const PlacementReport* report,
+                 Editor& editor)
 {
     const PlacementParameters rest;
-    PlacementParameters& p = rows.p;
     const auto size = [&](double present) {
         return ui::NumberStyle{.lo = 0,
                                .hi = 1e6,
@@ -155,10 +87,9 @@ void volume_rows(PlacementRows& rows, const PlacementReport* report, Editor& edi
                 "Of the B-splines; 3 is quadratic, 4 is cubic.");
 }
 
-void spring_rows(PlacementRows& rows)
+void spring_rows(ValueRows& rows, PlacementParameters& p)
 {
     const PlacementParameters rest;
-    PlacementParameters& p = rows.p;
     rows.choice("Gaps", p.springs ? 0 : 1, rest.springs ? 0 : 1, {"Bridge", "Follow"},
                 "Bridge: springs hold the model over gaps. Follow: it drops into them.",
                 [&](int chosen) { p.springs = chosen == 0; });
@@ -176,10 +107,9 @@ void spring_rows(PlacementRows& rows)
                "Nodes on the rim of the strip may move too.");
 }
 
-void fit_rows(PlacementRows& rows)
+void fit_rows(ValueRows& rows, PlacementParameters& p)
 {
     const PlacementParameters rest;
-    PlacementParameters& p = rows.p;
     rows.number("Start", p.start, rest.start, {.lo = 0, .hi = 1 - 1e-3, .bar_hi = 1},
                 "Where along the stroke the model begins.");
     rows.number("Fill", p.fill, rest.fill, {.lo = 1e-3, .hi = 1, .bar_hi = 1},
@@ -193,10 +123,9 @@ void fit_rows(PlacementRows& rows)
                 [&](int chosen) { p.roll_deg = chosen * 90; });
 }
 
-void contact_rows(PlacementRows& rows)
+void contact_rows(ValueRows& rows, PlacementParameters& p)
 {
     const PlacementParameters rest;
-    PlacementParameters& p = rows.p;
     int misses = static_cast<int>(p.misses);
     const ui::Row at = ui::label_row(rows.theme, "Misses", p.misses != rest.misses,
                                      "What a node does whose ray hits nothing.");
@@ -227,7 +156,7 @@ void draw_placement(Editor& editor, const ui::Theme& theme, Id id)
     const Placement* placement = effects == editor.session.evaluated().objects.end()
                                      ? nullptr
                                      : effects->second->placement.get();
-    PlacementRows rows{theme, p};
+    ValueRows rows{theme};
     const auto part = [&](const char* title, bool open, auto&& fill) {
         ImGui::PushID(title);
         if (ui::section(theme, title, open)) {
@@ -237,10 +166,11 @@ void draw_placement(Editor& editor, const ui::Theme& theme, Id id)
         ImGui::PopID();
     };
     part("Volume", true,
-         [&] { volume_rows(rows, placement ? &placement->report : nullptr, editor); });
-    part("Springs", true, [&] { spring_rows(rows); });
-    part("Fit", true, [&] { fit_rows(rows); });
-    part("Contact", false, [&] { contact_rows(rows); });
+         [&] { volume_rows(rows, p, placement ? &placement->report : nullptr, editor); });
+    part("Springs", true, [&] { spring_rows(rows, p); });
+    part("Fit", true, [&] { fit_rows(rows, p); });
+    part("Contact", false, [&] { contact_rows(rows, p); });
+    draw_travel(editor, theme, id);
     if (placement) part("Checks", true, [&] { report_rows(theme, placement->report); });
     propose_edit(editor, rows.edit, [&] { return EditPlacement{id, p, {}, {}}; });
 }

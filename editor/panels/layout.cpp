@@ -29,7 +29,12 @@ Layout layout_of(const ui::Theme& theme, glm::vec2 size_px, const Preferences& p
     l.strip = {{0, y0}, {m.tool_strip, y1}};
     const float left = m.tool_strip + line, view_right = l.dock ? right - line : right;
     l.options = {{left, y0}, {view_right, y0 + m.options_bar}};
-    l.view = {{left, l.options.hi.y + line}, {view_right, y1}};
+    const float asked =
+        preferences.timeline_open
+            ? std::min(theme.px(static_cast<float>(preferences.timeline)), (y1 - y0) / 2)
+            : 0;
+    l.timeline = {{left, y1 - std::round(std::max(asked, theme.px(40)))}, {view_right, y1}};
+    l.view = {{left, l.options.hi.y + line}, {view_right, l.timeline.lo.y - line}};
     const float most = std::round((y1 - y0) * 0.6f);
     const float outliner = std::min(theme.px(static_cast<float>(preferences.outliner)), most);
     l.outliner = {{right, y0}, {width, y0 + outliner}};

@@ -11,11 +11,12 @@
 namespace trivar {
 
 struct Layout {
-    ui::Rect top, strip, options, view, outliner, tabs, inspector, status;
+    ui::Rect top, strip, options, view, timeline, outliner, tabs, inspector, status;
     bool dock = true; // whether the right column is there
 };
 // Pixels at scale 1; the outliner takes at most 60 % of the dock.
-inline constexpr float narrowest_dock = 280, widest_dock = 480, lowest_outliner = 120;
+inline constexpr float narrowest_dock = 280, widest_dock = 480, lowest_outliner = 120,
+                       lowest_timeline = 160, highest_timeline = 296;
 Layout layout_of(const ui::Theme& theme, glm::vec2 size_px, const Preferences& preferences,
                  bool only_view = false);
 
@@ -26,6 +27,7 @@ void draw_top_bar(Editor& editor, const ui::Theme& theme, const Layout& layout);
 void draw_tool_strip(Editor& editor, const ui::Theme& theme, const Layout& layout);
 void draw_options_bar(Editor& editor, const ui::Theme& theme, const Layout& layout);
 void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout);
+void draw_timeline(Editor& editor, const ui::Theme& theme, const Layout& layout);
 void draw_outliner(Editor& editor, const ui::Theme& theme, const Layout& layout);
 void draw_tabs(Editor& editor, const ui::Theme& theme, const Layout& layout);
 void draw_inspector(Editor& editor, const ui::Theme& theme, const Layout& layout);
@@ -59,6 +61,7 @@ void paint_picture(Editor& editor, const ui::Theme& theme, const ui::Rect& r,
 void draw_transform(Editor& editor, const ui::Theme& theme, Id id);
 void draw_material(Editor& editor, const ui::Theme& theme, Id id);
 void draw_placement(Editor& editor, const ui::Theme& theme, Id id);
+void draw_travel(Editor& editor, const ui::Theme& theme, Id id);
 void draw_several(Editor& editor, const ui::Theme& theme); // where several objects are selected
 void draw_picture_settings(Editor& editor, const ui::Theme& theme);
 

@@ -26,6 +26,18 @@ void drag_splitters(Editor& editor, ui::Frame& frame, const Layout& layout)
         p.show_dock = wanted > narrowest_dock / 2;
         if (p.show_dock) p.dock = std::clamp<double>(wanted, narrowest_dock, widest_dock);
     }
+    const float top = layout.timeline.lo.y - line;
+    const ui::Splitter timeline = ui::splitter(
+        frame, "timeline splitter", {{layout.view.lo.x, top}, {layout.view.hi.x, top + line}});
+    if (timeline.restored) {
+        p.timeline = usual.timeline;
+        p.timeline_open = true;
+    } else if (timeline.dragged) {
+        const double wanted = (layout.timeline.hi.y - timeline.at) / theme.scale;
+        p.timeline_open = wanted > lowest_timeline / 2;
+        if (p.timeline_open)
+            p.timeline = std::clamp<double>(wanted, lowest_timeline, highest_timeline);
+    }
     if (!layout.dock) return;
     const float y = layout.outliner.hi.y;
     const ui::Splitter outliner = ui::splitter(

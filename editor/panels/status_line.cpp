@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/panels.h"
+#include "editor/time_actions.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -48,6 +49,15 @@ void paint_input(const ui::Theme& theme, glm::vec2 at, float height, const std::
         ui::paint_keycap(theme, at, height, input);
 }
 
+std::vector<Hint> timeline_hints()
+{
+    return {{{"left"}, "Drag to a frame, or drag a bar"},
+            {{std::string("@") + play_action}, "Play"},
+            {{std::string("@") + previous_frame_action, "/", std::string("@") + next_frame_action},
+             "Frame"},
+            {{std::string("@") + timeline_action}, "Open or close"}};
+}
+
 } // namespace
 
 std::vector<std::string> inputs_now(const Editor& editor, const Hint& hint)
@@ -71,7 +81,9 @@ void draw_status_line(Editor& editor, const ui::Theme& theme, const Layout& layo
     ui::paint_text(theme.font.small, {r.lo, r.hi - glm::vec2(theme.px(12), 0)}, c.text_2, right,
                    ui::Align::right);
     float x = r.lo.x + theme.px(12);
-    for (const Hint& hint : editor.active_tool().hints(editor.session)) {
+    const std::vector<Hint> hints =
+        editor.timeline.hovered ? timeline_hints() : editor.active_tool().hints(editor.session);
+    for (const Hint& hint : hints) {
         const std::vector<std::string> inputs = inputs_now(editor, hint);
         if (inputs.empty() && !hint.inputs.empty()) continue;
         // A name in it must not push the others out.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/step_title.h"
 #include "editor/panels/panels.h"
+#include "editor/time_actions.h"
 
 #include "ui/icons.h"
 #include "ui/widgets.h"
@@ -69,7 +70,7 @@ void tutorials(Editor& editor)
 
 void menus(Editor& editor, const ui::Theme& theme)
 {
-    for (const char* menu : {"File", "Edit", "Select", "Add", "View", "Tools", "Help"}) {
+    for (const char* menu : {"File", "Edit", "Select", "Add", "View", "Animate", "Tools", "Help"}) {
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.px(8), theme.px(8)});
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {theme.px(10), theme.px(8)});
         ImGui::SetNextWindowSizeConstraints({theme.px(216), 0}, {1e6f, 1e6f});
@@ -149,7 +150,9 @@ void menu_item(Editor& editor, const Action& each)
                     (each.name == "Timing" && editor.timing.open) ||
                     (each.name == "Side panels" && editor.preferences.show_dock) ||
                     (each.name == "Viewport only" && editor.only_view) ||
-                    (each.name == "Full screen" && editor.full_screen);
+                    (each.name == "Full screen" && editor.full_screen) ||
+                    (each.name == loop_action && editor.preferences.loop) ||
+                    (each.name == timeline_action && editor.preferences.timeline_open);
     if (ImGui::MenuItem(each.name.c_str(), key_text(each).c_str(), on, is_enabled(editor, each)))
         each.run(editor);
 }
@@ -166,7 +169,7 @@ void draw_top_bar(Editor& editor, const ui::Theme& theme, const Layout& layout)
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {theme.px(18), 0});
     ImGui::PushStyleColor(ImGuiCol_MenuBarBg, 0);
     // ImGui keeps a menu bar inside a window of its own kind; a child gives it one.
-    ImGui::BeginChild("menus", {theme.px(390), r.height()}, false,
+    ImGui::BeginChild("menus", {theme.px(460), r.height()}, false,
                       ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoScrollbar);
     float menus_end = 0;
     if (ImGui::BeginMenuBar()) {

@@ -35,12 +35,13 @@ void paint_arrow(const ui::Theme& theme, glm::vec2 at, glm::vec2 direction, floa
 {
     const float length = glm::length(direction);
     const glm::vec2 d = length > 0 ? direction / length : glm::vec2(1, 0), n(-d.y, d.x);
-    const glm::vec2 tip = at + d * radius * 1.3f;
+    const glm::vec2 arrow_tip = at + d * radius * 1.3f;
     const glm::vec2 a = at - d * radius * 0.8f + n * radius,
                     b = at - d * radius * 0.8f - n * radius;
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    draw.AddTriangleFilled({tip.x, tip.y}, {a.x, a.y}, {b.x, b.y}, color);
-    draw.AddTriangle({tip.x, tip.y}, {a.x, a.y}, {b.x, b.y}, theme.color.halo, 1.5f * theme.scale);
+    draw.AddTriangleFilled({arrow_tip.x, arrow_tip.y}, {a.x, a.y}, {b.x, b.y}, color);
+    draw.AddTriangle({arrow_tip.x, arrow_tip.y}, {a.x, a.y}, {b.x, b.y}, theme.color.halo,
+                     1.5f * theme.scale);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/document/command.h"
+#include "core/document/evaluate.h"
 
 #include <array>
 #include <random>
@@ -32,5 +33,10 @@ std::vector<Command> fitting_commands();
 Command random_command(std::mt19937& random);
 
 Sketch small_sketch();
+
+inline Evaluator new_evaluator()
+{
+    return Evaluator(std::make_shared<const AssetStore>("."));
+}
 
 } // namespace trivar::testing

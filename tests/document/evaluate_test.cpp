@@ -12,12 +12,7 @@ namespace trivar {
 namespace {
 
 using ::testing::HasSubstr, ::testing::IsEmpty;
-using testing::small_document, testing::small_sketch;
-
-Evaluator new_evaluator()
-{
-    return Evaluator(std::make_shared<const AssetStore>("."));
-}
+using testing::new_evaluator, testing::small_document, testing::small_sketch;
 
 bool has_stage(const Evaluated& evaluated, const std::string& name)
 {

@@ -11,12 +11,7 @@ namespace trivar {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::small_document, testing::small_sketch;
-
-Evaluator new_evaluator()
-{
-    return Evaluator(std::make_shared<const AssetStore>("."));
-}
+using testing::new_evaluator, testing::small_document, testing::small_sketch;
 
 // The teapot fills a fifth of its stroke and travels.
 Document with_travel(const Travel& travel)

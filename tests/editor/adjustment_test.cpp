@@ -4,7 +4,9 @@
 #include "editor/actions.h"
 #include "editor/key_presets.h"
 #include "tests/editor/rig.h"
+#include "tests/editor/shared_keys.h"
 
+#include <gmock/gmock.h>
 #include <set>
 
 namespace trivar {
@@ -78,11 +80,7 @@ TEST(KeyPresets, NameActionsThatThereAreAndGiveNoKeyTwice)
         for (const auto& [name, keys] : preset.keys) EXPECT_EQ(action(rig.editor, name).name, name);
         std::vector<Action> actions = rig.editor.actions;
         use_keys(actions, preset.keys);
-        std::set<std::string> taken;
-        for (const Action& each : actions)
-            for (const ui::Chord& chord : each.keys)
-                EXPECT_TRUE(taken.insert(ui::text_of(chord)).second)
-                    << preset.name << ": " << ui::text_of(chord) << " of " << each.name;
+        EXPECT_THAT(testing::shared_keys(actions), ::testing::IsEmpty()) << preset.name;
     }
 }
 

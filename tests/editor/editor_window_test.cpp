@@ -298,16 +298,5 @@ TEST(EditorWindow, ARestingPictureIsFinishedInPiecesAndThenNothingIsDrawn)
     EXPECT_FALSE(rig.editor.viewport.full_timings().stages.empty());
 }
 
-TEST(EditorWindow, NoTwoActionsShareAKey)
-{
-    const Rig rig;
-    std::map<std::string, std::string> taken;
-    for (const Action& each : rig.editor.actions)
-        for (const ui::Chord& chord : each.keys) {
-            const auto [found, fresh] = taken.emplace(ui::text_of(chord), each.name);
-            EXPECT_TRUE(fresh) << ui::text_of(chord) << ": " << each.name << ", " << found->second;
-        }
-}
-
 } // namespace
 } // namespace trivar

@@ -104,6 +104,9 @@ TEST_P(EveryPanel, IsDrawnAndCutsNoText)
         look(rig, rig.editor.active_tool().name());
     }
     rig.editor.choose_tool(0);
+    rig.editor.preferences.timeline_open = true;
+    look(rig, "timeline");
+    rig.editor.preferences.timeline_open = false;
     rig.editor.outliner.filter = "e";
     look(rig, "filter");
     rig.editor.outliner.filter.clear();

@@ -3,6 +3,7 @@
 
 #include "editor/actions.h"
 #include "tests/editor/rig.h"
+#include "tests/editor/shared_keys.h"
 
 #include <gmock/gmock.h>
 
@@ -12,16 +13,18 @@ namespace {
 using ::testing::ElementsAre, ::testing::IsEmpty;
 using testing::Rig, ui::Chord;
 
-TEST(KeyMap, NoTwoActionsShareAKey)
+TEST(KeyMap, NoTwoActionsShareAKeyInOnePlace)
 {
     const Editor editor([] {});
-    std::map<std::string, std::string> taken;
-    for (const Action& each : editor.actions)
-        for (const Chord& chord : each.keys) {
-            const auto [found, fresh] = taken.emplace(ui::text_of(chord), each.name);
-            EXPECT_TRUE(fresh) << each.name << " and " << found->second << " share "
-                               << ui::text_of(chord);
-        }
+    EXPECT_THAT(testing::shared_keys(editor.actions), IsEmpty());
+}
+
+TEST(KeyMap, ATutorialKeepsItsArrowsWhenFramesGetOthers)
+{
+    Editor editor([] {});
+    EXPECT_THAT(give_key(editor.actions, "Next frame", {ui::key_left}),
+                ElementsAre("Previous frame"));
+    EXPECT_EQ(key_text(action(editor, "Step back")), "Left");
 }
 
 TEST(KeyMap, EveryKeyComesBackFromItsText)

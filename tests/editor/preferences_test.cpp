@@ -20,6 +20,9 @@ TEST(Preferences, ComeBackFromTheirText)
     p.backdrop_as_in_pictures = true;
     p.quality = "high";
     p.deform = "two_phases";
+    p.timeline = 240;
+    p.timeline_open = true;
+    p.loop = false;
     p.recent_commands = {"Box", "Save as..."};
     p.keys = {{"Undo", {{.key = 'U', .ctrl = true}}}, {"Redo", {}}};
     EXPECT_EQ(preferences_from(text_of(p)), p);

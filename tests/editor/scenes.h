@@ -18,7 +18,20 @@ inline SceneFile empty_scene()
     return {};
 }
 
-// A table with a box laid on it, a group, a hidden and a locked object.
+// A stroke over what lies in the middle.
+inline Place placed(Id object, Id onto)
+{
+    Place place;
+    place.object = object;
+    place.sketch.camera.eye = {0.5, -6, 4};
+    for (int i = 0; i < 20; ++i)
+        place.sketch.samples.push_back({{500 + 15 * i, 360 + 3 * (i % 5)}, 0.02 * i, 1});
+    place.parameters.fill = 0.4;
+    place.onto = {onto};
+    return place;
+}
+
+// A table with a box that travels on it, a group, a hidden and a locked object.
 inline SceneFile typical_scene()
 {
     SceneFile scene;
@@ -33,13 +46,8 @@ inline SceneFile typical_scene()
     scene.run(Group{.objects = {3, 4}, .name = "Round things"});
     scene.run(Hide{{4}});
     scene.run(Lock{{1}});
-    Place place;
-    place.object = 2;
-    place.sketch.camera.eye = {0.5, -6, 4};
-    for (int i = 0; i < 20; ++i)
-        place.sketch.samples.push_back({{500 + 15 * i, 360 + 3 * (i % 5)}, 0.02 * i, 1});
-    place.onto = {1};
-    scene.run(place);
+    scene.run(placed(2, 1));
+    scene.run(SetTravel{{2}, {.speed = 0.2, .ends = Ends::loop}});
     return scene;
 }
 
@@ -93,6 +101,8 @@ inline SceneFile scene_of_long_names()
     scene.run(Group{.objects = {1}, .name = std::string(300, 'g')});
     scene.run(Rename{2, std::string(300, 'M')});
     scene.run(SetTransform{2, {.translation = {1, 2, 3}}});
+    scene.run(placed(2, 1));
+    scene.run(SetTravel{{2}, {.speed = 123.456, .ease_in = 0.125}});
     ImportModel import;
     import.file.path = words + ".obj";
     import.name = words;

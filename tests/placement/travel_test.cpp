@@ -29,7 +29,7 @@ PlacementParameters short_model()
     return p;
 }
 
-constexpr double at_rest = 0.2; // the middle of that model
+constexpr double middle_at_rest = 0.2; // the middle of that model
 
 // The way of the model's middle in the world, in steps small enough to be straight.
 std::vector<double> speeds(const Journey& journey, const Surface<glm::dvec3>& contact, double from,
@@ -38,7 +38,7 @@ std::vector<double> speeds(const Journey& journey, const Surface<glm::dvec3>& co
     std::vector<double> out;
     constexpr double step = 1e-3;
     const auto p = [&](double t) {
-        return evaluate(contact, {at_rest + journey.at(t).shift_u, 0.5}).value;
+        return evaluate(contact, {middle_at_rest + journey.at(t).shift_u, 0.5}).value;
     };
     for (int i = 0; i <= 200; ++i) {
         const double t = from + (to - step - from) * i / 200;
@@ -159,9 +159,9 @@ TEST(Journey, GoesRoundARingWithoutAJump)
               scene_of(height_field(4, 20, [](double, double) { return 0; })), timings);
     const Journey journey({.speed = 0.5, .ends = Ends::loop}, p, on.contact);
     ASSERT_TRUE(journey.rounds());
-    glm::dvec3 before = evaluate(on.contact, {at_rest, 0.5}).value;
+    glm::dvec3 before = evaluate(on.contact, {middle_at_rest, 0.5}).value;
     for (int i = 1; i < 300; ++i) {
-        const double u = at_rest + journey.at(0.1 * i).shift_u;
+        const double u = middle_at_rest + journey.at(0.1 * i).shift_u;
         EXPECT_GE(u, p.fill / 2 - 1e-12);
         const glm::dvec3 now = evaluate(on.contact, {u > 1 ? u - 1 : u, 0.5}).value;
         EXPECT_NEAR(glm::distance(before, now), 0.05, 0.001) << i;

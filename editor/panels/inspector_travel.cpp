@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/panels/inspect.h"
+#include "editor/panels/panels.h"
+#include "editor/panels/value_rows.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+void ends_row(ValueRows& rows, Ends& ends)
+{
+    int chosen = static_cast<int>(ends);
+    rows.row("Ends", chosen, 0,
+             "Where its stroke ends: it stops, is not shown any more, goes straight on, begins "
+             "again (round and round on a ring), or turns back.",
+             [&](float width) {
+                 return ui::choice(rows.theme, "ends", chosen,
+                                   {"Stay", "Hide", "Run on", "Loop", "Back and forth"}, width);
+             });
+    ends = static_cast<Ends>(chosen);
+}
+
+std::string way_of(const Journey& journey, double frames_per_second)
+{
+    const double seconds = journey.seconds();
+    if (!std::isfinite(seconds)) return "without end";
+    return fmt::format("{} s, {:.0f} frames", ui::short_number(seconds),
+                       seconds * frames_per_second);
+}
+
+} // namespace
+
+void draw_travel(Editor& editor, const ui::Theme& theme, Id id)
+{
+    const Document& document = editor.session.document();
+    if (!ui::section(theme, "Travel")) return;
+    const Travel rest;
+    Travel t = object(document, id).travel;
+    ValueRows rows{theme};
+    rows.number("Speed", t.speed, 0, {.lo = -1e6, .hi = 1e6, .unit = "m/s", .zero = "rests"},
+                "Along its stroke, the way it looks; negative: backwards. It needs room: in Fit, "
+                "let it fill a part of the stroke.");
+    if (t.speed != 0) {
+        ends_row(rows, t.ends);
+        const ui::NumberStyle seconds{.lo = 0, .hi = 1e6, .unit = "s"};
+        rows.number("Ease in", t.ease_in, rest.ease_in, seconds, "From rest to that speed.");
+        rows.number("Ease out", t.ease_out, rest.ease_out, seconds,
+                    "To rest again, where it stops or turns.");
+        rows.integer("Sets out", t.start_frame, document.time.first_frame,
+                     {.lo = -999999, .hi = 999999, .unit = "frame"},
+                     "The frame in which it begins to move.");
+        ui::NumberStyle duration = seconds;
+        duration.zero = "no limit";
+        rows.number("Stops after", t.duration, rest.duration, duration,
+                    "Wherever it is then. Reset: no limit.");
+        const auto effects = editor.session.evaluated().objects.find(id);
+        if (effects != editor.session.evaluated().objects.end() && effects->second->journey)
+            ui::fact_row(theme, "Moves for",
+                         way_of(*effects->second->journey, document.time.frames_per_second));
+    }
+    ui::gap(theme, 8);
+    propose_edit(editor, rows.edit, [&] { return SetTravel{{id}, t}; });
+}
+
+} // namespace trivar

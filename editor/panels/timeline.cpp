@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/panels/timeline.h"
+
+#include "editor/panels/inspect.h"
+#include "editor/time_actions.h"
+#include "ui/icons.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <imgui.h>
+
+namespace trivar {
+namespace {
+
+// Beside each other, from the left; each places ImGui's cursor for what comes.
+struct Transport {
+    const ui::Theme& theme;
+    ui::Rect bar;
+    float x;
+    void place(float height) const
+    {
+        ImGui::SetCursorScreenPos({x, std::round(bar.center().y - height / 2)});
+    }
+    bool icon(const char* id, const char* icon, const std::string& tip, const std::string& key,
+              const ui::IconState& state = {})
+    {
+        const float side = theme.size.icon_button;
+        place(side);
+        const bool clicked = ui::icon_button(theme, id, icon, glm::vec2(side), tip, key, state);
+        x += side + theme.px(4);
+        return clicked;
+    }
+    void field(float width, const auto& draw)
+    {
+        place(theme.size.row);
+        draw(theme.px(width));
+        x += theme.px(width + 4);
+    }
+    void words(const char* text)
+    {
+        ui::paint_text(theme.font.small, {{x, bar.lo.y}, bar.hi}, theme.color.text_2, text);
+        x += ui::text_width(theme.font.small, text) + theme.px(6);
+    }
+};
+
+void buttons(Editor& editor, Transport& line)
+{
+    const bool playing = editor.playback.playing();
+    const Time& time = editor.session.document().time;
+    const int frame = editor.session.frame();
+    struct Button {
+        const char *name, *icon;
+        bool enabled = true;
+    };
+    const std::array<Button, 5> all{
+        {{first_frame_action, ui::icon::first, frame > time.first_frame},
+         {previous_frame_action, ui::icon::back, frame > time.first_frame},
+         {play_action, playing ? ui::icon::pause : ui::icon::play},
+         {next_frame_action, ui::icon::forward, frame < time.last_frame},
+         {last_frame_action, ui::icon::last, frame < time.last_frame}}};
+    for (const Button& each : all) {
+        const Action& does = action(editor, each.name);
+        if (line.icon(each.name, each.icon, each.name, key_text(does), {.enabled = each.enabled}))
+            does.run(editor);
+    }
+    const Action& again = action(editor, loop_action);
+    if (editor.preferences.loop) {
+        const glm::vec2 side(line.theme.size.icon_button);
+        ui::paint_box(ui::rect_at({line.x, std::round(line.bar.center().y - side.y / 2)}, side),
+                      line.theme.color.segment, line.theme.size.rounding_small);
+    }
+    if (line.icon(loop_action, ui::icon::again, loop_action, key_text(again))) again.run(editor);
+    line.x += line.theme.px(8);
+}
+
+// What there is room for beside the ruler, the least wanted first to go.
+struct Room {
+    bool title = true, rate = true, range = true;
+};
+constexpr float title_width = 72, rate_width = 72, range_width = 124, rest_width = 292,
+                least_ruler = 140;
+Room room_in(const ui::Theme& theme, float width, bool with_ruler)
+{
+    Room room;
+    float needed = theme.px(title_width + rate_width + range_width + rest_width +
+                            (with_ruler ? least_ruler : 0));
+    const auto drop = [&](bool& part, float part_width) {
+        if (needed <= width) return;
+        part = false;
+        needed -= theme.px(part_width);
+    };
+    drop(room.title, title_width);
+    drop(room.rate, rate_width);
+    drop(room.range, range_width);
+    return room;
+}
+
+void numbers(Editor& editor, Transport& line, const Room& room)
+{
+    Session& session = editor.session;
+    const ui::Theme& theme = line.theme;
+    Time t = session.document().time;
+    int frame = session.frame();
+    line.field(60, [&](float width) {
+        const ui::NumberStyle style{.lo = static_cast<double>(t.first_frame),
+                                    .hi = static_cast<double>(t.last_frame)};
+        if (ui::integer_field(theme, "frame", frame, style, width) != ui::Edit::none) {
+            editor.playback.pause();
+            session.show_frame(frame);
+        }
+    });
+    ui::Edit edit = ui::Edit::none;
+    const auto take = [&edit](ui::Edit one) {
+        if (one != ui::Edit::none) edit = one;
+    };
+    if (room.range) {
+        line.words("of");
+        line.field(48, [&](float width) {
+            take(ui::integer_field(theme, "first", t.first_frame,
+                                   {.lo = -999999, .hi = static_cast<double>(t.last_frame)},
+                                   width));
+        });
+        line.field(48, [&](float width) {
+            take(ui::integer_field(theme, "last", t.last_frame,
+                                   {.lo = static_cast<double>(t.first_frame), .hi = 999999},
+                                   width));
+        });
+    }
+    if (room.rate)
+        line.field(68, [&](float width) {
+            take(ui::number_field(theme, "rate", t.frames_per_second,
+                                  {.lo = 0.1, .hi = 1000, .step = 1, .unit = "fps"}, width));
+        });
+    propose_edit(editor, edit, [&] { return SetTime{t}; });
+    line.x += theme.px(8);
+}
+
+// Steps that people count in, so that the words of two do not meet.
+int tick_step(const FrameScale& scale, float least_px)
+{
+    const float per_frame = scale.x(1) - scale.x(0);
+    for (int unit = 1; unit < 1000000; unit *= 10)
+        for (const int factor : {1, 2, 5})
+            if (per_frame * static_cast<float>(unit * factor) >= least_px) return unit * factor;
+    return 1000000;
+}
+
+void paint_ticks(const ui::Theme& theme, const ui::Rect& r, const FrameScale& scale, bool numbered)
+{
+    const ui::Palette& c = theme.color;
+    const int step = tick_step(scale, theme.px(56)), small = tick_step(scale, theme.px(8));
+    const auto first_of = [&](int every) {
+        const int first = scale.time.first_frame;
+        return first + ((every - first % every) % every + every) % every;
+    };
+    for (int f = first_of(small); f <= scale.time.last_frame; f += small) {
+        const float height = theme.px(f % step == 0 ? 6 : 3), x = std::round(scale.x(f));
+        ui::paint_line({x, r.hi.y - height}, {x, r.hi.y}, c.text_off, theme.size.hairline);
+    }
+    for (int f = first_of(step); numbered && f <= scale.time.last_frame; f += step) {
+        const float x = scale.x(f), half = theme.px(24);
+        ui::paint_text(theme.font.small, {{x - half, r.lo.y}, {x + half, r.hi.y - theme.px(4)}},
+                       c.text_2, std::to_string(f), ui::Align::center);
+    }
+}
+
+// The whole width of a ruler takes the mouse and shows the frame under it.
+void scrub(Editor& editor, const ui::Rect& r, const FrameScale& scale)
+{
+    ImGui::SetCursorScreenPos({r.lo.x, r.lo.y});
+    ImGui::InvisibleButton("ruler", {std::max(1.0f, r.width()), std::max(1.0f, r.height())});
+    if (!ImGui::IsItemActive()) return;
+    editor.playback.pause();
+    const double frame = std::clamp(scale.frame_at(ImGui::GetIO().MousePos.x), -1e6, 1e6);
+    editor.session.show_frame(static_cast<int>(std::lround(frame)));
+}
+
+void paint_playhead(const ui::Theme& theme, const ui::Rect& r, const FrameScale& scale, int frame,
+                    bool numbered)
+{
+    const ui::Palette& c = theme.color;
+    const float x = std::round(scale.x(frame));
+    ui::paint_line({x, r.lo.y}, {x, r.hi.y}, c.focus, 1.5f * theme.scale);
+    if (!numbered) {
+        ui::paint_dot({x, r.lo.y + theme.px(3)}, theme.px(3), c.focus);
+        return;
+    }
+    const std::string text = std::to_string(frame);
+    const float half = ui::text_width(theme.font.small_strong, text) / 2 + theme.px(6);
+    const ui::Rect tag = {{x - half, r.lo.y + theme.px(2)}, {x + half, r.lo.y + theme.px(22)}};
+    ui::paint_box(tag, c.accent, theme.size.rounding_small);
+    ui::paint_text(theme.font.small_strong, tag, c.on_accent, text, ui::Align::center);
+}
+
+// Thin, one under the other, as many as there is room for; the rest lie on the last.
+void paint_thin_bars(const Editor& editor, const ui::Theme& theme, const ui::Rect& r,
+                     const FrameScale& scale)
+{
+    constexpr std::size_t most = 4;
+    const ui::Palette& c = theme.color;
+    const float pitch = theme.px(5), thick = theme.px(3), middle = std::round(r.center().y);
+    const std::vector<Id> ids = travelling(editor.session.document());
+    ui::paint_line({scale.lo, middle}, {scale.hi, middle}, c.line_soft, theme.size.hairline);
+    const auto below = static_cast<float>(std::min(ids.size(), most)) - 1;
+    const float first = std::round(middle - (below * pitch + thick) / 2);
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        const auto bar = bar_of(editor.session, ids[i]);
+        if (!bar) continue;
+        const float from = std::clamp(scale.x(bar->begin), scale.lo, scale.hi);
+        const float to = std::clamp(scale.x(bar->end), scale.lo, scale.hi);
+        const float y = first + static_cast<float>(std::min(i, most - 1)) * pitch;
+        const bool selected = editor.session.selected.contains(ids[i]);
+        if (to > from)
+            ui::paint_box({{from, y}, {to, y + thick}}, selected ? c.focus : c.text_3, thick / 2);
+    }
+}
+
+void draw_open(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
+{
+    const ui::Palette& c = theme.color;
+    const Time& time = editor.session.document().time;
+    const float split = names_end(theme, r);
+    const float line = theme.size.hairline, under = r.lo.y + theme.px(24);
+    ui::paint_box(r, c.base);
+    ui::paint_box({r.lo, {split, r.hi.y}}, c.panel);
+    const FrameScale scale = track_scale(theme, r, time);
+    const std::size_t count = travelling(editor.session.document()).size();
+    const std::string words = count == 0   ? "Nothing travels"
+                              : count == 1 ? "1 object travels"
+                                           : std::to_string(count) + " objects travel";
+    ui::paint_text(theme.font.small, {{r.lo.x + theme.px(12), r.lo.y}, {split, under}},
+                   count == 0 ? c.text_3 : c.text_2,
+                   ui::elided(theme.font.small, words, split - r.lo.x - theme.px(20)));
+    const ui::Rect ruler = {{split + line, r.lo.y}, {r.hi.x, under}};
+    paint_ticks(theme, ruler, scale, true);
+    scrub(editor, ruler, scale);
+    ui::paint_box({{r.lo.x, under - line}, {r.hi.x, under}}, c.gap);
+    const ui::Rect names = {{r.lo.x, under}, {split, r.hi.y}};
+    const ui::Rect tracks = {{split + line, under}, r.hi};
+    if (count == 0)
+        ui::empty_state(theme, tracks, ui::icon::travel, "Nothing travels yet",
+                        "Select what lies on a stroke and give it a speed under Travel.");
+    else
+        draw_tracks(editor, theme, names, tracks, scale);
+    ui::paint_box({{split, r.lo.y}, {split + line, r.hi.y}}, c.gap);
+    // Over everything, and only over the frames.
+    ImGui::PushClipRect({ruler.lo.x, r.lo.y}, {r.hi.x, r.hi.y}, true);
+    paint_playhead(theme, {ruler.lo, r.hi}, scale, editor.session.frame(), true);
+    ImGui::PopClipRect();
+}
+
+} // namespace
+
+float names_end(const ui::Theme& theme, const ui::Rect& r)
+{
+    return r.lo.x + std::min(theme.px(200), std::round(r.width() * 0.35f));
+}
+
+FrameScale track_scale(const ui::Theme& theme, const ui::Rect& r, const Time& time)
+{
+    return {names_end(theme, r) + theme.px(28), r.hi.x - theme.px(28), time};
+}
+
+float FrameScale::x(double frame) const
+{
+    const int frames = std::max(1, time.last_frame - time.first_frame);
+    return lo + static_cast<float>((frame - time.first_frame) / frames) * (hi - lo);
+}
+
+double FrameScale::frame_at(float at) const
+{
+    const int frames = std::max(1, time.last_frame - time.first_frame);
+    return time.first_frame + static_cast<double>((at - lo) / std::max(1.0f, hi - lo)) * frames;
+}
+
+std::optional<TravelBar> bar_of(const Session& session, Id id)
+{
+    const auto found = session.evaluated().objects.find(id);
+    if (found == session.evaluated().objects.end() || !found->second->journey) return {};
+    const Journey& journey = *found->second->journey;
+    const Time& time = session.document().time;
+    TravelBar bar;
+    bar.begin = journey.travel().start_frame;
+    bar.endless = !std::isfinite(journey.seconds());
+    bar.end = bar.endless ? std::max(bar.begin, 1.0 + time.last_frame)
+                          : bar.begin + journey.seconds() * time.frames_per_second;
+    return bar;
+}
+
+void draw_timeline(Editor& editor, const ui::Theme& theme, const Layout& layout)
+{
+    const ui::Palette& c = theme.color;
+    const ui::Rect& r = layout.timeline;
+    const bool open = editor.preferences.timeline_open;
+    begin_panel("timeline", r, c.header);
+    editor.timeline.hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
+    const ui::Rect bar = {r.lo, {r.hi.x, std::min(r.hi.y, r.lo.y + theme.px(40))}};
+    const Room room = room_in(theme, r.width(), !open);
+    Transport line{theme, bar, r.lo.x + theme.px(8)};
+    const Action& toggle = action(editor, timeline_action);
+    if (line.icon("open", open ? ui::icon::open : ui::icon::closed,
+                  open ? "Close the timeline" : "Open the timeline", key_text(toggle)))
+        toggle.run(editor);
+    if (room.title) {
+        ui::paint_text(theme.font.strong, {{line.x, bar.lo.y}, bar.hi}, c.text, "Timeline");
+        line.x += theme.px(title_width);
+    }
+    buttons(editor, line);
+    numbers(editor, line, room);
+    const Time& time = editor.session.document().time;
+    const FrameScale scale{line.x + theme.px(12), bar.hi.x - theme.px(20), time};
+    if (!open && scale.hi - scale.lo > theme.px(64)) {
+        const ui::Rect ruler = {{line.x, bar.lo.y}, bar.hi};
+        paint_ticks(theme, {ruler.lo, ruler.hi - glm::vec2(0, theme.px(4))}, scale, false);
+        paint_thin_bars(editor, theme, ruler, scale);
+        scrub(editor, ruler, scale);
+        paint_playhead(theme,
+                       {{ruler.lo.x, ruler.lo.y + theme.px(3)}, ruler.hi - glm::vec2(theme.px(4))},
+                       scale, editor.session.frame(), false);
+    }
+    if (open) draw_open(editor, theme, {{r.lo.x, bar.hi.y}, r.hi});
+    ImGui::End();
+}
+
+} // namespace trivar

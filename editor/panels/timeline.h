@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "editor/panels/panels.h"
+
+namespace trivar {
+
+// What the parts of the timeline share.
+
+// Where frames stand, in pixels.
+struct FrameScale {
+    float lo = 0, hi = 0; // of the first and the last frame
+    Time time;
+    float x(double frame) const;
+    double frame_at(float x) const;
+};
+
+// Where the open timeline parts its names from its tracks, and where frames stand in these.
+float names_end(const ui::Theme& theme, const ui::Rect& timeline);
+FrameScale track_scale(const ui::Theme& theme, const ui::Rect& timeline, const Time& time);
+
+// When an object moves, in frames; `endless`: `end` is past the last frame.
+struct TravelBar {
+    double begin = 0, end = 0;
+    bool endless = false;
+};
+// Nothing where it was not evaluated, being hidden.
+std::optional<TravelBar> bar_of(const Session& session, Id id);
+
+// A row for each object that travels, with its bar to drag.
+void draw_tracks(Editor& editor, const ui::Theme& theme, const ui::Rect& names,
+                 const ui::Rect& tracks, const FrameScale& scale);
+
+} // namespace trivar

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/widgets.h"
+
+#include <array>
+#include <cmath>
+#include <imgui.h>
+
+namespace trivar {
+
+// Rows that change one value each and remember whether any did.
+struct ValueRows {
+    const ui::Theme& theme;
+    ui::Edit edit = ui::Edit::none;
+
+    void take(ui::Edit one)
+    {
+        if (one != ui::Edit::none) edit = one;
+    }
+    // The row's field, unless its dot was pressed, which resets the value.
+    template <class T, class Field>
+    void row(const std::string& label, T& value, const T& rest, const std::string& help,
+             Field&& field)
+    {
+        const ui::Row at = ui::label_row(theme, label, value != rest, help);
+        if (at.reset) {
+            value = rest;
+            take(ui::Edit::changed);
+            return;
+        }
+        take(field(at.width));
+    }
+    void number(const std::string& label, double& value, double rest, const ui::NumberStyle& style,
+                const std::string& help)
+    {
+        row(label, value, rest, help,
+            [&](float width) { return ui::number_field(theme, label, value, style, width); });
+    }
+    void integer(const std::string& label, int& value, int rest, const ui::NumberStyle& style,
+                 const std::string& help)
+    {
+        row(label, value, rest, help,
+            [&](float width) { return ui::integer_field(theme, label, value, style, width); });
+    }
+    void check(const std::string& label, bool& value, bool rest, const std::string& effect,
+               const std::string& help)
+    {
+        row(label, value, rest, help,
+            [&](float) { return ui::check_box(theme, label, value, effect); });
+    }
+    void choice(const std::string& label, int value, int rest,
+                const std::vector<std::string>& names, const std::string& help, auto&& use)
+    {
+        row(label, value, rest, help,
+            [&](float width) { return ui::segments(theme, label, value, names, width); });
+        use(value);
+    }
+    void triple(const std::string& label, glm::ivec3& value, const glm::ivec3& rest,
+                const ui::NumberStyle& style, const std::string& help)
+    {
+        row(label, value, rest, help, [&](float width) {
+            constexpr std::array<const char*, 3> names{"U", "V", "W"};
+            const float gap = theme.px(4), each = std::floor((width - 2 * gap) / 3);
+            const ImVec2 at = ImGui::GetCursorScreenPos();
+            ui::Edit any = ui::Edit::none;
+            for (int i = 0; i < 3; ++i) {
+                ui::NumberStyle one = style;
+                one.axis = names[static_cast<std::size_t>(i)];
+                ImGui::SetCursorScreenPos({at.x + static_cast<float>(i) * (each + gap), at.y});
+                const ui::Edit e = ui::integer_field(theme, label + one.axis, value[i], one, each);
+                if (e != ui::Edit::none) any = e;
+            }
+            return any;
+        });
+    }
+};
+
+} // namespace trivar

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/time_actions.h"
+
+#include "editor/editor.h"
+
+namespace trivar {
+namespace {
+
+// An action that shows another frame, which it finds from the present one.
+Action frame_action(const char* name, const ui::Chord& key, int (*found)(const Session&))
+{
+    Action action{"Animate", name, {key}, [found](Editor& e) {
+                      e.playback.pause();
+                      e.session.show_frame(found(e.session));
+                  }};
+    action.keys_in = KeysIn::picture;
+    return action;
+}
+
+} // namespace
+
+void add_time_actions(std::vector<Action>& a)
+{
+    a.push_back({"Animate", play_action, {{ui::key_space}}, [](Editor& e) {
+                     if (e.playback.playing())
+                         e.playback.pause();
+                     else
+                         e.playback.play(e.session);
+                 }});
+    a.push_back(
+        {"Animate", loop_action, {}, [](Editor& e) { e.preferences.loop = !e.preferences.loop; }});
+    a.push_back(frame_action(next_frame_action, {ui::key_right},
+                             [](const Session& s) { return s.frame() + 1; }));
+    a.back().group_begins = true;
+    a.push_back(frame_action(previous_frame_action, {ui::key_left},
+                             [](const Session& s) { return s.frame() - 1; }));
+    a.push_back(frame_action(first_frame_action, {.key = ui::key_left, .shift = true},
+                             [](const Session& s) { return s.document().time.first_frame; }));
+    a.push_back(frame_action(last_frame_action, {.key = ui::key_right, .shift = true},
+                             [](const Session& s) { return s.document().time.last_frame; }));
+    a.push_back({"Animate",
+                 timeline_action,
+                 {{.key = 'T', .shift = true}},
+                 [](Editor& e) {
+                     e.preferences.timeline_open = !e.preferences.timeline_open || e.only_view;
+                     e.only_view = false;
+                 },
+                 {},
+                 true});
+}
+
+} // namespace trivar
