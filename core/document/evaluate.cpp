@@ -89,6 +89,37 @@ EvaluatedObject evaluated_object(Id id, const Causes& causes)
     return result;
 }
 
+// What a stroke may fall on, and which of it travels.
+struct Supports {
+    std::vector<Support> all, still;
+    std::vector<Ref<EvaluatedObject>> travelling;
+};
+Supports supports_of(const PlacementStep& step, const std::map<Id, Ref<EvaluatedObject>>& done)
+{
+    Supports out;
+    for (const Id lower : step.onto) {
+        const auto found = done.find(lower);
+        if (found == done.end()) continue;
+        const EvaluatedObject& object = *found->second;
+        for (const Part& part : object.parts) {
+            out.all.push_back({lower, part});
+            if (!object.journey) out.still.push_back({lower, part});
+        }
+        if (object.journey && !object.parts.empty()) out.travelling.push_back(found->second);
+    }
+    return out;
+}
+
+// What travels counts in the frames in which it is where the strip is seen. So a stroke is not laid
+// anew for all that passes by somewhere else.
+bool travels_through(const Supports& supports, const Laid& without, const Camera& camera)
+{
+    return !without.placement ||
+           std::ranges::any_of(supports.travelling, [&](const Ref<EvaluatedObject>& each) {
+               return in_the_way(each->bounds, *without.placement, camera);
+           });
+}
+
 } // namespace
 
 struct Evaluator::Cache {
@@ -136,13 +167,18 @@ Evaluated Evaluator::operator()(const Document& document, double frame, const Pr
         kept.object = ref;
         Causes causes{kept.shape, nullptr, to_world(document, id), ref->surfacing};
         if (ref->placement) {
-            std::vector<Support> supports;
-            for (const Id lower : ref->placement->onto)
-                if (const auto found = done.find(lower); found != done.end())
-                    for (const Part& part : found->second->parts) supports.push_back({lower, part});
-            causes.laid =
-                kept.laying(kept.shape, glm::dmat3(ref->transform.matrix()), *ref->placement,
-                            supports, cache_->ray_meshes, result.timings);
+            const auto laid_on = [&](const std::vector<Support>& supports) {
+                return kept.laying(kept.shape, glm::dmat3(ref->transform.matrix()), *ref->placement,
+                                   supports, cache_->ray_meshes, result.timings);
+            };
+            const Supports supports = supports_of(*ref->placement, done);
+            if (supports.travelling.empty() || supports.still.empty()) {
+                causes.laid = laid_on(supports.all);
+            } else {
+                causes.laid = laid_on(supports.still);
+                if (travels_through(supports, *causes.laid, ref->placement->sketch.camera))
+                    causes.laid = laid_on(supports.all);
+            }
             const double seconds =
                 (frame - ref->travel.start_frame) / document.time.frames_per_second;
             causes.laid = kept.laying.travelled(

@@ -3,6 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/ffd/prolong.h"
+#include "core/placement/view.h"
 
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
@@ -36,6 +37,27 @@ Part shifted(const Part& part, const Lattice& volume, double shift_u)
 }
 
 } // namespace
+
+bool in_the_way(const Box& box, const Placement& placement, const Camera& camera)
+{
+    const View view(camera);
+    glm::dvec2 strip_lo(1e300), strip_hi(-1e300), lo(1e300), hi(-1e300);
+    const auto& points = placement.volume.displacement.points; // round the volume
+    for (const glm::dvec3& p : points) {
+        const glm::dvec2 seen = view.project(p + glm::dvec3(placement.volume.rest[3])).p_px;
+        strip_lo = glm::min(strip_lo, seen);
+        strip_hi = glm::max(strip_hi, seen);
+    }
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 p(corner & 1 ? box.hi.x : box.lo.x, corner & 2 ? box.hi.y : box.lo.y,
+                           corner & 4 ? box.hi.z : box.lo.z);
+        const auto seen = view.project(p);
+        if (!(seen.depth_world > 0)) return true;
+        lo = glm::min(lo, seen.p_px);
+        hi = glm::max(hi, seen.p_px);
+    }
+    return lo.x <= strip_hi.x && lo.y <= strip_hi.y && hi.x >= strip_lo.x && hi.y >= strip_lo.y;
+}
 
 Ref<RayMesh> RayMeshes::operator()(const Ref<Mesh>& mesh, Timings& timings)
 {

@@ -25,6 +25,10 @@ struct Laid {
     std::string rejected;
 };
 
+// Whether a box and the volume overlap in the picture that the stroke was drawn in, where a stroke
+// meets all that it meets. Never false where the box reaches behind the camera.
+bool in_the_way(const Box& box, const Placement& placement, const Camera& camera);
+
 // The bounding-volume hierarchies of meshes that strokes may fall on, each built once.
 class RayMeshes {
 public:

@@ -89,6 +89,20 @@ TEST(Travel, LaysWhatLiesOnAMovingThingAgain)
     EXPECT_NE(first.at(5)->placement, later.at(5)->placement);
 }
 
+TEST(Travel, LeavesAStrokeAloneThatItDoesNotComeNear)
+{
+    AddTorus ring;
+    ring.shape = {.radius = 0.1, .tube = 0.03, .segments = {24, 12}};
+    Sketch aside = small_sketch();
+    for (StrokeSample& sample : aside.samples) sample.p_px.y += 220;
+    const Document document =
+        after(after(with_travel({.speed = 0.4}), ring), Place{5, aside, {}, {1, 3}});
+    Evaluator evaluate = new_evaluator();
+    const auto first = evaluate(document, 1).objects, later = evaluate(document, 40).objects;
+    ASSERT_TRUE(first.at(5)->placement);
+    EXPECT_EQ(first.at(5), later.at(5));
+}
+
 TEST(Travel, FollowsTheClockAndNotTheFrames)
 {
     Evaluator evaluate = new_evaluator();
