@@ -203,13 +203,12 @@ bool add_fields(std::vector<Field>& fields, const json& list, const std::string&
         const auto type = each["type"].get<std::string>(), help = each["help"].get<std::string>();
         const std::string range = each.value("range", "");
         Field field{name, label_of_field(last), unit_of_field(last, help), help};
+        const bool several = type.ends_with("numbers");
         if (names_object(name) || names_objects(name))
             field.kind = names_object(name) ? Field::object : Field::objects;
         else if (type == "true or false")
             field.choices = {"true", "false"};
-        else if (type.ends_with("number"))
-            field.kind = Field::number;
-        else if (type.ends_with("numbers") && !type.starts_with("list"))
+        else if (type.ends_with("number") || (several && !type.starts_with("list")))
             field.kind = Field::number;
         else if (type == "text")
             field.choices = range.empty() ? std::vector<std::string>{} : choices_in(range);
@@ -220,7 +219,7 @@ bool add_fields(std::vector<Field>& fields, const json& list, const std::string&
         else
             continue;
         if (!field.choices.empty()) field.kind = Field::choice;
-        field.list = type.ends_with("numbers");
+        field.list = several;
         if (field.kind == Field::object)
             field.help.replace(0, 2, "name or number"); // of "id of a ..."
         if (field.kind == Field::objects)

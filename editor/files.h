@@ -69,10 +69,12 @@ private:
         std::function<void(int)> answer;
     };
     void open(const std::string& path, bool copy, std::function<void()> then);
-    void ask_how_to_open(std::shared_ptr<SceneFile> copy); // of a file that is open elsewhere
+    void
+    ask_how_to_open(const std::shared_ptr<SceneFile>& copy); // of a file that is open elsewhere
     void ask_for_file(Purpose purpose, ui::FileRequest request);
     void use_file(const std::string& path);
-    void read_model_of(const std::string& path, bool frame_all, std::shared_ptr<Batch> batch);
+    void read_model_of(const std::string& path, bool frame_all,
+                       const std::shared_ptr<Batch>& batch);
     void tell_lost(Batch& batch); // when the last of them is there
     void write_scene(const std::string& path, bool compact);
     void write_model_to(const std::string& path);

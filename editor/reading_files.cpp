@@ -67,7 +67,7 @@ void Files::open(const std::string& path, bool copy, std::function<void()> then)
     });
 }
 
-void Files::ask_how_to_open(std::shared_ptr<SceneFile> copy)
+void Files::ask_how_to_open(const std::shared_ptr<SceneFile>& copy)
 {
     const std::string path = copy->original();
     question_ = Asked{{file_name(path) + " is open in another window",
@@ -90,7 +90,8 @@ void Files::ask_how_to_open(std::shared_ptr<SceneFile> copy)
                       }};
 }
 
-void Files::read_model_of(const std::string& path, bool frame_all, std::shared_ptr<Batch> batch)
+void Files::read_model_of(const std::string& path, bool frame_all,
+                          const std::shared_ptr<Batch>& batch)
 {
     session_->jobs().start(
         {"Reading " + file_name(path),
