@@ -11,9 +11,13 @@ void add_file_actions(std::vector<Action>& a)
 {
     a.push_back({"File", "New scene", {ctrl('N')}, [](Editor& e) {
                      // Whoever asks for one needs no card that offers it.
-                     e.files.new_scene([&e] { e.start_card = {.left = e.session.scenes()}; });
+                     e.files.new_scene([&e] {
+                         e.start_card = {.left = e.session.scenes()};
+                         e.choose_tool(0);
+                     });
                  }});
     a.push_back({"File", "Open...", {ctrl('O')}, [](Editor& e) { e.files.ask_open(); }});
+    a.push_back({"File", "Discarded scenes...", {}, [](Editor& e) { e.files.ask_discarded(); }});
     a.push_back({"File", "Save", {ctrl('S')}, [](Editor& e) { e.files.save(); }, {}, true});
     a.push_back(
         {"File", "Save as...", {ctrl('S', true)}, [](Editor& e) { e.files.ask_save_as(); }});

@@ -61,10 +61,15 @@ void Files::keep_or(std::function<void()> go_on)
 {
     const Session& s = *session_;
     if (!s.scene().path().empty() || s.scene().as_opened()) return go_on();
+    const std::size_t steps = s.scene().history().steps().size();
+    const std::string what = std::to_string(steps) + (steps == 1 ? " step" : " steps");
     question_ = Asked{{"Keep this scene?",
-                       "It has no name yet and is gone when you discard it. A scene with a name "
-                       "is written as you work.",
-                       {{"Discard", ui::ButtonKind::danger},
+                       "It has " + what + " and no name yet. " +
+                           (s.unnamed_folder().empty()
+                                ? "It is gone when you discard it. "
+                                : "Every step is safe in the recovery folder for 30 days. ") +
+                           "Name it to keep it with your scenes.",
+                       {{"Discard", ui::ButtonKind::plain, true},
                         {"Cancel", ui::ButtonKind::plain},
                         {"Name it...", ui::ButtonKind::primary}},
                        2},
@@ -80,6 +85,8 @@ void Files::new_scene(std::function<void()> then)
 {
     keep_or([this, then = std::move(then)] {
         session_->replace_scene(SceneFile());
+        session_->frame_all_when_evaluated = false;
+        session_->camera = Camera{.size_px = session_->camera.size_px};
         if (then) then();
     });
 }
@@ -96,6 +103,7 @@ void Files::ask_for_file(Purpose purpose, ui::FileRequest request)
     fs::path start;
     if (!session_->scene().path().empty()) start = session_->scene().folder();
     if (purpose == Purpose::import && !import_folder_.empty()) start = import_folder_;
+    if (purpose == Purpose::take_up) start = session_->unnamed_folder();
     if (purpose == Purpose::relink) start = folder_of(*session_, relinked_).value_or(start);
     dialog_.open(std::move(request), start);
 }
@@ -105,6 +113,19 @@ void Files::ask_open()
     ask_for_file(
         Purpose::open,
         {.title = "Open a scene", .action = "Open", .extensions = {scene_extension}, .name = {}});
+}
+
+void Files::ask_discarded()
+{
+    if (SceneFile::set_aside_in(session_->unnamed_folder()).empty()) {
+        session_->notices.say(ui::NoticeKind::good, "There is no discarded scene",
+                              "What is discarded can be found here for 30 days.");
+        return;
+    }
+    ask_for_file(Purpose::take_up, {.title = "Discarded scenes",
+                                    .action = "Bring back",
+                                    .extensions = {scene_extension},
+                                    .name = {}});
 }
 
 void Files::ask_import()
@@ -280,6 +301,7 @@ void Files::use_file(const std::string& path)
 {
     switch (purpose_) {
     case Purpose::open: return open_scene(path);
+    case Purpose::take_up: session_->take_up(path); return;
     case Purpose::import:
         import_folder_ = fs::path(path).parent_path().string();
         return import(path);

@@ -27,6 +27,7 @@ public:
     void new_scene(std::function<void()> then = nullptr);
     void recover(); // the scene without a name that an ended program left
     void ask_open();
+    void ask_discarded(); // which of them comes back
     void ask_import();
     void ask_relink(Id object); // another file for an imported model
     void ask_missing();         // for the first whose file is not there
@@ -55,7 +56,7 @@ public:
     std::vector<std::string> samples;
 
 private:
-    enum class Purpose { open, import, relink, write_model, save_as, save_compact };
+    enum class Purpose { open, take_up, import, relink, write_model, save_as, save_compact };
     // Files that came together: what cannot be read of them is told once, at the end.
     struct Batch {
         std::size_t coming = 0;

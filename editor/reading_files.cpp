@@ -152,7 +152,8 @@ void Files::take_dropped(const std::vector<std::string>& paths)
     std::error_code ignored;
     for (const std::string& path : paths)
         if (fs::is_directory(path, ignored))
-            batch->lost.push_back({file_name(path), "this is a folder, drop the files in it"});
+            batch->lost.push_back(
+                {file_name(path) + "/", "this is a folder, drop the files in it"});
         else if (extension_of(path) == scene_extension)
             scenes.push_back(path);
         else if (is_model(path))

@@ -2,7 +2,7 @@
 #include "editor/session.h"
 
 #include "core/base/rejected.h"
-#include "editor/picture.h"
+#include "editor/file_words.h"
 #include "editor/selection.h"
 #include "ui/camera_control.h"
 
@@ -175,16 +175,25 @@ std::string Session::try_run(const Command& command, const std::string& note)
 void Session::undo()
 {
     check_.reset();
+    const Document before = committed();
     attempt([&] { scene_.undo(); });
+    select_returned(before);
 }
 
 void Session::redo()
 {
     check_.reset();
-    const Id next = committed().next_id;
+    const Document before = committed();
     attempt([&] { scene_.redo(); });
-    // What came back is what was selected when it first came.
-    if (committed().next_id > next) select_new(next);
+    select_returned(before);
+}
+
+void Session::select_returned(const Document& before)
+{
+    std::vector<Id> ids;
+    for (const auto& [id, each] : document().objects)
+        if (!before.objects.contains(id)) ids.push_back(id);
+    if (!ids.empty()) selected.set(topmost(document(), ids));
 }
 
 void Session::select_new(Id first)
@@ -242,8 +251,10 @@ void Session::look_at_step(std::size_t position)
 
 void Session::replace_scene(SceneFile scene)
 {
+    const bool discarded = scene_.path().empty() && !scene_.as_opened();
     scene_ = std::move(scene);
     frame_ = document().time.first_frame;
+    if (discarded) tell_of_discarded();
     ++scenes_;
     scene_.keep_in(unnamed_folder_);
     selected = 0;
@@ -264,15 +275,31 @@ void Session::replace_scene(SceneFile scene)
         notices.say_all(ui::NoticeKind::warning, title_of(scene_) + " is open", said);
 }
 
+void Session::tell_of_discarded()
+{
+    const auto aside = SceneFile::set_aside_in(unnamed_folder_);
+    if (aside.empty()) return;
+    notices.say(ui::NoticeKind::good, "The scene was discarded",
+                "It stays in the recovery folder for 30 days.", {},
+                {{"Bring it back", [this, path = aside.front()] { take_up(path); }}});
+}
+
+bool Session::take_up(const std::string& path)
+{
+    try {
+        replace_scene(SceneFile::taken_up(path));
+        return true;
+    } catch (const Rejected& why) {
+        notices.say(ui::NoticeKind::error, file_name(path) + " was not opened",
+                    reason(why.what(), path));
+        return false;
+    }
+}
+
 void Session::take_up_left_scene()
 {
     const std::optional<std::string> left = SceneFile::left_in(unnamed_folder_);
-    if (!left) return;
-    try {
-        replace_scene(SceneFile::taken_up(*left));
-    } catch (const Rejected&) { // another Trivar was faster
-        return;
-    }
+    if (!left || !take_up(*left)) return;
     notices.say(ui::NoticeKind::warning, "Your scene is back",
                 "Trivar ended before it had a name. Save it to keep it.");
 }
@@ -290,9 +317,15 @@ const std::optional<Session::LeftScene>& Session::left_scene() const
 
 void Session::tell_of_left_scene()
 {
-    if (!SceneFile::left_in(unnamed_folder_)) return;
+    const std::optional<std::string> left = SceneFile::left_in(unnamed_folder_);
+    if (!left) return;
     notices.say(ui::NoticeKind::warning, "A scene without a name was left",
-                "Trivar ended before it was saved. Start Trivar without a file to get it back.");
+                "Trivar ended before it was saved. It is safe in the recovery folder.", {},
+                {{"Recover", [this] { take_up_left_scene(); }}, {"Discard", [this, path = *left] {
+                                                                     SceneFile::set_aside(path);
+                                                                     left_looked_for_ = -1;
+                                                                     tell_of_discarded();
+                                                                 }}});
 }
 
 void Session::save_as(const std::string& path)
@@ -367,71 +400,6 @@ void Session::poll()
         }
     }
     finish_check();
-}
-
-Box bounds_of(const Session& session, Id id)
-{
-    Box box;
-    for (const auto& [each, object] : session.evaluated().objects)
-        if (belongs_to(session.document(), each, id) && !object->bounds.empty())
-            box.add(object->bounds);
-    return box;
-}
-
-Box bounds_of(const Session& session, const std::vector<Id>& ids)
-{
-    const Members members(session.document(), ids);
-    Box box;
-    for (const auto& [id, object] : session.evaluated().objects)
-        if (!object->bounds.empty() && members.contain(id)) box.add(object->bounds);
-    return box;
-}
-
-std::vector<glm::dvec3> points_of(const Session& session, const std::vector<Id>& ids)
-{
-    const Members members(session.document(), ids);
-    std::vector<glm::dvec3> points;
-    for (const auto& [id, object] : session.evaluated().objects)
-        if (ids.empty() || members.contain(id)) add_points(points, *object);
-    return points;
-}
-
-bool belongs_to(const Document& document, Id id, Id group)
-{
-    while (id != group && id != 0) {
-        const auto found = document.objects.find(id);
-        id = found == document.objects.end() ? 0 : found->second->parent;
-    }
-    return id == group;
-}
-
-std::string title_of(const SceneFile& scene)
-{
-    if (scene.look_only()) return stem_of(scene) + " (look only)";
-    if (!scene.path().empty()) return std::filesystem::path(scene.path()).filename().string();
-    return scene.original().empty() ? "Untitled" : stem_of(scene) + " (copy)";
-}
-
-std::string stem_of(const SceneFile& scene)
-{
-    const std::string& path = scene.path().empty() ? scene.original() : scene.path();
-    return path.empty() ? "untitled" : std::filesystem::path(path).stem().string();
-}
-
-std::vector<Id> travelling(const Document& document)
-{
-    std::vector<Id> ids = in_row_order(document);
-    std::erase_if(ids, [&](Id id) {
-        const Object& each = object(document, id);
-        return !each.placement || each.travel.speed == 0;
-    });
-    return ids;
-}
-
-std::string name_of(const Document& document, Id id)
-{
-    const auto found = document.objects.find(id);
-    return found == document.objects.end() ? std::string() : found->second->name;
 }
 
 } // namespace trivar

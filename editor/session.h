@@ -72,10 +72,11 @@ public:
     // Another scene, or an empty one. Selection and effects start anew.
     void replace_scene(SceneFile scene);
     long scenes() const { return scenes_; } // there have been
-    // The scene without a name of a program that was killed, if there is one: goes on with it, or
-    // only tells of it.
+    // The scene without a name of a program that was killed: goes on with it, or tells of it.
     void take_up_left_scene();
     void tell_of_left_scene();
+    bool take_up(const std::string& path); // one that was set aside; tells why it cannot
+    const std::string& unnamed_folder() const { return unnamed_folder_; }
     // That scene, looked for once a scene.
     struct LeftScene {
         std::string path;
@@ -114,6 +115,8 @@ private:
     long submit(const Document& document);
     void finish_check();
     void tell_what_is_missing();
+    void tell_of_discarded();
+    void select_returned(const Document& before);
     void meet_document(); // the scene changed as a whole
     template <class Change> bool attempt(Change&& change, bool quietly = false);
     void refuse(const Command& command, const std::string& why);

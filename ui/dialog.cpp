@@ -40,6 +40,26 @@ void end_dialog()
     ImGui::EndPopup();
 }
 
+namespace {
+
+// The button that has the keyboard: kept while the dialog is open.
+int move_focus(const Question& question)
+{
+    ImGuiStorage* storage = ImGui::GetStateStorage();
+    const ImGuiID id = ImHashStr("focused button");
+    const int count = static_cast<int>(question.answers.size());
+    int focused = ImGui::IsWindowAppearing() ? question.safe : storage->GetInt(id, question.safe);
+    const bool back =
+        ImGui::IsKeyPressed(key_left) || (ImGui::IsKeyPressed(key_tab) && ImGui::GetIO().KeyShift);
+    const bool on = ImGui::IsKeyPressed(key_right) ||
+                    (ImGui::IsKeyPressed(key_tab) && !ImGui::GetIO().KeyShift);
+    focused = (focused + (on ? 1 : 0) + (back ? count - 1 : 0)) % count;
+    storage->SetInt(id, focused);
+    return focused;
+}
+
+} // namespace
+
 std::optional<int> ask(const Theme& theme, const Question& question)
 {
     const float pad = theme.px(24), line = theme.px(20), width = theme.px(440);
@@ -56,19 +76,27 @@ std::optional<int> ask(const Theme& theme, const Question& question)
                    theme.color.text_2, words);
         y += line;
     }
-    float x = rect.hi.x - pad;
+    const int focused = move_focus(question);
+    const float skip = theme.px(8);
+    float apart = rect.lo.x + pad, x = rect.hi.x - pad + skip;
     for (const Question::Answer& answer : question.answers)
-        x -= button_width(theme, answer.words) + theme.px(8);
-    x += theme.px(8);
+        if (!answer.apart) x -= button_width(theme, answer.words) + skip;
     std::optional<int> result;
     for (std::size_t i = 0; i < question.answers.size(); ++i) {
         const Question::Answer& answer = question.answers[i];
-        ImGui::SetCursorScreenPos({x, rect.hi.y - pad - theme.px(32)});
+        float& at = answer.apart ? apart : x;
+        const float wide = button_width(theme, answer.words), top = rect.hi.y - pad - theme.px(32);
+        ImGui::SetCursorScreenPos({at, top});
         if (button(theme, answer.words, answer.kind)) result = static_cast<int>(i);
-        x += button_width(theme, answer.words) + theme.px(8);
+        if (static_cast<int>(i) == focused)
+            paint_rim(rect_at({at, top}, {wide, theme.px(32)}).grown(theme.px(2)),
+                      theme.color.focus, theme.size.rounding + theme.px(2), 1.5f * theme.scale);
+        at += wide + skip;
     }
     if (ImGui::IsKeyPressed(key_escape, false)) result = -1;
-    if (ImGui::IsKeyPressed(key_enter, false)) result = question.safe;
+    if (ImGui::IsKeyPressed(key_enter, false) || ImGui::IsKeyPressed(key_keypad_enter, false) ||
+        ImGui::IsKeyPressed(key_space, false))
+        result = focused;
     if (result) ImGui::CloseCurrentPopup();
     end_dialog();
     return result;

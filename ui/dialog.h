@@ -9,14 +9,16 @@
 
 namespace trivar::ui {
 
-// A question that only a person can decide. Esc is the answer -1; Enter is `safe`.
+// A question that only a person can decide. Esc is the answer -1; Tab and the arrows go from
+// button to button, first `safe` has the keyboard, and Enter presses the one that has it.
 struct Question {
     std::string title, text;
     struct Answer {
         std::string words;
         ButtonKind kind = ButtonKind::plain;
+        bool apart = false; // at the left edge, away from the others
     };
-    std::vector<Answer> answers; // left to right
+    std::vector<Answer> answers; // left to right, those apart first
     int safe = 0;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/gui.h"
 
+#include "ui/keys.h"
+
 #include <algorithm>
 #include <backends/imgui_impl_opengl3.h>
 #include <epoxy/gl.h>
@@ -26,6 +28,23 @@ void ask_for_what_imgui_needs(Frame& frame)
     if (g.IO.WantTextInput && std::any_of(std::begin(g.IO.KeysDown), std::end(g.IO.KeysDown),
                                           [](bool down) { return down; }))
         frame.again_in(repeat_s);
+}
+
+// Menus and lists are gone through with the arrows and Enter. Panels and dialogs have the keyboard
+// in their own hands.
+void let_menus_have_the_keyboard()
+{
+    const ImVector<ImGuiPopupData>& open = ImGui::GetCurrentContext()->OpenPopupStack;
+    const bool menu = !open.empty() && open.back().Window &&
+                      (open.back().Window->Flags & ImGuiWindowFlags_Modal) == 0;
+    ImGuiConfigFlags& flags = ImGui::GetIO().ConfigFlags;
+    flags = menu ? flags | ImGuiConfigFlags_NavEnableKeyboard
+                 : flags & ~ImGuiConfigFlags_NavEnableKeyboard;
+    if (!menu) GImGui->NavDisableHighlight = true;
+    // Here Enter chooses, as the space bar does.
+    const ImGuiIO& io = ImGui::GetIO();
+    if (menu && (io.KeysDown[key_enter] || io.KeysDown[key_keypad_enter]))
+        ImGui::GetIO().NavInputs[ImGuiNavInput_Activate] = 1;
 }
 
 } // namespace
@@ -92,6 +111,7 @@ Frame Gui::frame(glm::ivec2 size_px, double time_s, bool close_asked, const Draw
 
     input_.begin_frame();
     Contexts::use_gpu();
+    let_menus_have_the_keyboard();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
     Frame frame{theme_, input_.events(), glm::vec2(size_px), time_s, close_asked};

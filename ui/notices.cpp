@@ -14,9 +14,11 @@ namespace {
 
 constexpr std::size_t most_shown = 3;
 
-double lifetime_s(NoticeKind kind)
+// Longer where there is something to press.
+double lifetime_s(const Notices::Notice& notice)
 {
-    return kind == NoticeKind::good ? 4 : kind == NoticeKind::warning ? 10 : 1e300;
+    if (notice.kind == NoticeKind::error) return 1e300;
+    return notice.actions.empty() ? notice.kind == NoticeKind::good ? 4 : 10 : 20;
 }
 
 // As a sentence begins, unless with a file's name.
@@ -43,10 +45,11 @@ void begin_card(const Theme& theme, const char* name, const Rect& rect)
     paint_card(theme, rect);
 }
 
-// Returns the card's rectangle; `close` says whether its cross was pressed.
+// Returns the card's rectangle; `close` says whether its cross was pressed, `act` which button.
 struct Drawn {
     Rect rect;
     bool close = false, hovered = false;
+    std::function<void()> act = {};
 };
 Drawn draw_one(const Theme& theme, const Notices::Notice& notice, glm::vec2 lower_right,
                float width, const char* name)
@@ -67,8 +70,9 @@ Drawn draw_one(const Theme& theme, const Notices::Notice& notice, glm::vec2 lowe
         body.push_back(wrapped(theme.font.body, each, room));
         lines += body.back().size();
     }
-    const float height =
-        2 * pad + line * static_cast<float>(lines) + theme.px(4) * static_cast<float>(body.size());
+    const float buttons = notice.actions.empty() ? 0 : theme.px(36);
+    const float height = 2 * pad + line * static_cast<float>(lines) +
+                         theme.px(4) * static_cast<float>(body.size()) + buttons;
     const glm::vec2 size{width, height};
     Drawn drawn{.rect = {lower_right - size, lower_right}};
     begin_card(theme, name, drawn.rect);
@@ -88,6 +92,14 @@ Drawn draw_one(const Theme& theme, const Notices::Notice& notice, glm::vec2 lowe
     for (const std::vector<std::string>& each : body) {
         y += theme.px(4);
         write(theme.font.body, c.text_2, each);
+    }
+    float x = r.lo.x + left;
+    for (const Notices::Action& each : notice.actions) {
+        ImGui::SetCursorScreenPos({x, y + theme.px(8)});
+        const float wide = button_width(theme, each.words);
+        if (button(theme, each.words, ButtonKind::plain, {wide, theme.px(28)}))
+            drawn.act = each.act;
+        x += wide + theme.px(8);
     }
     ImGui::SetCursorScreenPos({r.hi.x - theme.px(32), r.lo.y + theme.px(7)});
     drawn.close =
@@ -119,18 +131,21 @@ void Notices::forget(std::string_view topic)
     std::erase_if(notices_, [&](const Notice& notice) { return notice.topic == topic; });
 }
 
-void Notices::say(NoticeKind kind, std::string title, std::string body, std::string topic)
+void Notices::say(NoticeKind kind, std::string title, std::string body, std::string topic,
+                  std::vector<Action> actions)
 {
     title = capitalised(std::move(title));
     body = sentence(std::move(body));
     for (Notice& notice : notices_)
         if (notice.kind == kind && notice.title == title && notice.body == body) {
             if (topic.empty()) ++notice.count; // else it is the same still
-            notice.left_s = lifetime_s(kind);
+            notice.actions = std::move(actions);
+            notice.left_s = lifetime_s(notice);
             return;
         }
     if (!topic.empty()) forget(topic);
-    notices_.push_back({kind, std::move(title), std::move(body), std::move(topic), 1, -1});
+    notices_.push_back(
+        {kind, std::move(title), std::move(body), std::move(topic), 1, -1, std::move(actions)});
     if (notices_.size() > most_shown) notices_.erase(notices_.begin());
 }
 
@@ -146,17 +161,20 @@ void Notices::draw(Frame& frame, const Rect& in)
     last_s_ = frame.time_s;
     const float width = in.hi.x - theme.px(16) - left_of(theme, in);
     glm::vec2 corner = in.hi - theme.px(16);
+    std::function<void()> act;                        // may say the next thing
     for (std::size_t i = notices_.size(); i-- > 0;) { // the newest lowest
         Notice& notice = notices_[i];
-        if (notice.left_s < 0) notice.left_s = lifetime_s(notice.kind);
+        if (notice.left_s < 0) notice.left_s = lifetime_s(notice);
         const std::string name = "notice " + std::to_string(i);
         const Drawn drawn = draw_one(theme, notice, corner, width, name.c_str());
         corner.y = drawn.rect.lo.y - theme.px(8);
         if (!drawn.hovered) notice.left_s -= passed;
-        if (drawn.close) notice.left_s = 0;
+        if (drawn.close || drawn.act) notice.left_s = 0;
+        if (drawn.act) act = drawn.act;
         if (notice.left_s < 1e9) frame.again_in(std::clamp(notice.left_s, 0.0, 1.0));
     }
     std::erase_if(notices_, [](const Notice& notice) { return notice.left_s <= 0; });
+    if (act) act();
 }
 
 bool draw_progress(const Theme& theme, const Rect& in, const std::string& what,

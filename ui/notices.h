@@ -4,6 +4,7 @@
 #include "ui/frame.h"
 #include "ui/paint.h"
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,7 +18,13 @@ enum class NoticeKind { good, warning, error };
 // about a topic takes the place of what was said about it before.
 class Notices {
 public:
-    void say(NoticeKind kind, std::string title, std::string body = {}, std::string topic = {});
+    // What can be done about it, on a button; the notice leaves when it is pressed.
+    struct Action {
+        std::string words;
+        std::function<void()> act;
+    };
+    void say(NoticeKind kind, std::string title, std::string body = {}, std::string topic = {},
+             std::vector<Action> actions = {});
     // Several things about one: a title, and a line for each. One line that says it all needs none.
     void say_all(NoticeKind kind, std::string title, const std::vector<std::string>& lines,
                  std::string topic = {});
@@ -31,6 +38,7 @@ public:
         std::string topic = {};
         int count = 1;
         double left_s = 0; // before it leaves; negative: not yet shown
+        std::vector<Action> actions = {};
     };
     const std::vector<Notice>& all() const { return notices_; }
     void clear() { notices_.clear(); }

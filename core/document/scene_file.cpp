@@ -3,6 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/base/text.h"
+#include "core/document/kept_scenes.h"
 #include "core/document/locked_file.h"
 #include "core/document/log.h"
 
@@ -13,21 +14,10 @@
 #include <functional>
 #include <optional>
 #include <sys/stat.h>
-#include <unistd.h>
 #include <utility>
 
 namespace trivar {
 namespace {
-
-// A scene without a name is kept as untitled-PROCESS-NUMBER.trivar.
-constexpr const char* kept_name = "untitled-";
-constexpr const char* kept_extension = ".trivar";
-
-std::string absolute_folder(const std::string& path)
-{
-    if (path.empty()) return std::filesystem::current_path().string();
-    return std::filesystem::absolute(path).lexically_normal().parent_path().string();
-}
 
 // The files that a command names, which may be changed where the command may.
 template <class C> auto files_of(C& command)
@@ -84,8 +74,11 @@ struct SceneFile::State {
     State() = default;
     State(const State&) = delete;
     State& operator=(const State&) = delete;
-    ~State() { let_go(); }
-    // Of a scene without a name nothing is kept.
+    ~State()
+    {
+        if (file && path.empty()) put_aside(file_path);
+    }
+    // It has a name now, or another.
     void let_go()
     {
         std::error_code ignored;
@@ -201,14 +194,7 @@ void SceneFile::check_may_change() const
 
 std::optional<std::string> SceneFile::left_in(const std::string& folder)
 {
-    std::error_code ignored;
-    std::vector<std::pair<std::filesystem::file_time_type, std::string>> left;
-    for (const auto& each : std::filesystem::directory_iterator(folder, ignored))
-        if (each.path().filename().string().starts_with(kept_name) &&
-            each.path().extension() == kept_extension)
-            left.emplace_back(each.last_write_time(ignored), each.path().string());
-    std::ranges::sort(left, std::greater());
-    for (const auto& [time, path] : left) {
+    for (const auto& [time, path] : scenes_in(folder, kept_name)) {
         try {
             const SceneFile scene(path);
             const bool in_use = scene.path().empty();
@@ -219,9 +205,15 @@ std::optional<std::string> SceneFile::left_in(const std::string& folder)
     return std::nullopt;
 }
 
+std::vector<std::string> SceneFile::set_aside_in(const std::string& folder)
+{
+    return paths_of(scenes_in(folder, aside_name));
+}
+
 SceneFile SceneFile::taken_up(const std::string& left)
 {
-    SceneFile scene(left);
+    static_cast<void>(SceneFile(left)); // it can be read
+    SceneFile scene(brought_back(left));
     State& s = *scene.state_;
     s.path.clear();
     s.as_opened = false;
@@ -234,6 +226,7 @@ void SceneFile::keep_in(const std::string& folder)
     State& s = *state_;
     if (folder.empty() || !s.path.empty() || s.file || s.look_only) return;
     s.kept_in = folder;
+    forget_old_scenes(folder);
     const std::string from = std::exchange(s.folder, std::filesystem::absolute(folder).string());
     if (std::ranges::any_of(s.history.steps(), imports_by_relative_path))
         s.history = moved(s.history, from, s.folder);
@@ -246,15 +239,11 @@ void SceneFile::start_kept()
     if (s.kept_in.empty()) return;
     std::error_code ignored;
     std::filesystem::create_directories(s.kept_in, ignored); // else writing says why not
-    const auto path = [&](int i) {
-        return fmt::format("{}/{}{}-{}{}", s.kept_in, kept_name, ::getpid(), i, kept_extension);
-    };
-    int free = 1;
-    while (std::filesystem::exists(path(free), ignored)) ++free;
+    const std::string path = free_kept_path(s.kept_in);
     try {
         const std::string text = log_text(s.history);
-        s.file.emplace(path(free), text);
-        s.file_path = path(free);
+        s.file.emplace(path, text);
+        s.file_path = path;
         s.length = text.size();
         s.lines = lines_of(text);
         s.trouble.clear();

@@ -15,8 +15,8 @@ namespace trivar {
 // the file is locked; who opens it a second time gets a copy without a path, or only looks at it.
 //
 // A scene without a name can be kept the same way, in a file of a folder for such scenes, which
-// goes when the scene gets a name or is let go; what a killed program left there can be taken up
-// again.
+// goes when the scene gets a name. What a killed program left there can be taken up again; what
+// was let go on purpose is set aside there, and forgotten after 30 days.
 //
 // When appending fails (disk full, file taken away) the step stands, `trouble` says so, the file
 // keeps its last whole line, and the next step or save tries again with all that is missing.
@@ -32,6 +32,10 @@ public:
     // The file of the latest scene without a name that a program which is gone left in the folder.
     static std::optional<std::string> left_in(const std::string& folder);
     static SceneFile taken_up(const std::string& left); // goes on with it. Throws Rejected
+    // Sets aside what is left, as if it had been let go. Throws Rejected.
+    static void set_aside(const std::string& left) { taken_up(left); }
+    // The files of the scenes that were set aside in the folder, the latest first.
+    static std::vector<std::string> set_aside_in(const std::string& folder);
     ~SceneFile();
     SceneFile(SceneFile&&) noexcept;
     SceneFile& operator=(SceneFile&&) noexcept;
@@ -69,6 +73,7 @@ public:
 
     // From its next step on a scene without a name is kept in the folder, which is made where it
     // is missing. No effect on other scenes, nor with an empty name; `trouble` says what fails.
+    // What was set aside in it more than 30 days ago goes.
     void keep_in(const std::string& folder);
 
     const std::string& path() const;     // empty: without a name, or a copy

@@ -40,20 +40,40 @@ struct MenuStyle {
     MenuStyle& operator=(const MenuStyle&) = delete;
 };
 
+// A letter runs the one entry that begins with it.
+void take_letter(Editor& editor, const std::vector<const Action*>& entries)
+{
+    if (ImGui::IsWindowAppearing() || ImGui::GetIO().InputQueueCharacters.empty()) return;
+    const ImWchar typed = ImGui::GetIO().InputQueueCharacters.front();
+    const Action* found = nullptr;
+    for (const Action* each : entries) {
+        const auto first = static_cast<ImWchar>(each->name.front());
+        if (first != typed && first != typed - 'a' + 'A') continue;
+        if (found) return;
+        found = each;
+    }
+    if (!found || !is_enabled(editor, *found)) return;
+    ImGui::CloseCurrentPopup();
+    found->run(editor);
+}
+
 } // namespace
 
 void draw_object_menu(Editor& editor, const ui::Theme& theme, const char* name)
 {
     const MenuStyle style(theme);
     if (ImGui::BeginPopup(name)) {
+        std::vector<const Action*> entries;
         for (const std::string_view entry :
              editor.session.selected == 0 ? with_nothing : with_objects) {
             if (entry == rule) {
                 ImGui::Separator();
                 continue;
             }
-            menu_item(editor, action(editor, std::string(entry)));
+            entries.push_back(&action(editor, std::string(entry)));
+            menu_item(editor, *entries.back());
         }
+        take_letter(editor, entries);
         ImGui::EndPopup();
     }
 }
@@ -63,11 +83,14 @@ void draw_add_menu(Editor& editor, const ui::Theme& theme)
     const MenuStyle style(theme);
     if (std::exchange(editor.add_menu_asked, false)) ImGui::OpenPopup("add menu");
     if (!ImGui::BeginPopup("add menu")) return;
-    for (std::size_t i = 0; i < editor.actions.size(); ++i)
-        if (editor.actions[i].menu == "Add" && editor.actions[i].name != add_action_name)
-            menu_item(editor, editor.actions[i]);
+    std::vector<const Action*> entries;
+    for (const Action& each : editor.actions)
+        if (each.menu == "Add" && each.name != add_action_name) entries.push_back(&each);
+    for (const Action* each : entries) menu_item(editor, *each);
     ImGui::Separator();
-    menu_item(editor, action(editor, "Import model..."));
+    entries.push_back(&action(editor, "Import model..."));
+    menu_item(editor, *entries.back());
+    take_letter(editor, entries);
     ImGui::EndPopup();
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <ctime>
 #include <filesystem>
@@ -17,15 +18,15 @@ namespace {
 constexpr std::size_t most_samples = 4, most_recent = 4;
 constexpr float row_height = 44;
 
-// The samples that are shown first, and what one would call them.
+// The samples that are shown first.
 struct SampleWords {
-    const char *file, *title, *words;
+    const char *file, *words;
 };
 constexpr std::array<SampleWords, 4> known_samples{{
-    {"first_placement", "Snake on a landscape", "One stroke"},
-    {"stacked", "Snakes on a crocodile", "One on another"},
-    {"snake_bridge", "Snake over jars", "Springs bridge gaps"},
-    {"crocodile_on_horse", "Crocodile on a horse", "Laid on a body"},
+    {"first_placement", "One stroke"},
+    {"stacked", "One on another"},
+    {"snake_bridge", "Springs bridge gaps"},
+    {"crocodile_on_horse", "Laid on a body"},
 }};
 
 struct Sample {
@@ -39,7 +40,10 @@ std::vector<Sample> samples_of(const Files& files)
     };
     for (const SampleWords& each : known_samples)
         for (const std::string& path : files.samples)
-            if (stem(path) == each.file) samples.push_back({path, each.title, each.words});
+            if (stem(path) == each.file) {
+                const std::string title = sample_title(path);
+                samples.push_back({path, title.empty() ? scene_title(path) : title, each.words});
+            }
     for (const std::string& path : files.samples)
         if (!std::ranges::count(samples, path, &Sample::path))
             samples.push_back({path, scene_title(path), {}});
@@ -173,8 +177,10 @@ void draw_beginnings(Editor& editor, const ui::Theme& theme, const ui::Rect& col
         y = row.hi.y;
         return text_link(theme, row, words);
     };
-    if (left && foot_link("Recover a scene from " + day_words(left->when, std::time(nullptr))))
-        editor.files.recover();
+    std::string when = left ? day_words(left->when, std::time(nullptr)) : "";
+    for (const std::string_view day : {"Today", "Yesterday"}) // a month keeps its capital
+        if (when.starts_with(day)) when[0] = static_cast<char>(std::tolower(day[0]));
+    if (left && foot_link("Recover a scene from " + when)) editor.files.recover();
     if (tour && foot_link("Take the one-minute tour")) begin_tour(editor);
 }
 

@@ -62,10 +62,14 @@ void TransformTool::begin(Session& session)
                                 "Unlock it in the outliner to move it.");
             return;
         }
+        const Id lies = session.selected;
         session.notices.say(ui::NoticeKind::warning,
-                            name_of(session.document(), session.selected) + " lies on its stroke",
-                            "Draw another stroke to lay it elsewhere, or take it off the stroke "
-                            "first.");
+                            name_of(session.document(), lies) + " lies on its stroke",
+                            "Draw another stroke to lay it elsewhere, or take it off the stroke.",
+                            "on a stroke", {{"Take off the stroke", [&session, lies] {
+                                                 if (session.run(Unplace{lies}))
+                                                     session.selected = lies;
+                                             }}});
         return;
     }
     beginning_ = by_key_ = true;

@@ -148,15 +148,50 @@ TEST(KeptScene, WithoutANameIsKeptFromItsFirstStepTillItHasOne)
     EXPECT_EQ(SceneFile(folder.file("a.trivar")).history().steps().size(), 2u);
 }
 
-TEST(KeptScene, WithoutANameGoesWhenItIsLetGo)
+TEST(KeptScene, WithoutANameIsSetAsideForThirtyDaysWhenItIsLetGo)
 {
     const TemporaryFolder folder;
+    const std::string kept = folder.path().string();
     SceneFile scene;
-    scene.keep_in(folder.path().string());
+    scene.keep_in(kept);
     scene.run(AddBox{});
-    EXPECT_FALSE(std::filesystem::is_empty(folder.path()));
+    for (int i = 0; i < 2; ++i) { // of one minute
+        scene = SceneFile();
+        scene.keep_in(kept);
+        scene.run(AddBox{});
+    }
+    EXPECT_FALSE(SceneFile::left_in(kept)); // nobody lost it
+    const std::vector<std::string> aside = SceneFile::set_aside_in(kept);
+    ASSERT_EQ(aside.size(), 2u);
+    EXPECT_EQ(SceneFile::copy_of(aside.front()).document().objects.size(), 1u);
+    const auto age = [&](int days) {
+        std::filesystem::last_write_time(
+            aside.front(), std::filesystem::file_time_type::clock::now() - std::chrono::days(days));
+        SceneFile().keep_in(kept);
+        return SceneFile::set_aside_in(kept).size();
+    };
+    EXPECT_EQ(age(29), 2u);
+    EXPECT_EQ(age(31), 1u);
+}
+
+TEST(KeptScene, ThatWasSetAsideIsKeptLikeAnyOtherWhenItIsTakenUpAgain)
+{
+    const TemporaryFolder folder;
+    const std::string kept = folder.path().string();
+    {
+        SceneFile scene;
+        scene.keep_in(kept);
+        scene.run(AddBox{});
+    }
+    SceneFile scene = SceneFile::taken_up(SceneFile::set_aside_in(kept).front());
+    EXPECT_TRUE(SceneFile::set_aside_in(kept).empty());
+    scene.keep_in(kept);
+    scene.run(AddSphere{});
+    EXPECT_EQ(scene.trouble(), "");
     scene = SceneFile();
-    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+    ASSERT_EQ(SceneFile::set_aside_in(kept).size(), 1u);
+    EXPECT_EQ(SceneFile::copy_of(SceneFile::set_aside_in(kept).front()).document().objects.size(),
+              2u);
 }
 
 TEST(KeptScene, WithoutANameOutlivesAKilledProgram)
@@ -182,7 +217,7 @@ TEST(KeptScene, WithoutANameOutlivesAKilledProgram)
         EXPECT_TRUE(scene.redo());
         EXPECT_FALSE(SceneFile::left_in(folder.path().string()));
     }
-    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+    EXPECT_FALSE(SceneFile::left_in(folder.path().string()));
 }
 
 TEST(KeptScene, SaysWhyItIsNotKept)

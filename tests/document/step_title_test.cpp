@@ -90,7 +90,7 @@ TEST(StepTitle, NamesTheOneNumberOfAPlacementThatChanged)
     };
     using P = PlacementParameters;
     EXPECT_EQ(edited([](P& p) { p.width = 0.24; }), "Width of Pot 0.24 m");
-    EXPECT_EQ(edited([](P& p) { p.springs = false; }), "Gaps of Pot followed");
+    EXPECT_EQ(edited([](P& p) { p.springs = false; }), "Gaps of Pot not bridged");
     EXPECT_EQ(edited([](P& p) { p.grid = {40, 9, 4}; }), "Density of Pot 40 × 9 × 4");
     EXPECT_EQ(edited([](P& p) { p.misses = Misses::ground; }), "Misses of Pot drop to the ground");
     EXPECT_EQ(edited([](P& p) { p.roll_deg = 90; }), "Roll of Pot 90°");

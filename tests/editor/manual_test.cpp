@@ -16,7 +16,7 @@ using ::testing::ElementsAre, ::testing::IsEmpty;
 using testing::Rig;
 using enum ui::Run::Kind;
 
-const std::string folder = std::string(TRIVAR_SOURCE_DIR) + "/docs/manual";
+const std::string pages_folder = std::string(TRIVAR_SOURCE_DIR) + "/docs/manual";
 
 std::vector<ui::Run> all_runs(const ManualPage& page)
 {
@@ -30,7 +30,7 @@ std::vector<ui::Run> all_runs(const ManualPage& page)
 
 TEST(Manual, HasThePageThatEachToolNames)
 {
-    const auto pages = manual_in(folder);
+    const auto pages = manual_in(pages_folder);
     for (const auto& tool : all_tools())
         EXPECT_TRUE(page_of(pages, tool->page())) << tool->name() << ": " << tool->page();
 }
@@ -38,7 +38,7 @@ TEST(Manual, HasThePageThatEachToolNames)
 TEST(Manual, LeadsNowhereThatIsNotThereAndNamesNoActionThatIsNot)
 {
     const Rig rig;
-    const auto pages = manual_in(folder);
+    const auto pages = manual_in(pages_folder);
     ASSERT_GE(pages.size(), 10u);
     EXPECT_EQ(pages.front().name, "start");
     EXPECT_EQ(pages.back().name, keys_page);
@@ -72,7 +72,7 @@ TEST(Manual, FindsWordsWhateverTheirCaseAndTheTitleFirst)
 TEST(Manual, OpensAtTheToolAtHandFollowsALinkAndGoesBack)
 {
     Rig rig;
-    rig.editor.manual_folder = folder;
+    rig.editor.manual_folder = pages_folder;
     rig.frames();
     rig.key({'D'});
     rig.key({ui::key_f1});

@@ -108,7 +108,7 @@ Changes changes(const PlacementParameters& before, const PlacementParameters& af
     compare("Offset", a.offset, b.offset, plain);
     compare("Density", a.grid, b.grid, triple);
     compare("Order", a.orders, b.orders, triple);
-    compare("Gaps", a.springs, b.springs, either("bridged", "followed"));
+    compare("Gaps", a.springs, b.springs, either("bridged", "not bridged"));
     compare("Stiffness", a.stiffness, b.stiffness, plain);
     compare("Bending", a.bending, b.bending, plain);
     compare("Reach", a.neighborhood, b.neighborhood, plain);

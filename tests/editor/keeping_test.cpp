@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What becomes of work that is let go, and what the window says of it.
+#include "tests/editor/rig.h"
+#include "tests/support/fixtures.h"
+
+#include <imgui.h>
+
+namespace trivar {
+namespace {
+
+using testing::Rig;
+
+TEST(Keeping, ADiscardedSceneCanBeBroughtBackAtOnce)
+{
+    const testing::TemporaryFolder folder;
+    Session session([] {}, folder.path().string());
+    ASSERT_TRUE(session.run(AddBox{}));
+    session.replace_scene(SceneFile());
+    EXPECT_TRUE(session.document().objects.empty());
+    ASSERT_EQ(session.notices.all().size(), 1u);
+    ASSERT_EQ(session.notices.all().front().actions.size(), 1u);
+    const auto bring_back = session.notices.all().front().actions.front().act;
+    bring_back();
+    EXPECT_EQ(session.document().objects.size(), 1u);
+    EXPECT_TRUE(SceneFile::set_aside_in(folder.path().string()).empty());
+}
+
+TEST(Keeping, TheKeyboardReachesEveryButtonOfAQuestion)
+{
+    for (const int tabs : {0, 1, 2}) {
+        Rig rig;
+        ASSERT_TRUE(rig.editor.session.run(AddBox{}));
+        rig.editor.files.new_scene();
+        rig.frames();
+        ASSERT_TRUE(rig.editor.files.asking());
+        for (int i = 0; i < tabs; ++i) rig.key({ui::key_tab});
+        rig.key({ui::key_enter});
+        // Name it..., Discard, Cancel: the first goes on to ask for the name.
+        EXPECT_EQ(rig.editor.files.asking(), tabs == 0);
+        EXPECT_EQ(rig.editor.session.document().objects.empty(), tabs == 1);
+    }
+}
+
+TEST(Keeping, ANewSceneIsSeenFromHomeWithTheSelectingTool)
+{
+    Rig rig;
+    rig.frames();
+    rig.editor.session.camera.eye = {9, 9, 9};
+    rig.editor.choose_tool(1);
+    rig.key({.key = 'N', .ctrl = true});
+    EXPECT_EQ(rig.editor.session.camera.eye, Camera{}.eye);
+    EXPECT_EQ(rig.editor.tool, 0u);
+}
+
+TEST(Keeping, WhatUndoBringsBackIsSelected)
+{
+    Rig rig;
+    rig.two_objects();
+    Session& session = rig.editor.session;
+    session.selected = 2;
+    ASSERT_TRUE(session.run(Rename{1, "Ground"}));
+    session.undo();
+    EXPECT_EQ(session.selected, 2); // as it was
+    ASSERT_TRUE(session.run(Delete{{2}}));
+    EXPECT_EQ(session.selected, 0);
+    session.undo();
+    EXPECT_EQ(session.selected, 2);
+    session.undo();
+    session.undo();
+    session.redo();
+    EXPECT_EQ(session.selected, 1);
+}
+
+TEST(Menus, AreGoneThroughWithTheArrowsAndLetters)
+{
+    Rig rig;
+    rig.frames();
+    rig.key({.key = 'A', .shift = true});
+    rig.key({ui::key_down});
+    rig.key({ui::key_enter});
+    EXPECT_EQ(rig.editor.session.document().objects.size(), 1u);
+    EXPECT_FALSE(ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId));
+    rig.key({.key = 'A', .shift = true});
+    rig.type("b");
+    EXPECT_EQ(name_of(rig.editor.session.document(), 2), "Box");
+    rig.key({.key = 'A', .shift = true});
+    rig.key({ui::key_escape});
+    EXPECT_FALSE(ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId));
+    EXPECT_EQ(rig.steps(), 2u);
+}
+
+} // namespace
+} // namespace trivar
