@@ -97,7 +97,6 @@ void FileDialog::open(FileRequest request, const fs::path& start)
 {
     request_ = std::move(request);
     open_ = just_opened_ = true;
-    overwrite_asked_ = false;
     typed_ = request_.name;
     std::error_code ignored;
     fs::path folder = is_folder(start) ? start : folder_;
@@ -124,7 +123,21 @@ fs::path FileDialog::absolute(const std::string& typed) const
     return path.is_absolute() ? path : folder_ / path;
 }
 
-std::optional<std::string> FileDialog::take(const std::string& typed)
+fs::path FileDialog::with_extension(fs::path path) const
+{
+    if (request_.saving && path.extension().empty() && !request_.extensions.empty())
+        path += request_.extensions.front();
+    return path;
+}
+
+bool FileDialog::replaces() const
+{
+    std::error_code ignored;
+    return request_.saving && !typed_.empty() && !is_folder(absolute(typed_)) &&
+           fs::exists(with_extension(absolute(typed_)), ignored);
+}
+
+std::optional<std::string> FileDialog::take(const std::string& typed, bool replace)
 {
     if (typed.empty()) return std::nullopt;
     fs::path path = absolute(typed);
@@ -133,8 +146,7 @@ std::optional<std::string> FileDialog::take(const std::string& typed)
         typed_.clear();
         return std::nullopt;
     }
-    if (request_.saving && path.extension().empty() && !request_.extensions.empty())
-        path += request_.extensions.front();
+    path = with_extension(std::move(path));
     std::error_code ignored;
     const bool there = fs::exists(path, ignored);
     if (!request_.saving && !there) {
@@ -152,9 +164,9 @@ std::optional<std::string> FileDialog::take(const std::string& typed)
         problem_ += ".";
         return std::nullopt;
     }
-    if (request_.saving && there && !overwrite_asked_) {
-        overwrite_asked_ = true;
-        problem_ = "This file exists. Press " + request_.action + " again to replace it.";
+    if (request_.saving && there && !replace) {
+        problem_ = path.filename().string() +
+                   " is there already. Press Replace or Ctrl Enter, or type another name.";
         return std::nullopt;
     }
     folder_ = path.parent_path(); // the next one begins here
@@ -204,7 +216,6 @@ std::optional<std::string> FileDialog::draw_list(const Theme& theme, float heigh
         ImGui::PopID();
         if (pressed || twice) {
             selected_ = i;
-            overwrite_asked_ = false;
             problem_.clear();
             if (!entry.folder) typed_ = entry.name;
         }
@@ -261,22 +272,27 @@ std::optional<std::string> FileDialog::draw(const Theme& theme)
     if (text_field(theme, "path", typed_, request_.saving ? "Name" : "Type or paste a path", width,
                    icon::file) == Edit::changed) {
         problem_.clear();
-        overwrite_asked_ = false;
         selected_ = -1;
     }
     y += theme.px(32);
     paint_text(theme.font.small, {{left, y}, {rect.hi.x - pad, y + theme.px(20)}}, theme.color.warn,
                problem_);
-    const float ok = button_width(theme, request_.action), no = button_width(theme, "Cancel");
+    const bool replacing = replaces();
+    const std::string action = replacing ? "Replace" : request_.action;
+    const float ok = button_width(theme, action), no = button_width(theme, "Cancel");
     const float bottom = rect.hi.y - theme.px(20) - theme.px(32);
     at(rect.hi.x - pad - ok, bottom);
-    bool done = button(theme, request_.action, ButtonKind::primary);
+    const bool pressed =
+        button(theme, action, replacing ? ButtonKind::danger : ButtonKind::primary);
     at(rect.hi.x - pad - ok - theme.px(8) - no, bottom);
     const bool cancelled = button(theme, "Cancel") || ImGui::IsKeyPressed(key_escape, false);
-    done |= ImGui::IsKeyPressed(key_enter, false) || ImGui::IsKeyPressed(key_keypad_enter, false);
-    if (!chosen && open_ && done) {
+    const bool agreed =
+        ImGui::IsKeyPressed(key_enter, false) || ImGui::IsKeyPressed(key_keypad_enter, false);
+    const bool replace = replacing && (pressed || ImGui::GetIO().KeyCtrl);
+    if (!chosen && open_ && (pressed || agreed)) {
         const bool from_list = selected_ >= 0 && (typed_.empty() || !request_.saving);
-        chosen = take(from_list ? entries_[static_cast<std::size_t>(selected_)].name : typed_);
+        chosen = take(from_list ? entries_[static_cast<std::size_t>(selected_)].name : typed_,
+                      replace && !from_list);
         just_opened_ = open_; // typing goes on where Enter took the keyboard away
     }
     if (open_ && nothing_typed && ImGui::IsKeyPressed(key_backspace, false))

@@ -34,7 +34,8 @@ std::vector<FileEntry> entries_of(const std::filesystem::path& folder,
 bool natural_less(const std::string& a, const std::string& b);
 
 // Browses folders inside the window: click and double click, arrows, Enter, Backspace for the
-// folder above, or a path typed or pasted into its field. Esc closes it.
+// folder above, or a path typed or pasted into its field. Esc closes it. A file that is there is
+// replaced by its button or by Ctrl Enter, not by Enter alone.
 class FileDialog {
 public:
     void open(FileRequest request, const std::filesystem::path& start = {});
@@ -44,11 +45,13 @@ public:
 
 private:
     void enter(const std::filesystem::path& folder);
-    std::optional<std::string> take(const std::string& typed);
+    std::optional<std::string> take(const std::string& typed, bool replace = false);
+    bool replaces() const; // a file that is there has the typed name
     std::optional<std::string> draw_list(const Theme& theme, float height);
     std::filesystem::path absolute(const std::string& typed) const;
+    std::filesystem::path with_extension(std::filesystem::path path) const; // where it has none
 
-    bool open_ = false, just_opened_ = false, overwrite_asked_ = false;
+    bool open_ = false, just_opened_ = false;
     FileRequest request_;
     std::filesystem::path folder_;
     std::vector<FileEntry> entries_;

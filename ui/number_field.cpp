@@ -37,6 +37,8 @@ struct Memory {
     void set_mode(Mode mode) const { ImGui::GetStateStorage()->SetInt(id, mode); }
     float travel() const { return ImGui::GetStateStorage()->GetFloat(id + 3); }
     void set_travel(float px) const { ImGui::GetStateStorage()->SetFloat(id + 3, px); }
+    bool refused() const { return ImGui::GetStateStorage()->GetBool(id + 4); } // what was typed
+    void refuse(bool refused) const { ImGui::GetStateStorage()->SetBool(id + 4, refused); }
 };
 
 // A drag gives values that people can read: four significant digits, or whole steps.
@@ -122,14 +124,53 @@ bool takes_typing()
     return true;
 }
 
+// Frames after which a field that is opened has the keyboard.
+constexpr float keyboard_comes = 2;
+
+// What is there when typing begins: without the noise of sums, -1.34 for -1.3399999999999999.
+std::string typed_text(double value)
+{
+    const double clean = rounded(value, 12);
+    return shortest(std::abs(clean - value) <= 1e-12 * std::abs(value) ? clean : value);
+}
+
+// Why this value may not be; empty: it may.
+std::string limit_words(double value, const NumberStyle& style)
+{
+    if (value >= style.lo && value <= style.hi) return {};
+    const std::string unit = style.unit.empty() ? "" : " " + style.unit;
+    return value < style.lo ? "At least " + short_number(style.lo) + unit + "."
+                            : "At most " + short_number(style.hi) + unit + ".";
+}
+
+// Over everything, so that it needs no room in the panel.
+void say_under(const Theme& theme, const Rect& field, const std::string& words)
+{
+    const glm::vec2 size{text_width(theme.font.small, words) + theme.px(16), theme.size.row};
+    const float most = ImGui::GetIO().DisplaySize.x - size.x - theme.px(4);
+    const glm::vec2 at{std::min(field.lo.x, most), field.hi.y + theme.px(3)};
+    ImDrawList* over = ImGui::GetForegroundDrawList();
+    over->AddRectFilled({at.x, at.y}, {at.x + size.x, at.y + size.y}, theme.color.raised,
+                        theme.size.rounding_small);
+    over->AddRect({at.x, at.y}, {at.x + size.x, at.y + size.y}, theme.color.bad,
+                  theme.size.rounding_small, 0, theme.size.hairline);
+    const float high = theme.font.small->FontSize;
+    over->AddText(theme.font.small, high,
+                  {at.x + theme.px(8), std::round(at.y + (size.y - high) / 2)}, theme.color.text,
+                  words.c_str());
+}
+
 Edit type_number(const Theme& theme, const Memory& memory, double& value, const NumberStyle& style,
                  float width)
 {
-    std::string text = shortest(memory.get());
+    const bool fresh = memory.travel() == 0;
+    std::string text = typed_text(memory.get());
+    // What was not taken stands there still when the field is opened anew.
+    const ImGuiInputTextState* before = ImGui::GetInputTextState(ImGui::GetID("##typed"));
+    if (memory.travel() < keyboard_comes && memory.refused() && before) text = before->TextA.Data;
     text.resize(64);
     // ImGui's own text field, of our height, opened with the keyboard in it.
     ImGui::SetNextItemWidth(width);
-    const bool fresh = memory.travel() == 0;
     if (fresh) ImGui::SetKeyboardFocusHere();
     memory.set_travel(memory.travel() + 1);
     ImGui::PushStyleColor(ImGuiCol_FrameBg, theme.color.field_active);
@@ -137,16 +178,30 @@ Edit type_number(const Theme& theme, const Memory& memory, double& value, const 
     ImGui::PopStyleColor();
     const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
     const std::optional<double> typed = evaluate_expression(text.c_str(), measure_of(style), value);
-    memory.set(typed.value_or(value)); // what cannot be read changes nothing
-    paint_rim({{lo.x, lo.y}, {hi.x, hi.y}}, typed ? theme.color.focus : theme.color.bad,
+    memory.set(typed.value_or(value));                        // what cannot be read changes nothing
+    const bool untouched = text.c_str() == typed_text(value); // then it is as exact as it was
+    const std::string why_not = untouched ? ""
+                                : typed   ? limit_words(*typed, style)
+                                          : "This is no number.";
+    paint_rim({{lo.x, lo.y}, {hi.x, hi.y}}, why_not.empty() ? theme.color.focus : theme.color.bad,
               theme.size.rounding_small, 1.5f * theme.scale);
+    if (!why_not.empty()) say_under(theme, {{lo.x, lo.y}, {hi.x, hi.y}}, why_not);
     const bool tab = ImGui::IsItemActive() && ImGui::IsKeyPressed(key_tab, false);
     if (ImGui::IsItemActive() && !tab) return Edit::none;
-    if (memory.travel() < 3) return Edit::none; // the keyboard arrives a frame later
+    if (memory.travel() <= keyboard_comes) return Edit::none;
+    const bool enter =
+        ImGui::IsKeyPressed(key_enter, false) || ImGui::IsKeyPressed(key_keypad_enter, false);
+    memory.refuse(!why_not.empty() && (enter || tab));
+    if (memory.refused()) { // it is typed on
+        if (tab) ImGui::ClearActiveID();
+        memory.set_travel(0);
+        return Edit::none;
+    }
     if (tab) pass_on_typing();
     memory.set_mode(Memory::resting);
-    const double result = std::clamp(memory.get(), style.lo, style.hi);
-    if (ImGui::IsKeyPressed(key_escape, false) || result == value) return Edit::none;
+    const double result = memory.get();
+    if (untouched || !why_not.empty() || result == value) return Edit::none;
+    if (ImGui::IsKeyPressed(key_escape, false)) return Edit::none;
     value = result;
     return Edit::changed;
 }

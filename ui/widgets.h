@@ -13,8 +13,8 @@ namespace trivar::ui {
 enum class Edit { none, changed, cancelled }; // cancelled: the value is as it was before the drag
 
 // A number that is dragged sideways (1 % of the range, or of the value, each 4 px; Shift a tenth,
-// Ctrl in round steps) or clicked and typed; Tab goes to the next one. Values out of range are cut
-// to it.
+// Ctrl in round steps) or clicked and typed; Tab goes to the next one. Drags end at the limits;
+// what is typed beyond them, or cannot be read, is not taken, and a line under the field says why.
 struct NumberStyle {
     double lo = -1e9, hi = 1e9;
     double bar_hi =

@@ -88,7 +88,7 @@ struct Window::State {
     void adopt_window()
     {
         glfwSetWindowUserPointer(window, this);
-        glfwSetWindowSizeLimits(window, 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
+        limit_size();
         listen();
         ImGuiIO& io = ImGui::GetIO();
         io.ClipboardUserData = window;
@@ -98,6 +98,19 @@ struct Window::State {
         io.SetClipboardTextFn = [](void* w, const char* text) {
             glfwSetClipboardString(static_cast<GLFWwindow*>(w), text);
         };
+    }
+    // What the panels need beside one another, but no more than the screen has.
+    void limit_size()
+    {
+        glm::vec2 scale(1);
+        glfwGetWindowContentScale(window, &scale.x, &scale.y);
+        glm::ivec2 smallest(glm::round(glm::vec2(1024, 700) * glm::max(scale, glm::vec2(1))));
+        if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
+            glm::ivec2 at(0), room(0);
+            glfwGetMonitorWorkarea(monitor, &at.x, &at.y, &room.x, &room.y);
+            if (room.x > 0 && room.y > 0) smallest = glm::min(smallest, room);
+        }
+        glfwSetWindowSizeLimits(window, smallest.x, smallest.y, GLFW_DONT_CARE, GLFW_DONT_CARE);
     }
     ~State()
     {

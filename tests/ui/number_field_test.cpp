@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is typed: into number fields, and as the name of a file that is there already.
+#include "tests/support/fixtures.h"
+#include "ui/file_dialog.h"
+#include "ui/headless.h"
+#include "ui/keys.h"
+#include "ui/widgets.h"
+
+#include <fstream>
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+namespace trivar::ui {
+namespace {
+
+struct Typist {
+    HeadlessFrames screen{{720, 560}};
+    DrawFrame body;
+
+    void type(const std::string& text)
+    {
+        for (const char c : text) screen.input().push(type_text(static_cast<unsigned char>(c)));
+        screen.frames(3, body);
+    }
+    void key(int key, bool ctrl = false)
+    {
+        if (ctrl) screen.input().push(press_key(key_left_control));
+        screen.input().push(press_key(key));
+        screen.input().push(press_key(key, false));
+        if (ctrl) screen.input().push(press_key(key_left_control, false));
+        screen.frames(8, body);
+    }
+    void click(glm::vec2 at)
+    {
+        screen.input().push(move_to(at));
+        screen.input().push(press(Button::left));
+        screen.input().push(press(Button::left, false));
+        screen.frames(6, body);
+    }
+};
+
+// A number from 0 to 10 that is being typed; its value at the end.
+double typed(double value, const std::vector<std::string>& tries)
+{
+    Typist hand;
+    hand.body = [&](Frame& frame) {
+        ImGui::SetNextWindowPos({0, 0});
+        ImGui::SetNextWindowSize({360, 180});
+        ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration);
+        ImGui::SetCursorScreenPos({20, 20});
+        number_field(frame.theme, "number", value, {.lo = 0, .hi = 10}, 120);
+        ImGui::End();
+    };
+    hand.screen.frames(2, hand.body);
+    hand.click({60, 30});
+    for (const std::string& text : tries) {
+        hand.type(text);
+        hand.key(key_enter);
+    }
+    hand.click({300, 150});
+    return value;
+}
+
+TEST(NumberField, TakesWhatIsTypedWithinItsLimits)
+{
+    EXPECT_EQ(typed(2, {"7.5"}), 7.5);
+    EXPECT_EQ(typed(2, {"+=1"}), 3);
+}
+
+TEST(NumberField, NeitherReplacesNorDropsWhatIsBeyondThemButIsTypedOn)
+{
+    EXPECT_EQ(typed(2, {"12"}), 2);
+    EXPECT_EQ(typed(2, {"-1"}), 2);
+    EXPECT_EQ(typed(2, {"12", "9"}), 9); // the 12 stood there, chosen
+}
+
+TEST(NumberField, ChangesNothingByWhatCannotBeRead)
+{
+    EXPECT_EQ(typed(2, {"seven"}), 2);
+    EXPECT_EQ(typed(2, {"seven", "7"}), 7);
+}
+
+TEST(NumberField, KeepsEveryDigitOfAValueThatIsLookedAt)
+{
+    EXPECT_EQ(typed(1.3399999999999999, {""}), 1.3399999999999999);
+}
+
+TEST(FileDialog, EnterAloneReplacesNoFile)
+{
+    const testing::TemporaryFolder folder;
+    std::ofstream(folder.file("a.txt")) << "x";
+    Typist hand;
+    FileDialog dialog;
+    std::optional<std::string> chosen;
+    hand.body = [&](Frame& frame) {
+        if (const auto path = dialog.draw(frame.theme)) chosen = path;
+    };
+    const FileRequest request{
+        .title = "Save", .action = "Save", .extensions = {".txt"}, .saving = true, .name = "a"};
+    dialog.open(request, folder.path());
+    hand.screen.frames(4, hand.body);
+    for (int i = 0; i < 3; ++i) hand.key(key_enter);
+    EXPECT_TRUE(dialog.is_open());
+    EXPECT_FALSE(chosen);
+    hand.key(key_enter, true);
+    EXPECT_FALSE(dialog.is_open());
+    EXPECT_EQ(chosen.value_or(""), folder.file("a.txt"));
+}
+
+} // namespace
+} // namespace trivar::ui
