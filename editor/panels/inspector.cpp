@@ -328,8 +328,11 @@ void draw_inspector(Editor& editor, const ui::Theme& theme, const Layout& layout
         const float top = nothing ? r.lo.y : ImGui::GetCursorScreenPos().y;
         const float end = nothing ? std::min(r.hi.y, top + theme.px(220)) : top + theme.px(200);
         ui::empty_state(theme, {{r.lo.x, top}, {r.hi.x, end}}, ui::icon::sliders,
-                        "Nothing selected",
-                        "Click an object, or a row of the outliner, to see what can be changed.");
+                        nothing ? "Nothing to change yet" : "Nothing selected",
+                        nothing ? "Drop a model into the window, or add an object with " +
+                                      key_text(action(editor, add_action_name)) + "."
+                                : "Click an object, or a row of the outliner, to see what can be "
+                                  "changed.");
         if (!nothing) ImGui::Dummy({1, theme.px(200)});
         ImGui::End();
         return;

@@ -64,9 +64,25 @@ Parts parts_of(std::string_view line)
     return {verb, rest};
 }
 
-// Of every line of the file in every frame: a long one is not read to its end.
-float height_of(const ui::Theme& theme, const Entry& entry)
+// Between the number and the copy button.
+float room_in(const ui::Theme& theme, float width)
 {
+    return width - theme.px(48 + 40);
+}
+
+// Why it was refused, whole.
+std::vector<std::string> reasons(const ui::Theme& theme, const Entry& entry, float width)
+{
+    return ui::wrapped(theme.font.mono, ui::sentence(std::string(entry.why)),
+                       room_in(theme, width));
+}
+
+// Of every line of the file in every frame: a long one is not read to its end.
+float height_of(const ui::Theme& theme, const Entry& entry, float width)
+{
+    if (entry.number == 0)
+        return theme.px(25) +
+               theme.px(17) * static_cast<float>(reasons(theme, entry, width).size());
     constexpr std::size_t longer_than_a_bare_verb = 40;
     std::string_view line = entry.line;
     if (line.size() > longer_than_a_bare_verb && take_quoted(line) == "do") return theme.px(42);
@@ -83,12 +99,12 @@ void draw_entry(const ui::Theme& theme, const Entry& entry, const ui::Rect& row,
     ImGui::SetItemAllowOverlap();
     const bool hovered = ImGui::IsItemHovered();
     if (selected) ui::paint_box(row, c.row_selected);
-    if (refused) ui::tooltip(theme, "Refused", {}, ui::sentence(std::string(entry.why)));
     if (hovered)
         ui::paint_box({row.lo + glm::vec2(theme.px(4), 0), row.hi - glm::vec2(theme.px(4), 0)},
                       c.row_hover, theme.size.rounding_small);
     const float line = theme.px(17), top = row.lo.y + theme.px(4);
-    const float left = row.lo.x + theme.px(48), right = row.hi.x - theme.px(40);
+    const float left = row.lo.x + theme.px(48);
+    const float right = left + room_in(theme, row.width());
     const ImFont* font = theme.font.mono;
     const Parts parts = parts_of(entry.line);
     ui::paint_text(font, {{row.lo.x, top}, {row.lo.x + theme.px(36), top + line}},
@@ -96,11 +112,16 @@ void draw_entry(const ui::Theme& theme, const Entry& entry, const ui::Rect& row,
                    refused ? "–" : std::to_string(entry.number), ui::Align::right);
     ui::paint_text(font, {{left, top}, {right, top + line}}, refused ? c.bad : c.accent_text,
                    ui::elided(font, std::string(parts.verb), right - left));
-    if (!parts.rest.empty()) {
+    if (refused) {
+        float y = top;
+        for (const std::string& words : reasons(theme, entry, row.width())) {
+            y += line;
+            ui::paint_text(font, {{left, y}, {right, y + line}}, c.bad, words);
+        }
+    } else if (!parts.rest.empty()) {
         // As much of it as can be seen; a stroke has tens of thousands of letters.
-        const std::string_view shown = (refused ? entry.why : parts.rest).substr(0, 200);
-        ui::paint_text(font, {{left, top + line}, {right, top + 2 * line}},
-                       refused ? c.bad : c.text_2,
+        const std::string_view shown = parts.rest.substr(0, 200);
+        ui::paint_text(font, {{left, top + line}, {right, top + 2 * line}}, c.text_2,
                        ui::elided(font, std::string(shown), right - left));
     }
     const glm::vec2 square(theme.size.icon_button);
@@ -142,7 +163,7 @@ void draw_entries(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
     std::size_t under = entries.size();
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     for (std::size_t i = 0; i < entries.size(); ++i) {
-        const float height = height_of(theme, entries[i]);
+        const float height = height_of(theme, entries[i], r.width());
         const ui::Rect row = {{r.lo.x, y}, {r.hi.x, y + height}};
         y += height;
         if (row.hi.y < r.lo.y || row.lo.y > r.hi.y) continue;

@@ -199,9 +199,14 @@ void draw_outliner(Editor& editor, const ui::Theme& theme, const Layout& layout)
     if (rows.empty()) {
         const bool nothing = editor.session.document().objects.empty();
         ui::empty_state(theme, list, nothing ? ui::icon::volume : ui::icon::search,
-                        nothing ? "Nothing here yet" : "Nothing is called that",
-                        nothing ? "Drop a model, or add one from the Add menu."
-                                : "Clear the filter to see everything.");
+                        nothing ? "Nothing here yet"
+                                : "Nothing is called '" +
+                                      ui::elided(theme.font.strong, o.filter, theme.px(120)) + "'",
+                        nothing ? "Drop a model, or add one from the Add menu." : "");
+        const float wide = ui::button_width(theme, "Clear");
+        ImGui::SetCursorScreenPos(
+            {std::round(list.center().x - wide / 2), std::round(list.center().y + theme.px(40))});
+        if (!nothing && ui::button(theme, "Clear")) o.filter.clear();
         ImGui::End();
         return;
     }

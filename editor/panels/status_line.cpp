@@ -58,6 +58,39 @@ std::vector<Hint> timeline_hints()
             {{std::string("@") + timeline_action}, "Open or close"}};
 }
 
+// What buttons and keys do where the mouse is; in the viewport the tool knows. Nothing: neither.
+std::vector<Hint> hints_here(Editor& editor, const Layout& layout)
+{
+    const std::vector<Hint> of_tool = editor.active_tool().hints(editor.session);
+    if (editor.active_tool().busy()) return of_tool;
+    if (editor.timeline.hovered) return timeline_hints();
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.WantTextInput)
+        return {{{"Enter"}, "Take it"}, {{"Tab"}, "Go to the next field"}, {{"Esc"}, "Restore"}};
+    const glm::vec2 mouse{io.MousePos.x, io.MousePos.y};
+    const bool sideways = ImGui::GetMouseCursor() == ImGuiMouseCursor_ResizeEW;
+    if (sideways && (layout.inspector.contains(mouse) || layout.options.contains(mouse)))
+        return {{{"left"}, "Drag to change"},
+                {{"Shift"}, "Finely"},
+                {{"Ctrl"}, "In round steps"},
+                {{"left"}, "Click to type"}};
+    if (!layout.dock) return of_tool;
+    const bool rows = !editor.session.document().objects.empty();
+    if (layout.outliner.contains(mouse) && rows)
+        return {{{"left"}, "Select"},
+                {{"Ctrl", "left"}, "Add or remove"},
+                {{"left"}, "Drag to order"},
+                {{"@Rename"}, "Rename"},
+                {{"right"}, "Open the menu"}};
+    if (!layout.inspector.contains(mouse)) return of_tool;
+    switch (editor.tab) {
+    case Editor::Tab::history: return {{{"left"}, "Go to this step"}, {{"wheel"}, "Scroll"}};
+    case Editor::Tab::log: return {{{"left"}, "Choose lines"}, {{"Ctrl", "C"}, "Copy them"}};
+    case Editor::Tab::inspector: return {{{"wheel"}, "Scroll"}};
+    }
+    return of_tool;
+}
+
 } // namespace
 
 std::vector<std::string> inputs_now(const Editor& editor, const Hint& hint)
@@ -81,9 +114,7 @@ void draw_status_line(Editor& editor, const ui::Theme& theme, const Layout& layo
     ui::paint_text(theme.font.small, {r.lo, r.hi - glm::vec2(theme.px(12), 0)}, c.text_2, right,
                    ui::Align::right);
     float x = r.lo.x + theme.px(12);
-    const std::vector<Hint> hints =
-        editor.timeline.hovered ? timeline_hints() : editor.active_tool().hints(editor.session);
-    for (const Hint& hint : hints) {
+    for (const Hint& hint : hints_here(editor, layout)) {
         const std::vector<std::string> inputs = inputs_now(editor, hint);
         if (inputs.empty() && !hint.inputs.empty()) continue;
         // A name in it must not push the others out.

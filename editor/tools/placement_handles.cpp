@@ -44,6 +44,20 @@ void paint_arrow(const ui::Theme& theme, glm::vec2 at, glm::vec2 direction, floa
                      1.5f * theme.scale);
 }
 
+const char* drag_words(HoldKind kind)
+{
+    switch (kind) {
+    case HoldKind::none: return "";
+    case HoldKind::stroke: return "Drag to bend the stroke";
+    case HoldKind::width: return "Drag to widen";
+    case HoldKind::height: return "Drag to raise";
+    case HoldKind::start: return "Drag to move the start";
+    case HoldKind::end: return "Drag to move the end";
+    case HoldKind::contact: return "Drag to lift off the surface";
+    }
+    return "";
+}
+
 } // namespace
 
 const EvaluatedObject* selected_placement(const Session& session)
@@ -162,7 +176,7 @@ std::vector<Hint> PlacementHandles::hints() const
         return {{{"left"}, "Let go when done"},
                 {{"Ctrl"}, "Round steps"},
                 {{"Esc", "/", "right"}, "Cancel"}};
-    return {{{"left"}, "Drag: " + name_of(hovered_.kind)}};
+    return {{{"left"}, drag_words(hovered_.kind)}, {{"Ctrl"}, "Round steps"}};
 }
 
 std::optional<ui::Option> PlacementHandles::option(const Session& session, const ui::Theme& theme)

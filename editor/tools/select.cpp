@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/select.h"
 
+#include "editor/tools/motion.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
 
@@ -74,7 +75,9 @@ void SelectTool::overlay(const Session& session, const ui::Theme& theme,
 void SelectTool::options(Session& session, const ui::Theme& theme, float width)
 {
     const std::size_t count = session.selected.size();
-    const std::string words = count == 0   ? "Click an object to see what can be changed"
+    const bool empty = session.document().objects.empty();
+    const std::string words = empty        ? "Drop a model here, or add an object"
+                              : count == 0 ? "Click an object to see what can be changed"
                               : count == 1 ? name_of(session.document(), session.selected)
                                            : std::to_string(count) + " objects, active: " +
                                                  name_of(session.document(), session.selected);
@@ -106,7 +109,7 @@ std::vector<Hint> SelectTool::hints(const Session& session) const
         hints.push_back({{"Ctrl", "left"}, "Add or remove"});
         hints.push_back({{"left"}, "Drag a box"});
     }
-    if (session.selected != 0) {
+    if (!stands_of(session.document(), session.selected.ids()).empty()) {
         for (const char* tool : {"Move", "Rotate", "Scale"})
             hints.push_back({{std::string("@") + tool}, tool});
     }
