@@ -15,10 +15,10 @@ concept OnObjects = std::is_same_v<T, SetMaterial> || std::is_same_v<T, ClearMat
     std::is_same_v<T, Hide> || std::is_same_v<T, Show> || std::is_same_v<T, Lock> ||
     std::is_same_v<T, Unlock> || std::is_same_v<T, Delete> || std::is_same_v<T, Duplicate>;
 
-struct Change {
+struct AdjustedStep {
     Transform before, after;
 };
-Transform with_same_change(Transform t, const Change& c)
+Transform with_same_change(Transform t, const AdjustedStep& c)
 {
     t.translation += c.after.translation - c.before.translation;
     t.rotation_deg += c.after.rotation_deg - c.before.rotation_deg;
@@ -26,7 +26,7 @@ Transform with_same_change(Transform t, const Change& c)
     return t;
 }
 
-std::optional<Command> moved_alike(const Session& session, const Change& change)
+std::optional<Command> moved_alike(const Session& session, const AdjustedStep& change)
 {
     std::vector<Id> ids;
     std::vector<Transform> transforms;

@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 11> order{
     "start",           "place", "select",  "move-rotate-scale", "outliner", "timeline",
     "history-and-log", "files", "picture", "preferences",       keys_page};
 
-std::string lower(std::string_view text)
+std::string lowered(std::string_view text)
 {
     std::string result(text);
     for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -25,17 +25,17 @@ std::string lower(std::string_view text)
 
 std::string words_in(const Block& block)
 {
-    std::string words = words_of(block.runs) + block.text;
-    for (const auto& cell : block.cells) words += words_of(cell) + "  ";
+    std::string words = plain_text(block.runs) + block.text;
+    for (const auto& cell : block.cells) words += plain_text(cell) + "  ";
     return words;
 }
 
 bool holds_all(const std::string& text, std::string_view words)
 {
-    const std::string in = lower(text);
+    const std::string in = lowered(text);
     while (!words.empty()) {
         const std::size_t end = std::min(words.find(' '), words.size());
-        if (in.find(lower(words.substr(0, end))) == in.npos) return false;
+        if (in.find(lowered(words.substr(0, end))) == in.npos) return false;
         words.remove_prefix(std::min(end + 1, words.size()));
     }
     return true;
@@ -57,7 +57,7 @@ std::vector<ManualPage> manual_in(const std::string& folder)
         }
         page.title = page.name;
         if (!page.blocks.empty() && page.blocks.front().kind == Block::Kind::heading) {
-            page.title = words_of(page.blocks.front().runs);
+            page.title = plain_text(page.blocks.front().runs);
             page.blocks.erase(page.blocks.begin());
         }
         for (Block& block : page.blocks)

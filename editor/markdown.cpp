@@ -154,7 +154,7 @@ std::vector<Block> blocks_of(std::string_view markdown)
     return std::move(read.blocks);
 }
 
-std::string words_of(const std::vector<ui::Run>& runs)
+std::string plain_text(const std::vector<ui::Run>& runs)
 {
     std::string words;
     for (const ui::Run& run : runs) words += run.text;

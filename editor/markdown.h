@@ -23,6 +23,6 @@ struct Block {
 std::vector<Block> blocks_of(std::string_view markdown);
 
 // The words of a block, without how they look.
-std::string words_of(const std::vector<ui::Run>& runs);
+std::string plain_text(const std::vector<ui::Run>& runs);
 
 } // namespace trivar

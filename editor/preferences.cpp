@@ -14,14 +14,14 @@ namespace trivar {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
+using Json = nlohmann::json;
 
 constexpr std::size_t longest_list = 16, longest_text = 4096, largest_file = std::size_t{1} << 20,
                       most_keys = 1000;
 
 // One list of what is kept and what may be read.
 struct Reading {
-    const json& from;
+    const Json& from;
     void operator()(const char* name, double& value, double lo, double hi) const
     {
         const auto found = from.find(name);
@@ -46,7 +46,7 @@ struct Reading {
     {
         const auto found = from.find(name);
         if (found == from.end() || !found->is_array()) return;
-        for (const json& each : *found) {
+        for (const Json& each : *found) {
             if (value.size() == longest_list) return;
             if (!each.is_string()) continue;
             const auto& text = each.get_ref<const std::string&>();
@@ -60,28 +60,28 @@ struct Reading {
         for (const auto& [action, keys] : found->items()) {
             if (!keys.is_array() || value.size() == most_keys) continue;
             std::vector<ui::Chord>& chords = value[action];
-            for (const json& each : keys)
+            for (const Json& each : keys)
                 if (each.is_string() && chords.size() < longest_list)
                     if (const auto chord = ui::chord_from(each.get_ref<const std::string&>()))
                         chords.push_back(*chord);
         }
     }
 };
-json written(const auto& value)
+Json written(const auto& value)
 {
     return value;
 }
-json written(const KeyMap& map)
+Json written(const KeyMap& map)
 {
-    json object = json::object();
+    Json object = Json::object();
     for (const auto& [name, keys] : map) {
-        object[name] = json::array();
+        object[name] = Json::array();
         for (const ui::Chord& chord : keys) object[name].push_back(ui::text_of(chord));
     }
     return object;
 }
 struct Writing {
-    json& to;
+    Json& to;
     void operator()(const char* name, const auto& value, auto...) const
     {
         to[name] = written(value);
@@ -128,18 +128,18 @@ std::string read_small_file(const std::string& path)
 Preferences preferences_from(std::string_view text)
 {
     constexpr int deepest = 4; // so that brackets cannot exhaust the stack
-    const auto shallow = [](int depth, json::parse_event_t, json&) { return depth <= deepest; };
+    const auto shallow = [](int depth, Json::parse_event_t, Json&) { return depth <= deepest; };
     Preferences preferences;
-    const json object = json::parse(text, shallow, false);
+    const Json object = Json::parse(text, shallow, false);
     if (object.is_object()) each_preference(preferences, Reading{object});
     return preferences;
 }
 
 std::string text_of(const Preferences& preferences)
 {
-    json object = json::object();
+    Json object = Json::object();
     each_preference(preferences, Writing{object});
-    return object.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+    return object.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 void remember(std::vector<std::string>& recent, const std::string& what)

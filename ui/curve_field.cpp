@@ -14,7 +14,7 @@ namespace {
 
 constexpr float height_at_1 = 116, reach_at_1 = 9;
 constexpr double closest = 0.01; // that points may come to one another
-constexpr double round_step = 0.05;
+constexpr double round_factor = 0.05;
 
 // A round number above: the top of the picture.
 double round_above(double value)
@@ -69,7 +69,7 @@ void drag_point(std::vector<glm::dvec2>& points, std::size_t i, glm::dvec2 to,
                 const CurveStyle& style)
 {
     const ImGuiIO& io = ImGui::GetIO();
-    if (io.KeyCtrl) to = glm::round(to / round_step) * round_step;
+    if (io.KeyCtrl) to = glm::round(to / round_factor) * round_factor;
     to.y = std::clamp(to.y, style.lo, style.hi);
     const bool end = i == 0 || i + 1 == points.size();
     to.x =

@@ -19,8 +19,8 @@ namespace trivar {
 using Command = std::variant<ImportModel, EditImport, Relink, AddPlane, AddBox, AddSphere,
                              AddCylinder, AddTorus, AddMoebius, AddTeapot, SetTransform, Arrange,
                              SetMaterial, ClearMaterial, Rename, Hide, Show, Lock, Unlock, Delete,
-                             Duplicate, Group, Ungroup, Reorder, Place, EditPlacement, Unplace,
-                             SetTravel, SaveCamera, DeleteCamera, SetRender, SetTime>;
+                             Duplicate, Group, Ungroup, Reorder, Place, PlaceRound, EditPlacement,
+                             Unplace, SetTravel, SaveCamera, DeleteCamera, SetRender, SetTime>;
 
 // The document after the command; objects that it does not touch keep their pointer. Pure: reads
 // no file. Throws Rejected (the field, what is wrong, what would be right) and nothing happened.

@@ -79,6 +79,10 @@ void add(Digest& digest, const Object& object)
         add(digest, object.placement->sketch);
         add(digest, object.placement->parameters);
         add(digest, object.placement->onto);
+        if (object.placement->round) { // there were scenes without it
+            digest.add_text("round");
+            digest.add(object.placement->level);
+        }
     }
     if (object.travel != Travel{}) { // there were scenes without it
         digest.add_text("travel");

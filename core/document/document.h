@@ -90,6 +90,8 @@ struct PlacementStep {
     Sketch sketch;
     PlacementParameters parameters;
     std::vector<Id> onto;
+    bool round = false; // about the only one of `onto` instead, in place of the stroke
+    double level = 0;   // metres from its widest circle
     bool operator==(const PlacementStep&) const = default;
 };
 

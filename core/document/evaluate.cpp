@@ -36,6 +36,15 @@ std::vector<Id> order_of(const Document& document)
     return order;
 }
 
+// What a placement goes round, if that is still there and stands free.
+std::optional<Band> band_of(const Document& document, const PlacementStep& step)
+{
+    if (!step.round || step.onto.empty()) return {};
+    const Object& base = object(document, step.onto.front());
+    if (base.placement) return {};
+    return band_round(base.source, step.level, to_world(document, step.onto.front()));
+}
+
 // One plain material, as often as the shape has materials of its own.
 Ref<std::vector<Material>> surfaced(const std::vector<Material>& own, const Surfacing& surfacing)
 {
@@ -169,7 +178,8 @@ Evaluated Evaluator::operator()(const Document& document, double frame, const Pr
         if (ref->placement) {
             const auto laid_on = [&](const std::vector<Support>& supports) {
                 return kept.laying(kept.shape, glm::dmat3(ref->transform.matrix()), *ref->placement,
-                                   supports, cache_->ray_meshes, result.timings);
+                                   band_of(document, *ref->placement), supports, cache_->ray_meshes,
+                                   result.timings);
             };
             const Supports supports = supports_of(*ref->placement, done);
             if (supports.travelling.empty() || supports.still.empty()) {

@@ -18,11 +18,20 @@ constexpr std::size_t kept_results = 3;
 Ref<Lattice> reaching(const Ref<Lattice>& volume, const Journey& journey,
                       const PlacementParameters& p, double shift_u)
 {
+    if (volume->displacement.axes[0].closure() != Closure::open) return volume;
     constexpr double slack = 1e-3; // a model's faces lie on its box, give or take a rounding
     const double from = p.start + shift_u, to = from + p.fill;
     if (from >= -1e-9 && to <= 1 + 1e-9) return volume;
     if (journey.rounds()) return make_ref(twice_round(*volume));
     return make_ref(prolonged(*volume, from - slack, to + slack));
+}
+
+Box box_of(const Shape& shape, const glm::dmat3& turned)
+{
+    Box box;
+    for (const Shape::Hung& hung : shape.meshes)
+        box.add(bounding_box(*hung.mesh, glm::dmat4(turned) * hung.to_model));
+    return box;
 }
 
 // The part further along its volume, sorted into it anew.
@@ -73,8 +82,9 @@ void RayMeshes::keep_only(const std::set<Ref<Mesh>>& meshes)
 }
 
 Ref<Laid> Laying::operator()(const Ref<Shape>& shape, const glm::dmat3& turned,
-                             const PlacementStep& step, const std::vector<Support>& supports,
-                             RayMeshes& ray_meshes, Timings& timings)
+                             const PlacementStep& step, const std::optional<Band>& band,
+                             const std::vector<Support>& supports, RayMeshes& ray_meshes,
+                             Timings& timings)
 {
     const auto found = std::ranges::find_if(known_, [&](const Known& k) {
         return k.shape == shape && k.turned == turned && k.supports == supports && k.step == step;
@@ -88,9 +98,21 @@ Ref<Laid> Laying::operator()(const Ref<Shape>& shape, const glm::dmat3& turned,
         if (shape->meshes.empty()) throw Rejected("there is no shape to lay down");
         if (supports.empty())
             throw Rejected("everything this object lay on is gone; place it anew or unplace it");
-        const Ref<RayScene> scene = scene_of(supports, ray_meshes, timings);
-        laid = lay(*shape, turned, step, *scene, timings);
-        laid.scene = scene;
+        if (step.round && !band)
+            throw Rejected("what it goes round is no cylinder, sphere, torus or Moebius band that "
+                           "stands free any more; place it anew or unplace it");
+        const Box box = box_of(*shape, turned);
+        if (step.round)
+            laid = bent(
+                *shape, turned,
+                timed(timings, "volume", [&] { return place_round(*band, step.parameters, box); }),
+                timings);
+        else {
+            const Ref<RayScene> scene = scene_of(supports, ray_meshes, timings);
+            laid = bent(*shape, turned, place(step.sketch, step.parameters, box, *scene, timings),
+                        timings);
+            laid.scene = scene;
+        }
     } catch (const Rejected& error) {
         laid.rejected = error.what();
     }
@@ -114,13 +136,9 @@ Ref<RayScene> Laying::scene_of(const std::vector<Support>& supports, RayMeshes& 
     return scene_;
 }
 
-Laid Laying::lay(const Shape& shape, const glm::dmat3& turned, const PlacementStep& step,
-                 const RayScene& scene, Timings& timings)
+Laid Laying::bent(const Shape& shape, const glm::dmat3& turned, Placement placement,
+                  Timings& timings)
 {
-    Box box;
-    for (const Shape::Hung& hung : shape.meshes)
-        box.add(bounding_box(*hung.mesh, glm::dmat4(turned) * hung.to_model));
-    Placement placement = place(step.sketch, step.parameters, box, scene, timings);
     Laid laid;
     std::vector<Sorted> used;
     for (const Shape::Hung& hung : shape.meshes) {

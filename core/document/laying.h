@@ -3,6 +3,7 @@
 
 #include "core/document/evaluate.h"
 #include "core/document/shapes.h"
+#include "core/placement/round.h"
 
 #include <set>
 
@@ -44,10 +45,11 @@ private:
 class Laying {
 public:
     // `turned` is the object's own turn and size, before it is laid. Stages: rays, springs, lift,
-    // volume (as place() names them) and deform.
+    // volume (as place() names them) and deform. `band`: what it goes round, where it does.
     Ref<Laid> operator()(const Ref<Shape>& shape, const glm::dmat3& turned,
-                         const PlacementStep& step, const std::vector<Support>& supports,
-                         RayMeshes& ray_meshes, Timings& timings);
+                         const PlacementStep& step, const std::optional<Band>& band,
+                         const std::vector<Support>& supports, RayMeshes& ray_meshes,
+                         Timings& timings);
     // The same some seconds after it set out; what rests is as it was. Stage: deform.
     Ref<Laid> travelled(const Ref<Laid>& at_rest, const Travel& travel,
                         const PlacementParameters& parameters, double seconds, Timings& timings);
@@ -74,8 +76,7 @@ private:
         Journey::Place place;
         Ref<Laid> laid;
     };
-    Laid lay(const Shape& shape, const glm::dmat3& turned, const PlacementStep& step,
-             const RayScene& scene, Timings& timings);
+    Laid bent(const Shape& shape, const glm::dmat3& turned, Placement placement, Timings& timings);
     Part deformed(const Ref<Mesh>& mesh, const Embedding& embedding, const Lattice& volume,
                   std::vector<Sorted>& used) const;
 

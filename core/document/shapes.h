@@ -3,6 +3,7 @@
 
 #include "core/base/timing.h"
 #include "core/document/asset_store.h"
+#include "core/placement/round.h"
 
 namespace trivar {
 
@@ -16,6 +17,10 @@ struct Shape {
     Ref<std::vector<Material>> materials;
     std::vector<std::string> notices;
 };
+
+// The way round an object's axis, `level` metres from its widest circle; none for what is neither a
+// cylinder, a sphere, a torus nor a Moebius band.
+std::optional<Band> band_round(const Source& source, double level, const glm::dmat4& to_world);
 
 // Shapes by what they come from: two objects with equal sources share one.
 class Shapes {

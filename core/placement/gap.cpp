@@ -13,7 +13,7 @@ constexpr double edge_on = 0.01; // cosine between surface and ray below which s
 // Steps in cells: from which one more is not worth it, and the longest one to be trusted.
 constexpr double short_step = 0.03, longest_step = 0.5;
 constexpr int most_steps = 8;
-constexpr double rim = 1e-6; // parameters outside by no more are rounding
+constexpr double past_edge = 1e-6; // parameters outside by no more are rounding
 
 } // namespace
 
@@ -41,7 +41,7 @@ Gap gap_at(const SurfaceTable& s, const View& view, const SceneSample& sample, d
         const bool stays = glm::all(glm::lessThan(glm::abs(to - uv), short_step * cell));
         const glm::dvec2 beyond = glm::abs(uv + step - to);
         uv = to;
-        if (stays) return {uv, -glm::dot(n, r) / det, std::max(beyond.x, beyond.y) <= rim};
+        if (stays) return {uv, -glm::dot(n, r) / det, std::max(beyond.x, beyond.y) <= past_edge};
     }
     return {uv, 0, false};
 }

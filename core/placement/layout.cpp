@@ -21,7 +21,7 @@ constexpr int rounds = 4; // of measuring and shooting again; a fixed point for 
 constexpr std::size_t profile_steps = 129;
 constexpr double sharpest = 2.4; // radians of a turn within the strip's width
 // The strip may differ from its width seen flat on by these factors.
-constexpr double narrowest = 0.25, widest = 2;
+constexpr double narrowest = 0.25, widest_guess = 2;
 
 std::vector<double> smoothed(std::vector<double> values, int passes)
 {
@@ -100,11 +100,11 @@ public:
     {
     }
 
-    Layout build(Curve<glm::dvec2> curve)
+    StripLayout build(Curve<glm::dvec2> curve)
     {
-        Layout out{.axes = {Knots::uniform(parameters_.orders.x, parameters_.grid.x),
-                            Knots::uniform(parameters_.orders.y, parameters_.grid.y)},
-                   .strip = strip_round(curve, {0, 0})};
+        StripLayout out{.axes = {Knots::uniform(parameters_.orders.x, parameters_.grid.x),
+                                 Knots::uniform(parameters_.orders.y, parameters_.grid.y)},
+                        .strip = strip_round(curve, {0, 0})};
         along_ = greville(out.axes[0]);
         across_ = greville(out.axes[1]);
         begin(out, curve);
@@ -126,7 +126,7 @@ public:
 
 private:
     // First guesses from the middle line, and the strip shrunk to where there is something.
-    void begin(Layout& out, Curve<glm::dvec2>& curve)
+    void begin(StripLayout& out, Curve<glm::dvec2>& curve)
     {
         center_ = middle_line(curve);
         first_guess(out);
@@ -150,7 +150,7 @@ private:
         });
     }
 
-    void first_guess(Layout& out)
+    void first_guess(StripLayout& out)
     {
         std::vector<glm::dvec3> points;
         for (std::size_t k = 0; k < center_.rays.size(); ++k) points.push_back(center_.point(k));
@@ -163,7 +163,7 @@ private:
         set_sizes(out, length.back());
     }
 
-    void set_sizes(Layout& out, double length)
+    void set_sizes(StripLayout& out, double length)
     {
         out.length = length;
         if (!(length > 0))
@@ -172,7 +172,7 @@ private:
         out.height = volume_height(frame_, parameters_, length);
     }
 
-    void cast(Layout& out, const Curve<glm::dvec2>& curve)
+    void cast(StripLayout& out, const Curve<glm::dvec2>& curve)
     {
         timed(timings_, "rays", [&] {
             half_px_ = half_width_px(center_, camera_, out.width, profile_steps);
@@ -205,7 +205,7 @@ private:
         return along_[i - 1] * (1 - f) + along_[i] * f;
     }
 
-    void check_misses(const Layout&) const
+    void check_misses(const StripLayout&) const
     {
         if (missed_ > most_missed)
             throw Rejected(fmt::format("{:.0f} % of the strip meets nothing; draw the stroke over "
@@ -214,7 +214,7 @@ private:
     }
 
     // The nodes' rest, from where they rested before; the tolerance is a share of the height.
-    void relax(Layout& out, int most_sweeps, double tolerance)
+    void relax(StripLayout& out, int most_sweeps, double tolerance)
     {
         timed(timings_, "springs", [&] {
             const RayGrid& grid = out.grid;
@@ -310,7 +310,7 @@ private:
 
     // New parameters that put the nodes at equal lengths on the surface as it is; false when they
     // are the old ones.
-    bool measure(Layout& out)
+    bool measure(StripLayout& out)
     {
         const RayGrid& grid = out.grid;
         const std::vector<glm::dvec3> points = out.points();
@@ -349,7 +349,7 @@ private:
             const double gap = grid.a[i + 1] - grid.a[i];
             const double f = gap > 0 ? std::clamp((t - grid.a[i]) / gap, 0.0, 1.0) : 0;
             const double next = std::clamp(scale_[step] * (factor[i] * (1 - f) + factor[i + 1] * f),
-                                           narrowest, widest);
+                                           narrowest, widest_guess);
             change = std::max(change, std::abs(next - scale_[step]));
             scale_[step] = next;
         }
@@ -374,14 +374,14 @@ private:
 
 } // namespace
 
-std::vector<glm::dvec3> Layout::points() const
+std::vector<glm::dvec3> StripLayout::points() const
 {
     std::vector<glm::dvec3> out(s.size());
     for (std::size_t k = 0; k < s.size(); ++k) out[k] = sheet.point(k, s);
     return out;
 }
 
-bool Layout::touches(std::size_t node) const
+bool StripLayout::touches(std::size_t node) const
 {
     return grid.hit[node] && s[node] <= 1e-6 * height;
 }
@@ -415,8 +415,8 @@ std::vector<double> half_width_px(const RayGrid& center, const Camera& camera, d
     return out;
 }
 
-Layout lay_out(const Sketch& sketch, const PlacementParameters& parameters, const ModelFrame& frame,
-               const RayScene& scene, Timings& timings)
+StripLayout lay_out(const Sketch& sketch, const PlacementParameters& parameters,
+                    const ModelFrame& frame, const RayScene& scene, Timings& timings)
 {
     check(parameters);
     Curve<glm::dvec2> center =

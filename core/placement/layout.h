@@ -9,7 +9,7 @@ namespace trivar {
 
 // The strip laid on the scene, before and after the springs: everything place() decides before
 // there is a surface. The live animation of the springs starts from it, too.
-struct Layout {
+struct StripLayout {
     std::array<Knots, 2> axes; // of the contact surface; node (i, j) sits at Greville (i, j)
     Strip strip;
     RayGrid grid{}; // filled
@@ -26,8 +26,8 @@ struct Layout {
 };
 
 // Throws Rejected for a stroke that meets nothing, or too little, and sizes that do not fit.
-Layout lay_out(const Sketch& sketch, const PlacementParameters& parameters, const ModelFrame& frame,
-               const RayScene& scene, Timings& timings);
+StripLayout lay_out(const Sketch& sketch, const PlacementParameters& parameters,
+                    const ModelFrame& frame, const RayScene& scene, Timings& timings);
 
 // The middle line of the strip as rays see it, `count` points; misses filled by the membrane.
 RayGrid center_line(const Curve<glm::dvec2>& center, int count, const Camera& camera,

@@ -49,23 +49,11 @@ std::vector<std::string> notices(const PlacementReport& r, const Extrusion& e,
         out.push_back(fmt::format("{:.2g} of the height still penetrates; use more control points",
                                   r.penetration));
     if (!(r.smallest_jacobian > 0))
-        out.push_back("the volume folds; use fewer control points, a wider turn or less height");
+        out.emplace_back("the volume folds; use fewer control points, a wider turn or less height");
     return out;
 }
 
-std::vector<std::vector<glm::dvec3>> outline(const Surface<glm::dvec3>& contact)
-{
-    std::vector<std::vector<glm::dvec3>> out;
-    const int count = 2 * contact.axes[0].count();
-    for (const double v : {0.5, 0.0, 1.0}) {
-        out.emplace_back();
-        for (int i = 0; i <= count; ++i)
-            out.back().push_back(evaluate(contact, {static_cast<double>(i) / count, v}).value);
-    }
-    return out;
-}
-
-std::vector<StripNode> nodes_of(const Layout& layout, const Surface<glm::dvec3>& contact,
+std::vector<StripNode> nodes_of(const StripLayout& layout, const Surface<glm::dvec3>& contact,
                                 const Extrusion& e, const PlacementParameters& parameters)
 {
     const Profile width(parameters.width_profile);
@@ -87,7 +75,19 @@ std::vector<StripNode> nodes_of(const Layout& layout, const Surface<glm::dvec3>&
 
 } // namespace
 
-Placement finished(const Layout& layout, const std::vector<double>& s, const Camera& camera,
+std::vector<std::vector<glm::dvec3>> outline(const Surface<glm::dvec3>& contact)
+{
+    std::vector<std::vector<glm::dvec3>> out;
+    const int count = 2 * contact.axes[0].count();
+    for (const double v : {0.5, 0.0, 1.0}) {
+        out.emplace_back();
+        for (int i = 0; i <= count; ++i)
+            out.back().push_back(evaluate(contact, {static_cast<double>(i) / count, v}).value);
+    }
+    return out;
+}
+
+Placement finished(const StripLayout& layout, const std::vector<double>& s, const Camera& camera,
                    const PlacementParameters& parameters, const ModelFrame& frame,
                    const RayScene& scene, Timings& timings)
 {
@@ -117,6 +117,7 @@ Placement finished(const Layout& layout, const std::vector<double>& s, const Cam
             {},
             outline(contact),
             0,
+            0,
             {}};
         out.embedding.to_uvw = model_to_uvw(frame, parameters);
         out.embedding.to_rest = out.volume.rest * out.embedding.to_uvw;
@@ -143,7 +144,7 @@ Placement place(const Sketch& sketch, const PlacementParameters& parameters, con
                 const RayScene& scene, Timings& timings)
 {
     const ModelFrame frame = model_frame(parameters, model);
-    const Layout layout = lay_out(sketch, parameters, frame, scene, timings);
+    const StripLayout layout = lay_out(sketch, parameters, frame, scene, timings);
     return finished(layout, layout.s, sketch.camera, parameters, frame, scene, timings);
 }
 

@@ -76,7 +76,7 @@ struct StripNode {
     bool folds = false; // det J <= 0 over it
 };
 
-// Everything one stroke gives. The contact surface is the volume's face w = 0.
+// Everything one stroke gives. The contact surface is the volume's face w = `ground`.
 struct Placement {
     Surface<glm::dvec3> contact;
     Lattice volume;
@@ -84,6 +84,7 @@ struct Placement {
     PlacementReport report;
     std::vector<std::vector<glm::dvec3>> strip; // the middle line and the two rims, world
     int node_columns = 0;                       // across the stroke
+    double ground = 0;            // 1/2 where the volume lies on both sides of the surface
     std::vector<StripNode> nodes; // at the Greville abscissae of the contact surface, v fastest
 };
 

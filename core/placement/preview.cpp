@@ -9,7 +9,7 @@
 namespace trivar {
 namespace {
 
-constexpr int steps = 48;
+constexpr int lines_across = 48;
 
 double length_of(const RayGrid& line)
 {
@@ -25,11 +25,12 @@ std::vector<std::vector<glm::dvec3>> strip_lines(const Sketch& sketch, double wi
                                                  const RayScene& scene)
 {
     const Curve<glm::dvec2> curve = fit_sketch(stroke_points(sketch));
-    const RayGrid center = center_line(curve, steps + 1, sketch.camera, scene, false);
+    const RayGrid center = center_line(curve, lines_across + 1, sketch.camera, scene, false);
     if (!(width > 0)) width = length_of(center) / 5;
-    const Strip strip = strip_round(curve, half_width_px(center, sketch.camera, width, steps + 1));
+    const Strip strip =
+        strip_round(curve, half_width_px(center, sketch.camera, width, lines_across + 1));
     std::vector<double> v;
-    for (int i = 0; i <= steps; ++i) v.insert(v.end(), {0.5, 0.0, 1.0});
+    for (int i = 0; i <= lines_across; ++i) v.insert(v.end(), {0.5, 0.0, 1.0});
     RayGrid grid = shoot(strip, center.a, std::move(v), sketch.camera, scene, false);
     if (grid.missed_share() == 1) return {};
     grid = filled(std::move(grid), Misses::nearest);

@@ -14,9 +14,10 @@ namespace {
 
 constexpr int brush_points = 9;
 constexpr std::size_t brush_steps = 129;
-constexpr double narrowest = 0.1, widest = 2; // what a brush gives, relative to the width
-constexpr double slowness = 0.5;              // the width goes by this power of the slowness
-constexpr double hand_s = 0.08;               // a hand's speed is its mean over this time
+constexpr double thinnest_stroke = 0.1,
+                 thickest_stroke = 2; // what a brush gives, relative to the width
+constexpr double slowness = 0.5;      // the width goes by this power of the slowness
+constexpr double hand_s = 0.08;       // a hand's speed is its mean over this time
 
 // A value given at ascending places, linear in between.
 double between(const std::vector<double>& places, const std::vector<double>& values, double at)
@@ -65,9 +66,11 @@ std::vector<double> brush_factors(const std::vector<StrokeSample>& samples,
         std::nth_element(sorted.begin(), middle, sorted.end());
         const double usual = *middle;
         for (double& v : out)
-            v = usual > 0 && v > 0 ? std::pow(usual / v, slowness) : usual > 0 ? widest : 1;
+            v = usual > 0 && v > 0 ? std::pow(usual / v, slowness)
+                : usual > 0        ? thickest_stroke
+                                   : 1;
     }
-    for (double& v : out) v = std::clamp(v, narrowest, widest);
+    for (double& v : out) v = std::clamp(v, thinnest_stroke, thickest_stroke);
     return out;
 }
 
@@ -141,10 +144,10 @@ std::vector<glm::dvec2> brush_profile(const std::vector<StrokeSample>& samples, 
     }
     const Knots knots = Knots::uniform(3, brush_points);
     std::vector<glm::dvec2> out = fit(knots, shares, wanted, {.smoothing = 1e-6}).points;
-    double least = widest, most = narrowest;
+    double least = thickest_stroke, most = thinnest_stroke;
     for (int i = 0; i < brush_points; ++i) {
         glm::dvec2& p = out[static_cast<std::size_t>(i)];
-        p = {knots.greville(i), std::clamp(p.y, narrowest, widest)};
+        p = {knots.greville(i), std::clamp(p.y, thinnest_stroke, thickest_stroke)};
         least = std::min(least, p.y);
         most = std::max(most, p.y);
     }

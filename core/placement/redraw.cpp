@@ -13,7 +13,6 @@ namespace {
 
 using Samples = std::vector<StrokeSample>;
 
-
 // Shares of the length up to each sample; evenly spread where it has none.
 std::vector<double> shares(const Samples& samples)
 {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double shortest_stroke_px = 8;
 constexpr std::size_t most_points = 1000;
-constexpr int most_control_points = 200;
+constexpr int most_stroke_points = 200;
 
 void check(const Camera& c)
 {
@@ -88,7 +88,7 @@ Knots refined(const Curve<glm::dvec2>& curve, const std::vector<glm::dvec2>& poi
     for (std::size_t b = 0; b < spans.size(); ++b)
         // A half without two samples of its own would swing freely (Schoenberg and Whitney).
         if (spans[b].worst > tolerance_px && spans[b].low >= 2 && spans[b].high >= 2 &&
-            curve.knots.count() + static_cast<int>(more.size()) < most_control_points)
+            curve.knots.count() + static_cast<int>(more.size()) < most_stroke_points)
             more.push_back(middle(b));
     return with(curve.knots, more);
 }

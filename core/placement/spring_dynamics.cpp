@@ -72,7 +72,7 @@ SpringAnimation spring_animation(const Sketch& sketch, const PlacementParameters
                                  const Box& model, const RayScene& scene, Timings& timings)
 {
     const ModelFrame frame = model_frame(parameters, model);
-    Layout layout = lay_out(sketch, parameters, frame, scene, timings);
+    StripLayout layout = lay_out(sketch, parameters, frame, scene, timings);
     ObstacleProblem problem = spring_problem(layout.sheet);
     problem.free = layout.loose;
     const SpringDynamics dynamics =

@@ -37,7 +37,7 @@ struct SpringAnimation {
     Camera camera;
     PlacementParameters parameters;
     ModelFrame frame;
-    Layout layout;
+    StripLayout layout;
     ObstacleProblem problem;
     SpringDynamics dynamics;
     SpringState state;

@@ -10,7 +10,7 @@ namespace trivar {
 namespace {
 
 // The inner rim keeps a tenth of the bend's radius, so that rulings stay apart.
-constexpr double share_of_radius = 0.9;
+constexpr double share_of_turn = 0.9;
 // The rim may approach the middle by half a pixel a pixel: a steeper notch would show.
 constexpr double steepest_rim = 0.5;
 
@@ -61,7 +61,7 @@ Strip strip_round(Curve<glm::dvec2> center, const std::vector<double>& half_widt
             const double k = curvature(jet);
             if (k == 0) continue;
             double& inner = k > 0 ? left[i] : right[i];
-            inner = std::min(inner, share_of_radius / std::abs(k));
+            inner = std::min(inner, share_of_turn / std::abs(k));
         }
         if (i > 0) step_px[i] = glm::length(jet.value - before);
         before = jet.value;

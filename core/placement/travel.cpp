@@ -33,7 +33,8 @@ MiddleLine::MiddleLine(const Surface<glm::dvec3>& contact)
     : length_{0},
       first_(glm::length(evaluate(contact, {0, 0.5}, 1).u)),
       last_(glm::length(evaluate(contact, {1, 0.5}, 1).u)),
-      closed_(ends_meet(contact))
+      closed_(contact.axes[0].closure() != Closure::open || ends_meet(contact)),
+      rounds_to_start_(contact.axes[0].closure() == Closure::twisted ? 2 : 1)
 {
     glm::dvec3 before = evaluate(contact, {0, 0.5}).value;
     for (std::size_t i = 1; i <= chords; ++i) {
@@ -155,8 +156,10 @@ Journey::Place Journey::at(double seconds) const
                           (direction_ > 0 ? most_ - length : length - least_) <= 1e-9 * most_;
         return {line_.u_at(length) - middle_, gone};
     }
-    const double middle = line_.u_at(modulo(length, line_.length()));
-    return {(middle < fill_ / 2 ? middle + 1 : middle) - middle_, false};
+    const double round = std::floor(length / line_.length());
+    const double middle =
+        line_.u_at(modulo(length, line_.length())) + modulo(round, line_.rounds_to_start());
+    return {(middle < fill_ / 2 ? middle + line_.rounds_to_start() : middle) - middle_, false};
 }
 
 double Journey::seconds() const

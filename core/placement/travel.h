@@ -28,11 +28,13 @@ public:
     double length_at(double u) const;                // from u = 0; negative before it
     double u_at(double length) const;
     bool closed() const { return closed_; } // it ends where it begins, and so do the rims
+    double rounds_to_start() const { return rounds_to_start_; } // 2 on a twisted band
 
 private:
     std::vector<double> length_;  // up to u = 0, 1/1024 .. 1
     double first_ = 0, last_ = 0; // metres by u at the ends
     bool closed_ = false;
+    double rounds_to_start_ = 1;
 };
 
 // Where a model is at any time of its travel. The middle of the model goes along the middle line at

@@ -94,7 +94,7 @@ struct PageView {
         y = r.hi.y + theme.px(4);
         ui::paint_text(theme.font.small, {{left, y}, {left + width, y + theme.px(20)}},
                        theme.color.text_3,
-                       ui::elided(theme.font.small, words_of(block.runs), width));
+                       ui::elided(theme.font.small, plain_text(block.runs), width));
         y += theme.px(26);
     }
     void code(const Block& block)

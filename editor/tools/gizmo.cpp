@@ -12,7 +12,7 @@ namespace trivar {
 namespace {
 
 // Lengths in pixels at scale 1.
-constexpr double shaft_from = 16, shaft_to = 74, tip = 90, letter_at = 104;
+constexpr double shaft_from = 16, shaft_to = 74, shaft_end = 90, letter_at = 104;
 constexpr double plane_from = 27, plane_to = 43;
 constexpr double view_ring = 98, center_radius = 8;
 constexpr double head_half = 5.5, box_half = 5.5;
@@ -72,14 +72,15 @@ HandleShape axis_shape(MotionKind kind, const Sketcher& s, const glm::dvec3& d, 
 {
     HandleShape shape{.handle = {Grip::axis, axis}, .opacity = opacity_of(share)};
     shape.line = {s.at(d, shaft_from), s.at(d, shaft_to)};
-    const glm::vec2 along = glm::normalize(s.at(d, tip) - s.center());
+    const glm::vec2 along = glm::normalize(s.at(d, shaft_end) - s.center());
     const glm::vec2 across{-along.y, along.x};
     if (kind == MotionKind::move)
-        shape.area = {s.at(d, tip), s.beside(d, shaft_to, across * static_cast<float>(head_half)),
+        shape.area = {s.at(d, shaft_end),
+                      s.beside(d, shaft_to, across * static_cast<float>(head_half)),
                       s.beside(d, shaft_to, -across * static_cast<float>(head_half))};
     else
         shape.area = s.box(s.at(d, shaft_to + box_half), box_half);
-    shape.letter = s.beside(d, tip, along * static_cast<float>(letter_at - tip));
+    shape.letter = s.beside(d, shaft_end, along * static_cast<float>(letter_at - shaft_end));
     return shape;
 }
 

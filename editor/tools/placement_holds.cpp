@@ -114,6 +114,7 @@ Sketch pulled(const HoldDrag& drag, glm::dvec2 to_px)
 std::vector<HoldPoint> hold_points(const PlacementStep& step, const Placement& placement)
 {
     const PlacementParameters& p = step.parameters;
+    const double w0 = placement.ground;
     std::vector<HoldPoint> out;
     const auto add = [&](HoldKind kind, int index, const glm::dvec3& uvw, const glm::dvec3& base) {
         out.push_back(
@@ -121,23 +122,23 @@ std::vector<HoldPoint> hold_points(const PlacementStep& step, const Placement& p
     };
     int index = 0;
     for (const double u : profile_shares(p.width_profile)) {
-        add(HoldKind::width, index++, {u, 0, 0}, {u, 0.5, 0});
-        add(HoldKind::width, index++, {u, 1, 0}, {u, 0.5, 0});
+        add(HoldKind::width, index++, {u, 0, w0}, {u, 0.5, w0});
+        add(HoldKind::width, index++, {u, 1, w0}, {u, 0.5, w0});
     }
     index = 0;
     for (const double u : profile_shares(p.height_profile))
-        add(HoldKind::height, index++, {u, 0.5, 1}, {u, 0.5, 0});
-    add(HoldKind::contact, 0, {1.0 / 3, 1, 0}, {1.0 / 3, 1, 1});
+        add(HoldKind::height, index++, {u, 0.5, 1}, {u, 0.5, w0});
+    if (!step.round) add(HoldKind::contact, 0, {1.0 / 3, 1, 0}, {1.0 / 3, 1, 1});
     const int places =
         std::clamp(1 + static_cast<int>(std::lround(length_px(step.sketch.samples) / px_a_place)),
                    least_places, most_places);
-    for (int i = 0; i < places; ++i) {
+    for (int i = 0; i < places && !step.round; ++i) {
         const double u = static_cast<double>(i) / (places - 1);
-        add(HoldKind::stroke, i, {u, 0.5, 0}, {u, 0.5, 0});
+        add(HoldKind::stroke, i, {u, 0.5, w0}, {u, 0.5, w0});
     }
     const double end = p.start + p.fill;
-    add(HoldKind::start, 0, {p.start, 0.5, 0}, {p.start + further_in, 0.5, 0});
-    add(HoldKind::end, 0, {end, 0.5, 0}, {end - further_in, 0.5, 0});
+    add(HoldKind::start, 0, {p.start, 0.5, w0}, {p.start + further_in, 0.5, w0});
+    add(HoldKind::end, 0, {end, 0.5, w0}, {end - further_in, 0.5, w0});
     return out;
 }
 

@@ -8,15 +8,15 @@
 namespace trivar {
 namespace {
 
-enum class State { touches, bridges, missed, uneven, folds };
+enum class NodeState { touches, bridges, missed, uneven, folds };
 constexpr double uneven = 1.5; // times the area asked for, or that part of it: seen in a pattern
 
-State state_of(const StripNode& node)
+NodeState state_of(const StripNode& node)
 {
-    if (node.folds) return State::folds;
-    if (node.contact == Contact::missed) return State::missed;
-    if (node.spread > uneven || node.spread < 1 / uneven) return State::uneven;
-    return node.contact == Contact::touches ? State::touches : State::bridges;
+    if (node.folds) return NodeState::folds;
+    if (node.contact == Contact::missed) return NodeState::missed;
+    if (node.spread > uneven || node.spread < 1 / uneven) return NodeState::uneven;
+    return node.contact == Contact::touches ? NodeState::touches : NodeState::bridges;
 }
 
 struct Shown {
@@ -24,15 +24,15 @@ struct Shown {
     ui::Color color;
     float share; // of the light
 };
-Shown shown(const ui::Theme& theme, State state)
+Shown shown(const ui::Theme& theme, NodeState state)
 {
     const ui::Palette& c = theme.color;
     switch (state) {
-    case State::touches: return {"touches", c.stroke, 0.15f};
-    case State::bridges: return {"bridges a gap", c.free_node, 0.1f};
-    case State::missed: return {"meets nothing", c.axis_z, 0.3f};
-    case State::uneven: return {"stretched or squeezed", c.bad, 0.25f};
-    case State::folds: return {"folds", c.bad_fill, 0.8f};
+    case NodeState::touches: return {"touches", c.stroke, 0.15f};
+    case NodeState::bridges: return {"bridges a gap", c.free_node, 0.1f};
+    case NodeState::missed: return {"meets nothing", c.axis_z, 0.3f};
+    case NodeState::uneven: return {"stretched or squeezed", c.bad, 0.25f};
+    case NodeState::folds: return {"folds", c.bad_fill, 0.8f};
     }
     return {"", 0, 0};
 }
@@ -98,7 +98,7 @@ void paint_strip_legend(const ui::Theme& theme, const ui::Rect& picture, const P
     glm::vec2 at{picture.hi.x - theme.px(196), picture.hi.y - theme.px(36)};
     for (std::size_t i = count.size(); i-- > 0;) {
         if (count.at(i) == 0) continue;
-        const Shown state = shown(theme, static_cast<State>(i));
+        const Shown state = shown(theme, static_cast<NodeState>(i));
         const double share =
             100.0 * static_cast<double>(count.at(i)) / static_cast<double>(placement.nodes.size());
         ui::paint_chip(

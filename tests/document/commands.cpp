@@ -122,6 +122,7 @@ std::vector<Command> fitting_commands()
             Ungroup{.object = 4},
             Reorder{.objects = {3, 1}, .parent = 0, .before = 2},
             Place{.object = 2, .sketch = small_sketch(), .parameters = {}, .onto = {1}},
+            PlaceRound{.object = 3, .around = 2, .level = 0.1, .parameters = {.fill = 0.2}},
             EditPlacement{.object = 3, .parameters = flat, .sketch = {}, .onto = {}},
             Unplace{.object = 3},
             SetTravel{.objects = {3}, .travel = {.speed = 0.5, .ends = Ends::loop}},

@@ -48,6 +48,7 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Ungroup Furniture",
         "Reorder Pot and Table",
         "Place Ball on Table",
+        "Lay Pot round Ball",
         "Offset of Pot 1",
         "Take Pot off its stroke",
         "Let Pot travel 0.5 m/s",

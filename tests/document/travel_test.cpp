@@ -136,5 +136,43 @@ TEST(Travel, IsRefusedForWhatIsNotPlacedAndForNonsense)
     EXPECT_THAT(why(SetTime{{1, 9, 0}}), HasSubstr("frames_per_second"));
 }
 
+TEST(PlaceRound, GoesRoundAndRoundAndMovesWithWhatItLiesOn)
+{
+    PlacementParameters p;
+    p.fill = 0.2;
+    const Document still = after(small_document(), PlaceRound{3, 2, 0.1, p});
+    const Document document = after(still, SetTravel{{3}, {.speed = 0.4, .ends = Ends::loop}});
+    Evaluator evaluate = new_evaluator();
+    const Evaluated a = evaluate(document, 1), b = evaluate(document, 90);
+    EXPECT_TRUE(a.objects.at(3)->rejected.empty());
+    EXPECT_TRUE(a.objects.at(3)->notices.empty());
+    EXPECT_NE(digest(a), digest(b));
+    Transform aside = object(document, 2).transform;
+    aside.translation.x += 5;
+    const Evaluated moved = evaluate(after(document, SetTransform{2, aside}), 1);
+    EXPECT_NEAR(moved.objects.at(3)->bounds.lo.x, a.objects.at(3)->bounds.lo.x + 5, 1e-5);
+}
+
+TEST(PlaceRound, SaysWhatItNeeds)
+{
+    const auto why = [](const Document& document, const Command& command) -> std::string {
+        try {
+            after(document, command);
+        } catch (const Rejected& error) {
+            return error.what();
+        }
+        return "";
+    };
+    const Document document = small_document();
+    EXPECT_THAT(why(document, PlaceRound{3, 1, 0, {}}), HasSubstr("no cylinder"));
+    EXPECT_THAT(why(document, PlaceRound{2, 2, 0, {}}), HasSubstr("on itself"));
+    const Document round = after(document, PlaceRound{3, 2, 0, {}});
+    EXPECT_THAT(why(round, EditPlacement{3, {}, {}, std::vector<Id>{1}}), HasSubstr("place_round"));
+    EXPECT_THAT(why(round, PlaceRound{2, 3, 0, {}}), HasSubstr("no cylinder"));
+    // The sphere itself laid down carries nothing round it any more; that is a notice.
+    const Document laid = after(round, Place{2, small_sketch(), {}, {1}});
+    EXPECT_THAT(new_evaluator()(laid).objects.at(3)->rejected, HasSubstr("stands free"));
+}
+
 } // namespace
 } // namespace trivar

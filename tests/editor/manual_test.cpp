@@ -110,7 +110,7 @@ TEST(Markdown, GivesTheBlocksOfAPage)
     EXPECT_EQ(blocks[3].number, 2);
     EXPECT_EQ(blocks[4].level, 2);
     EXPECT_TRUE(blocks[5].header);
-    EXPECT_EQ(words_of(blocks[6].cells[1]), "d");
+    EXPECT_EQ(plain_text(blocks[6].cells[1]), "d");
     EXPECT_EQ(blocks[7].text, "x = 1\ny = 2\n");
     EXPECT_EQ(blocks[8].text, "cat.png");
 }

@@ -49,7 +49,7 @@ struct Lesson : Rig {
     {
         std::string words;
         for (const Block& block : blocks_of(editor.tutorial.note(editor.session)))
-            words += words_of(with_keys(editor, block.runs));
+            words += plain_text(with_keys(editor, block.runs));
         return words;
     }
     double height() const { return object(editor.session.document(), 1).transform.translation.z; }

@@ -6,8 +6,10 @@
 #include <filesystem>
 #include <gtest/gtest.h>
 
-using namespace trivar;
-using trivar::testing::real_data_folder;
+namespace trivar {
+namespace {
+
+using testing::real_data_folder;
 
 TEST(Cages, CarryTheirCreasesInTheObj)
 {
@@ -43,3 +45,6 @@ TEST(RealDataCages, SubdivideToSoundSurfacesInsideTheirCage)
     }
     EXPECT_EQ(tried, 7);
 }
+
+} // namespace
+} // namespace trivar

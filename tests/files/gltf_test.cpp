@@ -8,10 +8,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-using namespace trivar;
-using trivar::testing::real_data_folder;
-
+namespace trivar {
 namespace {
+
+using testing::real_data_folder;
 
 std::string base64(const std::string& bytes)
 {
@@ -55,8 +55,6 @@ Model read(const std::vector<std::string>& views, const std::string& accessors,
 
 const std::string square = bytes<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0});
 const std::string four = R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"})";
-
-} // namespace
 
 TEST(Gltf, TurnsStripsAndFansToTrianglesThatAgree)
 {
@@ -138,3 +136,6 @@ TEST(RealDataMeshes, HaveTheTrianglesTheirSourcesSay)
     EXPECT_EQ(count("face.obj"), 51712u);
     EXPECT_EQ(count("camel.off"), 19536u);
 }
+
+} // namespace
+} // namespace trivar

@@ -12,11 +12,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-using namespace trivar;
-using namespace trivar::testing;
-using ::testing::HasSubstr;
-
+namespace trivar {
 namespace {
+
+using namespace testing;
+using ::testing::HasSubstr;
 
 std::string one_triangle(const std::string& extension)
 {
@@ -53,8 +53,6 @@ std::string gltf(const std::string& rest)
 {
     return R"({"asset":{"version":"2.0"},)" + rest + "}";
 }
-
-} // namespace
 
 class HostileFormats : public ::testing::TestWithParam<const char*> {};
 
@@ -240,16 +238,16 @@ TEST(HostileImages, AreRefusedBeforeTheirPixelsAreAllocated)
 
 TEST(Repairs, AreSaid)
 {
-    const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nv 9 9 9\n";
-    EXPECT_TRUE(notices(square + "f 1 2 3 4\nf 2 5 6 3\n", "a.obj").empty());
-    EXPECT_THAT(notices(square + "f 1 2 3 4\nf 2 5 6 3\nf 1 2\n", "a.obj").at(0),
+    const std::string quad = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nv 9 9 9\n";
+    EXPECT_TRUE(notices(quad + "f 1 2 3 4\nf 2 5 6 3\n", "a.obj").empty());
+    EXPECT_THAT(notices(quad + "f 1 2 3 4\nf 2 5 6 3\nf 1 2\n", "a.obj").at(0),
                 HasSubstr("fewer than three"));
-    EXPECT_THAT(notices(square + "f 1 2 2 3 4\nf 2 5 6 3\n", "a.obj").at(0), HasSubstr("repeat"));
-    EXPECT_THAT(notices(square + "f 1 2 3 4\nf 3 6 5 2\nf 2 5 6 3\n", "a.obj").size(), 0u)
+    EXPECT_THAT(notices(quad + "f 1 2 2 3 4\nf 2 5 6 3\n", "a.obj").at(0), HasSubstr("repeat"));
+    EXPECT_THAT(notices(quad + "f 1 2 3 4\nf 3 6 5 2\nf 2 5 6 3\n", "a.obj").size(), 0u)
         << "edges of three faces decide nothing";
-    EXPECT_THAT(notices(square + "f 1 2 3\nf 1 3 4\nf 3 6 5 2\n", "a.obj").at(0),
+    EXPECT_THAT(notices(quad + "f 1 2 3\nf 1 3 4\nf 3 6 5 2\n", "a.obj").at(0),
                 HasSubstr("turned round"));
-    EXPECT_THAT(notices(square + "f 1 2 3 4\nusemtl none\nf 2 5 6 3\n", "a.obj").at(0),
+    EXPECT_THAT(notices(quad + "f 1 2 3 4\nusemtl none\nf 2 5 6 3\n", "a.obj").at(0),
                 HasSubstr("not defined"));
     EXPECT_THAT(notices("OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n5 5 5\n3 0 1 2\n", "a.off").at(0),
                 HasSubstr("no face uses"));
@@ -283,3 +281,6 @@ TEST(RealDataMalformed, EveryFileIsReadOrRefusedInASentence)
     }
     EXPECT_GT(tried, 40);
 }
+
+} // namespace
+} // namespace trivar

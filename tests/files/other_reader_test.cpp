@@ -8,8 +8,10 @@
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 #include <gtest/gtest.h>
 
-using namespace trivar;
-using namespace trivar::testing;
+namespace trivar {
+namespace {
+
+using namespace testing;
 
 class OtherReader : public ::testing::TestWithParam<const char*> {};
 
@@ -32,3 +34,6 @@ TEST_P(OtherReader, FindsTheSameClosedSurface)
     for (const auto vertex : mesh.vertices()) EXPECT_FALSE(mesh.is_boundary(vertex));
 }
 INSTANTIATE_TEST_SUITE_P(Formats, OtherReader, ::testing::Values(".obj", ".ply", ".stl", ".off"));
+
+} // namespace
+} // namespace trivar

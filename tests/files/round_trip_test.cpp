@@ -11,10 +11,10 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
-using namespace trivar;
-using namespace trivar::testing;
-
+namespace trivar {
 namespace {
+
+using namespace testing;
 
 Model through_file(const Model& model, const std::string& extension)
 {
@@ -47,8 +47,6 @@ Model transformed_sphere()
         sphere.colors.emplace_back(0.5f + sphere.positions[v], 1);
     return single_mesh_model("ball", std::move(sphere));
 }
-
-} // namespace
 
 class PolygonFormats : public ::testing::TestWithParam<const char*> {};
 
@@ -234,3 +232,6 @@ TEST(Reading, CanBeCancelledAtEveryReport)
         }
     }
 }
+
+} // namespace
+} // namespace trivar

@@ -33,6 +33,7 @@ Document applied(Document document, const Group& command);
 Document applied(Document document, const Ungroup& command);
 Document applied(Document document, const Reorder& command);
 Document applied(Document document, const Place& command);
+Document applied(Document document, const PlaceRound& command);
 Document applied(Document document, const EditPlacement& command);
 Document applied(Document document, const Unplace& command);
 Document applied(Document document, const SaveCamera& command);

@@ -2,6 +2,7 @@
 #include "core/base/rejected.h"
 #include "core/document/commands/apply.h"
 #include "core/document/commands/check.h"
+#include "core/document/shapes.h"
 #include "core/placement/profile.h"
 
 #include <cmath>
@@ -127,6 +128,30 @@ Document applied(Document document, const Place& command)
                         [&](Object& o) { o.placement = std::move(step); });
 }
 
+Document applied(Document document, const PlaceRound& command)
+{
+    const Object& placed = object(document, command.object);
+    const Object& base = object(document, command.around);
+    if (is_group(placed))
+        throw Rejected(fmt::format("object {} ({}) is a group; place the objects in it", //
+                                   command.object, placed.name));
+    if (!band_round(base.source, 0, glm::dmat4(1)))
+        throw Rejected(fmt::format("field \"around\": {} is no cylinder, sphere, torus or Moebius "
+                                   "band",
+                                   base.name));
+    if (base.placement)
+        throw Rejected(
+            fmt::format("field \"around\": {} is itself placed; unplace it first", base.name));
+    check_parameters(command.parameters);
+    PlacementStep step{{},
+                       command.parameters,
+                       supports(document, command.object, {command.around}),
+                       true,
+                       command.level};
+    return with_changed(std::move(document), command.object,
+                        [&](Object& o) { o.placement = std::move(step); });
+}
+
 Document applied(Document document, const EditPlacement& command)
 {
     const Object& placed = object(document, command.object);
@@ -137,7 +162,12 @@ Document applied(Document document, const EditPlacement& command)
     if (command.sketch) {
         check_sketch(*command.sketch);
         step.sketch = *command.sketch;
+        step.round = false;
     }
+    if (command.onto && step.round)
+        throw Rejected(fmt::format("field \"onto\": {} goes round object {}; use place_round for "
+                                   "another one",
+                                   placed.name, step.onto.empty() ? 0 : step.onto.front()));
     if (command.onto) step.onto = supports(document, command.object, *command.onto);
     return with_changed(std::move(document), command.object,
                         [&](Object& o) { o.placement = std::move(step); });

@@ -68,6 +68,23 @@ struct Place {
               "ids it lies on; empty: every visible object that does not lie on it");
     }
 };
+struct PlaceRound {
+    static constexpr std::string_view verb = "place_round",
+                                      summary = "Lay an object round a cylinder, a sphere, a torus "
+                                                "or a Moebius band, on a way that closes.";
+    Id object = 0, around = 0;
+    double level = 0;
+    PlacementParameters parameters;
+    bool operator==(const PlaceRound&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("object", c.object, "id of the object to lay down", required);
+        field("around", c.around, "id of what it goes round, by its Z axis", required);
+        field("level", c.level, "metres across from the widest circle of that");
+        field("parameters", c.parameters,
+              "how it lies; springs, misses and clearance have nothing to do here");
+    }
+};
 struct EditPlacement {
     static constexpr std::string_view verb = "edit_placement",
                                       summary = "Change how a placed object lies.";

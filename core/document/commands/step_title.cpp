@@ -241,6 +241,10 @@ struct Titles {
                     support_of(c.object),
                 c.parameters.width > 0 ? in_metres(c.parameters.width) : std::string()};
     }
+    StepTitle operator()(const PlaceRound& c) const
+    {
+        return {"Lay " + name_in(before, c.object) + " round " + name_in(before, c.around), {}};
+    }
     StepTitle operator()(const EditPlacement& c) const
     {
         const std::string name = name_in(before, c.object);
