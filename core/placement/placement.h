@@ -33,11 +33,11 @@ struct PlacementParameters {
     double height = 0;          // of the volume, metres; 0: in proportion to the model
     glm::ivec3 grid{33, 9, 4};  // control points along, across and above the stroke
     glm::ivec3 orders{3, 3, 3}; // 2..6 each
-    double offset = 0;    // 0: F1, extrusion toward the camera; 1: F2, offset along the normals
-    bool springs = true;  // bridge gaps by the obstacle problem
-    double stiffness = 1; // a span of stiffness x length sags by a tenth of the gap, 0.001..1000
-    double bending = 0;   // resistance to bending, relative to stiffness, 0..10
-    int neighborhood = 3; // grid steps round a rough node that are let loose
+    double offset = 0;       // 0: F1, extrusion toward the camera; 1: F2, offset along the normals
+    bool springs = true;     // bridge gaps by the obstacle problem
+    double stiffness = 0.25; // a span of stiffness x length sags by a tenth of the gap, 0.001..1000
+    double bending = 0;      // resistance to bending, relative to stiffness, 0..10
+    int neighborhood = 3;    // grid steps round a rough node that are let loose
     double roughness_deg = 20; // angle between neighbouring faces that counts as rough, 1..90
     bool free_ends = false;    // the first and the last row of nodes may move too
     Misses misses = Misses::membrane;

@@ -57,7 +57,9 @@ void volume_rows(ValueRows& rows, PlacementParameters& p, const PlacementReport*
             value = 0;
             return rows.take(ui::Edit::changed);
         }
-        const ui::Edit one = ui::number_field(rows.theme, label, shown, size(present), at.width);
+        ui::NumberStyle style = size(present);
+        if (value == 0) style.words = style.zero;
+        const ui::Edit one = ui::number_field(rows.theme, label, shown, style, at.width);
         value = one == ui::Edit::changed ? shown : before;
         rows.take(one);
     };

@@ -43,6 +43,20 @@ void measure_chips(const ui::Theme& theme, glm::vec2 at, const Placement* placem
                    {fmt::format("width {} m", ui::short_number(report.width_world))});
 }
 
+// What carries a model that was laid: a node of it touches the scene there. It is furniture, though
+// it was never placed itself.
+bool carries(const EvaluatedObject& furniture, const Evaluated& evaluated)
+{
+    const double slack = 0.01 * glm::length(furniture.bounds.size());
+    return std::ranges::any_of(evaluated.objects, [&](const auto& entry) {
+        return entry.second->placement &&
+               std::ranges::any_of(entry.second->placement->nodes, [&](const StripNode& node) {
+                   return node.contact == Contact::touches &&
+                          furniture.bounds.distance(node.p_world) <= slack;
+               });
+    });
+}
+
 } // namespace
 
 Id model_to_place(const Session& session, Id chosen)
@@ -56,7 +70,12 @@ Id model_to_place(const Session& session, Id chosen)
         if (!can_be_placed(document, id) || each->hidden || locked(document, id)) continue;
         if (oldest == 0) oldest = id;
         newest = id;
-        if (id != oldest && !each->placement) newest_loose = id;
+        if (id == oldest || each->placement) continue;
+        const auto shown = session.evaluated().objects.find(id);
+        if (shown != session.evaluated().objects.end() &&
+            carries(*shown->second, session.evaluated()))
+            continue;
+        newest_loose = id;
     }
     if (session.selected != oldest && can_be_placed(document, session.selected) &&
         !locked(document, session.selected))
@@ -176,7 +195,7 @@ void PlaceTool::finish(Session& session)
         session.commit_if_placed(model_);
     else
         session.cancel();
-    session.selected = model_;
+    if (object(session.document(), model_).placement) session.selected = model_;
 }
 
 void PlaceTool::cancel(Session& session)
@@ -218,7 +237,7 @@ void PlaceTool::overlay(const Session& session, const ui::Theme& theme,
     if (drawing_) return paint_stroke(session, theme, input);
     if (const EvaluatedObject* laid = selected_placement(session);
         laid && handles_.shown(session)) {
-        paint_nodes(theme, input, session.camera, *laid->placement);
+        paint_nodes(theme, input, session.camera, *laid->placement, Nodes::trouble);
         paint_strip_legend(theme, input.rect, *laid->placement);
     }
     handles_.overlay(session, theme, input);
@@ -249,7 +268,7 @@ void PlaceTool::paint_stroke(const Session& session, const ui::Theme& theme,
                        static_cast<float>(std::clamp(width_px, 2.0, 400.0)));
         const double share = brush_ == Brush::pressure ? 2 * pressure_ : 1;
         radius_px = std::clamp(width_px / 2 * share, radius_px, 200.0);
-        paint_nodes(theme, input, session.camera, *placement);
+        paint_nodes(theme, input, session.camera, *placement, Nodes::all);
         paint_strip_legend(theme, input.rect, *placement);
     }
     ui::paint_path(path, theme.color.halo, theme.line(5));

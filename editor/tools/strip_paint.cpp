@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <map>
 
 namespace trivar {
 namespace {
@@ -49,7 +50,7 @@ gpu::Translucent strip_veil(const Placement& placement, const ui::Theme& theme)
     for (std::uint32_t k = 0; k < placement.nodes.size(); ++k) {
         const std::uint32_t i = k / columns, j = k % columns;
         const glm::dvec3 uvw(axes[0].greville(static_cast<int>(i)),
-                             axes[1].greville(static_cast<int>(j)), over);
+                             axes[1].greville(static_cast<int>(j)), placement.ground + over);
         veil.points.emplace_back(evaluate(placement.volume, uvw).value);
         const Shown state = shown(theme, state_of(placement.nodes[k]));
         veil.colors.push_back(ui::linear_light(ui::faded(state.color, state.share)));
@@ -61,11 +62,13 @@ gpu::Translucent strip_veil(const Placement& placement, const ui::Theme& theme)
 }
 
 void paint_nodes(const ui::Theme& theme, const ViewportInput& input, const Camera& camera,
-                 const Placement& placement)
+                 const Placement& placement, Nodes which)
 {
+    constexpr float apart_px = 14; // closer dots would hide the model
     const int columns = placement.node_columns;
     if (columns < 1) return;
     const float px = theme.scale;
+    std::map<int, glm::vec2> last; // dot of a column
     for (std::size_t k = 0; k < placement.nodes.size(); ++k) {
         const int column = static_cast<int>(k) % columns;
         const StripNode& node = placement.nodes[k];
@@ -75,6 +78,12 @@ void paint_nodes(const ui::Theme& theme, const ViewportInput& input, const Camer
         const Projected p = project(camera, node.p_world);
         if (p.depth_world <= 0) continue;
         const glm::vec2 at = input.rect.lo + glm::vec2(p.p_px);
+        if (!node.folds) {
+            if (which == Nodes::trouble && node.contact != Contact::missed) continue;
+            const auto [before, first] = last.try_emplace(column, at);
+            if (!first && glm::distance(before->second, at) < apart_px * px) continue;
+            before->second = at;
+        }
         if (node.folds) {
             for (const glm::vec2 arm : {glm::vec2(4, 4), {4, -4}}) {
                 ui::paint_line(at - arm * px, at + arm * px, theme.color.halo, 4 * px);
@@ -95,7 +104,7 @@ void paint_strip_legend(const ui::Theme& theme, const ui::Rect& picture, const P
     std::array<std::size_t, 5> count{};
     for (const StripNode& node : placement.nodes)
         ++count.at(static_cast<std::size_t>(state_of(node)));
-    glm::vec2 at{picture.hi.x - theme.px(196), picture.hi.y - theme.px(36)};
+    glm::vec2 at{picture.lo.x + theme.px(16), picture.hi.y - theme.px(36)};
     for (std::size_t i = count.size(); i-- > 0;) {
         if (count.at(i) == 0) continue;
         const Shown state = shown(theme, static_cast<NodeState>(i));

@@ -11,12 +11,14 @@ namespace trivar {
 // half, or folds.
 gpu::Translucent strip_veil(const Placement& placement, const ui::Theme& theme);
 
-// The nodes of its rims and middle: solid where it touches the scene, hollow where it bridges or
-// nothing was met; and a cross wherever the volume folds.
+// The nodes of its rims and middle, as close as can be told apart: solid where it touches the
+// scene, hollow where it bridges or nothing was met; and a cross wherever the volume folds.
+// `trouble`: only those that met nothing, and the crosses.
+enum class Nodes { all, trouble };
 void paint_nodes(const ui::Theme& theme, const ViewportInput& input, const Camera& camera,
-                 const Placement& placement);
+                 const Placement& placement, Nodes which);
 
-// What the colours mean, of those that occur; at the lower right of the picture.
+// What the colours mean, of those that occur; at the lower left of the picture.
 void paint_strip_legend(const ui::Theme& theme, const ui::Rect& picture,
                         const Placement& placement);
 

@@ -275,6 +275,26 @@ TEST(EditorWindow, AKeptViewShowsAllOfItsPicture)
     EXPECT_EQ(now.eye, wide.eye);
 }
 
+TEST(EditorWindow, WhatCarriesALaidModelIsNotLaidByItself)
+{
+    Rig rig;
+    rig.two_objects(); // a plane, and a box over it
+    AddBox table;
+    table.transform.translation = {0, 0, -0.4}; // its top is over the plane
+    ASSERT_TRUE(rig.editor.session.run(table));
+    rig.wait();
+    rig.editor.session.selected = 0;
+    EXPECT_EQ(model_to_place(rig.editor.session, 0), 3) << "the newest that is not placed";
+    const Camera& camera = rig.editor.session.camera;
+    const auto at = [&](double x) { return project(camera, glm::dvec3(x, 0, 0.1)).p_px; };
+    Sketch over{camera, {}};
+    for (int i = 0; i <= 20; ++i) over.samples.push_back({at(-0.4 + 0.04 * i), 0.02 * i});
+    ASSERT_TRUE(rig.editor.session.run(Place{2, over, {}, {}}));
+    rig.wait();
+    rig.editor.session.selected = 0;
+    EXPECT_EQ(model_to_place(rig.editor.session, 0), 2) << "the table is furniture now";
+}
+
 TEST(EditorWindow, RedoSelectsWhatItBringsBackAndTheOldestModelIsNotLaidByItself)
 {
     Rig rig;
