@@ -16,8 +16,6 @@ set(TRIVAR_SANITIZE "" CACHE STRING "sanitizers to build with: address,undefined
 # Contraction would let the compiler fuse a*b+c at will, so that bits differ between compilers.
 add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast
                     -Werror -ffp-contract=off)
-# A class of a source may have a member of that source's own: said wrongly of sources compiled together.
-add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 if(TRIVAR_SANITIZE)
   set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O1 -g1") # finds the same, and builds in half the time
   add_compile_options(-fsanitize=${TRIVAR_SANITIZE} -fno-omit-frame-pointer)

@@ -7,6 +7,7 @@
 #include "core/document/commands/material.h"
 #include "core/document/commands/place.h"
 #include "core/document/commands/primitives.h"
+#include "core/document/commands/travel.h"
 #include "core/document/commands/view.h"
 
 #include <string>

@@ -65,11 +65,12 @@ Id model_to_place(const Session& session, Id chosen)
     if (can_be_placed(document, chosen)) return chosen;
     // The oldest is what the others are laid on: only what came later is meant, even where a click
     // selected the oldest.
-    Id oldest = 0, newest = 0, newest_loose = 0;
+    Id oldest = 0, newest = 0, newest_loose = 0, newest_laid = 0;
     for (const auto& [id, each] : document.objects) {
         if (!can_be_placed(document, id) || each->hidden || locked(document, id)) continue;
         if (oldest == 0) oldest = id;
         newest = id;
+        if (each->placement) newest_laid = id;
         if (id == oldest || each->placement) continue;
         const auto shown = session.evaluated().objects.find(id);
         if (shown != session.evaluated().objects.end() &&
@@ -80,7 +81,8 @@ Id model_to_place(const Session& session, Id chosen)
     if (session.selected != oldest && can_be_placed(document, session.selected) &&
         !locked(document, session.selected))
         return session.selected;
-    return newest_loose != 0 ? newest_loose : newest;
+    if (newest_loose != 0) return newest_loose;
+    return newest_laid != 0 ? newest_laid : newest;
 }
 
 const char* PlaceTool::icon() const

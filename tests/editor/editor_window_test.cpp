@@ -292,6 +292,9 @@ TEST(EditorWindow, WhatCarriesALaidModelIsNotLaidByItself)
     ASSERT_TRUE(rig.editor.session.run(Place{2, over, {}, {}}));
     rig.wait();
     rig.editor.session.selected = 0;
+    const EvaluatedObject& box = *rig.editor.session.evaluated().objects.at(2);
+    ASSERT_TRUE(box.placement) << box.rejected;
+    EXPECT_GT(box.placement->report.contact_share, 0.5);
     EXPECT_EQ(model_to_place(rig.editor.session, 0), 2) << "the table is furniture now";
 }
 

@@ -110,38 +110,6 @@ struct Unplace {
     static void fields(auto& c, auto&& field) { field("object", c.object, "id", required); }
 };
 
-template <> struct FieldsOf<Travel> {
-    static void fields(auto& t, auto&& field)
-    {
-        field("speed", t.speed,
-              "metres a second along the middle of its volume, the way it looks; negative: "
-              "backwards; 0: it rests",
-              between(-1e6, 1e6));
-        field("ends", t.ends,
-              "what it does where its stroke ends; loop: goes on from the other end");
-        field("ease_in", t.ease_in, "seconds from rest to that speed", between(0, 1e6));
-        field("ease_out", t.ease_out, "seconds from that speed to rest, where it stops or turns",
-              between(0, 1e6));
-        field("start_frame", t.start_frame, "the frame in which it sets out",
-              between(-999999, 999999));
-        field("duration", t.duration, "seconds after which it stops wherever it is; 0: no limit",
-              between(0, 1e6));
-    }
-};
-struct SetTravel {
-    static constexpr std::string_view verb = "set_travel",
-                                      summary = "Let placed objects travel along their strokes, "
-                                                "or rest.";
-    std::vector<Id> objects;
-    Travel travel;
-    bool operator==(const SetTravel&) const = default;
-    static void fields(auto& c, auto&& field)
-    {
-        field("objects", c.objects, "ids of placed objects", required);
-        FieldsOf<Travel>::fields(c.travel, field);
-    }
-};
-
 template <> struct FieldsOf<Sketch> {
     static void fields(auto& s, auto&& field)
     {
