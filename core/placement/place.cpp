@@ -34,7 +34,7 @@ std::vector<std::string> notices(const PlacementReport& r, const Extrusion& e,
     if (r.missed_share > 0)
         out.push_back(fmt::format("{:.0f} % of the strip meets nothing and was bridged",
                                   std::max(1.0, 100 * r.missed_share)));
-    constexpr double far_off = 0.25; // of the length: no bridge any more
+    constexpr double far_off = 0.5; // of the length: no bridge any more
     if (p.springs && r.largest_gap > far_off * r.length_world)
         out.push_back(fmt::format("it hangs up to {:.2g} m over the scene; make the springs less "
                                   "stiff, or let it follow the scene",
