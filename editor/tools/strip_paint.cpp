@@ -104,7 +104,8 @@ void paint_strip_legend(const ui::Theme& theme, const ui::Rect& picture, const P
     std::array<std::size_t, 5> count{};
     for (const StripNode& node : placement.nodes)
         ++count.at(static_cast<std::size_t>(state_of(node)));
-    glm::vec2 at{picture.lo.x + theme.px(16), picture.hi.y - theme.px(36)};
+    // Under the buttons of navigation: below are notices, at the left what can be adjusted.
+    glm::vec2 at{picture.hi.x - theme.px(196), picture.lo.y + theme.px(188)};
     for (std::size_t i = count.size(); i-- > 0;) {
         if (count.at(i) == 0) continue;
         const Shown state = shown(theme, static_cast<NodeState>(i));
@@ -113,7 +114,7 @@ void paint_strip_legend(const ui::Theme& theme, const ui::Rect& picture, const P
         ui::paint_chip(
             theme, at,
             {fmt::format("{} {:.0f} %", state.words, std::max(1.0, share)), state.color});
-        at.y -= theme.px(28);
+        at.y += theme.px(28);
     }
 }
 

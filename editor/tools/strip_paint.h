@@ -18,7 +18,7 @@ enum class Nodes { all, trouble };
 void paint_nodes(const ui::Theme& theme, const ViewportInput& input, const Camera& camera,
                  const Placement& placement, Nodes which);
 
-// What the colours mean, of those that occur; at the lower left of the picture.
+// What the colours mean, of those that occur; at the right of the picture.
 void paint_strip_legend(const ui::Theme& theme, const ui::Rect& picture,
                         const Placement& placement);
 
