@@ -153,13 +153,11 @@ Placement place_round(const Band& band, const PlacementParameters& p, const Box&
         Knots::periodic(p.orders.x, p.grid.x, 0, 1,
                         band.twisted() ? Closure::twisted : Closure::periodic),
         Knots::uniform(p.orders.y, p.grid.y), Knots::uniform(p.orders.z, p.grid.z)};
-    Sizes flat = sizes;
-    flat.height = 0;
-    const Trivariate<glm::dvec3> sheet =
-        interpolated(band, flat, {axes[0], axes[1], Knots::uniform(2, 2)});
-    Surface<glm::dvec3> contact{{axes[0], axes[1]}, {}};
-    for (std::size_t i = 0; i < sheet.points.size(); i += 2)
-        contact.points.push_back(sheet.points[i]);
+    std::vector<glm::dvec3> ground;
+    for (const double u : greville_sites(axes[0]))
+        for (const double v : greville_sites(axes[1]))
+            ground.push_back(at(band, sizes, {u, v, sizes.ground}));
+    const Surface<glm::dvec3> contact = interpolate(std::array{axes[0], axes[1]}, ground);
     Placement out{contact,
                   lattice_through(interpolated(band, sizes, axes)),
                   {},

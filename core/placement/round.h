@@ -27,8 +27,8 @@ struct Band {
 // after one round the model walks on its other side. The model stands on the surface with its +z
 // up and +x along the way, from start * the way on; what it is given of the parameters are sizes,
 // profiles, grid, orders, start, fill, reverse and roll. The grid interpolates, so the error falls
-// with the order'th power of the spacing. Throws Rejected for a band that is wider than its surface
-// is long, or a volume that reaches its axis.
+// with the order'th power of the spacing. Throws Rejected for what is mirrored, and for a strip
+// wider than its surface goes on; a volume that folds says so in the notices. O(control points).
 Placement place_round(const Band& band, const PlacementParameters& parameters, const Box& model);
 
 } // namespace trivar

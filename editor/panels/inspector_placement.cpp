@@ -169,9 +169,9 @@ void draw_placement(Editor& editor, const ui::Theme& theme, Id id)
     };
     part("Volume", true,
          [&] { volume_rows(rows, p, placement ? &placement->report : nullptr, editor); });
-    part("Springs", true, [&] { spring_rows(rows, p); });
+    if (!each.placement->round) part("Springs", true, [&] { spring_rows(rows, p); });
     part("Fit", true, [&] { fit_rows(rows, p); });
-    part("Contact", false, [&] { contact_rows(rows, p); });
+    if (!each.placement->round) part("Contact", false, [&] { contact_rows(rows, p); });
     draw_travel(editor, theme, id);
     if (placement) part("Checks", true, [&] { report_rows(theme, placement->report); });
     propose_edit(editor, rows.edit, [&] { return EditPlacement{id, p, {}, {}}; });
