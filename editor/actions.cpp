@@ -5,6 +5,7 @@
 #include "editor/editor.h"
 #include "editor/file_actions.h"
 #include "editor/help_actions.h"
+#include "editor/new_material.h"
 #include "editor/reset_actions.h"
 #include "editor/selection_actions.h"
 #include "editor/time_actions.h"
@@ -23,7 +24,9 @@ template <class Add> Action add_action(const std::string& name)
     return {"Add", name, {}, [](Editor& e) {
                 const Id id = e.session.committed().next_id;
                 const bool first = e.session.committed().objects.empty();
-                if (!e.session.run(Add{})) return;
+                Add add;
+                add.material = new_material;
+                if (!e.session.run(add)) return;
                 e.session.selected = id;
                 if (first) e.session.frame_all_when_evaluated = true;
             }};

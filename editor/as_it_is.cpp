@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/as_it_is.h"
 
+#include "editor/new_material.h"
+
 namespace trivar {
 
 std::optional<Command> as_it_is(const Command& kind, Id id, const Document& document)
@@ -28,6 +30,7 @@ Command about(Command command, const std::vector<Id>& ids)
         [&](auto& c) {
             if constexpr (requires { c.objects; }) c.objects = ids;
             if constexpr (requires { c.object; }) c.object = ids.empty() ? 0 : ids.back();
+            if constexpr (requires { c.material; }) c.material = new_material;
         },
         command);
     return command;

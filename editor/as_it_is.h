@@ -13,7 +13,8 @@ namespace trivar {
 // object. Nothing for other kinds, and where the object has no such thing.
 std::optional<Command> as_it_is(const Command& kind, Id object, const Document& document);
 
-// The command about those objects; of one that takes one object, about the last.
+// The command about those objects; of one that takes one object, about the last. What it adds looks
+// as new things do.
 Command about(Command command, const std::vector<Id>& objects);
 bool is_about_objects(const Command& command);
 

@@ -40,9 +40,9 @@ std::string words_of(std::string_view verb)
 // Commands that an action or a tool runs already, with all that they need.
 bool has_an_action(std::string_view verb)
 {
-    constexpr std::array<std::string_view, 9> known{"import",    "rename",  "delete",
-                                                    "duplicate", "group",   "ungroup",
-                                                    "place",     "unplace", "arrange"};
+    constexpr std::array<std::string_view, 10> known{"import",    "rename", "delete",  "paste",
+                                                     "duplicate", "group",  "ungroup", "place",
+                                                     "unplace",   "arrange"};
     return verb.starts_with("add_") || std::ranges::find(known, verb) != known.end();
 }
 

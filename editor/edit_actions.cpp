@@ -2,9 +2,11 @@
 #include "editor/edit_actions.h"
 
 #include "editor/chords.h"
+#include "editor/clipboard.h"
 #include "editor/editor.h"
 
 #include <algorithm>
+#include <imgui.h>
 
 namespace trivar {
 namespace {
@@ -13,6 +15,56 @@ namespace {
 std::vector<Id> chosen(const Editor& e)
 {
     return topmost(e.session.document(), e.session.selected.ids());
+}
+
+// The chosen ones that are not locked; a notice where there is none.
+std::vector<Id> deletable(Editor& e, const char* title)
+{
+    std::vector<Id> ids = chosen(e);
+    std::erase_if(ids, [&](Id id) { return locked(e.session.document(), id); });
+    if (ids.empty())
+        e.session.notices.say(ui::NoticeKind::warning, title,
+                              "What is selected is locked. Unlock it first.");
+    return ids;
+}
+
+void copy_objects(Editor& e, const std::vector<Id>& ids, const char* verb)
+{
+    ImGui::SetClipboardText(clipboard_text(e.session, ids).c_str());
+    e.session.notices.say(ui::NoticeKind::good,
+                          said_of(e.session.document(), ids) +
+                              (ids.size() == 1 ? " was " : " were ") + verb,
+                          {}, of_clipboard);
+}
+
+void cut_objects(Editor& e)
+{
+    const std::vector<Id> ids = deletable(e, "Nothing was cut");
+    if (ids.empty()) return;
+    copy_objects(e, ids, "cut");
+    e.session.run(Delete{ids});
+}
+
+// Lines that are selected in the log are what is copied, by the log.
+bool log_has_the_keys(const Editor& e)
+{
+    return e.log_lines.from && e.tab == Editor::Tab::log && e.preferences.show_dock && !e.only_view;
+}
+
+void add_clipboard_actions(std::vector<Action>& a)
+{
+    a.push_back({"Edit", "Cut", {ctrl('X')}, cut_objects, something_selected(), true});
+    a.push_back({"Edit",
+                 "Copy",
+                 {ctrl('C')},
+                 [](Editor& e) {
+                     if (!log_has_the_keys(e)) copy_objects(e, chosen(e), "copied");
+                 },
+                 something_selected()});
+    a.push_back({"Edit", "Paste", {ctrl('V')}, [](Editor& e) {
+                     const char* text = ImGui::GetClipboardText();
+                     paste_text(e.session, text ? text : "");
+                 }});
 }
 
 } // namespace
@@ -34,6 +86,7 @@ void add_edit_actions(std::vector<Action>& a)
                       return h.position() < h.steps().size();
                   },
                   "nothing was undone"}});
+    add_clipboard_actions(a);
     a.push_back({"Edit",
                  "Duplicate",
                  {{.key = 'D', .shift = true}},
@@ -117,13 +170,8 @@ void add_edit_actions(std::vector<Action>& a)
                  "Delete",
                  {{ui::key_delete}},
                  [](Editor& e) {
-                     std::vector<Id> ids = chosen(e);
-                     std::erase_if(ids, [&](Id id) { return locked(e.session.document(), id); });
-                     if (!ids.empty())
-                         e.session.run(Delete{ids});
-                     else
-                         e.session.notices.say(ui::NoticeKind::warning, "Nothing was deleted",
-                                               "What is selected is locked. Unlock it first.");
+                     const std::vector<Id> ids = deletable(e, "Nothing was deleted");
+                     if (!ids.empty()) e.session.run(Delete{ids});
                  },
                  something_selected()});
     a.push_back({"Edit",

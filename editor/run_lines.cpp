@@ -9,16 +9,12 @@
 #include <vector>
 
 namespace trivar {
-namespace {
 
-// What a scene says of itself.
 bool is_no_step(std::string_view line)
 {
     return line.empty() || line.starts_with("{\"trivar\"") || line.starts_with("{\"digest\"") ||
            line.starts_with("{\"effects\"");
 }
-
-} // namespace
 
 std::string run_typed(Session& session, std::string_view text)
 {

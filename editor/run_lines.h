@@ -8,6 +8,9 @@
 
 namespace trivar {
 
+// A line that is empty, or what a scene says of itself.
+bool is_no_step(std::string_view line);
+
 // Runs what a person typed; why it was refused, or nothing.
 std::string run_typed(Session& session, std::string_view line);
 

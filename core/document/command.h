@@ -5,6 +5,7 @@
 #include "core/document/commands/arrange.h"
 #include "core/document/commands/import.h"
 #include "core/document/commands/material.h"
+#include "core/document/commands/paste.h"
 #include "core/document/commands/place.h"
 #include "core/document/commands/primitives.h"
 #include "core/document/commands/travel.h"
@@ -17,11 +18,12 @@
 namespace trivar {
 
 // Everything that a person can do to a document, by value.
-using Command = std::variant<ImportModel, EditImport, Relink, AddPlane, AddBox, AddSphere,
-                             AddCylinder, AddTorus, AddMoebius, AddTeapot, SetTransform, Arrange,
-                             SetMaterial, ClearMaterial, Rename, Hide, Show, Lock, Unlock, Delete,
-                             Duplicate, Group, Ungroup, Reorder, Place, PlaceRound, EditPlacement,
-                             Unplace, SetTravel, SaveCamera, DeleteCamera, SetRender, SetTime>;
+using Command =
+    std::variant<ImportModel, EditImport, Relink, AddPlane, AddBox, AddSphere, AddCylinder,
+                 AddTorus, AddMoebius, AddTeapot, SetTransform, Arrange, SetMaterial, ClearMaterial,
+                 Rename, Hide, Show, Lock, Unlock, Delete, Duplicate, Group, Ungroup, Reorder,
+                 Place, PlaceRound, EditPlacement, Unplace, SetTravel, Paste, SaveCamera,
+                 DeleteCamera, SetRender, SetTime>;
 
 // The document after the command; objects that it does not touch keep their pointer. Pure: reads
 // no file. Throws Rejected (the field, what is wrong, what would be right) and nothing happened.

@@ -42,6 +42,9 @@ Command prepare(Command command, const AssetStore& assets, const Progress& progr
             import->name = std::filesystem::path(import->file.path).stem().string();
     } else if (auto* edit = std::get_if<EditImport>(&command)) {
         edit->file = prepared(std::move(edit->file), assets, progress);
+    } else if (auto* paste = std::get_if<Paste>(&command)) {
+        for (CopiedObject& copy : paste->copies) // what is missing is told of each object
+            if (copy.file) copy.file->path = path_in_log(copy.file->path, assets.folder());
     }
     return command;
 }

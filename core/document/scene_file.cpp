@@ -28,6 +28,9 @@ template <class C> auto files_of(C& command)
     if (auto* edit = std::get_if<EditImport>(&command)) files.push_back(&edit->file);
     if (auto* relink = std::get_if<Relink>(&command))
         for (auto& file : relink->files) files.push_back(&file);
+    if (auto* paste = std::get_if<Paste>(&command))
+        for (auto& copy : paste->copies)
+            if (copy.file) files.push_back(&*copy.file);
     return files;
 }
 

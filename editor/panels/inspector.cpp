@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/inspect.h"
 
+#include "editor/new_material.h"
 #include "editor/panels/panels.h"
 #include "ui/icons.h"
 #include "ui/notices.h"
@@ -233,7 +234,7 @@ void draw_material(Editor& editor, const ui::Theme& theme, Id id)
         if (own)
             editor.session.run(ClearMaterial{{id}});
         else
-            editor.session.run(SetMaterial{{id}, Surfacing{}});
+            editor.session.run(SetMaterial{{id}, new_material});
         return;
     }
     if (own) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/new_material.h"
 #include "editor/panels/inspect.h"
 #include "editor/panels/panels.h"
 #include "editor/tools/motion.h"
@@ -91,7 +92,7 @@ void material(Editor& editor, const ui::Theme& theme)
         if (own)
             editor.session.run(ClearMaterial{ids});
         else
-            editor.session.run(SetMaterial{ids, Surfacing{}});
+            editor.session.run(SetMaterial{ids, new_material});
         return;
     }
     if (!same) ui::fact_row(theme, "Values", "mixed");

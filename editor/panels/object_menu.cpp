@@ -14,7 +14,12 @@ constexpr std::string_view rule = "-";
 
 const std::vector<std::string_view> with_objects{"Frame selection",
                                                  "Rename",
+                                                 rule,
+                                                 "Cut",
+                                                 "Copy",
+                                                 "Paste",
                                                  "Duplicate",
+                                                 rule,
                                                  "Group",
                                                  "Ungroup",
                                                  "Take off the stroke",
@@ -24,8 +29,8 @@ const std::vector<std::string_view> with_objects{"Frame selection",
                                                  "Lock or unlock",
                                                  rule,
                                                  "Delete"};
-const std::vector<std::string_view> with_nothing{"Frame all", "Select all",    "Show all",
-                                                 rule,        add_action_name, "Import model..."};
+const std::vector<std::string_view> with_nothing{
+    "Frame all", "Select all", "Show all", rule, "Paste", add_action_name, "Import model..."};
 
 // How menus are spaced, as long as it lives.
 struct MenuStyle {

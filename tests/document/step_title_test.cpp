@@ -52,6 +52,7 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Offset of Pot 1",
         "Take Pot off its stroke",
         "Let Pot travel 0.5 m/s",
+        "Paste 3 objects",
         "Keep side",
         "Forget front",
         "Look clay",

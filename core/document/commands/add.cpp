@@ -15,7 +15,7 @@ template <class Shape> Document added(Document document, const AddShape<Shape>& 
     return with_added(std::move(document), {.name = command.name,
                                             .source = command.shape,
                                             .transform = command.transform,
-                                            .surfacing = {},
+                                            .surfacing = command.material,
                                             .placement = {}});
 }
 

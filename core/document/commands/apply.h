@@ -41,6 +41,7 @@ Document applied(Document document, const DeleteCamera& command);
 Document applied(Document document, const SetRender& command);
 Document applied(Document document, const SetTime& command);
 Document applied(Document document, const SetTravel& command);
+Document applied(Document document, const Paste& command);
 
 // The ids of a list. Throws Rejected if it is empty, an object does not exist or is named twice.
 std::set<Id> distinct(const Document& document, const std::vector<Id>& ids);
@@ -66,6 +67,12 @@ Document with_added(Document document, Object object);
 
 // Those and everything inside the groups among them.
 std::set<Id> with_contents(const Document& document, std::set<Id> ids);
+
+// Throws Rejected where groups nest too deep below it.
+void check_depth(const Document& document, Id group);
+
+// Whether something visible is there that a stroke of it could fall on.
+bool could_lie(const Document& document, Id id);
 
 void check_transform(const Transform& transform);
 // Rotation, scale and translation of an affine matrix; what shear it has is lost.

@@ -1,38 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
 #include "core/document/commands/apply.h"
+#include "core/document/commands/numbering.h"
 
 #include <algorithm>
 #include <fmt/format.h>
 
 namespace trivar {
 namespace {
-
-// "Snake" gives "Snake 2", "Snake 2" gives "Snake 3": the first number that no object has yet.
-class Numbering {
-public:
-    explicit Numbering(const Document& document)
-    {
-        for (const auto& [id, ref] : document.objects) taken_.insert(ref->name);
-    }
-    std::string next(const std::string& name)
-    {
-        std::string stem = name;
-        const std::size_t space = name.rfind(' ');
-        if (space != std::string::npos && space > 0 && space + 1 < name.size() &&
-            name.find_first_not_of("0123456789", space + 1) == std::string::npos)
-            stem.resize(space);
-        int& number = numbers_.try_emplace(stem, 2).first->second;
-        std::string candidate;
-        do candidate = fmt::format("{} {}", stem, number++);
-        while (!taken_.insert(candidate).second);
-        return candidate;
-    }
-
-private:
-    std::set<std::string> taken_;
-    std::map<std::string, int> numbers_;
-};
 
 // Shows those, what they are in and, as far as it is not hidden by itself, what is in them.
 Document with_only(Document document, const std::set<Id>& chosen)

@@ -53,14 +53,14 @@ std::vector<Id> outermost(const Document& document, const std::vector<Id>& ids)
     return result;
 }
 
+} // namespace
+
 void check_depth(const Document& document, Id group)
 {
     for (const Id id : with_contents(document, {group}))
         if (depth(document, id) > deepest)
             throw Rejected(fmt::format("groups nest at most {} deep", deepest));
 }
-
-} // namespace
 
 Document applied(Document document, const Group& command)
 {

@@ -5,6 +5,18 @@
 
 namespace trivar {
 
+template <> struct FieldsOf<Surfacing> {
+    static void fields(auto& s, auto&& field)
+    {
+        field("base_color", s.base_color, "linear red, green, blue and opacity", between(0, 1));
+        field("metallic", s.metallic, "0: not a metal, 1: a metal", between(0, 1));
+        field("roughness", s.roughness, "0: a mirror, 1: chalk", between(0, 1));
+        field("solid", s.solid,
+              "what fills it and deforms with it; the colour tints it, its roughness is its own",
+              later);
+    }
+};
+
 struct SetMaterial {
     static constexpr std::string_view verb = "set_material",
                                       summary = "Cover objects with one plain material.";
@@ -14,13 +26,7 @@ struct SetMaterial {
     static void fields(auto& c, auto&& field)
     {
         field("objects", c.objects, "ids", required);
-        field("base_color", c.surfacing.base_color, "linear red, green, blue and opacity",
-              between(0, 1));
-        field("metallic", c.surfacing.metallic, "0: not a metal, 1: a metal", between(0, 1));
-        field("roughness", c.surfacing.roughness, "0: a mirror, 1: chalk", between(0, 1));
-        field("solid", c.surfacing.solid,
-              "what fills it and deforms with it; the colour tints it, its roughness is its own",
-              later);
+        FieldsOf<Surfacing>::fields(c.surfacing, field);
     }
 };
 struct ClearMaterial {

@@ -45,15 +45,23 @@ void check_count(const std::vector<Id>& supports)
                                    supports.size(), most_supports));
 }
 
+// Every visible object that is not among those above.
+std::vector<Id> all_below(const Document& document, const std::set<Id>& above)
+{
+    std::vector<Id> result;
+    for (const auto& [other, ref] : document.objects)
+        if (!is_group(*ref) && !above.contains(other) && visible(document, other))
+            result.push_back(other);
+    return result;
+}
+
 // The objects a stroke may fall on: those named, groups opened up, or all that make sense.
 std::vector<Id> supports(const Document& document, Id id, const std::vector<Id>& onto)
 {
     const std::set<Id> above = lying_on(document, id);
     std::vector<Id> result;
     if (onto.empty()) {
-        for (const auto& [other, ref] : document.objects)
-            if (!is_group(*ref) && !above.contains(other) && visible(document, other))
-                result.push_back(other);
+        result = all_below(document, above);
         if (result.empty())
             throw Rejected(fmt::format("there is nothing visible that {} could lie on; add or "
                                        "show another object first",
@@ -113,6 +121,11 @@ void check_placed(const Object& o, Id id)
 }
 
 } // namespace
+
+bool could_lie(const Document& document, Id id)
+{
+    return !all_below(document, lying_on(document, id)).empty();
+}
 
 Document applied(Document document, const Place& command)
 {

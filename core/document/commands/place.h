@@ -49,6 +49,14 @@ template <> struct FieldsOf<PlacementParameters> {
     }
 };
 
+template <> struct FieldsOf<Sketch> {
+    static void fields(auto& s, auto&& field)
+    {
+        field("camera", s.camera, "the view the stroke was drawn in", required);
+        field("samples", s.samples, "the stroke, [x px, y px, seconds, pressure] each", required);
+    }
+};
+
 struct Place {
     static constexpr std::string_view verb = "place",
                                       summary = "Lay an object along a stroke over the scene.";
@@ -108,14 +116,6 @@ struct Unplace {
     Id object = 0;
     bool operator==(const Unplace&) const = default;
     static void fields(auto& c, auto&& field) { field("object", c.object, "id", required); }
-};
-
-template <> struct FieldsOf<Sketch> {
-    static void fields(auto& s, auto&& field)
-    {
-        field("camera", s.camera, "the view the stroke was drawn in", required);
-        field("samples", s.samples, "the stroke, [x px, y px, seconds, pressure] each", required);
-    }
 };
 
 } // namespace trivar

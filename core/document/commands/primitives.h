@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/document/commands/field.h"
+#include "core/document/commands/material.h"
 
 namespace trivar {
 
@@ -80,12 +80,14 @@ template <class Shape> struct AddShape {
     std::string name{FieldsOf<Shape>::name};
     Shape shape;
     Transform transform;
+    std::optional<Surfacing> material = {};
     bool operator==(const AddShape&) const = default;
     static void fields(auto& c, auto&& field)
     {
         field("name", c.name, "name in the outliner");
         FieldsOf<Shape>::fields(c.shape, field);
         field("transform", c.transform, "where it stands");
+        field("material", c.material, "one material over all of it; left out: nearly white");
     }
 };
 using AddPlane = AddShape<PlaneShape>;

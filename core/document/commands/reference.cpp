@@ -32,6 +32,18 @@ template <class T> std::string type_name()
         return "[parameters](#parameters)";
     else if constexpr (std::is_same_v<T, Sketch>)
         return "[sketch](#sketch)";
+    else if constexpr (std::is_same_v<T, CopiedObject>)
+        return "[object](#object)";
+    else if constexpr (std::is_same_v<T, CopiedPlacement>)
+        return "[placement](#placement)";
+    else if constexpr (std::is_same_v<T, KnownObject>)
+        return "known object";
+    else if constexpr (std::is_same_v<T, Surfacing>)
+        return "values of [set_material](#set_material)";
+    else if constexpr (std::is_same_v<T, Travel>)
+        return "values of [set_travel](#set_travel)";
+    else if constexpr (Nested<T>) // a shape
+        return fmt::format("values of [{0}](#{0})", FieldsOf<T>::verb);
     else if constexpr (is_optional<T>)
         return type_name<typename T::value_type>();
     else if constexpr (std::is_same_v<T, std::vector<glm::dvec2>>)
@@ -154,6 +166,8 @@ std::string commands_markdown()
     text += "## parameters\n\nHow an object lies along its stroke.\n\n" +
             field_table(PlacementParameters{});
     text += "## sketch\n\nA stroke and the view it was drawn in.\n\n" + field_table(Sketch{});
+    text += "## object\n\nAn object as it is copied.\n\n" + field_table(CopiedObject{});
+    text += "## placement\n\nHow a copied object lies.\n\n" + field_table(CopiedPlacement{});
     text.pop_back();
     return text;
 }

@@ -270,6 +270,13 @@ struct Titles {
         if (old.speed != 0 && c.travel.speed == 0) return {"Let " + names + " rest", {}};
         return title_of_changes(changes(old, c.travel), "Travel", names);
     }
+    StepTitle operator()(const Paste&) const
+    {
+        std::vector<Id> ids;
+        for (const auto& [id, each] : after.objects)
+            if (id >= before.next_id && each->parent < before.next_id) ids.push_back(id);
+        return {"Paste " + names_in(after, ids), {}};
+    }
     StepTitle operator()(const SaveCamera& c) const
     {
         if (c.name == "picture") return {"Use this view for pictures", {}};
