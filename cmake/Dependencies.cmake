@@ -37,3 +37,33 @@ find_library(OPENSUBDIV_CPU osdCPU REQUIRED)
 add_library(opensubdiv INTERFACE)
 target_include_directories(opensubdiv SYSTEM INTERFACE ${OPENSUBDIV_INCLUDE})
 target_link_libraries(opensubdiv INTERFACE ${OPENSUBDIV_CPU})
+
+# What the program says of itself: NAME|VERSION|LICENCE, a line each.
+# pkg-config knows FreeType by the number of its interface only.
+file(STRINGS ${FREETYPE_INCLUDEDIR}/freetype2/freetype/freetype.h FREETYPE_VERSION REGEX "define FREETYPE_(MAJOR|MINOR|PATCH)")
+string(REGEX REPLACE "[^0-9;]" "" FREETYPE_VERSION "${FREETYPE_VERSION}")
+string(REPLACE ";" "." FREETYPE_VERSION "${FREETYPE_VERSION}")
+file(STRINGS ${OPENSUBDIV_INCLUDE}/opensubdiv/version.h OPENSUBDIV_VERSION REGEX "define OPENSUBDIV_VERSION v")
+string(REGEX REPLACE ".*v([0-9_]+)" "\\1" OPENSUBDIV_VERSION "${OPENSUBDIV_VERSION}")
+string(REPLACE "_" "." OPENSUBDIV_VERSION "${OPENSUBDIV_VERSION}")
+set(TRIVAR_LIBRARIES "Dear ImGui|${IMGUI_VERSION}|MIT
+GLFW|${glfw3_VERSION}|Zlib
+GLM|${glm_VERSION}|MIT
+libepoxy|${EPOXY_VERSION}|MIT
+FreeType|${FREETYPE_VERSION}|FTL
+Fontconfig|${FONTCONFIG_VERSION}|HPND
+Embree|${embree_VERSION}|Apache-2.0
+oneTBB|${TBB_VERSION}|Apache-2.0
+Highway|${hwy_VERSION}|Apache-2.0
+Eigen|${Eigen3_VERSION}|MPL-2.0
+OpenSubdiv|${OPENSUBDIV_VERSION}|Apache-2.0, modified
+OpenImageIO|${OpenImageIO_VERSION}|BSD-3-Clause
+TinyGLTF|${TinyGLTF_VERSION}|MIT
+JSON for Modern C++|${nlohmann_json_VERSION}|MIT
+CLI11|${CLI11_VERSION}|BSD-3-Clause
+fmt|${fmt_VERSION}|MIT
+MD4C|${MD4C_VERSION}|MIT
+xxHash|${XXHASH_VERSION}|BSD-2-Clause
+Inter (font)||OFL-1.1
+Font Awesome (font)|4.7|OFL-1.1
+DejaVu (font)||Bitstream Vera")

@@ -34,6 +34,11 @@ int run_editor(const EditorOptions& options)
         Editor editor(window.waker(), kept("unnamed"));
         PreferencesFile preferences(kept("preferences.json"));
         editor.preferences = preferences.read();
+        editor.preferences_path = preferences.path();
+        if (!preferences.trouble().empty())
+            editor.session.notices.say(ui::NoticeKind::warning, preferences.trouble());
+        editor.session.discarded_days = static_cast<int>(editor.preferences.discarded_days);
+        editor.session.forget_discarded();
         editor.manual_folder = options.manual;
         add_tutorials(editor, options.tutorials);
         use_keys(editor.actions, editor.preferences.keys);
@@ -43,6 +48,10 @@ int run_editor(const EditorOptions& options)
         else
             editor.session.tell_of_left_scene();
         editor.files.take_dropped(options.files);
+        const auto& recent = editor.preferences.recent_scenes;
+        const bool nothing = options.files.empty() && editor.session.scene().as_opened();
+        if (nothing && editor.preferences.at_start == "last" && !recent.empty())
+            editor.files.open_scene(std::string(recent.front()));
         std::string title;
         window.run(
             [&](ui::Frame& frame) {

@@ -24,9 +24,27 @@ void remember_scene(Editor& editor)
     if (named.empty()) return;
     const std::string path = std::filesystem::absolute(named).lexically_normal().string();
     std::vector<std::string>& recent = editor.preferences.recent_scenes;
-    if (!recent.empty() && recent.front() == path) return;
-    remember(recent, path);
+    const auto most = static_cast<std::size_t>(editor.preferences.most_recent);
+    if (most == 0 || (!recent.empty() && recent.front() == path)) return;
+    remember(recent, path, most);
     forget_moved(recent, path);
+}
+
+// What others hold of the preferences.
+void apply_preferences(Editor& editor)
+{
+    Preferences& p = editor.preferences;
+    const auto most = static_cast<std::size_t>(p.most_recent);
+    if (p.recent_scenes.size() > most) p.recent_scenes.resize(most);
+    editor.session.discarded_days = static_cast<int>(p.discarded_days);
+    editor.files.ask_to_keep = p.ask_to_keep;
+    editor.files.scenes_folder = p.scenes_folder;
+    editor.files.models_folder = p.models_folder;
+    editor.viewport.set_manners(p.mouse);
+    ImGui::GetIO().MouseDoubleClickTime = static_cast<float>(p.mouse.double_click_s);
+    const int threads = static_cast<int>(p.threads);
+    if (threads == editor.in_force.threads) return;
+    editor.in_force = {threads, threads > 0 ? std::make_unique<ThreadLimit>(threads) : nullptr};
 }
 
 // What was under way belongs to a scene that is gone.
@@ -101,6 +119,7 @@ void Editor::choose_tool(std::size_t index)
 void draw_editor(Editor& editor, ui::Frame& frame)
 {
     const ui::Theme& theme = frame.theme;
+    apply_preferences(editor);
     editor.session.poll();
     editor.stored_pictures.poll();
     editor.playback.advance(editor.session, frame, editor.preferences.loop);

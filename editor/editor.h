@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/parallel.h"
 #include "editor/adjustment.h"
 #include "editor/command_palette.h"
 #include "editor/files.h"
@@ -53,6 +54,7 @@ struct Editor {
     } timeline;
     enum class Panel { view, outliner, dock } panel = Panel::view; // the keyboard's
     bool show_focus = false;                                       // it came there by a key
+    std::string menu_asked;                                        // it opens in the next frame
     Adjustment adjustment;
     long scene = 0;               // number of the session's scene that the tools know
     bool add_menu_asked = false;  // it opens at the mouse in the next frame
@@ -75,15 +77,30 @@ struct Editor {
     StoredPictures stored_pictures;
     Tutorial tutorial;
     struct PreferencesDialog {
-        enum Page { of_interface, of_viewport, of_keys };
+        enum Page { // in the order of their names
+            of_general,
+            of_interface,
+            of_viewport,
+            of_mouse,
+            of_keys,
+            of_files,
+            of_performance,
+            of_accessibility,
+            of_about,
+            page_count
+        };
         bool open = false;
-        int page = of_interface;
-        std::string filter;              // of the key map
-        std::string asking;              // the action whose new key is waited for
-        std::string given;               // the action that got one last ...
-        std::vector<std::string> losers; // ... and those that lost it
-        bool show_asking = false;        // scroll to it
+        int page = of_general;
+        std::string filter;                   // of the key map
+        std::string asking;                   // the action whose new key is waited for
+        std::string given;                    // the action that got one last ...
+        std::vector<std::string> losers;      // ... and those that lost it
+        bool show_asking = false;             // scroll to it
+        bool seeking = false;                 // a key is waited for, to show whose it is
+        std::optional<ui::Chord> sought;      // that key
+        std::optional<std::size_t> discarded; // scenes; counted when they are first shown
     } preferences_dialog;
+    std::string preferences_path; // of the file they are kept in; empty: in memory
     CommandPalette palette;
     struct CommandField { // at the foot of the log
         std::string text, trouble;
@@ -100,6 +117,12 @@ struct Editor {
         std::size_t to = 0;
         bool dragging = false;
     } log_lines;
+
+    // Of the preferences what does not act by being read.
+    struct InForce {
+        int threads = 0;
+        std::unique_ptr<ThreadLimit> limit;
+    } in_force;
 
     // The graphics card was reset: drops what was made in the context that is lost, and says so.
     void lose_context();

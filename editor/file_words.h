@@ -15,4 +15,8 @@ inline std::string file_name(const std::string& path)
 // The reason as the body of a notice whose title names the file already.
 std::string reason(const std::string& why, const std::string& path);
 
+// A folder as people write it, ~/scenes, and the other way round.
+std::string with_short_home(const std::string& folder);
+std::string with_long_home(const std::string& folder);
+
 } // namespace trivar

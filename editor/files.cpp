@@ -5,6 +5,7 @@
 #include "core/document/collect.h"
 #include "core/files/write_model.h"
 #include "editor/file_words.h"
+#include "editor/preferences.h"
 #include "editor/relink.h"
 
 #include <filesystem>
@@ -61,24 +62,26 @@ void Files::keep_or(std::function<void()> go_on)
 {
     const Session& s = *session_;
     if (!s.scene().path().empty() || s.scene().as_opened()) return go_on();
+    if (!ask_to_keep && !s.unnamed_folder().empty()) return go_on();
     const std::size_t steps = s.scene().history().steps().size();
     const std::string what = std::to_string(steps) + (steps == 1 ? " step" : " steps");
-    question_ = Asked{{"Keep this scene?",
-                       "It has " + what + " and no name yet. " +
-                           (s.unnamed_folder().empty()
-                                ? "It is gone when you discard it. "
-                                : "Every step is safe in the recovery folder for 30 days. ") +
-                           "Name it to keep it with your scenes.",
-                       {{"Discard", ui::ButtonKind::plain, true},
-                        {"Cancel", ui::ButtonKind::plain},
-                        {"Name it...", ui::ButtonKind::primary}},
-                       2},
-                      [this, go_on = std::move(go_on)](int answer) {
-                          if (answer == 0) go_on();
-                          if (answer != 2) return;
-                          ask_save_as();
-                          after_save_ = go_on;
-                      }};
+    question_ =
+        Asked{{"Keep this scene?",
+               "It has " + what + " and no name yet. " +
+                   (s.unnamed_folder().empty() ? "It is gone when you discard it. "
+                                               : "Every step is safe in the recovery folder " +
+                                                     for_days(s.discarded_days) + ". ") +
+                   "Name it to keep it with your scenes.",
+               {{"Discard", ui::ButtonKind::plain, true},
+                {"Cancel", ui::ButtonKind::plain},
+                {"Name it...", ui::ButtonKind::primary}},
+               2},
+              [this, go_on = std::move(go_on)](int answer) {
+                  if (answer == 0) go_on();
+                  if (answer != 2) return;
+                  ask_save_as();
+                  after_save_ = go_on;
+              }};
 }
 
 void Files::new_scene(std::function<void()> then)
@@ -100,7 +103,9 @@ void Files::ask_for_file(Purpose purpose, ui::FileRequest request)
 {
     purpose_ = purpose;
     after_save_ = nullptr;
-    fs::path start;
+    fs::path start = with_long_home(purpose == Purpose::import || purpose == Purpose::write_model
+                                        ? models_folder
+                                        : scenes_folder);
     if (!session_->scene().path().empty()) start = session_->scene().folder();
     if (purpose == Purpose::import && !import_folder_.empty()) start = import_folder_;
     if (purpose == Purpose::take_up) start = session_->unnamed_folder();
@@ -119,7 +124,8 @@ void Files::ask_discarded()
 {
     if (SceneFile::set_aside_in(session_->unnamed_folder()).empty()) {
         session_->notices.say(ui::NoticeKind::good, "There is no discarded scene",
-                              "What is discarded can be found here for 30 days.");
+                              "What is discarded can be found here " +
+                                  for_days(session_->discarded_days) + ".");
         return;
     }
     ask_for_file(Purpose::take_up, {.title = "Discarded scenes",

@@ -54,6 +54,10 @@ public:
 
     // Scenes to try, offered over an empty viewport: what opens is a copy, they stay as they are.
     std::vector<std::string> samples;
+    // As the preferences say: where dialogs begin that have no better place, and whether it is
+    // asked what becomes of a scene without a name.
+    std::string scenes_folder, models_folder;
+    bool ask_to_keep = true;
 
 private:
     enum class Purpose { open, take_up, import, relink, write_model, save_as, save_compact };
@@ -70,6 +74,7 @@ private:
         std::function<void(int)> answer;
     };
     void open(const std::string& path, bool copy, std::function<void()> then);
+    void show(SceneFile scene); // where it is a copy, its notice offers to save it
     void
     ask_how_to_open(const std::shared_ptr<SceneFile>& copy); // of a file that is open elsewhere
     void ask_for_file(Purpose purpose, ui::FileRequest request);

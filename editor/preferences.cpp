@@ -16,36 +16,62 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-constexpr std::size_t longest_list = 16, longest_text = 4096, largest_file = std::size_t{1} << 20,
-                      most_keys = 1000;
+constexpr const char* whole_file = "the whole file";
+constexpr std::size_t longest_list = most_remembered, longest_text = 4096,
+                      largest_file = std::size_t{1} << 20, most_keys = 1000;
+
+using Choices = std::initializer_list<std::string_view>;
 
 // One list of what is kept and what may be read.
 struct Reading {
     const Json& from;
-    void operator()(const char* name, double& value, double lo, double hi) const
+    std::vector<std::string>& odd;
+
+    // What is there under the name, if it is of the kind that is wanted.
+    const Json* value_of(const char* name, bool (Json::*wanted)() const noexcept) const
     {
         const auto found = from.find(name);
-        if (found == from.end() || !found->is_number()) return;
+        if (found == from.end()) return nullptr;
+        if (((*found).*wanted)()) return &*found;
+        odd.emplace_back(name);
+        return nullptr;
+    }
+    void operator()(const char* name, double& value, double lo, double hi) const
+    {
+        const Json* found = value_of(name, &Json::is_number);
+        if (!found) return;
         const auto number = found->get<double>();
+        if (!(number >= lo && number <= hi)) odd.emplace_back(name);
         if (std::isfinite(number)) value = std::clamp(number, lo, hi);
     }
     void operator()(const char* name, bool& value) const
     {
-        const auto found = from.find(name);
-        if (found != from.end() && found->is_boolean()) value = found->get<bool>();
+        if (const Json* found = value_of(name, &Json::is_boolean)) value = found->get<bool>();
     }
-    void operator()(const char* name, std::string& value,
-                    std::initializer_list<std::string_view> choices) const
+    void operator()(const char* name, std::string& value, Choices choices) const
     {
-        const auto found = from.find(name);
-        if (found == from.end() || !found->is_string()) return;
+        const Json* found = value_of(name, &Json::is_string);
+        if (!found) return;
         const auto& text = found->get_ref<const std::string&>();
-        if (std::ranges::find(choices, text) != choices.end()) value = text;
+        if (std::ranges::find(choices, text) != choices.end())
+            value = text;
+        else
+            odd.emplace_back(name);
+    }
+    void operator()(const char* name, std::string& value) const
+    {
+        const Json* found = value_of(name, &Json::is_string);
+        if (!found) return;
+        const auto& text = found->get_ref<const std::string&>();
+        if (text.size() <= longest_text)
+            value = text;
+        else
+            odd.emplace_back(name);
     }
     void operator()(const char* name, std::vector<std::string>& value) const
     {
-        const auto found = from.find(name);
-        if (found == from.end() || !found->is_array()) return;
+        const Json* found = value_of(name, &Json::is_array);
+        if (!found) return;
         for (const Json& each : *found) {
             if (value.size() == longest_list) return;
             if (!each.is_string()) continue;
@@ -55,8 +81,8 @@ struct Reading {
     }
     void operator()(const char* name, KeyMap& value) const
     {
-        const auto found = from.find(name);
-        if (found == from.end() || !found->is_object()) return;
+        const Json* found = value_of(name, &Json::is_object);
+        if (!found) return;
         for (const auto& [action, keys] : found->items()) {
             if (!keys.is_array() || value.size() == most_keys) continue;
             std::vector<ui::Chord>& chords = value[action];
@@ -97,16 +123,36 @@ void each_preference(auto& p, const auto& field)
     field("loop", p.loop);
     field("light", p.look.light);
     field("high_contrast", p.look.high_contrast);
+    field("lines", p.look.lines, 1.0, 3.0);
+    field("tooltip_s", p.look.tooltip_s, 0.0, 5.0);
     field("other_hues", p.look.other_hues);
     field("show_dock", p.show_dock);
     field("hints", p.hints);
+    field("at_start", p.at_start, Choices{"card", "last", "empty"});
+    field("ask_to_keep", p.ask_to_keep);
     field("reduced_motion", p.reduced_motion);
     field("backdrop_as_in_pictures", p.backdrop_as_in_pictures);
-    field("quality", p.quality,
-          std::initializer_list<std::string_view>{"automatic", "draft", "standard", "high"});
-    field("deform", p.deform,
-          std::initializer_list<std::string_view>{"processor", "one_phase", "two_phases"});
+    field("grid", p.grid);
+    field("show_axes", p.show_axes);
+    field("show_timing", p.show_timing);
+    field("quality", p.quality, Choices{"automatic", "draft", "standard", "high"});
+    field("pace", p.pace, Choices{"automatic", "60", "30", "15"});
+    field("deform", p.deform, Choices{"processor", "one_phase", "two_phases"});
+    field("threads", p.threads, 0.0, 1024.0);
+    field("mouse_device", p.mouse.device, Choices{"automatic", "mouse", "trackpad"});
+    field("mouse_emulation", p.mouse.emulation, Choices{"alt", "super", "none"});
+    field("orbit_about", p.mouse.orbit_about, Choices{"cursor", "selection", "origin"});
+    field("zoom_to_cursor", p.mouse.zoom_to_cursor);
+    field("reversed_zoom", p.mouse.reversed_zoom);
+    field("orbit_speed", p.mouse.orbit, 0.1, 10.0);
+    field("pan_speed", p.mouse.pan, 0.1, 10.0);
+    field("zoom_speed", p.mouse.zoom, 0.1, 10.0);
+    field("double_click_s", p.mouse.double_click_s, 0.1, 2.0);
     field("keys", p.keys);
+    field("discarded_days", p.discarded_days, 1.0, 3650.0);
+    field("most_recent", p.most_recent, 0.0, static_cast<double>(most_remembered));
+    field("scenes_folder", p.scenes_folder);
+    field("models_folder", p.models_folder);
     field("recent_commands", p.recent_commands);
     field("recent_scenes", p.recent_scenes);
 }
@@ -114,6 +160,7 @@ void each_preference(auto& p, const auto& field)
 std::string read_small_file(const std::string& path)
 {
     std::error_code ignored;
+    if (!fs::exists(path, ignored)) return text_of(Preferences());
     if (!fs::is_regular_file(path, ignored) || fs::file_size(path, ignored) > largest_file)
         return {};
     try {
@@ -123,16 +170,33 @@ std::string read_small_file(const std::string& path)
     }
 }
 
+std::string words_of_odd(const std::string& path, const std::vector<std::string>& odd)
+{
+    if (odd.empty()) return {};
+    if (odd.front() == whole_file) {
+        std::error_code trouble;
+        fs::rename(path, path + ".odd", trouble);
+        return path + " cannot be understood, so the usual preferences are used." +
+               (trouble ? "" : " It is kept with .odd after its name.");
+    }
+    const std::string more =
+        odd.size() > 1 ? " and " + std::to_string(odd.size() - 1) + " more" : "";
+    return path + " has odd values (" + odd.front() + more + "): the nearest usual ones are used.";
+}
+
 } // namespace
 
-Preferences preferences_from(std::string_view text)
+ReadPreferences read_preferences(std::string_view text)
 {
     constexpr int deepest = 4; // so that brackets cannot exhaust the stack
     const auto shallow = [](int depth, Json::parse_event_t, Json&) { return depth <= deepest; };
-    Preferences preferences;
+    ReadPreferences read;
     const Json object = Json::parse(text, shallow, false);
-    if (object.is_object()) each_preference(preferences, Reading{object});
-    return preferences;
+    if (object.is_object())
+        each_preference(read.preferences, Reading{object, read.odd});
+    else
+        read.odd.emplace_back(whole_file);
+    return read;
 }
 
 std::string text_of(const Preferences& preferences)
@@ -142,11 +206,17 @@ std::string text_of(const Preferences& preferences)
     return object.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-void remember(std::vector<std::string>& recent, const std::string& what)
+void remember(std::vector<std::string>& recent, const std::string& what, std::size_t most)
 {
     std::erase(recent, what);
     recent.insert(recent.begin(), what);
-    if (recent.size() > longest_list) recent.resize(longest_list);
+    if (recent.size() > most) recent.resize(most);
+}
+
+std::string for_days(int days)
+{
+    if (days == 365) return "for a year";
+    return "for " + (days == 1 ? std::string("a day") : std::to_string(days) + " days");
 }
 
 double next_scale(double scale, int direction)
@@ -163,10 +233,12 @@ double next_scale(double scale, int direction)
     return lower;
 }
 
-PreferencesFile::PreferencesFile(std::string path)
-    : path_(std::move(path)),
-      kept_(path_.empty() ? Preferences() : preferences_from(read_small_file(path_)))
+PreferencesFile::PreferencesFile(std::string path) : path_(std::move(path))
 {
+    if (path_.empty()) return;
+    ReadPreferences read = read_preferences(read_small_file(path_));
+    kept_ = std::move(read.preferences);
+    trouble_ = words_of_odd(path_, read.odd);
 }
 
 std::string PreferencesFile::keep(const Preferences& preferences)

@@ -6,6 +6,7 @@
 #include "editor/files.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 
 namespace trivar {
@@ -29,6 +30,20 @@ std::string reason(const std::string& why, const std::string& path)
         return "line " + rest; // "scene.trivar:4: ..."
     }
     return why;
+}
+
+std::string with_short_home(const std::string& folder)
+{
+    const char* home = std::getenv("HOME");
+    if (!home || !*home || !folder.starts_with(home)) return folder;
+    const std::string rest = folder.substr(std::string_view(home).size());
+    return rest.empty() || rest.front() == '/' ? "~" + rest : folder;
+}
+
+std::string with_long_home(const std::string& folder)
+{
+    const char* home = std::getenv("HOME");
+    return home && (folder == "~" || folder.starts_with("~/")) ? home + folder.substr(1) : folder;
 }
 
 void Files::open_scene(const std::string& path)
@@ -56,7 +71,7 @@ void Files::open(const std::string& path, bool copy, std::function<void()> then)
                      std::make_shared<SceneFile>(copy ? SceneFile::copy_of(path) : SceneFile(path));
                  return [this, scene, then] {
                      if (scene->in_use()) return ask_how_to_open(scene);
-                     session_->replace_scene(std::move(*scene));
+                     show(std::move(*scene));
                      if (then) then();
                  };
              },
@@ -65,6 +80,14 @@ void Files::open(const std::string& path, bool copy, std::function<void()> then)
                                        reason(why, path));
              }});
     });
+}
+
+void Files::show(SceneFile scene)
+{
+    const bool copy = scene.path().empty() && !scene.original().empty();
+    std::vector<ui::Notices::Action> offers;
+    if (copy) offers.push_back({"Save as...", [this] { ask_save_as(); }});
+    session_->replace_scene(std::move(scene), std::move(offers));
 }
 
 void Files::ask_how_to_open(const std::shared_ptr<SceneFile>& copy)
@@ -78,7 +101,7 @@ void Files::ask_how_to_open(const std::shared_ptr<SceneFile>& copy)
                         {"Look only", ui::ButtonKind::primary}},
                        2},
                       [this, copy, path](int answer) {
-                          if (answer == 1) session_->replace_scene(std::move(*copy));
+                          if (answer == 1) show(std::move(*copy));
                           if (answer != 2) return;
                           try {
                               session_->replace_scene(SceneFile::looked_at(path));

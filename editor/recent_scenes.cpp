@@ -1,26 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/recent_scenes.h"
 
+#include "editor/file_words.h"
+
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
 #include <sys/stat.h>
 
 namespace trivar {
-namespace {
-
-std::string with_short_home(const std::string& folder)
-{
-    const char* home = std::getenv("HOME");
-    if (!home || !*home || !folder.starts_with(home)) return folder;
-    const std::string rest = folder.substr(std::string_view(home).size());
-    return rest.empty() || rest.front() == '/' ? "~" + rest : folder;
-}
-
-} // namespace
-
 std::string scene_title(const std::string& path)
 {
     std::string name = std::filesystem::path(path).stem().string();

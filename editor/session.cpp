@@ -2,7 +2,9 @@
 #include "editor/session.h"
 
 #include "core/base/rejected.h"
+#include "core/document/kept_scenes.h"
 #include "editor/file_words.h"
+#include "editor/preferences.h"
 #include "editor/selection.h"
 #include "ui/camera_control.h"
 
@@ -249,7 +251,7 @@ void Session::look_at_step(std::size_t position)
     refresh();
 }
 
-void Session::replace_scene(SceneFile scene)
+void Session::replace_scene(SceneFile scene, std::vector<ui::Notices::Action> offers)
 {
     const bool discarded = scene_.path().empty() && !scene_.as_opened();
     scene_ = std::move(scene);
@@ -270,17 +272,25 @@ void Session::replace_scene(SceneFile scene)
     go_to.reset();
     if (picture != bookmarks.end()) go_to = picture->second;
     const std::vector<std::string>& said = scene_.notices();
-    if (said.size() == 1) notices.say(ui::NoticeKind::warning, said.front());
+    if (said.size() == 1)
+        notices.say(ui::NoticeKind::warning, said.front(), {}, {}, std::move(offers));
     if (said.size() > 1)
         notices.say_all(ui::NoticeKind::warning, title_of(scene_) + " is open", said);
 }
 
+void Session::forget_discarded() const
+{
+    if (!unnamed_folder_.empty())
+        forget_old_scenes(unnamed_folder_, std::chrono::days(discarded_days));
+}
+
 void Session::tell_of_discarded()
 {
+    forget_discarded();
     const auto aside = SceneFile::set_aside_in(unnamed_folder_);
     if (aside.empty()) return;
     notices.say(ui::NoticeKind::good, "The scene was discarded",
-                "It stays in the recovery folder for 30 days.", {},
+                "It stays in the recovery folder " + for_days(discarded_days) + ".", {},
                 {{"Bring it back", [this, path = aside.front()] { take_up(path); }}});
 }
 

@@ -70,13 +70,17 @@ public:
     const std::vector<Refused>& refused() const { return refused_; }
 
     // Another scene, or an empty one. Selection and effects start anew.
-    void replace_scene(SceneFile scene);
+    // What its notices offer, if it has any.
+    void replace_scene(SceneFile scene, std::vector<ui::Notices::Action> offers = {});
     long scenes() const { return scenes_; } // there have been
     // The scene without a name of a program that was killed: goes on with it, or tells of it.
     void take_up_left_scene();
     void tell_of_left_scene();
     bool take_up(const std::string& path); // one that was set aside; tells why it cannot
     const std::string& unnamed_folder() const { return unnamed_folder_; }
+    // What is discarded stays so long; what is older goes when something is discarded, or at once.
+    int discarded_days = 30;
+    void forget_discarded() const;
     // That scene, looked for once a scene.
     struct LeftScene {
         std::string path;

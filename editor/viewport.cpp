@@ -14,25 +14,6 @@
 namespace trivar {
 namespace {
 
-glm::dvec3 world(const Part& part, std::uint32_t vertex)
-{
-    return glm::dvec3(part.to_world * glm::dvec4(part.mesh->positions[vertex], 1));
-}
-
-// Distance along the ray to the triangle, or nothing (Moeller and Trumbore 1997, both sides).
-std::optional<double> meet(const Ray& ray, const glm::dvec3& a, const glm::dvec3& b,
-                           const glm::dvec3& c)
-{
-    const glm::dvec3 ab = b - a, ac = c - a, p = glm::cross(ray.direction, ac);
-    const double det = glm::dot(ab, p);
-    if (std::abs(det) < 1e-300) return std::nullopt;
-    const glm::dvec3 s = ray.origin - a, q = glm::cross(s, ab);
-    const double u = glm::dot(s, p) / det, v = glm::dot(ray.direction, q) / det;
-    const double t = glm::dot(ac, q) / det;
-    if (u < 0 || v < 0 || u + v > 1 || t <= 0) return std::nullopt;
-    return t;
-}
-
 glm::dvec2 mouse_in(const ui::Rect& rect)
 {
     const ImVec2 p = ImGui::GetIO().MousePos;
@@ -57,64 +38,13 @@ gpu::Picture picture_of(const Session& session, gpu::Level level, gpu::DeformBy 
     return picture;
 }
 
+DraftPace pace_of(double draft_ms)
+{
+    if (gpu::is_software()) return {draft_ms > 0 ? draft_ms : 60, gpu::Level::draft, 0.85};
+    return {draft_ms > 0 ? draft_ms : 16, gpu::Level::standard};
+}
+
 } // namespace
-
-std::optional<glm::dvec3> first_hit(const EvaluatedObject& object, const Ray& ray)
-{
-    double nearest = 1e300;
-    for (const Part& part : object.parts) {
-        const Mesh& mesh = *part.mesh;
-        for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-            const std::uint32_t begin = mesh.face_begin[f], end = mesh.face_begin[f + 1];
-            const glm::dvec3 a = world(part, mesh.corners[begin]);
-            for (std::uint32_t c = begin + 1; c + 1 < end; ++c) // a fan is near enough here
-                if (const auto t = meet(ray, a, world(part, mesh.corners[c]),
-                                        world(part, mesh.corners[c + 1])))
-                    nearest = std::min(nearest, *t);
-        }
-    }
-    if (nearest > 1e299) return std::nullopt;
-    return ray.origin + ray.direction * nearest;
-}
-
-std::optional<glm::dvec3> Viewport::anchor_under(const Session& session, glm::dvec2 p_px)
-{
-    if (!renderer_ || !shown_) return std::nullopt;
-    const auto found = session.evaluated().objects.find(renderer_->pick(glm::ivec2(p_px)));
-    if (found == session.evaluated().objects.end()) return std::nullopt;
-    return first_hit(*found->second, ray_through(session.camera, p_px));
-}
-
-void Viewport::navigate(Session& session, const ViewportInput& input, glm::dvec2 drag_px,
-                        bool wheel_is_taken)
-{
-    const ImGuiIO& io = ImGui::GetIO();
-    Camera& camera = session.camera;
-    const bool middle = ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Middle);
-    const bool alt_left = io.KeyAlt && ImGui::IsItemActive() &&
-                          ImGui::IsMouseDown(ImGuiMouseButton_Left) && !left_down_;
-    if (!middle && !alt_left) {
-        move_ = Move::none;
-    } else if (move_ == Move::none) {
-        move_ = io.KeyShift ? Move::pan : io.KeyCtrl ? Move::zoom : Move::orbit;
-        anchor_ = anchor_under(session, input.mouse)
-                      .value_or(ui::point_at_target_depth(camera, input.mouse));
-    } else if (drag_px != glm::dvec2(0)) {
-        if (move_ == Move::orbit) camera = ui::orbited(camera, anchor_, drag_px);
-        if (move_ == Move::pan) camera = ui::panned(camera, anchor_, drag_px);
-        if (move_ == Move::zoom) camera = ui::zoomed(camera, anchor_, std::exp2(drag_px.y / 120));
-    }
-    if (input.hovered && io.MouseWheel != 0 && !wheel_is_taken) {
-        const glm::dvec3 anchor = anchor_under(session, input.mouse)
-                                      .value_or(ui::point_at_target_depth(camera, input.mouse));
-        camera = ui::zoomed(camera, anchor, std::pow(0.86, static_cast<double>(io.MouseWheel)));
-        // Zooming on something far off the target would leave the target's depth behind: keep the
-        // target at the depth of what is looked at.
-        const double depth = project(camera, anchor).depth_world;
-        if (depth > 1e-4 && camera.perspective)
-            camera.target = camera.eye + glm::normalize(camera.target - camera.eye) * depth;
-    }
-}
 
 ViewportInput Viewport::take_input(Session& session, const ui::Frame& frame, const ui::Rect& rect,
                                    const Tool& tool)
@@ -131,8 +61,8 @@ ViewportInput Viewport::take_input(Session& session, const ui::Frame& frame, con
             ui::reshaped(*std::exchange(session.go_to, std::nullopt), glm::dvec2(rect.size()));
     session.camera.size_px = glm::max(glm::dvec2(rect.size()), 1.0);
 
-    const bool alt = ImGui::GetIO().KeyAlt && !tool.busy();
-    if (ImGui::IsItemActive() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !alt) {
+    const bool moves_camera = emulates_middle() && !tool.busy();
+    if (ImGui::IsItemActive() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !moves_camera) {
         left_down_ = input.pressed = true;
         if (renderer_ && shown_) input.under = renderer_->pick(glm::ivec2(input.mouse));
         if (!can_be_picked(session.document(), input.under)) input.under = 0;
@@ -161,7 +91,8 @@ ViewportInput Viewport::take_input(Session& session, const ui::Frame& frame, con
         }
     if (input.pressed) input.moves.push_back({input.mouse, time_s, 1});
     input.wheel = static_cast<double>(ImGui::GetIO().MouseWheel);
-    navigate(session, input, drag, tool.takes_wheel());
+    navigate(session, input, drag);
+    if (!tool.takes_wheel()) scroll(session, frame, input);
     return input;
 }
 
@@ -202,15 +133,15 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
 
     if (!renderer_) {
         renderer_ = std::make_unique<gpu::Renderer>();
-        pace_ = gpu::is_software() ? DraftPace(60, gpu::Level::draft, 0.85)
-                                   : DraftPace(16, gpu::Level::standard);
+        pace_.reset();
     }
+    if (!pace_) pace_ = pace_of(style_.draft_ms);
     if (wanted.draft || begun_ != wanted) {
         gpu::Picture picture = picture_of(
             session, wanted.draft ? std::min(pace_->level(), style_.level) : style_.level,
             style_.deform_by, stretches_);
         picture.backdrop = style_.backdrop;
-        picture.grid = style_.backdrop.has_value();
+        picture.grid = style_.backdrop.has_value() && style_.grid;
         picture.outline = style_.outline;
         Helpers shown = helpers();
         picture.lines = std::move(shown.lines);
@@ -238,6 +169,12 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
         frame.again_in(0);
     }
     return renderer_->texture();
+}
+
+void Viewport::set_style(const ViewportStyle& style)
+{
+    if (style.draft_ms != style_.draft_ms) pace_.reset();
+    style_ = style;
 }
 
 std::string Viewport::new_notice()

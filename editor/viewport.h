@@ -2,6 +2,7 @@
 #pragma once
 
 #include "editor/draft_pace.h"
+#include "editor/mouse_manners.h"
 #include "editor/stretch.h"
 #include "editor/tools/tool.h"
 #include "gpu/renderer.h"
@@ -24,6 +25,8 @@ struct ViewportStyle {
     gpu::Outline outline;
     gpu::Level level = gpu::Level::standard; // of what is at rest
     gpu::DeformBy deform_by = gpu::DeformBy::processor;
+    bool grid = true;    // of a backdrop
+    double draft_ms = 0; // what a picture of what moves may take; 0: as fits the graphics card
     bool operator==(const ViewportStyle&) const = default;
 };
 // `as_in_pictures`: the backdrop of the scene's look, else the theme's own.
@@ -41,6 +44,7 @@ public:
     // rest is returned for the tool.
     ViewportInput take_input(Session& session, const ui::Frame& frame, const ui::Rect& rect,
                              const Tool& tool);
+    void set_manners(const MouseManners& manners) { manners_ = manners; }
 
     // The scene's picture as a texture, drawn anew only if it would differ. While things move it
     // is a draft; a moment after they rest it is drawn in full, a piece a frame, for which it asks
@@ -48,7 +52,7 @@ public:
     unsigned draw(const Session& session, ui::Frame& frame, glm::ivec2 size_px, bool moving,
                   int state, const std::function<Helpers()>& helpers);
     void forget_gpu(); // before the context goes; the next frame makes all of it again
-    void set_style(const ViewportStyle& style) { style_ = style; }
+    void set_style(const ViewportStyle& style);
     unsigned texture() const { return renderer_ ? renderer_->texture() : 0; } // what shows
     const ui::TimingHistory& drafts() const { return drafts_; }
     const Timings& full_timings() const { return full_timings_; } // of the last one
@@ -70,9 +74,13 @@ private:
         bool operator==(const Shown&) const = default;
     };
     enum class Move { none, orbit, pan, zoom };
-    void navigate(Session& session, const ViewportInput& input, glm::dvec2 drag_px,
-                  bool wheel_is_taken);
+    void navigate(Session& session, const ViewportInput& input, glm::dvec2 drag_px);
+    void scroll(Session& session, const ui::Frame& frame, const ViewportInput& input);
+    void zoom(Session& session, glm::dvec2 mouse_px, double factor);
+    bool emulates_middle() const; // what makes the left button the middle one is held
     std::optional<glm::dvec3> anchor_under(const Session& session, glm::dvec2 p_px);
+    glm::dvec3 point_under(const Session& session, glm::dvec2 p_px); // or at the target's depth
+    glm::dvec3 orbit_center(const Session& session, glm::dvec2 mouse_px);
 
     ViewportStyle style_;
     Stretches stretches_;
@@ -87,11 +95,16 @@ private:
     std::string said_;
     double moved_s_ = -1e9;
 
+    MouseManners manners_;
+    double fine_scroll_s_ = -1e9; // when the wheel last turned as no wheel of a mouse does
     Move move_ = Move::none;
     glm::dvec3 anchor_{0};
     glm::dvec2 last_mouse_{0};
     bool left_down_ = false;
 };
+
+// Whether a turn of the wheel has fractional or sideways parts, as only fingers make them.
+bool is_fine_scroll(glm::dvec2 steps);
 
 // Where a ray first meets an object, by trying its triangles one after another: for one click.
 std::optional<glm::dvec3> first_hit(const EvaluatedObject& object, const Ray& ray);

@@ -15,7 +15,8 @@ namespace {
 // Tooltips wait for a hovering mouse and held keys repeat: both need frames without input.
 void ask_for_what_imgui_needs(Frame& frame)
 {
-    constexpr float tooltip_s = 0.55f, preview_patience_s = 0.32f, repeat_s = 0.04f;
+    constexpr float preview_patience_s = 0.32f, repeat_s = 0.04f;
+    const float tooltip_s = static_cast<float>(frame.theme.look.tooltip_s) + 0.05f;
     const ImGuiContext& g = *ImGui::GetCurrentContext();
     for (const float patience_s : {preview_patience_s, tooltip_s})
         if (g.HoveredId != 0 && g.HoveredIdTimer < patience_s)

@@ -136,7 +136,8 @@ float Theme::px(float at_scale_1) const
 float Theme::line(float at_scale_1) const
 {
     constexpr float wider = 1.5f;
-    return at_scale_1 * scale * (look.high_contrast ? wider : 1.0f);
+    return at_scale_1 * scale * (look.high_contrast ? wider : 1.0f) *
+           static_cast<float>(look.lines);
 }
 
 float combined_scale(double content, double interface)

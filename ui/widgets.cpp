@@ -247,9 +247,8 @@ void name_text(const Theme& theme, const ImFont* font, const Rect& in, Color col
 void tooltip(const Theme& theme, const std::string& name, const std::string& key,
              const std::string& sentence)
 {
-    constexpr float patience_s = 0.5f;
     if (!ImGui::IsItemHovered() || ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
-    if (GImGui->HoveredIdTimer < patience_s) return;
+    if (GImGui->HoveredIdTimer < static_cast<float>(theme.look.tooltip_s)) return;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.px(10), theme.px(8)});
     ImGui::BeginTooltip();
     ImGui::PushFont(theme.font.strong);

@@ -22,7 +22,6 @@ inline constexpr const char* kept_name = "untitled-";
 inline constexpr const char* kept_extension = ".trivar";
 // What was set aside is found by the time of that.
 inline constexpr const char* aside_name = "discarded ";
-inline constexpr std::chrono::hours aside_for = std::chrono::days(30);
 
 inline std::string absolute_folder(const std::string& path)
 {
@@ -52,7 +51,8 @@ inline TimedPaths scenes_in(const std::string& folder, std::string_view name)
     return found;
 }
 
-inline void forget_old_scenes(const std::string& folder)
+// Those that were set aside so long ago.
+inline void forget_old_scenes(const std::string& folder, std::chrono::hours aside_for)
 {
     std::error_code ignored;
     const auto now = std::filesystem::file_time_type::clock::now();

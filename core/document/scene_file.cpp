@@ -229,7 +229,6 @@ void SceneFile::keep_in(const std::string& folder)
     State& s = *state_;
     if (folder.empty() || !s.path.empty() || s.file || s.look_only) return;
     s.kept_in = folder;
-    forget_old_scenes(folder);
     const std::string from = std::exchange(s.folder, std::filesystem::absolute(folder).string());
     if (std::ranges::any_of(s.history.steps(), imports_by_relative_path))
         s.history = moved(s.history, from, s.folder);

@@ -16,7 +16,7 @@ namespace trivar {
 //
 // A scene without a name can be kept the same way, in a file of a folder for such scenes, which
 // goes when the scene gets a name. What a killed program left there can be taken up again; what
-// was let go on purpose is set aside there, and forgotten after 30 days.
+// was let go on purpose is set aside there till it is old enough to be forgotten.
 //
 // When appending fails (disk full, file taken away) the step stands, `trouble` says so, the file
 // keeps its last whole line, and the next step or save tries again with all that is missing.
@@ -73,7 +73,6 @@ public:
 
     // From its next step on a scene without a name is kept in the folder, which is made where it
     // is missing. No effect on other scenes, nor with an empty name; `trouble` says what fails.
-    // What was set aside in it more than 30 days ago goes.
     void keep_in(const std::string& folder);
 
     const std::string& path() const;     // empty: without a name, or a copy

@@ -3,6 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/document/command.h"
+#include "editor/about.h"
 #include "editor/app.h"
 #include "editor/command_line/bench.h"
 #include "editor/command_line/info.h"
@@ -163,7 +164,7 @@ Status dispatch(const std::vector<std::string>& arguments, const Streams& stream
         "trivar COMMAND --help says more. Exit status: 0 done, 1 rejected, 2 wrong usage,\n"
         "3 a check failed.");
     app.add_option("FILE", choices.files, "scenes (.trivar) and models to open")->type_name("");
-    app.set_version_flag("--version", "Trivar " TRIVAR_VERSION, "print the version and exit");
+    app.set_version_flag("--version", "Trivar " + program_version(), "print the version and exit");
     app.require_subcommand(0, 1);
     const CLI::App* replay = add_replay(app, choices.replay);
     const CLI::App* info = add_info(app, choices.info);

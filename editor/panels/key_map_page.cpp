@@ -5,6 +5,7 @@
 #include "ui/icons.h"
 #include "ui/widgets.h"
 
+#include <algorithm>
 #include <imgui.h>
 
 namespace trivar {
@@ -90,7 +91,10 @@ void draw_row(Editor& editor, const ui::Theme& theme, const ui::Rect& row, const
         if (hovered)
             ui::tooltip(theme, "Change the key", {}, "Click, then press it; Esc leaves it.");
     }
-    if (clicked) dialog.asking = asking ? "" : each.name;
+    if (clicked) {
+        dialog.asking = asking ? "" : each.name;
+        dialog.seeking = false;
+    }
     if (!own) return;
     ImGui::SetCursorScreenPos({row.hi.x - square.x - theme.px(4), row.center().y - square.y / 2});
     if (ui::icon_button(theme, "reset", ui::icon::reset, square, "Back to the usual key")) {
@@ -112,6 +116,7 @@ void draw_rows(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
     for (std::size_t i = 0; i < editor.actions.size(); ++i) {
         const Action& each = editor.actions[i];
         if (!letters_in_order(dialog.filter, each.name)) continue;
+        if (dialog.sought && !std::ranges::count(each.keys, *dialog.sought)) continue;
         if (each.menu != menu) {
             menu = each.menu;
             ui::paint_text(theme.font.strong,
@@ -134,12 +139,46 @@ void draw_rows(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
         ImGui::PopID();
     }
     if (y == top.y)
-        ui::empty_state(theme, r, ui::icon::search, "No command is called that",
-                        "Take letters away to see more of them.");
+        ui::empty_state(theme, r, ui::icon::search,
+                        dialog.sought ? "No command has this key" : "No command is called that",
+                        dialog.sought ? "Look for another, or give it to a command: click its row."
+                                      : "Take letters away to see more of them.");
     ImGui::SetCursorScreenPos(top);
     ImGui::Dummy({1, y - top.y + theme.px(8)});
     ImGui::EndChild();
     ImGui::PopStyleVar();
+}
+
+// A field that waits for a key, and then shows only whose it is.
+void draw_key_seeker(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
+{
+    const ui::Palette& c = theme.color;
+    auto& dialog = editor.preferences_dialog;
+    ImGui::SetCursorScreenPos({r.lo.x, r.lo.y});
+    const bool clicked = ImGui::InvisibleButton("seek", {r.width(), r.height()});
+    const bool hovered = ImGui::IsItemHovered();
+    ui::paint_box(r,
+                  dialog.seeking ? c.field_active
+                  : hovered      ? c.field_hover
+                                 : c.field,
+                  theme.size.rounding_small);
+    if (dialog.seeking) ui::paint_rim(r, c.focus, theme.size.rounding_small, 1.5f * theme.scale);
+    const ui::Rect in = {r.lo + glm::vec2(theme.px(8), 0), r.hi - glm::vec2(theme.px(8), 0)};
+    ui::paint_text(theme.font.body, in, c.text_2, ui::icon::keyboard);
+    const float x = in.lo.x + theme.px(24);
+    if (dialog.sought) {
+        float at = x;
+        for (const std::string& cap : ui::caps_of(*dialog.sought))
+            at += ui::paint_keycap(theme, {at, r.lo.y}, r.height(), cap) + theme.px(4);
+        ui::paint_text(theme.font.body, in, c.text_2, ui::icon::close, ui::Align::right);
+    } else {
+        ui::paint_text(theme.font.body, {{x, in.lo.y}, in.hi}, dialog.seeking ? c.text_2 : c.text_3,
+                       dialog.seeking ? "Press it now" : "Press a key to find");
+    }
+    if (!clicked) return;
+    dialog.seeking = !dialog.sought && !dialog.seeking;
+    dialog.sought.reset();
+    dialog.asking.clear();
 }
 
 // Whole key maps; one that was changed by hand is none of them.
@@ -186,10 +225,17 @@ void draw_key_map(Editor& editor, const ui::Theme& theme, const ui::Rect& page)
             else
                 changed(editor, name, give_key(editor.actions, name, *chord));
         }
+    if (dialog.seeking)
+        if (const auto chord = ui::struck_chord()) {
+            dialog.seeking = false;
+            if (*chord != ui::Chord{ui::key_escape}) dialog.sought = chord;
+        }
     draw_presets(editor, theme, {{page.lo.x, page.lo.y + theme.px(12)}, page.hi});
-    ImGui::SetCursorScreenPos({page.lo.x, page.lo.y + theme.px(44)});
-    ui::text_field(theme, "filter", dialog.filter, "Find a command", page.width() - theme.px(12),
-                   ui::icon::search);
+    const float y = page.lo.y + theme.px(44), seeker = theme.px(200);
+    const float end = page.hi.x - theme.px(12), field = end - seeker - theme.px(8) - page.lo.x;
+    ImGui::SetCursorScreenPos({page.lo.x, y});
+    ui::text_field(theme, "filter", dialog.filter, "Find a command", field, ui::icon::search);
+    draw_key_seeker(editor, theme, {{end - seeker, y}, {end, y + theme.size.row}});
     draw_rows(editor, theme, {{page.lo.x, page.lo.y + theme.px(76)}, page.hi});
 }
 

@@ -44,10 +44,9 @@ void bookmarks(Editor& editor)
 
 void recent_scenes(Editor& editor)
 {
-    constexpr std::size_t most = 8;
     const auto& recent = editor.recent_scenes.of(editor.preferences.recent_scenes);
     if (recent.empty() || !ImGui::BeginMenu("Open recent")) return;
-    for (std::size_t i = 0; i < std::min(most, recent.size()); ++i) {
+    for (std::size_t i = 0; i < recent.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::MenuItem(recent[i].name.c_str(), recent[i].folder.c_str(), false,
                             recent[i].there))

@@ -2,6 +2,7 @@
 #include "editor/panels/panels.h"
 
 #include "core/base/memory.h"
+#include "core/base/text.h"
 #include "ui/icons.h"
 #include "ui/timing_overlay.h"
 #include "ui/widgets.h"
@@ -42,6 +43,7 @@ void labels(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
     at.y += theme.px(28);
     const Viewport& shown = editor.viewport;
     if (shown.drafts().count() == 0) return;
+    if (!editor.preferences.show_timing && !editor.timing.open) return;
     const std::size_t bytes = editor.timing.open ? resident_bytes() : 0;
     ui::draw_timing(
         theme, at, view.hi.y - at.y - theme.px(40),
@@ -120,6 +122,9 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     style.level = gpu::level_named(editor.preferences.quality).value_or(gpu::Level::standard);
     style.deform_by =
         gpu::deform_named(editor.preferences.deform).value_or(gpu::DeformBy::processor);
+    style.grid = editor.preferences.grid;
+    const std::optional<double> pace = parse_number(editor.preferences.pace); // pictures a second
+    style.draft_ms = pace ? 1000 / *pace : 0;
     editor.viewport.set_style(style);
     const unsigned texture = editor.viewport.draw(session, frame, size_px, moving, state,
                                                   [&] { return helpers_of(editor, over); });
@@ -137,7 +142,7 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     draw_add_menu(editor, theme);
     labels(editor, theme, view);
     if (session.document().render->color_by == ColorBy::stretch) draw_legend(theme, view);
-    draw_navigation(editor, theme, view);
+    if (editor.preferences.show_axes) draw_navigation(editor, theme, view);
     if (editor.tutorial.runs(session))
         draw_tutorial(editor, frame, view);
     else if (shows_welcome(editor))

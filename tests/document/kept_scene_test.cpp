@@ -3,6 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/base/text.h"
+#include "core/document/kept_scenes.h"
 #include "core/document/log.h"
 #include "tests/document/full_disk.h"
 #include "tests/support/fixtures.h"
@@ -148,7 +149,7 @@ TEST(KeptScene, WithoutANameIsKeptFromItsFirstStepTillItHasOne)
     EXPECT_EQ(SceneFile(folder.file("a.trivar")).history().steps().size(), 2u);
 }
 
-TEST(KeptScene, WithoutANameIsSetAsideForThirtyDaysWhenItIsLetGo)
+TEST(KeptScene, WithoutANameIsSetAsideTillItIsOldWhenItIsLetGo)
 {
     const TemporaryFolder folder;
     const std::string kept = folder.path().string();
@@ -167,7 +168,7 @@ TEST(KeptScene, WithoutANameIsSetAsideForThirtyDaysWhenItIsLetGo)
     const auto age = [&](int days) {
         std::filesystem::last_write_time(
             aside.front(), std::filesystem::file_time_type::clock::now() - std::chrono::days(days));
-        SceneFile().keep_in(kept);
+        forget_old_scenes(kept, std::chrono::days(30));
         return SceneFile::set_aside_in(kept).size();
     };
     EXPECT_EQ(age(29), 2u);

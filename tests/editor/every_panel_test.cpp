@@ -122,7 +122,7 @@ TEST_P(EveryPanel, IsDrawnAndCutsNoText)
     leave_filling(rig.editor);
     rig.editor.palette.open = false;
     look(rig, "palette closed");
-    for (int page = 0; page < 3; ++page) {
+    for (int page = 0; page < Editor::PreferencesDialog::page_count; ++page) {
         rig.editor.preferences_dialog.open = true;
         rig.editor.preferences_dialog.page = page;
         look(rig, "preferences, page " + std::to_string(page));

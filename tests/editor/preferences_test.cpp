@@ -24,6 +24,16 @@ TEST(Preferences, ComeBackFromTheirText)
     p.timeline_open = true;
     p.loop = false;
     p.recent_commands = {"Box", "Save as..."};
+    p.at_start = "last";
+    p.ask_to_keep = p.grid = p.show_axes = p.show_timing = false;
+    p.pace = "30";
+    p.threads = 3;
+    p.mouse = {"trackpad", "super", "origin", false, true, 0.5, 2, 3, 0.8};
+    p.discarded_days = 90;
+    p.most_recent = 4;
+    p.scenes_folder = "~/scenes";
+    p.models_folder = "/models";
+    p.look = {.high_contrast = true, .lines = 1.5, .tooltip_s = 2};
     p.keys = {{"Undo", {{.key = 'U', .ctrl = true}}}, {"Redo", {}}};
     EXPECT_EQ(preferences_from(text_of(p)), p);
 }
@@ -40,6 +50,31 @@ TEST(Preferences, AreAsIfNewWhereTheTextIsOdd)
     const std::string nested =
         R"({"a":)" + std::string(100000, '[') + std::string(100000, ']') + "}";
     EXPECT_EQ(preferences_from(nested), Preferences());
+}
+
+TEST(Preferences, AreReadWithTheNamesOfWhatIsOdd)
+{
+    using ::testing::ElementsAre, ::testing::IsEmpty;
+    EXPECT_THAT(read_preferences(text_of({})).odd, IsEmpty());
+    EXPECT_THAT(read_preferences("{}").odd, IsEmpty());
+    EXPECT_THAT(read_preferences(R"({"of a later program":1})").odd, IsEmpty());
+    EXPECT_THAT(read_preferences(R"({"scale":99,"pace":"never","threads":-1,"grid":0})").odd,
+                ElementsAre("scale", "grid", "pace", "threads"));
+    EXPECT_THAT(read_preferences("no JSON").odd, ElementsAre("the whole file"));
+}
+
+TEST(Preferences, OfAFileThatIsNoneAreTheUsualOnesAndTheFileIsKept)
+{
+    const testing::TemporaryFolder folder;
+    const std::string path = folder.file("preferences.json");
+    testing::write_file(path, "{ torn");
+    PreferencesFile file(path);
+    EXPECT_EQ(file.read(), Preferences());
+    EXPECT_THAT(file.trouble(), ::testing::HasSubstr("cannot be understood"));
+    EXPECT_EQ(read_text_file(path + ".odd"), "{ torn");
+    testing::write_file(path, R"({"orbit_speed":1e9,"zoom_speed":"x"})");
+    EXPECT_THAT(PreferencesFile(path).trouble(), ::testing::HasSubstr("orbit_speed and 1 more"));
+    EXPECT_EQ(PreferencesFile(folder.file("none")).trouble(), "");
 }
 
 TEST(Preferences, OutOfRangeAreCutToIt)
@@ -85,6 +120,13 @@ TEST(Preferences, RememberTheNewestFirstAndOnce)
     std::vector<std::string> recent{"a", "b"};
     remember(recent, "b");
     EXPECT_EQ(recent, (std::vector<std::string>{"b", "a"}));
+}
+
+TEST(Preferences, TellDaysAsPeopleDo)
+{
+    EXPECT_EQ(for_days(1), "for a day");
+    EXPECT_EQ(for_days(30), "for 30 days");
+    EXPECT_EQ(for_days(365), "for a year");
 }
 
 TEST(Preferences, TheScaleGoesUpAndDownBetweenItsEnds)

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace trivar {
+
+// How a person's mouse or trackpad moves the camera.
+struct MouseManners {
+    std::string device = "automatic";   // what turns the wheel: "mouse", "trackpad"
+    std::string emulation = "alt";      // makes the left button the middle one: "super", "none"
+    std::string orbit_about = "cursor"; // what it turns about: "selection", "origin"
+    bool zoom_to_cursor = true;         // else to the middle of the picture
+    bool reversed_zoom = false;
+    double orbit = 1, pan = 1, zoom = 1; // speeds, times the usual
+    double double_click_s = 0.3;         // two clicks within it are a double click
+    bool operator==(const MouseManners&) const = default;
+};
+
+} // namespace trivar
