@@ -6,6 +6,7 @@
 #include "core/document/kept_scenes.h"
 #include "core/document/locked_file.h"
 #include "core/document/log.h"
+#include "core/document/moved_history.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -18,47 +19,6 @@
 
 namespace trivar {
 namespace {
-
-// The files that a command names, which may be changed where the command may.
-template <class C> auto files_of(C& command)
-{
-    using File = std::conditional_t<std::is_const_v<C>, const ImportedFile, ImportedFile>;
-    std::vector<File*> files;
-    if (auto* import = std::get_if<ImportModel>(&command)) files.push_back(&import->file);
-    if (auto* edit = std::get_if<EditImport>(&command)) files.push_back(&edit->file);
-    if (auto* relink = std::get_if<Relink>(&command))
-        for (auto& file : relink->files) files.push_back(&file);
-    if (auto* paste = std::get_if<Paste>(&command))
-        for (auto& copy : paste->copies)
-            if (copy.file) files.push_back(&*copy.file);
-    return files;
-}
-
-bool is_relative(const ImportedFile* file)
-{
-    return std::filesystem::path(file->path).is_relative();
-}
-
-bool imports_by_relative_path(const History::Step& step)
-{
-    return std::ranges::any_of(files_of(step.command), is_relative);
-}
-
-// The history with the paths of imports as they are from another folder.
-History moved(const History& history, const std::filesystem::path& from,
-              const std::filesystem::path& to)
-{
-    History result;
-    for (const History::Step& step : history.steps()) {
-        Command command = step.command;
-        for (ImportedFile* file : files_of(command))
-            if (is_relative(file))
-                file->path = (from / file->path).lexically_normal().lexically_relative(to).string();
-        result.run(std::move(command), step.note);
-    }
-    while (result.position() > history.position()) result.undo();
-    return result;
-}
 
 std::vector<std::string> lines_of(std::string_view text)
 {
