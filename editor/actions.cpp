@@ -10,6 +10,7 @@
 #include "editor/selection_actions.h"
 #include "editor/time_actions.h"
 #include "editor/view_actions.h"
+#include "ui/notices.h"
 
 #include <algorithm>
 #include <cassert>
@@ -91,6 +92,13 @@ bool is_enabled(const Editor& editor, const Action& action)
 std::string key_text(const Action& action)
 {
     return action.keys.empty() ? std::string() : ui::text_of(action.keys.front());
+}
+
+ui::Tip tip_of(const Editor& editor, const Action& action, std::string sentence)
+{
+    if (!is_enabled(editor, action))
+        sentence += (sentence.empty() ? "" : " ") + ui::sentence(action.enabled.otherwise);
+    return {action.name, key_text(action), std::move(sentence)};
 }
 
 void run_keys(Editor& editor)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/keys.h"
+#include "ui/tooltip.h"
 
 #include <functional>
 #include <string>
@@ -54,6 +55,8 @@ std::vector<Action> all_actions(const Editor& editor);
 const Action& action(const Editor& editor, const std::string& name);
 bool is_enabled(const Editor& editor, const Action& action);
 std::string key_text(const Action& action); // "" without a key
+// What its button says: the sentence, and why it cannot be pressed.
+ui::Tip tip_of(const Editor& editor, const Action& action, std::string sentence = {});
 
 // Runs the actions whose keys were struck in this frame.
 void run_keys(Editor& editor);

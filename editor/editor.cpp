@@ -2,6 +2,7 @@
 #include "editor/editor.h"
 
 #include "editor/actions.h"
+#include "editor/hints.h"
 #include "editor/panels/inspect.h"
 #include "editor/panels/panels.h"
 
@@ -169,6 +170,7 @@ void draw_editor(Editor& editor, ui::Frame& frame)
     }
     finish_edit(editor);
     follow_steps(editor.adjustment, editor.session);
+    follow_hints(editor);
     draw_viewport(editor, frame, layout); // last of the panels: it shows what they changed
     draw_status_line(editor, theme, layout);
     paint_focus(editor, theme, layout);

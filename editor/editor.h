@@ -56,6 +56,10 @@ struct Editor {
     bool show_focus = false;                                       // it came there by a key
     std::string menu_asked;                                        // it opens in the next frame
     Adjustment adjustment;
+    struct FollowedSteps { // of which scene, and how many
+        long scene = -1;
+        std::size_t count = 0;
+    } followed_by_hints;
     long scene = 0;               // number of the session's scene that the tools know
     bool add_menu_asked = false;  // it opens at the mouse in the next frame
     bool right_cancelled = false; // the right button, which is held, ended a gesture

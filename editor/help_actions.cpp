@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/help_actions.h"
 
+#include "editor/hints.h"
 #include "editor/panels/panels.h"
 
 #include <algorithm>
@@ -55,6 +56,14 @@ void add_help_actions(std::vector<Action>& a)
     a.push_back({"Help", "Start card", {}, [](Editor& e) {
                      e.start_card = {.asked = e.session.scenes()};
                  }});
+    a.push_back({"Help",
+                 show_hints_action,
+                 {},
+                 show_hints_again,
+                 {[](const Editor& e) {
+                      return !e.preferences.hints || !e.preferences.closed_hints.empty();
+                  },
+                  "they are all shown"}});
     a.push_back({"Help", "Keys and mouse", {}, [](Editor& e) { show_manual(e, keys_page); }});
     tutorial_actions(a);
 }

@@ -11,6 +11,8 @@ void add_help_actions(std::vector<Action>& actions);
 inline constexpr const char *tutorial_next = "Next step", *tutorial_back = "Step back",
                             *tutorial_close = "Close the tutorial";
 
+inline constexpr const char* show_hints_action = "Show hints again";
+
 // Each of these scenes can be begun as a tutorial from now on.
 void add_tutorials(Editor& editor, const std::vector<std::string>& paths);
 bool has_tour(const Editor& editor);

@@ -155,6 +155,7 @@ void each_preference(auto& p, const auto& field)
     field("models_folder", p.models_folder);
     field("recent_commands", p.recent_commands);
     field("recent_scenes", p.recent_scenes);
+    field("closed_hints", p.closed_hints);
 }
 
 std::string read_small_file(const std::string& path)

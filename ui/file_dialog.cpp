@@ -249,11 +249,11 @@ std::optional<std::string> FileDialog::draw(const Theme& theme)
     y += theme.px(36);
     const glm::vec2 square(theme.size.icon_button);
     at(left, y);
-    if (icon_button(theme, "up", icon::level_up, square, "Folder above", "Backspace"))
+    if (icon_button(theme, "up", icon::level_up, square, {"Folder above", "Backspace"}))
         enter(folder_.parent_path());
     at(left + theme.px(28), y);
     const char* home = std::getenv("HOME");
-    if (icon_button(theme, "home", icon::home, square, "Home folder") && home) enter(home);
+    if (icon_button(theme, "home", icon::home, square, {"Home folder"}) && home) enter(home);
     const std::string shown = folder_.string();
     paint_text(theme.font.body, {{left + theme.px(64), y}, {rect.hi.x - pad, y + theme.size.row}},
                theme.color.text_2, elided(theme.font.body, shown, width - theme.px(64)));

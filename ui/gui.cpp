@@ -12,15 +12,13 @@
 namespace trivar::ui {
 namespace {
 
-// Tooltips wait for a hovering mouse and held keys repeat: both need frames without input.
+// Previews wait for a hovering mouse and held keys repeat: both need frames without input.
 void ask_for_what_imgui_needs(Frame& frame)
 {
     constexpr float preview_patience_s = 0.32f, repeat_s = 0.04f;
-    const float tooltip_s = static_cast<float>(frame.theme.look.tooltip_s) + 0.05f;
     const ImGuiContext& g = *ImGui::GetCurrentContext();
-    for (const float patience_s : {preview_patience_s, tooltip_s})
-        if (g.HoveredId != 0 && g.HoveredIdTimer < patience_s)
-            frame.again_in(patience_s - g.HoveredIdTimer);
+    if (g.HoveredId != 0 && g.HoveredIdTimer < preview_patience_s)
+        frame.again_in(preview_patience_s - g.HoveredIdTimer);
     // A tooltip or menu that has just opened is measured in one frame and seen in the next.
     for (const ImGuiWindow* window : g.Windows)
         if (window->Active &&
@@ -85,6 +83,7 @@ Gui::Gui(const ThemeOptions& options)
     : contexts_(std::make_unique<Contexts>()),
       theme_(apply_theme(options))
 {
+    ImGui::GetIO().UserData = &tooltips_;
 }
 
 Gui::~Gui() = default;
@@ -117,6 +116,7 @@ Frame Gui::frame(glm::ivec2 size_px, double time_s, bool close_asked, const Draw
     ImGui::NewFrame();
     Frame frame{theme_, input_.events(), glm::vec2(size_px), time_s, close_asked};
     body(frame);
+    tooltips_.draw(theme_, frame);
     ImGui::Render();
 
     glViewport(0, 0, size_px.x, size_px.y);

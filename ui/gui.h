@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/frame.h"
+#include "ui/tooltip.h"
 
 #include <memory>
 
@@ -32,6 +32,7 @@ private:
     std::unique_ptr<Contexts> contexts_;
     Theme theme_;
     Input input_;
+    Tooltips tooltips_;
     double last_time_s_ = -1;
 };
 

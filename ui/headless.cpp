@@ -56,6 +56,7 @@ void HeadlessFrames::frames(int count, const DrawFrame& body)
         const float scale = combined_scale(options_.scale, frame.interface_scale);
         if (scale != gui_.theme().scale || frame.look != gui_.theme().look)
             gui_.set_theme({scale, frame.look});
+        pace_.drawn(frame);
         time_s_ += 1.0 / 60;
         ++count_;
     }
@@ -63,16 +64,11 @@ void HeadlessFrames::frames(int count, const DrawFrame& body)
 
 int HeadlessFrames::settle(const DrawFrame& body, int limit)
 {
-    Pace pace;
+    pace_.input_came();
     int drawn = 0;
-    const DrawFrame paced = [&](Frame& frame) {
-        body(frame);
-        if (gui_.input().pending()) pace.input_came();
-        pace.drawn(frame);
-    };
-    for (; drawn < limit && pace.wait_s(time_s_) < 1e9; ++drawn) {
-        time_s_ += pace.wait_s(time_s_);
-        frames(1, paced);
+    for (; drawn < limit && pace_.wait_s(time_s_) < 1e9; ++drawn) {
+        time_s_ += pace_.wait_s(time_s_);
+        frames(1, body);
     }
     return drawn;
 }

@@ -40,6 +40,7 @@ private:
     unsigned framebuffer_ = 0, color_ = 0;
     double time_s_ = 0;
     int count_ = 0;
+    Pace pace_;
 };
 
 } // namespace trivar::ui

@@ -103,7 +103,7 @@ Drawn draw_one(const Theme& theme, const Notices::Notice& notice, glm::vec2 lowe
     }
     ImGui::SetCursorScreenPos({r.hi.x - theme.px(32), r.lo.y + theme.px(7)});
     drawn.close =
-        icon_button(theme, "close", icon::close, glm::vec2(theme.size.icon_button), "Close");
+        icon_button(theme, "close", icon::close, glm::vec2(theme.size.icon_button), {"Close"});
     drawn.hovered = ImGui::IsWindowHovered();
     ImGui::End();
     return drawn;

@@ -19,6 +19,8 @@ void draw(const Theme& theme, const Option& option, glm::vec2 at, float label)
 {
     paint_text(theme.font.body, rect_at(at, {label, theme.size.row}), theme.color.text_2,
                option.words);
+    tooltip_in(rect_at(at, {label + theme.px(option.width), theme.size.row}),
+               {option.words, {}, option.help});
     ImGui::SetCursorScreenPos({at.x + label, at.y});
     option.field(theme.px(option.width));
 }
@@ -48,7 +50,7 @@ void option_bar(const Theme& theme, const std::vector<Option>& options, float ro
     }
     if (fit == options.size()) return;
     ImGui::SetCursorScreenPos({x, begin.y});
-    if (icon_button(theme, "more", icon::more, glm::vec2(button), "More settings"))
+    if (icon_button(theme, "more", icon::more, glm::vec2(button), {"More settings"}))
         ImGui::OpenPopup("more settings");
     float label = 0, field = 0;
     for (std::size_t i = fit; i < options.size(); ++i) {

@@ -9,11 +9,13 @@
 
 namespace trivar::ui {
 
-// A setting of the tool at hand: its label, and its field of a width at scale 1.
+// A setting of the tool at hand: its label, its field of a width at scale 1, and the sentence of
+// their tooltip.
 struct Option {
     std::string words;
     float width = 0;
     std::function<void(float width_px)> field;
+    std::string help = {};
 };
 
 // Beside each other from ImGui's cursor on; those that do not fit move, whole, into a menu behind

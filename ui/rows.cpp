@@ -54,27 +54,29 @@ Row label_row(const Theme& theme, const std::string& label, bool changed, const 
         row.reset = ImGui::InvisibleButton("reset", {theme.size.padding, theme.size.row});
         const bool hot = ImGui::IsItemHovered();
         paint_dot({x - theme.px(6), r.center().y}, theme.px(hot ? 3 : 2), c.changed);
-        tooltip(theme, "Reset to the default");
+        tooltip({"Reset to the default"});
     }
-    ImGui::SetCursorScreenPos({x, r.lo.y});
     const float room = theme.size.label - theme.px(8);
-    ImGui::InvisibleButton("label", {room, theme.size.row});
-    if (!help.empty()) tooltip(theme, label, {}, help);
+    const std::string shown = elided(theme.font.body, label, room);
+    if (!help.empty() || shown != label)
+        tooltip_in({{x, r.lo.y}, {r.hi.x - theme.px(16), r.hi.y}}, {label, {}, help});
     ImGui::PopID();
-    paint_text(theme.font.body, {{x, r.lo.y}, r.hi}, c.text_2,
-               elided(theme.font.body, label, room));
+    paint_text(theme.font.body, {{x, r.lo.y}, r.hi}, c.text_2, shown);
     ImGui::SetCursorScreenPos({x + theme.size.label, r.lo.y});
     row.width = r.hi.x - theme.px(16) - (x + theme.size.label);
     return row;
 }
 
-void fact_row(const Theme& theme, const std::string& label, const std::string& value, Color color)
+void fact_row(const Theme& theme, const std::string& label, const std::string& value, Color color,
+              const std::string& help)
 {
-    const Row row = label_row(theme, label);
+    const Row row = label_row(theme, label, false, help);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::Dummy({std::max(1.0f, row.width), theme.size.row});
+    const std::string shown = elided(theme.font.body, value, row.width);
+    if (shown != value) tooltip({value, {}, help});
     paint_text(theme.font.body, rect_at({at.x, at.y}, {row.width, theme.size.row}),
-               color ? color : theme.color.text, elided(theme.font.body, value, row.width));
+               color ? color : theme.color.text, shown);
 }
 
 void gap(const Theme& theme, float height_at_scale_1)

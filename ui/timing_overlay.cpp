@@ -138,7 +138,7 @@ void draw_card(const Theme& theme, glm::vec2 at, float max_height, const TimingS
     ImGui::SetCursorScreenPos({foot.hi.x - button_width(theme, "Copy"), foot.lo.y});
     if (button(theme, "Copy", ButtonKind::quiet, {0, foot.height()}))
         ImGui::SetClipboardText(timing_text(s).c_str());
-    tooltip(theme, "Copy as text", {}, "All of these times, with the names --timings writes.");
+    tooltip({"Copy as text", {}, "All of these times, with the names --timings writes."});
     ImGui::PopClipRect();
 }
 
@@ -153,8 +153,8 @@ void draw_timing(const Theme& theme, glm::vec2 at, float max_height, const Timin
     const Chip pill{milliseconds(median), timing_color(theme, median)};
     const float width = text_width(theme.font.small, pill.text) + theme.px(30);
     if (ImGui::InvisibleButton("pill", {width, theme.size.row})) view.open = !view.open;
-    tooltip(theme, "Timing", key,
-            "The median of the last pictures while something moved, with what they show.");
+    tooltip({"Timing", key,
+             "The median of the last pictures while something moved, with what they show."});
     paint_chip(theme, at, pill);
     if (view.open)
         draw_card(theme, at + glm::vec2(0, theme.px(28)), max_height - theme.px(28), sources, view);

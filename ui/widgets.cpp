@@ -107,7 +107,7 @@ Edit choice(const Theme& theme, const std::string& id, int& chosen,
     const std::string shown = known ? names[static_cast<std::size_t>(chosen)] : "";
     const std::string fits = elided(theme.font.body, shown, text.width());
     paint_text(theme.font.body, text, c.text, fits);
-    if (fits != shown) tooltip(theme, shown);
+    if (fits != shown) tooltip({shown});
     if (p.clicked) ImGui::OpenPopup("list");
     ImGui::SetNextWindowPos({p.rect.lo.x, p.rect.hi.y + theme.px(4)});
     ImGui::SetNextWindowSize({width, 0});
@@ -213,7 +213,7 @@ bool button(const Theme& theme, const std::string& text, ButtonKind kind, glm::v
 }
 
 bool icon_button(const Theme& theme, const std::string& id, const char* icon, glm::vec2 size,
-                 const std::string& tip, const std::string& key, IconState state)
+                 const Tip& tip, IconState state)
 {
     const Palette& c = theme.color;
     const Pressed p = press_area(id, size);
@@ -227,12 +227,11 @@ bool icon_button(const Theme& theme, const std::string& id, const char* icon, gl
                         : p.hovered    ? c.text
                                        : c.text_2;
     paint_text(tool ? theme.font.tool : theme.font.body, p.rect, color, icon, Align::center);
-    tooltip(theme, tip, key);
+    tooltip(tip, tool ? Side::right : Side::below);
     return p.clicked && state.enabled;
 }
 
-void name_text(const Theme& theme, const ImFont* font, const Rect& in, Color color,
-               const std::string& name)
+void name_text(const ImFont* font, const Rect& in, Color color, const std::string& name)
 {
     const std::string shown = elided(font, name, in.width());
     paint_text(font, in, color, shown);
@@ -241,34 +240,7 @@ void name_text(const Theme& theme, const ImFont* font, const Rect& in, Color col
     ImGui::PushID(name.c_str());
     ImGui::InvisibleButton("whole", {std::max(1.0f, in.width()), std::max(1.0f, in.height())});
     ImGui::PopID();
-    tooltip(theme, name);
-}
-
-void tooltip(const Theme& theme, const std::string& name, const std::string& key,
-             const std::string& sentence)
-{
-    if (!ImGui::IsItemHovered() || ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
-    if (GImGui->HoveredIdTimer < static_cast<float>(theme.look.tooltip_s)) return;
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.px(10), theme.px(8)});
-    ImGui::BeginTooltip();
-    ImGui::PushFont(theme.font.strong);
-    for (const std::string& line : wrapped(theme.font.strong, name, theme.px(320)))
-        ImGui::TextUnformatted(line.c_str());
-    ImGui::PopFont();
-    if (!key.empty()) {
-        ImGui::SameLine(0, theme.px(16));
-        ImGui::PushStyleColor(ImGuiCol_Text, theme.color.text_2);
-        ImGui::TextUnformatted(key.c_str());
-        ImGui::PopStyleColor();
-    }
-    if (!sentence.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, theme.color.text_2);
-        for (const std::string& line : wrapped(theme.font.body, sentence, theme.px(260)))
-            ImGui::TextUnformatted(line.c_str());
-        ImGui::PopStyleColor();
-    }
-    ImGui::EndTooltip();
-    ImGui::PopStyleVar();
+    tooltip({name});
 }
 
 } // namespace trivar::ui

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/paint.h"
+#include "ui/tooltip.h"
 
 #include <string>
 #include <vector>
@@ -51,15 +51,10 @@ struct IconState {
     bool on = false, enabled = true;
 };
 bool icon_button(const Theme& theme, const std::string& id, const char* icon, glm::vec2 size,
-                 const std::string& tip, const std::string& key = {}, IconState state = {});
-
-// Over the last item, after half a second: a name with its key, and a sentence.
-void tooltip(const Theme& theme, const std::string& name, const std::string& key = {},
-             const std::string& sentence = {});
+                 const Tip& tip, IconState state = {});
 
 // Something that a person named: shortened where it is too long, and then whole in its tooltip.
-void name_text(const Theme& theme, const ImFont* font, const Rect& in, Color color,
-               const std::string& name);
+void name_text(const ImFont* font, const Rect& in, Color color, const std::string& name);
 
 // A group's heading that opens and closes; whether it is open. `note` stands at its right.
 bool section(const Theme& theme, const std::string& title, bool open_at_first = true,
@@ -72,10 +67,10 @@ struct Row {
     bool reset = false;
 };
 Row label_row(const Theme& theme, const std::string& label, bool changed = false,
-              const std::string& help = {});
+              const std::string& help = {}); // the sentence of the row's tooltip
 // A row that only tells.
 void fact_row(const Theme& theme, const std::string& label, const std::string& value,
-              Color color = 0);
+              Color color = 0, const std::string& help = {});
 void gap(const Theme& theme, float height_at_scale_1);
 
 // Icon, bold line, a sentence with the way out; centred in the rectangle.

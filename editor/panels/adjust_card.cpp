@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/step_title.h"
 #include "editor/field_words.h"
+#include "editor/hints.h"
 #include "editor/panels/panels.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
@@ -21,13 +22,13 @@ public:
     {
         ui::NumberStyle style{.lo = rule.lo, .hi = rule.hi};
         style.unit = unit_of_field(name, help);
-        const float width = ui::label_row(theme_, label_of_field(name)).width;
+        const float width = row_of(name, help);
         take(ui::number_field(theme_, std::string(name), value, style, width));
     }
-    void operator()(std::string_view name, int& value, std::string_view, Rule rule = {})
+    void operator()(std::string_view name, int& value, std::string_view help, Rule rule = {})
     {
         if (name == "object") return;
-        const float width = ui::label_row(theme_, label_of_field(name)).width;
+        const float width = row_of(name, help);
         take(ui::integer_field(theme_, std::string(name), value, {.lo = rule.lo, .hi = rule.hi},
                                width));
     }
@@ -35,10 +36,9 @@ public:
     void operator()(std::string_view name, glm::vec<n, T>& value, std::string_view help,
                     Rule rule = {})
     {
-        const float all = ui::label_row(theme_, label_of_field(name)).width, gap = theme_.px(4);
+        const float all = row_of(name, help), gap = theme_.px(4);
         const float width = (all - gap * static_cast<float>(n - 1)) / static_cast<float>(n);
         const ImVec2 at = ImGui::GetCursorScreenPos();
-        (void)help;
         for (int i = 0; i < n; ++i) {
             ImGui::SetCursorScreenPos({at.x + static_cast<float>(i) * (width + gap), at.y});
             const std::string id = std::string(name) + std::to_string(i);
@@ -66,6 +66,10 @@ public:
     void operator()(std::string_view, auto&, std::string_view, Rule = {}) {} // no number
 
 private:
+    float row_of(std::string_view name, std::string_view help) const
+    {
+        return ui::label_row(theme_, label_of_field(name), false, std::string(help)).width;
+    }
     void take(ui::Edit one)
     {
         if (one != ui::Edit::none) edit = one;
@@ -92,7 +96,7 @@ void draw_adjustment(Editor& editor, const ui::Theme& theme, const ui::Rect& vie
     const float width = std::min(theme.px(a.open ? 300 : 260), end - pad - (view.lo.x + pad));
     if (width < theme.px(160)) return;
     const float body = a.open ? std::max(a.height_px, theme.px(28)) + theme.px(8) : 0;
-    const float up = view.width() < theme.px(1000) ? theme.px(88) : pad; // over the hint's card
+    const float up = hint_card(editor) ? theme.px(108) : pad; // over the hint's card
     const ui::Rect card =
         ui::rect_at({view.lo.x + pad, view.hi.y - up - head - body}, {width, head + body});
     if (card.lo.y < view.lo.y + theme.px(80)) return;
@@ -101,6 +105,7 @@ void draw_adjustment(Editor& editor, const ui::Theme& theme, const ui::Rect& vie
     const float key_width = ui::text_width(theme.font.small, key) + theme.px(12);
     ImGui::SetCursorScreenPos({card.lo.x, card.lo.y});
     if (ImGui::InvisibleButton("adjust", {width, head})) a.open = !a.open;
+    ui::tooltip({title.text(), key, "The numbers of the last step; changing one replaces it."});
     if (ImGui::IsItemHovered())
         ui::paint_box({card.lo, {card.hi.x, card.lo.y + head}}, theme.color.row_hover,
                       theme.size.rounding_card);

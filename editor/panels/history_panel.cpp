@@ -156,7 +156,13 @@ Pointed draw_line(const ui::Theme& theme, const History& history, const Line& li
     ui::paint_text(font, {{left, row.lo.y}, row.hi}, undone ? quiet : c.text, words);
     ui::paint_text(theme.font.small, {row.lo, row.hi - glm::vec2(pad, 0)},
                    undone ? quiet : c.text_2, number, ui::Align::right);
-    if (words != title.words || number != title.number) ui::tooltip(theme, title.text());
+    const bool cut = words != title.words || number != title.number;
+    if (cut || ImGui::GetIO().MousePos.x < left)
+        ui::tooltip({title.text(),
+                     {},
+                     line.kind == Line::fork
+                         ? "What was done before something else was done instead."
+                         : "Click to go there; what comes after it is kept."});
     return pointed;
 }
 
@@ -178,7 +184,7 @@ void draw_footer(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
     ImGui::SetCursorScreenPos({r.hi.x - width, r.lo.y + theme.px(6)});
     if (ui::button(theme, save, ui::ButtonKind::quiet, {width, theme.px(28)}))
         editor.files.ask_save_compact();
-    ui::tooltip(theme, "Save compact", {}, "Writes only the steps in force, under another name.");
+    ui::tooltip({"Save compact", {}, "Writes only the steps in force, under another name."});
 }
 
 } // namespace

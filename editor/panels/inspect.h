@@ -19,6 +19,9 @@ using AxisField = std::function<ui::Edit(int axis, const ui::NumberStyle& style,
 ui::Edit axis_fields(const ui::Theme& theme, float width, ui::NumberStyle style,
                      const AxisField& field);
 
+inline constexpr const char* material_help =
+    "the colours and textures of the file, or one plain material";
+
 // Commits what was proposed once no field is held any more; every frame, after all panels.
 void finish_edit(Editor& editor);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/inspect.h"
 
+#include "editor/field_words.h"
 #include "editor/new_material.h"
 #include "editor/panels/panels.h"
 #include "ui/icons.h"
@@ -17,9 +18,9 @@ namespace trivar {
 namespace {
 
 ui::Edit vector_row(const ui::Theme& theme, const std::string& label, glm::dvec3& value,
-                    const glm::dvec3& rest, const ui::NumberStyle& style)
+                    const glm::dvec3& rest, const ui::NumberStyle& style, const std::string& help)
 {
-    const ui::Row row = ui::label_row(theme, label, value != rest);
+    const ui::Row row = ui::label_row(theme, label, value != rest, help);
     if (row.reset) {
         value = rest;
         return ui::Edit::changed;
@@ -42,7 +43,7 @@ void object_card(const ui::Theme& theme, const Object& each)
     const ui::Rect in = {r.lo + glm::vec2(theme.px(10), 0), r.hi - glm::vec2(theme.px(10), 0)};
     ui::paint_text(theme.font.body, in, c.accent_text, icon_of(each));
     const float type = ui::text_width(theme.font.small, type_of(each));
-    ui::name_text(theme, theme.font.strong,
+    ui::name_text(theme.font.strong,
                   {in.lo + glm::vec2(theme.px(24), 0), in.hi - glm::vec2(type + theme.px(12), 0)},
                   c.text, each.name);
     ui::paint_text(theme.font.small, in, c.text_2, type_of(each), ui::Align::right);
@@ -94,10 +95,10 @@ void draw_file(Editor& editor, const ui::Theme& theme, const ImportedFile& file,
     const std::string shown = ui::elided(theme.font.body, name, width - theme.px(84));
     if (ui::button(theme, shown, ui::ButtonKind::plain, {width, theme.size.row}, nullptr, "Other"))
         editor.files.ask_relink(id);
-    ui::tooltip(theme, file.path, {}, "Click to take another file.");
+    ui::tooltip({file.path, {}, "Click to take another file."});
     EditImport edit{id, file};
-    const ui::Row row =
-        ui::label_row(theme, "Subdivide", file.subdivisions != 0, "Catmull-Clark levels");
+    const ui::Row row = ui::label_row(theme, "Subdivide", file.subdivisions != 0,
+                                      help_of_field("edit_import", "subdivisions"));
     ui::Edit one = ui::integer_field(theme, "subdivisions", edit.file.subdivisions,
                                      {.lo = 0, .hi = 6, .bar_hi = 6}, row.width);
     if (row.reset) {
@@ -208,12 +209,15 @@ void draw_transform(Editor& editor, const ui::Theme& theme, Id id)
         if (one != ui::Edit::none) edit = one;
     };
     if (!each.placement) { // the stroke says where a placed object is
-        take(vector_row(theme, "Position", t.translation, rest.translation, {.unit = "m"}));
+        take(vector_row(theme, "Position", t.translation, rest.translation, {.unit = "m"},
+                        help_of_field("transform", "translation")));
         take(vector_row(theme, "Rotation", t.rotation_deg, rest.rotation_deg,
-                        {.lo = -36000, .hi = 36000, .step = 1, .unit = "deg"}));
+                        {.lo = -36000, .hi = 36000, .step = 1, .unit = "deg"},
+                        help_of_field("transform", "rotation_deg")));
     }
-    take(vector_row(theme, "Scale", t.scale, rest.scale, {.lo = -1e6, .hi = 1e6}));
-    const ui::Row row = ui::label_row(theme, "All alike");
+    take(vector_row(theme, "Scale", t.scale, rest.scale, {.lo = -1e6, .hi = 1e6},
+                    help_of_field("transform", "scale")));
+    const ui::Row row = ui::label_row(theme, "All alike", false, "one factor along X, Y and Z");
     double uniform = t.scale.x;
     const ui::Edit one =
         ui::number_field(theme, "uniform", uniform, {.lo = 1e-6, .hi = 1e6}, row.width);
@@ -229,7 +233,7 @@ void draw_material(Editor& editor, const ui::Theme& theme, Id id)
     if (std::holds_alternative<GroupShape>(each.source)) return;
     if (!ui::section(theme, "Material")) return;
     bool own = !each.surfacing.has_value();
-    ui::label_row(theme, "Use");
+    ui::label_row(theme, "Use", false, material_help);
     if (ui::check_box(theme, "own", own, "the model's own") == ui::Edit::changed) {
         if (own)
             editor.session.run(ClearMaterial{{id}});
@@ -242,24 +246,27 @@ void draw_material(Editor& editor, const ui::Theme& theme, Id id)
         return;
     }
     Surfacing s = *each.surfacing;
+    const auto help = [](const char* field) { return help_of_field("set_material", field); };
     ui::Edit edit =
-        ui::color_field(theme, "color", s.base_color, ui::label_row(theme, "Colour").width);
-    const auto share = [&](const char* label, float& value) {
+        ui::color_field(theme, "color", s.base_color,
+                        ui::label_row(theme, "Colour", false, help("base_color")).width);
+    const auto share = [&](const char* label, const char* field, float& value) {
         double number = value;
-        const ui::Row row = ui::label_row(theme, label);
+        const ui::Row row = ui::label_row(theme, label, false, help(field));
         const ui::Edit one =
             ui::number_field(theme, label, number, {.lo = 0, .hi = 1, .bar_hi = 1}, row.width);
         value = static_cast<float>(number);
         if (one != ui::Edit::none) edit = one;
     };
     int solid = static_cast<int>(s.solid);
-    const ui::Edit filled = ui::segments(theme, "filling", solid, {"None", "Wood", "Flesh"},
-                                         ui::label_row(theme, "Filling").width);
+    const ui::Edit filled =
+        ui::segments(theme, "filling", solid, {"None", "Wood", "Flesh"},
+                     ui::label_row(theme, "Filling", false, help("solid")).width);
     if (filled != ui::Edit::none) edit = filled;
     s.solid = static_cast<Solid>(solid);
     if (s.solid == Solid::none) { // the others have their own
-        share("Metallic", s.metallic);
-        share("Roughness", s.roughness);
+        share("Metallic", "metallic", s.metallic);
+        share("Roughness", "roughness", s.roughness);
     }
     ui::gap(theme, 8);
     propose_edit(editor, edit, [&] { return SetMaterial{{id}, s}; });
@@ -275,35 +282,37 @@ void draw_picture_settings(Editor& editor, const ui::Theme& theme)
         if (one != ui::Edit::none) edit = one;
     };
     if (!ui::section(theme, "Picture")) return;
+    const auto row_of = [&](const char* label, const char* field) {
+        return ui::label_row(theme, label, false, help_of_field("set_render", field)).width;
+    };
     int look = 0;
     for (std::size_t i = 0; i < looks.size(); ++i)
         if (looks[i] == s.look) look = static_cast<int>(i);
-    take(ui::segments(theme, "look", look, {"Studio", "Clay", "Dark"},
-                      ui::label_row(theme, "Look").width));
+    take(ui::segments(theme, "look", look, {"Studio", "Clay", "Dark"}, row_of("Look", "look")));
     s.look = looks[static_cast<std::size_t>(look)];
-    const auto number = [&](const char* label, double& value, double factor,
+    const auto number = [&](const char* label, const char* field, double& value, double factor,
                             const ui::NumberStyle& style) {
         double shown = value * factor;
-        const ui::Row row = ui::label_row(theme, label);
-        const ui::Edit one = ui::number_field(theme, label, shown, style, row.width);
+        const ui::Edit one = ui::number_field(theme, label, shown, style, row_of(label, field));
         if (one == ui::Edit::changed) value = shown / factor;
         take(one);
     };
     int color_by = static_cast<int>(s.color_by);
     take(ui::segments(theme, "color by", color_by, {"Material", "Stretch"},
-                      ui::label_row(theme, "Colour by").width));
+                      row_of("Colour by", "color_by")));
     s.color_by = static_cast<ColorBy>(color_by);
-    number("Exposure", s.exposure, 1, {.lo = -4, .hi = 4, .bar_hi = 4});
-    number("Sun round", s.sun_azimuth, degrees, {.lo = -360, .hi = 360, .step = 1, .unit = "deg"});
-    number("Sun height", s.sun_elevation, degrees,
+    number("Exposure", "exposure", s.exposure, 1, {.lo = -4, .hi = 4, .bar_hi = 4});
+    number("Sun round", "sun_azimuth", s.sun_azimuth, degrees,
+           {.lo = -360, .hi = 360, .step = 1, .unit = "deg"});
+    number("Sun height", "sun_elevation", s.sun_elevation, degrees,
            {.lo = 0, .hi = 90, .bar_hi = 90, .unit = "deg"});
-    ui::label_row(theme, "Shadows");
+    row_of("Shadows", "shadows");
     take(ui::check_box(theme, "shadows", s.shadows, "cast by the sun"));
-    ui::label_row(theme, "Corners");
+    row_of("Corners", "ambient_occlusion");
     take(ui::check_box(theme, "corners", s.ambient_occlusion, "darker"));
-    ui::label_row(theme, "Edges");
+    row_of("Edges", "wire");
     take(ui::check_box(theme, "edges", s.wire, "drawn over faces"));
-    ui::label_row(theme, "Ground");
+    row_of("Ground", "ground");
     take(ui::check_box(theme, "ground", s.ground, "catches shadows"));
     ui::gap(theme, 8);
     propose_edit(editor, edit, [&] { return SetRender{s}; });

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/field_words.h"
 #include "editor/panels/inspect.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/profile_rows.h"
@@ -10,6 +11,11 @@
 namespace trivar {
 namespace {
 
+std::string help_of(const char* parameter)
+{
+    return help_of_field("edit_placement", std::string("parameters.") + parameter);
+}
+
 std::string percent(double share)
 {
     return fmt::format("{:.0f} %", share * 100);
@@ -17,25 +23,30 @@ std::string percent(double share)
 
 void report_rows(const ui::Theme& theme, const PlacementReport& r)
 {
-    ui::fact_row(theme, "Length", ui::short_number(r.length_world) + " m");
-    ui::fact_row(theme, "On the scene", percent(r.contact_share) + " of the nodes");
-    ui::fact_row(theme, "Missed", percent(r.missed_share) + " of the rays");
-    ui::fact_row(theme, "Largest gap", ui::short_number(r.largest_gap) + " m");
+    const auto row = [&](const char* label, const std::string& value, const char* help,
+                         ui::Color color = 0) { ui::fact_row(theme, label, value, color, help); };
+    row("Length", ui::short_number(r.length_world) + " m", "of the middle of the strip");
+    row("On the scene", percent(r.contact_share) + " of the nodes",
+        "nodes of the contact surface that touch what they lie on; the others bridge gaps");
+    row("Missed", percent(r.missed_share) + " of the rays",
+        "of the rays through the strip, those that met nothing");
+    row("Largest gap", ui::short_number(r.largest_gap) + " m",
+        "between a node that springs hold and the scene under it");
     // Above one and a half a pattern is seen to be drawn out.
-    ui::fact_row(theme, "Stretch", fmt::format("{:.2g} times along", r.largest_stretch),
-                 r.largest_stretch > 1.5 ? theme.color.warn : 0);
+    row("Stretch", fmt::format("{:.2g} times along", r.largest_stretch),
+        "how far the model is drawn out where it is most",
+        r.largest_stretch > 1.5 ? theme.color.warn : 0);
     if (r.narrowed > 0)
-        ui::fact_row(theme, "Narrowed",
-                     fmt::format("{} {}", r.narrowed, r.narrowed == 1 ? "column" : "columns"),
-                     theme.color.warn);
+        row("Narrowed", fmt::format("{} {}", r.narrowed, r.narrowed == 1 ? "column" : "columns"),
+            "made narrower, since the stroke turns more tightly there than it is wide",
+            theme.color.warn);
     const bool through = r.penetration > 1e-3;
-    ui::fact_row(theme, "Penetration",
-                 r.penetration <= 0 ? "none"
-                                    : fmt::format("{:.2g} % of height", r.penetration * 100),
-                 through ? theme.color.warn : 0);
+    row("Penetration",
+        r.penetration <= 0 ? "none" : fmt::format("{:.2g} % of height", r.penetration * 100),
+        "how deep the scene is still in the volume at the worst", through ? theme.color.warn : 0);
     const bool folds = r.smallest_jacobian <= 0;
-    ui::fact_row(theme, "Folds", folds ? "yes, at a node" : "none",
-                 folds ? theme.color.bad : theme.color.good);
+    row("Folds", folds ? "yes, at a node" : "none", "places where the volume is turned inside out",
+        folds ? theme.color.bad : theme.color.good);
 }
 
 void volume_rows(ValueRows& rows, PlacementParameters& p, const PlacementReport* report,
@@ -49,7 +60,8 @@ void volume_rows(ValueRows& rows, PlacementParameters& p, const PlacementReport*
                                .zero = present > 0 ? "auto, " + ui::short_number(present) : "auto"};
     };
     // A drag from "auto" begins at the size that stands there.
-    const auto sized = [&](const char* label, double& value, double present, const char* help) {
+    const auto sized = [&](const char* label, double& value, double present,
+                           const std::string& help) {
         const double before = value;
         double shown = value > 0 ? value : present;
         const ui::Row at = ui::label_row(rows.theme, label, value != 0, help);
@@ -66,71 +78,57 @@ void volume_rows(ValueRows& rows, PlacementParameters& p, const PlacementReport*
     const auto profile = [&](const std::string& of, double present, ui::Color color,
                              std::vector<glm::dvec2>& points, int& chosen) {
         rows.take(draw_profile(rows.theme,
-                               {of + " profile",
-                                "How it changes along the stroke. In the curve: drag a point; "
-                                "Ctrl and click adds one or takes one away.",
-                                present, color},
-                               points, chosen));
+                               {of + " profile", help_of("width_profile"), present, color}, points,
+                               chosen));
     };
     const double width = report ? report->width_world : 0;
     const double height = report ? report->height_world : 0;
-    sized("Width", p.width, width,
-          "Of the strip, across the stroke. Reset: in proportion to the model.");
+    sized("Width", p.width, width, help_of("width"));
     profile("Width", width, rows.theme.color.stroke, p.width_profile, editor.width_point);
-    sized("Height", p.height, height,
-          "Of the volume, away from the scene. Reset: in proportion to the model.");
+    sized("Height", p.height, height, help_of("height"));
     profile("Height", height, rows.theme.color.lattice, p.height_profile, editor.height_point);
     rows.number("Offset", p.offset, rest.offset, {.lo = 0, .hi = 1, .bar_hi = 1},
-                "0: the volume is extruded toward the camera. 1: it stands on the surface along "
-                "its normals.");
-    rows.triple("Density", p.grid, rest.grid, {.lo = 2, .hi = 1024},
-                "Control points along, across and above the stroke.");
-    rows.triple("Order", p.orders, rest.orders, {.lo = 2, .hi = 6},
-                "Of the B-splines; 3 is quadratic, 4 is cubic.");
+                help_of("offset"));
+    rows.triple("Density", p.grid, rest.grid, {.lo = 2, .hi = 1024}, help_of("grid"));
+    rows.triple("Order", p.orders, rest.orders, {.lo = 2, .hi = 6}, help_of("orders"));
 }
 
 void spring_rows(ValueRows& rows, PlacementParameters& p)
 {
     const PlacementParameters rest;
     rows.choice("Gaps", p.springs ? 0 : 1, rest.springs ? 0 : 1, {"Bridge", "Follow"},
-                "Bridge: springs hold the model over gaps. Follow: it drops into them.",
-                [&](int chosen) { p.springs = chosen == 0; });
+                help_of("springs"), [&](int chosen) { p.springs = chosen == 0; });
     if (!p.springs) return;
     rows.number("Stiffness", p.stiffness, rest.stiffness, {.lo = 1e-3, .hi = 1e3},
-                "A span of stiffness x length sags by a tenth of the gap.");
+                help_of("stiffness"));
     rows.number("Bending", p.bending, rest.bending, {.lo = 0, .hi = 10, .bar_hi = 10},
-                "Resistance to bending, relative to the stiffness.");
+                help_of("bending"));
     rows.integer("Reach", p.neighborhood, rest.neighborhood, {.lo = 0, .hi = 1024},
-                 "Grid steps round a rough node that are let loose.");
+                 help_of("neighborhood"));
     rows.number("Roughness", p.roughness_deg, rest.roughness_deg,
-                {.lo = 1, .hi = 90, .bar_hi = 90, .unit = "deg"},
-                "The angle between neighbouring faces that counts as rough.");
-    rows.check("Ends", p.free_ends, rest.free_ends, "move freely",
-               "Nodes on the rim of the strip may move too.");
+                {.lo = 1, .hi = 90, .bar_hi = 90, .unit = "deg"}, help_of("roughness_deg"));
+    rows.check("Ends", p.free_ends, rest.free_ends, "move freely", help_of("free_ends"));
 }
 
 void fit_rows(ValueRows& rows, PlacementParameters& p)
 {
     const PlacementParameters rest;
     rows.number("Start", p.start, rest.start, {.lo = 0, .hi = 1 - 1e-3, .bar_hi = 1},
-                "Where along the stroke the model begins.");
-    rows.number("Fill", p.fill, rest.fill, {.lo = 1e-3, .hi = 1, .bar_hi = 1},
-                "How much of the stroke the model fills.");
+                help_of("start"));
+    rows.number("Fill", p.fill, rest.fill, {.lo = 1e-3, .hi = 1, .bar_hi = 1}, help_of("fill"));
     // The two share the stroke: what was not touched gives way.
     if (p.start + p.fill > 1) p.fill = std::max(1e-3, 1 - p.start);
-    rows.check("Direction", p.reverse, rest.reverse, "toward the start",
-               "The model looks toward the start of the stroke.");
+    rows.check("Direction", p.reverse, rest.reverse, "toward the start", help_of("reverse"));
     rows.choice("Roll", static_cast<int>(p.roll_deg / 90 + 0.5) % 4, 0, {"0", "90", "180", "270"},
-                "Quarter turns of the model about its length, in degrees.",
-                [&](int chosen) { p.roll_deg = chosen * 90; });
+                help_of("roll_deg"), [&](int chosen) { p.roll_deg = chosen * 90; });
 }
 
 void contact_rows(ValueRows& rows, PlacementParameters& p)
 {
     const PlacementParameters rest;
     int misses = static_cast<int>(p.misses);
-    const ui::Row at = ui::label_row(rows.theme, "Misses", p.misses != rest.misses,
-                                     "What a node does whose ray hits nothing.");
+    const ui::Row at =
+        ui::label_row(rows.theme, "Misses", p.misses != rest.misses, help_of("misses"));
     if (at.reset) {
         p.misses = rest.misses;
         rows.take(ui::Edit::changed);
@@ -141,11 +139,11 @@ void contact_rows(ValueRows& rows, PlacementParameters& p)
         p.misses = static_cast<Misses>(misses);
     }
     rows.number("Clearance", p.clearance, rest.clearance, {.lo = 0, .hi = 1e6, .unit = "m"},
-                "Kept between the scene and the model.");
+                help_of("clearance"));
     rows.number("Sinking", p.lift_tolerance, rest.lift_tolerance, {.lo = 0, .hi = 1},
-                "Penetration that may stay, as a fraction of the height.");
+                help_of("lift_tolerance"));
     rows.check("Back faces", p.skip_back_faces, rest.skip_back_faces, "rays pass through",
-               "Rays pass through faces that are seen from behind.");
+               help_of("skip_back_faces"));
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/field_words.h"
 #include "editor/new_material.h"
 #include "editor/panels/inspect.h"
 #include "editor/panels/panels.h"
@@ -40,12 +41,12 @@ using Component = glm::dvec3 Transform::*;
 
 ui::Edit shared_row(const ui::Theme& theme, const std::string& label,
                     std::vector<Transform>& transforms, Component part,
-                    const ui::NumberStyle& style)
+                    const ui::NumberStyle& style, const char* field)
 {
     const glm::dvec3 rest = Transform{}.*part;
     bool changed = false;
     for (const Transform& t : transforms) changed = changed || t.*part != rest;
-    const ui::Row row = ui::label_row(theme, label, changed);
+    const ui::Row row = ui::label_row(theme, label, changed, help_of_field("transform", field));
     if (row.reset) {
         for (Transform& t : transforms) t.*part = rest;
         return ui::Edit::changed;
@@ -68,10 +69,10 @@ void transforms(Editor& editor, const ui::Theme& theme)
     const auto take = [&edit](ui::Edit one) {
         if (one != ui::Edit::none) edit = one;
     };
-    take(shared_row(theme, "Position", all, &Transform::translation, {.unit = "m"}));
+    take(shared_row(theme, "Position", all, &Transform::translation, {.unit = "m"}, "translation"));
     take(shared_row(theme, "Rotation", all, &Transform::rotation_deg,
-                    {.lo = -36000, .hi = 36000, .step = 1, .unit = "deg"}));
-    take(shared_row(theme, "Scale", all, &Transform::scale, {.lo = -1e6, .hi = 1e6}));
+                    {.lo = -36000, .hi = 36000, .step = 1, .unit = "deg"}, "rotation_deg"));
+    take(shared_row(theme, "Scale", all, &Transform::scale, {.lo = -1e6, .hi = 1e6}, "scale"));
     ui::gap(theme, 8);
     propose_edit(editor, edit, [&] { return arranged(ids, all); });
 }
@@ -87,7 +88,7 @@ void material(Editor& editor, const ui::Theme& theme)
     bool same = true;
     for (const Id id : ids) same = same && object(document, id).surfacing == active.surfacing;
     bool own = !active.surfacing.has_value();
-    ui::label_row(theme, "Use");
+    ui::label_row(theme, "Use", false, material_help);
     if (ui::check_box(theme, "own", own, "the models' own") == ui::Edit::changed) {
         if (own)
             editor.session.run(ClearMaterial{ids});
@@ -98,18 +99,20 @@ void material(Editor& editor, const ui::Theme& theme)
     if (!same) ui::fact_row(theme, "Values", "mixed");
     if (!own) {
         Surfacing s = *active.surfacing;
+        const auto row_of = [&](const char* label, const char* field) {
+            return ui::label_row(theme, label, false, help_of_field("set_material", field)).width;
+        };
         ui::Edit edit =
-            ui::color_field(theme, "color", s.base_color, ui::label_row(theme, "Colour").width);
-        const auto share = [&](const char* label, float& value) {
+            ui::color_field(theme, "color", s.base_color, row_of("Colour", "base_color"));
+        const auto share = [&](const char* label, const char* field, float& value) {
             double number = static_cast<double>(value);
-            const ui::Edit one =
-                ui::number_field(theme, label, number, {.lo = 0, .hi = 1, .bar_hi = 1},
-                                 ui::label_row(theme, label).width);
+            const ui::Edit one = ui::number_field(
+                theme, label, number, {.lo = 0, .hi = 1, .bar_hi = 1}, row_of(label, field));
             value = static_cast<float>(number);
             if (one != ui::Edit::none) edit = one;
         };
-        share("Metallic", s.metallic);
-        share("Roughness", s.roughness);
+        share("Metallic", "metallic", s.metallic);
+        share("Roughness", "roughness", s.roughness);
         propose_edit(editor, edit, [&] { return SetMaterial{ids, s}; });
     }
     ui::gap(theme, 8);

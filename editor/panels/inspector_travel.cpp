@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/field_words.h"
 #include "editor/panels/inspect.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/value_rows.h"
@@ -9,16 +10,18 @@
 namespace trivar {
 namespace {
 
+std::string help_of_travel(const char* field)
+{
+    return help_of_field("set_travel", field);
+}
+
 void ends_row(ValueRows& rows, Ends& ends)
 {
     int chosen = static_cast<int>(ends);
-    rows.row("Ends", chosen, 0,
-             "Where its stroke ends: it stops, is not shown any more, goes straight on, begins "
-             "again (round and round on a ring), or turns back.",
-             [&](float width) {
-                 return ui::choice(rows.theme, "ends", chosen,
-                                   {"Stay", "Hide", "Run on", "Loop", "Back and forth"}, width);
-             });
+    rows.row("Ends", chosen, 0, help_of_travel("ends"), [&](float width) {
+        return ui::choice(rows.theme, "ends", chosen,
+                          {"Stay", "Hide", "Run on", "Loop", "Back and forth"}, width);
+    });
     ends = static_cast<Ends>(chosen);
 }
 
@@ -40,21 +43,17 @@ void draw_travel(Editor& editor, const ui::Theme& theme, Id id)
     Travel t = object(document, id).travel;
     ValueRows rows{theme};
     rows.number("Speed", t.speed, 0, {.lo = -1e6, .hi = 1e6, .unit = "m/s", .zero = "rests"},
-                "Along its stroke, the way it looks; negative: backwards. It needs room: in Fit, "
-                "let it fill a part of the stroke.");
+                help_of_travel("speed"));
     if (t.speed != 0) {
         ends_row(rows, t.ends);
         const ui::NumberStyle seconds{.lo = 0, .hi = 1e6, .unit = "s"};
-        rows.number("Ease in", t.ease_in, rest.ease_in, seconds, "From rest to that speed.");
-        rows.number("Ease out", t.ease_out, rest.ease_out, seconds,
-                    "To rest again, where it stops or turns.");
+        rows.number("Ease in", t.ease_in, rest.ease_in, seconds, help_of_travel("ease_in"));
+        rows.number("Ease out", t.ease_out, rest.ease_out, seconds, help_of_travel("ease_out"));
         rows.integer("Sets out", t.start_frame, document.time.first_frame,
-                     {.lo = -999999, .hi = 999999, .unit = "frame"},
-                     "The frame in which it begins to move.");
+                     {.lo = -999999, .hi = 999999, .unit = "frame"}, help_of_travel("start_frame"));
         ui::NumberStyle duration = seconds;
         duration.zero = "no limit";
-        rows.number("Stops after", t.duration, rest.duration, duration,
-                    "Wherever it is then. Reset: no limit.");
+        rows.number("Stops after", t.duration, rest.duration, duration, help_of_travel("duration"));
         const auto effects = editor.session.evaluated().objects.find(id);
         if (effects != editor.session.evaluated().objects.end() && effects->second->journey)
             ui::fact_row(theme, "Moves for",

@@ -88,8 +88,7 @@ void draw_row(Editor& editor, const ui::Theme& theme, const ui::Rect& row, const
         ui::paint_text(theme.font.body, field, c.text_2, "Press the new key", ui::Align::center);
     } else {
         paint_keys(theme, keys, row, each);
-        if (hovered)
-            ui::tooltip(theme, "Change the key", {}, "Click, then press it; Esc leaves it.");
+        if (hovered) ui::tooltip({"Change the key", {}, "Click, then press it; Esc leaves it."});
     }
     if (clicked) {
         dialog.asking = asking ? "" : each.name;
@@ -97,7 +96,7 @@ void draw_row(Editor& editor, const ui::Theme& theme, const ui::Rect& row, const
     }
     if (!own) return;
     ImGui::SetCursorScreenPos({row.hi.x - square.x - theme.px(4), row.center().y - square.y / 2});
-    if (ui::icon_button(theme, "reset", ui::icon::reset, square, "Back to the usual key")) {
+    if (ui::icon_button(theme, "reset", ui::icon::reset, square, {"Back to the usual key"})) {
         const std::string name = each.name;
         changed(editor, name, give_usual_keys(editor.actions, name));
     }

@@ -268,7 +268,7 @@ void draw_manual(Editor& editor, const ui::Theme& theme)
     const float button = r.lo.y + (head - square.y) / 2;
     if (!dialog.before.empty()) {
         ImGui::SetCursorScreenPos({r.lo.x + left + theme.px(12), button});
-        if (ui::icon_button(theme, "back", ui::icon::undo, square, "The page before")) {
+        if (ui::icon_button(theme, "back", ui::icon::undo, square, {"The page before"})) {
             const std::string before = dialog.before.back();
             dialog.before.pop_back();
             show_manual(editor, before);
@@ -276,7 +276,7 @@ void draw_manual(Editor& editor, const ui::Theme& theme)
     }
     ImGui::SetCursorScreenPos({r.hi.x - theme.px(12) - square.x, button});
     const bool close =
-        ui::icon_button(theme, "close", ui::icon::close, square, "Close the manual", "Esc");
+        ui::icon_button(theme, "close", ui::icon::close, square, {"Close the manual", "Esc"});
     ui::paint_box({{r.lo.x, r.lo.y + head}, {r.hi.x, r.lo.y + head + theme.size.hairline}},
                   c.line_soft);
     const float y0 = r.lo.y + head + theme.size.hairline;

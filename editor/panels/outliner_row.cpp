@@ -120,11 +120,13 @@ void column_cell(Editor& editor, const ui::Theme& theme, const ui::Rect& cell, C
     }
     if (o.painting != Column::none) return;
     if (eye)
-        ui::tooltip(theme, on ? "Show" : "Hide", {},
-                    "Drag down to do it to more rows; Alt shows only this one.");
+        ui::tooltip({on ? "Show" : "Hide",
+                     {},
+                     "Drag down to do it to more rows; Alt shows only this one."});
     else
-        ui::tooltip(theme, on ? "Unlock" : "Lock", {},
-                    "What is locked is not picked, moved or deleted by hand.");
+        ui::tooltip({on ? "Unlock" : "Lock",
+                     {},
+                     "What is locked is not picked, moved or deleted by hand."});
 }
 
 const EvaluatedObject* effects_of(const Session& session, Id id)
@@ -178,6 +180,7 @@ bool draw_outline_row(Editor& editor, const ui::Theme& theme, const std::vector<
             else
                 o.closed.erase(row.id);
         }
+        ui::tooltip({row.open ? "Close the group" : "Open the group"});
     }
     const float from = row.group ? left + theme.px(18) : place.lo.x;
     ImGui::SetCursorScreenPos({from, place.lo.y});
@@ -225,9 +228,9 @@ bool draw_outline_row(Editor& editor, const ui::Theme& theme, const std::vector<
         const ImFont* font = active ? theme.font.strong : theme.font.body;
         const std::string shown = ui::elided(font, each.name, type_x - x - theme.px(8));
         if (!trouble.empty())
-            ui::tooltip(theme, each.name, {}, trouble);
+            ui::tooltip({each.name, {}, trouble});
         else if (shown != each.name)
-            ui::tooltip(theme, each.name);
+            ui::tooltip({each.name});
         ui::paint_text(font, {{x, place.lo.y}, place.hi}, seen ? c.text : off, shown);
         ui::paint_text(theme.font.small, {{type_x, place.lo.y}, place.hi},
                        !seen      ? off

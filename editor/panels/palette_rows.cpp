@@ -51,7 +51,7 @@ void paint_entry(const ui::Theme& theme, const ui::Rect& row, const PaletteEntry
                    entry.icon);
     const float left = row.lo.x + theme.px(52), right = row.hi.x - theme.px(20) - caps;
     const std::string name = ui::elided(theme.font.body, entry.name, right - left);
-    if (name != entry.name) ui::tooltip(theme, entry.name);
+    if (name != entry.name) ui::tooltip({entry.name});
     const float end = paint_matched(theme, {{left, row.lo.y}, {right, row.hi.y}}, name, ranked,
                                     can ? c.text : quiet);
     const float room = right - theme.px(12) - end - theme.px(12);

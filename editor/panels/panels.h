@@ -50,7 +50,7 @@ void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& vie
 bool shows_welcome(const Editor& editor);
 void draw_welcome(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
 void draw_adjustment(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
-void draw_first_steps(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
+void draw_hint_card(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
 void draw_tutorial(Editor& editor, ui::Frame& frame, const ui::Rect& view);
 
 // A picture of a file, cut to the shape of its place; the place alone till it has been read.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/timeline.h"
 
+#include "editor/field_words.h"
 #include "editor/panels/inspect.h"
 #include "editor/time_actions.h"
 #include "ui/icons.h"
@@ -22,12 +23,11 @@ struct Transport {
     {
         ImGui::SetCursorScreenPos({x, std::round(bar.center().y - height / 2)});
     }
-    bool icon(const char* id, const char* icon, const std::string& tip, const std::string& key,
-              const ui::IconState& state = {})
+    bool icon(const char* id, const char* icon, const ui::Tip& tip, const ui::IconState& state = {})
     {
         const float side = theme.size.icon_button;
         place(side);
-        const bool clicked = ui::icon_button(theme, id, icon, glm::vec2(side), tip, key, state);
+        const bool clicked = ui::icon_button(theme, id, icon, glm::vec2(side), tip, state);
         x += side + theme.px(4);
         return clicked;
     }
@@ -50,18 +50,20 @@ void buttons(Editor& editor, Transport& line)
     const Time& time = editor.session.document().time;
     const int frame = editor.session.frame();
     struct Button {
-        const char *name, *icon;
+        const char *name, *icon, *says;
         bool enabled = true;
     };
     const std::array<Button, 5> all{
-        {{first_frame_action, ui::icon::first, frame > time.first_frame},
-         {previous_frame_action, ui::icon::back, frame > time.first_frame},
-         {play_action, playing ? ui::icon::pause : ui::icon::play},
-         {next_frame_action, ui::icon::forward, frame < time.last_frame},
-         {last_frame_action, ui::icon::last, frame < time.last_frame}}};
+        {{first_frame_action, ui::icon::first, "Where playing begins.", frame > time.first_frame},
+         {previous_frame_action, ui::icon::back, "", frame > time.first_frame},
+         {play_action, playing ? ui::icon::pause : ui::icon::play,
+          "A second of the scene takes a second; frames that come too late are left out."},
+         {next_frame_action, ui::icon::forward, "", frame < time.last_frame},
+         {last_frame_action, ui::icon::last, "Where playing ends.", frame < time.last_frame}}};
     for (const Button& each : all) {
         const Action& does = action(editor, each.name);
-        if (line.icon(each.name, each.icon, each.name, key_text(does), {.enabled = each.enabled}))
+        if (line.icon(each.name, each.icon, tip_of(editor, does, each.says),
+                      {.enabled = each.enabled}))
             does.run(editor);
     }
     const Action& again = action(editor, loop_action);
@@ -70,7 +72,9 @@ void buttons(Editor& editor, Transport& line)
         ui::paint_box(ui::rect_at({line.x, std::round(line.bar.center().y - side.y / 2)}, side),
                       line.theme.color.segment, line.theme.size.rounding_small);
     }
-    if (line.icon(loop_action, ui::icon::again, loop_action, key_text(again))) again.run(editor);
+    if (line.icon(loop_action, ui::icon::again,
+                  tip_of(editor, again, "After the last frame comes the first.")))
+        again.run(editor);
     line.x += line.theme.px(8);
 }
 
@@ -109,10 +113,14 @@ void numbers(Editor& editor, Transport& line, const Room& room)
             editor.playback.pause();
             session.show_frame(frame);
         }
+        ui::tooltip({"Frame", {}, "The one that is shown."});
     });
     ui::Edit edit = ui::Edit::none;
     const auto take = [&edit](ui::Edit one) {
         if (one != ui::Edit::none) edit = one;
+    };
+    const auto tip = [](const char* name, const char* field) {
+        ui::tooltip({name, {}, help_of_field("set_time", field)});
     };
     if (room.range) {
         line.words("of");
@@ -120,17 +128,20 @@ void numbers(Editor& editor, Transport& line, const Room& room)
             take(ui::integer_field(theme, "first", t.first_frame,
                                    {.lo = -999999, .hi = static_cast<double>(t.last_frame)},
                                    width));
+            tip("First frame", "first_frame");
         });
         line.field(48, [&](float width) {
             take(ui::integer_field(theme, "last", t.last_frame,
                                    {.lo = static_cast<double>(t.first_frame), .hi = 999999},
                                    width));
+            tip("Last frame", "last_frame");
         });
     }
     if (room.rate)
         line.field(68, [&](float width) {
             take(ui::number_field(theme, "rate", t.frames_per_second,
                                   {.lo = 0.1, .hi = 1000, .step = 1, .unit = "fps"}, width));
+            tip("Frames a second", "frames_per_second");
         });
     propose_edit(editor, edit, [&] { return SetTime{t}; });
     line.x += theme.px(8);
@@ -300,7 +311,8 @@ void draw_timeline(Editor& editor, const ui::Theme& theme, const Layout& layout)
     Transport line{theme, bar, r.lo.x + theme.px(8)};
     const Action& toggle = action(editor, timeline_action);
     if (line.icon("open", open ? ui::icon::open : ui::icon::closed,
-                  open ? "Close the timeline" : "Open the timeline", key_text(toggle)))
+                  {open ? "Close the timeline" : "Open the timeline", key_text(toggle),
+                   "What travels, and when: bars to drag."}))
         toggle.run(editor);
     if (room.title) {
         ui::paint_text(theme.font.strong, {{line.x, bar.lo.y}, bar.hi}, c.text, "Timeline");

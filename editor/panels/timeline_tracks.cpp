@@ -148,8 +148,9 @@ void draw_bar(Editor& editor, const ui::Theme& theme, const ui::Rect& row, const
              : speed_text(travel);
     paint_bar(theme, r, session.selected.contains(id), hovered || held, bar->endless, words);
     if (t.hand == Hand::none)
-        ui::tooltip(theme, name_of(session.document(), id), {},
-                    "Drag it to move it in time, an end to make it faster or slower.");
+        ui::tooltip({name_of(session.document(), id),
+                     {},
+                     "Drag it to move it in time, an end to make it faster or slower."});
 }
 
 void draw_name(Editor& editor, const ui::Theme& theme, const ui::Rect& row, Id id)
@@ -171,7 +172,7 @@ void draw_name(Editor& editor, const ui::Theme& theme, const ui::Rect& row, Id i
     ui::paint_text(theme.font.body, in, dim ? c.text_off : c.text,
                    ui::elided(theme.font.body, each.name, room));
     ui::paint_text(theme.font.small, in, c.text_2, speed, ui::Align::right);
-    ui::tooltip(theme, each.name);
+    ui::tooltip({each.name});
 }
 
 } // namespace

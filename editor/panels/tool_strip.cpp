@@ -15,8 +15,9 @@ void draw_tool_strip(Editor& editor, const ui::Theme& theme, const Layout& layou
     for (std::size_t i = 0; i < editor.tools.size(); ++i) {
         const Tool& tool = *editor.tools[i];
         ImGui::SetCursorScreenPos({r.lo.x + theme.px(6), y});
-        if (ui::icon_button(theme, tool.name(), tool.icon(), square, tool.name(),
-                            key_text(action(editor, tool.name())), {.on = i == editor.tool}))
+        if (ui::icon_button(theme, tool.name(), tool.icon(), square,
+                            tip_of(editor, action(editor, tool.name()), tool.help()),
+                            {.on = i == editor.tool}))
             editor.choose_tool(i);
         y += square.y + theme.px(4);
     }

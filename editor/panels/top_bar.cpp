@@ -115,8 +115,7 @@ float search_button(Editor& editor, const ui::Theme& theme, const ui::Rect& bar)
     ImGui::SetCursorScreenPos({r.lo.x, r.lo.y});
     if (ImGui::InvisibleButton("search", {r.width(), r.height()})) find.run(editor);
     ui::paint_box(r, ImGui::IsItemHovered() ? c.field_hover : c.field, theme.size.rounding);
-    ui::tooltip(theme, "Find a command", key_text(find),
-                "Every command by its letters, with its key.");
+    ui::tooltip({"Find a command", key_text(find), "Every command by its letters, with its key."});
     const ui::Rect in = {r.lo + glm::vec2(theme.px(8), 0), r.hi - glm::vec2(theme.px(8), 0)};
     const auto key = [&](bool last) {
         if (find.keys.empty()) return std::string();
@@ -192,7 +191,7 @@ void draw_top_bar(Editor& editor, const ui::Theme& theme, const Layout& layout)
         std::min(ui::text_width(theme.font.strong, state.name), std::max(room, theme.px(40)));
     const float total = name + theme.px(12) + words;
     const float x = std::max(left, std::round((layout.view.lo.x + layout.view.hi.x - total) / 2));
-    ui::name_text(theme, theme.font.strong, {{x, r.lo.y}, {x + name, r.hi.y}}, c.text, state.name);
+    ui::name_text(theme.font.strong, {{x, r.lo.y}, {x + name, r.hi.y}}, c.text, state.name);
     if (room > theme.px(40))
         ui::paint_text(theme.font.small, {{x + total - words, r.lo.y}, r.hi}, state.color,
                        state.words);
@@ -203,8 +202,9 @@ void draw_top_bar(Editor& editor, const ui::Theme& theme, const Layout& layout)
         const char* icon = each.name == "Undo" ? ui::icon::undo : ui::icon::redo;
         const std::string step =
             words_of_step(editor.session.scene().history(), each.name == "Undo");
-        if (ui::icon_button(theme, what, icon, square, each.name + step, key_text(each),
-                            {.enabled = is_enabled(editor, each)}))
+        ui::Tip tip = tip_of(editor, each);
+        tip.name += step;
+        if (ui::icon_button(theme, what, icon, square, tip, {.enabled = is_enabled(editor, each)}))
             each.run(editor);
         at += square.x + theme.px(4);
     }

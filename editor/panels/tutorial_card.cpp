@@ -105,9 +105,9 @@ void draw_tutorial(Editor& editor, ui::Frame& frame, const ui::Rect& view)
     ui::draw_rich(theme, style, runs, {r.lo.x + pad, r.lo.y + head}, width - 2 * pad);
     ImGui::PopClipRect();
     ImGui::SetCursorScreenPos({r.hi.x - theme.px(34), r.lo.y + theme.px(8)});
-    const bool closes =
-        ui::icon_button(theme, "close", ui::icon::close, glm::vec2(theme.size.icon_button),
-                        "Close the tutorial", key_text(action(editor, tutorial_close)));
+    const bool closes = ui::icon_button(
+        theme, "close", ui::icon::close, glm::vec2(theme.size.icon_button),
+        tip_of(editor, action(editor, tutorial_close), "Its scene stays, all steps done."));
     const float y = r.hi.y - theme.px(16) - theme.px(32);
     if (!own)
         paint_dots(theme, {{r.lo.x + pad, y}, {r.hi.x, y + theme.px(32)}}, step, tutorial.count());

@@ -17,6 +17,7 @@ struct Axis {
     glm::dvec3 direction;
     ui::Color color;
     const char* name; // empty: the negative end
+    const char* from; // what the picture shows from there; with a key, an action
 };
 
 } // namespace
@@ -28,12 +29,12 @@ void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& vie
     const glm::vec2 middle{view.hi.x - theme.px(56), view.lo.y + theme.px(56)};
     const float reach = theme.px(32);
     ui::paint_dot(middle, theme.px(44), ui::rgb(0x0E0F11, 0.22f));
-    std::array<Axis, 6> axes{{{{1, 0, 0}, c.axis_x, "X"},
-                              {{0, 1, 0}, c.axis_y, "Y"},
-                              {{0, 0, 1}, c.axis_z, "Z"},
-                              {{-1, 0, 0}, c.axis_x, ""},
-                              {{0, -1, 0}, c.axis_y, ""},
-                              {{0, 0, -1}, c.axis_z, ""}}};
+    std::array<Axis, 6> axes{{{{1, 0, 0}, c.axis_x, "X", "Right"},
+                              {{0, 1, 0}, c.axis_y, "Y", "Back"},
+                              {{0, 0, 1}, c.axis_z, "Z", "Top"},
+                              {{-1, 0, 0}, c.axis_x, "", "Left"},
+                              {{0, -1, 0}, c.axis_y, "", "Front"},
+                              {{0, 0, -1}, c.axis_z, "", "Bottom"}}};
     const glm::dmat4 to_view = view_matrix(camera);
     const auto seen = [&](const Axis& axis) {
         return glm::vec3(to_view * glm::dvec4(axis.direction, 0));
@@ -50,6 +51,9 @@ void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& vie
         if (ImGui::InvisibleButton("axis", {2 * radius, 2 * radius}))
             camera = ui::seen_from(camera, axis.direction);
         const bool hot = ImGui::IsItemHovered();
+        const auto does = std::ranges::find(editor.actions, axis.from, &Action::name);
+        ui::tooltip({axis.from, does == editor.actions.end() ? "" : key_text(*does),
+                     "Looks at the scene from there."});
         ImGui::PopID();
         if (*axis.name) {
             ui::paint_line(middle, p, axis.color, 2 * theme.scale);
@@ -70,60 +74,16 @@ void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& vie
     on_chip.color.text = on_chip.color.text_2 = c.chip_text;
     on_chip.color.text_off = ui::faded(c.chip_text, 0.4f);
     on_chip.color.field_hover = ui::faded(c.chip_text, 0.2f);
-    const auto button = [&](const char* icon, const char* what) {
+    const auto button = [&](const char* icon, const char* what, const char* sentence) {
         ImGui::SetCursorScreenPos({bar.lo.x, bar.lo.y});
         const Action& each = action(editor, what);
-        if (ui::icon_button(on_chip, what, icon, square, each.name, key_text(each),
+        if (ui::icon_button(on_chip, what, icon, square, tip_of(editor, each, sentence),
                             {.enabled = is_enabled(editor, each)}))
             each.run(editor);
         bar.lo.y += square.y;
     };
-    button(ui::icon::target, "Frame all");
-    button(ui::icon::camera, "Perspective");
-}
-
-void draw_first_steps(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
-{
-    const Session& session = editor.session;
-    if (!editor.preferences.hints || editor.active_tool().busy() || session.jobs().status()) return;
-    std::size_t shapes = 0;
-    for (const auto& [id, each] : session.document().objects) {
-        if (each->placement) return; // the first stroke is done
-        if (!std::holds_alternative<GroupShape>(each->source)) ++shapes;
-    }
-    const bool placing = editor.active_tool().name() == "Place";
-    const std::string key = key_text(action(editor, "Place"));
-    const std::string bold = shapes == 0  ? "Drop a scene here"
-                             : shapes < 2 ? "Now drop the model to lay on it"
-                             : placing    ? "Draw across the scene"
-                                          : (key.empty() ? "Choose Place" : "Press " + key) +
-                                             ", then draw across the scene";
-    const std::string body = shapes < 2 ? "Or add one from the Add menu."
-                             : placing  ? "Keep the left button down; let go to place the model."
-                                        : "The model will lie along the stroke.";
-    const ImFont* font = theme.font.strong;
-    const float text = std::max(ui::text_width(font, bold), ui::text_width(theme.font.body, body));
-    const float width = std::min(text + theme.px(104), view.width() - theme.px(24));
-    const glm::vec2 size{width, theme.px(64)};
-    float left = std::round(view.center().x - width / 2);
-    if (!session.notices.all().empty()) { // beside them, or not at all
-        const float end = ui::Notices::left_of(theme, view) - theme.px(12);
-        left = std::min(left, end - width);
-        if (left < view.lo.x + theme.px(12)) return;
-    }
-    const ui::Rect r = ui::rect_at({left, view.hi.y - size.y - theme.px(16)}, size);
-    ui::paint_card(theme, r);
-    ui::paint_text(theme.font.large_icon, {r.lo + glm::vec2(theme.px(16), 0), r.hi},
-                   theme.color.stroke, ui::icon::place);
-    const float x = r.lo.x + theme.px(58);
-    ui::paint_text(font, {{x, r.lo.y + theme.px(10)}, {r.hi.x, r.lo.y + theme.px(32)}},
-                   theme.color.text, ui::elided(font, bold, width - theme.px(98)));
-    ui::paint_text(theme.font.body, {{x, r.lo.y + theme.px(32)}, {r.hi.x, r.lo.y + theme.px(54)}},
-                   theme.color.text_2, ui::elided(theme.font.body, body, width - theme.px(98)));
-    ImGui::SetCursorScreenPos({r.hi.x - theme.px(34), r.lo.y + theme.px(8)});
-    if (ui::icon_button(theme, "silence", ui::icon::close, glm::vec2(theme.size.icon_button),
-                        "Show no hints"))
-        editor.preferences.hints = false;
+    button(ui::icon::target, "Frame all", "Shows the whole scene.");
+    button(ui::icon::camera, "Perspective", "Switches between perspective and parallel lines.");
 }
 
 } // namespace trivar

@@ -148,7 +148,7 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     else if (shows_welcome(editor))
         draw_welcome(editor, theme, view);
     else
-        draw_first_steps(editor, theme, view);
+        draw_hint_card(editor, theme, view);
     draw_adjustment(editor, theme, view);
     ImGui::End();
     progress(editor, frame, view);

@@ -94,8 +94,9 @@ bool recent_row(const ui::Theme& theme, const ui::Rect& row, const RecentScene& 
     const bool clicked = ImGui::InvisibleButton("recent", {row.width(), row.height()});
     const bool hovered = ImGui::IsItemHovered();
     if (hovered) ui::paint_box(row, c.row_hover, theme.size.rounding);
-    ui::tooltip(theme, scene.there ? scene.path : "It is not there any more", {},
-                scene.there ? "" : "Click to look for it.");
+    ui::tooltip({scene.there ? scene.path : "It is not there any more",
+                 {},
+                 scene.there ? "" : "Click to look for it."});
     const ui::Color quiet = hovered ? c.text_2 : c.text_3;
     const ui::Rect first = {row.lo, {row.hi.x, row.lo.y + theme.px(24)}};
     const ui::Rect second = {{row.lo.x, row.lo.y + theme.px(20)}, row.hi};
@@ -299,8 +300,8 @@ void draw_welcome(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
     if (roomy) draw_drop_target(theme, {{r.lo.x, r.hi.y + below}, {r.hi.x, r.hi.y + below + drop}});
     if (editor.start_card.asked != editor.session.scenes()) return;
     ImGui::SetCursorScreenPos({r.hi.x - theme.px(28), r.lo.y + theme.px(4)});
-    if (ui::icon_button(theme, "close", ui::icon::close, glm::vec2(theme.size.icon_button), "Close",
-                        "Esc"))
+    if (ui::icon_button(theme, "close", ui::icon::close, glm::vec2(theme.size.icon_button),
+                        {"Close", "Esc"}))
         editor.start_card.asked = -1;
 }
 

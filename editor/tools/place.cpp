@@ -299,26 +299,35 @@ void PlaceTool::options(Session& session, const ui::Theme& theme, float width)
     int index = at == ids.end() ? 0 : static_cast<int>(at - ids.begin());
     const ui::NumberStyle size{.lo = 0, .hi = 1e6, .unit = "m", .zero = "auto"};
     std::vector<ui::Option> options;
-    options.push_back({"Model", 208, [&](float field) {
+    options.push_back({"Model", 208,
+                       [&](float field) {
                            if (ui::choice(theme, "model", index, names, field) == ui::Edit::changed)
                                chosen_ = ids[static_cast<std::size_t>(index)];
-                       }});
-    options.push_back({"Width", 88, [&](float field) {
-                           ui::number_field(theme, "width", parameters_.width, size, field);
-                       }});
-    options.push_back({"Height", 88, [&](float field) {
-                           ui::number_field(theme, "height", parameters_.height, size, field);
-                       }});
-    options.push_back({"Brush", 192, [&](float field) {
+                       },
+                       "What is laid along the stroke."});
+    options.push_back(
+        {"Width", 88,
+         [&](float field) { ui::number_field(theme, "width", parameters_.width, size, field); },
+         "Of the strip, across the stroke. Auto: in proportion to the model."});
+    options.push_back(
+        {"Height", 88,
+         [&](float field) { ui::number_field(theme, "height", parameters_.height, size, field); },
+         "Of the model, away from the scene. Auto: in proportion to it."});
+    options.push_back({"Brush", 192,
+                       [&](float field) {
                            int brush = static_cast<int>(brush_);
                            ui::segments(theme, "brush", brush, {"Even", "Speed", "Wheel"}, field);
                            brush_ = static_cast<Brush>(brush);
-                       }});
-    options.push_back({"Gaps", 144, [&](float field) {
+                       },
+                       "What makes the stroke wider and narrower: nothing, the hand's speed or a "
+                       "pen's pressure, the wheel."});
+    options.push_back({"Gaps", 144,
+                       [&](float field) {
                            int gaps = parameters_.springs ? 0 : 1;
                            ui::segments(theme, "gaps", gaps, {"Bridge", "Follow"}, field);
                            parameters_.springs = gaps == 0;
-                       }});
+                       },
+                       "Bridge: springs hold the model over gaps. Follow: it drops into them."});
     if (const auto handles = handles_.option(session, theme)) options.push_back(*handles);
     ui::option_bar(theme, options, width);
 }

@@ -183,11 +183,13 @@ std::optional<ui::Option> PlacementHandles::option(const Session& session, const
 {
     if (!selected_placement(session)) return std::nullopt;
     return ui::Option{
-        "Handles", 224, [this, &theme](float width) {
+        "Handles", 224,
+        [this, &theme](float width) {
             int chosen = static_cast<int>(*choice_);
             ui::segments(theme, "handles", chosen, {"All", "Stroke", "Sizes", "None"}, width);
             *choice_ = static_cast<HandleChoice>(chosen);
-        }};
+        },
+        "Which points of the selected stroke can be dragged in the picture."};
 }
 
 } // namespace trivar

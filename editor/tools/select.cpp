@@ -84,7 +84,7 @@ void SelectTool::options(Session& session, const ui::Theme& theme, float width)
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const bool handles = selected_placement(session) && width > theme.px(420);
     const float room = handles ? width - theme.px(320) : width;
-    ui::name_text(theme, theme.font.body, ui::rect_at({at.x, at.y}, {room, theme.size.row}),
+    ui::name_text(theme.font.body, ui::rect_at({at.x, at.y}, {room, theme.size.row}),
                   theme.color.text_2, words);
     if (!handles) return;
     const float taken = std::min(room, ui::text_width(theme.font.body, words));

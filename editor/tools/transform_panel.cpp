@@ -82,21 +82,26 @@ void TransformTool::options(Session& session, const ui::Theme& theme, float widt
     };
     TransformChoices& c = *choices_;
     std::vector<ui::Option> options;
-    const auto setting = [&](const char* words, float field_px, auto field) {
-        options.push_back({words, field_px, std::move(field)});
+    const auto setting = [&](const char* words, float field_px, auto field, const char* help) {
+        options.push_back({words, field_px, std::move(field), help});
     };
-    setting("Axes", roomy ? 168 : 88, one_of("axes", c.orientation, {"World", "Local", "View"}));
+    setting("Axes", roomy ? 168 : 88, one_of("axes", c.orientation, {"World", "Local", "View"}),
+            "Along which directions the handles and X, Y and Z go.");
     setting("Pivot", roomy ? 216 : 88,
-            one_of("pivot", c.pivot, {"Origin", "Centre", "Each", "Active"}));
-    setting("Ctrl snaps to", 88, [&](float field) {
-        ui::NumberStyle style{.lo = 1e-6, .hi = 1e6};
-        if (kind_ == MotionKind::move) style.unit = "m";
-        if (kind_ == MotionKind::rotate) style.unit = "deg";
-        double& step = kind_ == MotionKind::move     ? c.step_m
-                       : kind_ == MotionKind::rotate ? c.step_deg
-                                                     : c.step_factor;
-        ui::number_field(theme, "step", step, style, field);
-    });
+            one_of("pivot", c.pivot, {"Origin", "Centre", "Each", "Active"}),
+            "The point that turns and sizes are about.");
+    setting(
+        "Ctrl snaps to", 88,
+        [&](float field) {
+            ui::NumberStyle style{.lo = 1e-6, .hi = 1e6};
+            if (kind_ == MotionKind::move) style.unit = "m";
+            if (kind_ == MotionKind::rotate) style.unit = "deg";
+            double& step = kind_ == MotionKind::move     ? c.step_m
+                           : kind_ == MotionKind::rotate ? c.step_deg
+                                                         : c.step_factor;
+            ui::number_field(theme, "step", step, style, field);
+        },
+        "The step that a drag goes in while Ctrl is held.");
     ui::option_bar(theme, options, width);
 }
 

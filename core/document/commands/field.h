@@ -68,7 +68,7 @@ template <class T> struct FieldsOf;
 template <> struct FieldsOf<Transform> {
     static void fields(auto& t, auto&& field)
     {
-        field("translation", t.translation, "metres, in the parent's space");
+        field("translation", t.translation, "where it is in its group or the scene, metres");
         field("rotation_deg", t.rotation_deg, "about X, then Y, then Z, in degrees");
         field("scale", t.scale, "along X, Y and Z; negative mirrors, 0 is refused");
     }

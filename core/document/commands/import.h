@@ -12,7 +12,8 @@ template <> struct FieldsOf<ImportedFile> {
         field("hash", f.hash, "digest of the content that was meant; empty: any");
         field("up", f.up, "axis that points up in the file; auto: Y in glTF and OBJ, else Z");
         field("scale", f.scale, "file units to metres", between(1e-9, 1e9));
-        field("subdivisions", f.subdivisions, "Catmull-Clark levels", between(0, 6));
+        field("subdivisions", f.subdivisions,
+              "how often Catmull-Clark makes its cage finer and smoother", between(0, 6));
     }
 };
 

@@ -9,25 +9,29 @@ namespace trivar {
 template <> struct FieldsOf<PlacementParameters> {
     static void fields(auto& p, auto&& field)
     {
-        field("width", p.width, "of the strip, metres; 0: in proportion to the model",
+        field("width", p.width,
+              "of the strip, across the stroke, metres; 0: in proportion to the model",
               not_negative);
-        field("height", p.height, "of the volume, metres; 0: in proportion to the model",
+        field("height", p.height,
+              "of the volume, away from the scene, metres; 0: in proportion to the model",
               not_negative);
         field("grid", p.grid, "control points along, across and above the stroke",
               between(2, 1024));
-        field("orders", p.orders, "of the volume along, across and above the stroke",
+        field("orders", p.orders,
+              "of the volume along, across and above the stroke; 3 is quadratic, 4 is cubic",
               between(2, 6));
-        field("offset", p.offset, "0: extrusion toward the camera, 1: offset along the normals",
+        field("offset", p.offset,
+              "0: extruded toward the camera, 1: it stands on the surface along its normals",
               between(0, 1));
-        field("springs", p.springs, "bridge gaps with springs");
+        field("springs", p.springs, "springs hold the model over gaps; else it drops into them");
         field("stiffness", p.stiffness,
               "of the springs: a span of stiffness x length sags by a tenth of the gap",
               between(1e-3, 1e3));
         field("bending", p.bending, "resistance to bending, relative to stiffness", between(0, 10));
         field("neighborhood", p.neighborhood, "grid steps round a rough node that are let loose",
               between(0, 1024));
-        field("roughness_deg", p.roughness_deg, "angle between faces that counts as rough, degrees",
-              between(1, 90));
+        field("roughness_deg", p.roughness_deg,
+              "angle between neighbouring faces that counts as rough, degrees", between(1, 90));
         field("free_ends", p.free_ends, "the first and the last row of nodes may move too");
         field("misses", p.misses, "what a node does whose ray hits nothing");
         field("skip_back_faces", p.skip_back_faces, "rays pass through faces seen from behind");
@@ -42,8 +46,8 @@ template <> struct FieldsOf<PlacementParameters> {
         field("roll_deg", p.roll_deg, "quarter turns about its length: 0, 90, 180 or 270",
               between(0, 270));
         field("width_profile", p.width_profile,
-              "how the width changes: control points [share of the length, factor] of a curve; "
-              "none: it does not",
+              "how the width changes along the stroke: control points of a curve, [share of "
+              "the length, factor] each; none: it does not",
               later_between(0, 20));
         field("height_profile", p.height_profile, "the same of the height", later_between(0, 20));
     }

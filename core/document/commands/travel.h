@@ -10,10 +10,12 @@ template <> struct FieldsOf<Travel> {
     {
         field("speed", t.speed,
               "metres a second along the middle of its volume, the way it looks; negative: "
-              "backwards; 0: it rests",
+              "backwards; 0: it rests; a fill below 1 gives it room",
               between(-1e6, 1e6));
         field("ends", t.ends,
-              "what it does where its stroke ends; loop: goes on from the other end");
+              "what it does where its stroke ends: it stops, is not shown any more, goes straight "
+              "on, "
+              "goes on from the other end, or turns back");
         field("ease_in", t.ease_in, "seconds from rest to that speed", between(0, 1e6));
         field("ease_out", t.ease_out, "seconds from that speed to rest, where it stops or turns",
               between(0, 1e6));

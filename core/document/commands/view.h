@@ -31,9 +31,11 @@ template <> struct FieldsOf<RenderSettings> {
     static void fields(auto& s, auto&& field)
     {
         field("look", s.look, "light and background", one_of("studio|clay|dark"));
-        field("exposure", s.exposure, "stops", between(-20, 20));
-        field("sun_azimuth", s.sun_azimuth, "radians round Z, 0 along +X", between(-100, 100));
-        field("sun_elevation", s.sun_elevation, "radians above the horizon", between(-1.6, 1.6));
+        field("exposure", s.exposure, "brightness, in stops", between(-20, 20));
+        field("sun_azimuth", s.sun_azimuth, "where the sun stands round Z, 0 along +X, in radians",
+              between(-100, 100));
+        field("sun_elevation", s.sun_elevation,
+              "how high the sun stands above the horizon, in radians", between(-1.6, 1.6));
         field("shadows", s.shadows, "the sun casts shadows");
         field("ambient_occlusion", s.ambient_occlusion, "corners are darker");
         field("wire", s.wire, "the edges of the faces are drawn over them", later);

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/hints.h"
+
+#include "editor/help_actions.h"
+#include "tests/editor/rig.h"
+
+#include <gmock/gmock.h>
+
+namespace trivar {
+namespace {
+
+using testing::Rig;
+using ::testing::UnorderedElementsAre;
+
+int number(const Rig& rig)
+{
+    const auto card = hint_card(rig.editor);
+    return card ? card->number : -1;
+}
+
+TEST(Hints, LeadThroughAFirstStrokeAndDoNotComeBack)
+{
+    Rig rig;
+    EXPECT_EQ(hint_card(rig.editor)->title, "Drop a scene here");
+    rig.two_objects();
+    EXPECT_EQ(hint_card(rig.editor)->title, "Press D, then draw across the scene");
+    rig.key({'D'});
+    EXPECT_EQ(hint_card(rig.editor)->title, "Draw across the scene");
+    rig.draw(rig.stroke(), false);
+    EXPECT_EQ(number(rig), 2);
+    rig.screen.input().push(ui::press(ui::Button::left, false));
+    rig.wait();
+    EXPECT_EQ(number(rig), 3);
+    EXPECT_EQ(hint_card(rig.editor)->title, "Drag a white point to widen it");
+    auto parameters =
+        object(rig.editor.session.document(), rig.editor.session.selected).placement->parameters;
+    parameters.width = 0.5;
+    ASSERT_TRUE(
+        rig.editor.session.run(EditPlacement{rig.editor.session.selected, parameters, {}, {}}));
+    rig.wait();
+    EXPECT_EQ(number(rig), -1);
+    EXPECT_THAT(rig.editor.preferences.closed_hints,
+                UnorderedElementsAre("draw", "let go", "widen"));
+    EXPECT_EQ(preferences_from(text_of(rig.editor.preferences)).closed_hints,
+              rig.editor.preferences.closed_hints);
+    rig.editor.session.undo();
+    rig.editor.session.undo();
+    rig.wait();
+    EXPECT_EQ(number(rig), -1);
+    action(rig.editor, show_hints_action).run(rig.editor);
+    EXPECT_EQ(number(rig), 1);
+}
+
+TEST(Hints, StayWhereAStrokeIsCancelled)
+{
+    Rig rig;
+    rig.two_objects();
+    rig.key({'D'});
+    rig.draw(rig.stroke(), false);
+    ASSERT_EQ(number(rig), 2);
+    rig.key({.key = ui::key_escape});
+    EXPECT_EQ(number(rig), 1);
+    rig.screen.input().push(ui::press(ui::Button::left, false));
+    rig.frames();
+}
+
+TEST(Hints, AreClosedOneByOneByTheirCross)
+{
+    Rig rig({1024, 700});
+    rig.two_objects();
+    ASSERT_EQ(number(rig), 1);
+    const ui::Rect view = rig.layout().view;
+    for (float x = view.center().x; x < view.hi.x && number(rig) == 1; x += 12)
+        rig.click({x, view.hi.y - 16 - 64 + 20});
+    EXPECT_EQ(number(rig), -1);
+    EXPECT_THAT(rig.editor.preferences.closed_hints, UnorderedElementsAre("draw"));
+    EXPECT_TRUE(rig.editor.preferences.hints);
+    EXPECT_TRUE(is_enabled(rig.editor, action(rig.editor, show_hints_action)));
+}
+
+} // namespace
+} // namespace trivar
