@@ -40,6 +40,8 @@ int run_editor(const EditorOptions& options)
         editor.session.discarded_days = static_cast<int>(editor.preferences.discarded_days);
         editor.session.forget_discarded();
         editor.manual_folder = options.manual;
+        editor.sample_pictures = options.sample_pictures;
+        editor.start_card.lacks_samples = options.samples.empty();
         add_tutorials(editor, options.tutorials);
         use_keys(editor.actions, editor.preferences.keys);
         editor.files.samples = options.samples;

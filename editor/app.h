@@ -10,8 +10,8 @@ struct EditorOptions {
     std::vector<std::string> files;   // a scene opens, models are imported
     std::vector<std::string> samples; // scenes offered where nothing is open yet
     std::vector<std::string> tutorials;
-    std::string manual; // folder of its pages
-    double scale = 0;   // of the interface; 0: TRIVAR_SCALE or the monitor's
+    std::string manual, sample_pictures; // folders
+    double scale = 0;                    // of the interface; 0: TRIVAR_SCALE or the monitor's
     bool light = false;
 };
 

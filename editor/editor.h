@@ -54,7 +54,11 @@ struct Editor {
     } timeline;
     enum class Panel { view, outliner, dock } panel = Panel::view; // the keyboard's
     bool show_focus = false;                                       // it came there by a key
-    std::string menu_asked;                                        // it opens in the next frame
+    struct Menu {
+        std::string open, next; // of the menu bar; and in the next frame
+        bool by_letter = false; // it was opened by its letter
+        bool beside = false;    // another one is open beside it
+    } menu;
     Adjustment adjustment;
     struct FollowedSteps { // of which scene, and how many
         long scene = -1;
@@ -65,6 +69,7 @@ struct Editor {
     bool right_cancelled = false; // the right button, which is held, ended a gesture
     bool inspecting = false;      // a proposal of the inspector is pending
     std::string manual_folder;    // its pages are read when the first is shown
+    std::string sample_pictures;  // a folder
     std::vector<ManualPage> manual;
     struct ManualDialog {
         bool open = false;
@@ -77,6 +82,7 @@ struct Editor {
     struct StartCard {   // numbers of the session's scenes, for each of which it begins anew
         long asked = -1; // over whatever is there, by Help
         long left = -1;  // it was left by New scene
+        bool lacks_samples = false; // they were not where they come with the program
     } start_card;
     StoredPictures stored_pictures;
     Tutorial tutorial;
@@ -131,6 +137,7 @@ struct Editor {
     // The graphics card was reset: drops what was made in the context that is lost, and says so.
     void lose_context();
     Tool& active_tool() { return *tools[tool]; }
+    const Tool& active_tool() const { return *tools[tool]; }
     void choose_tool(std::size_t index);
 };
 

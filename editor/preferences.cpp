@@ -20,7 +20,7 @@ constexpr const char* whole_file = "the whole file";
 constexpr std::size_t longest_list = most_remembered, longest_text = 4096,
                       largest_file = std::size_t{1} << 20, most_keys = 1000;
 
-using Choices = std::initializer_list<std::string_view>;
+using OneOf = std::initializer_list<std::string_view>;
 
 // One list of what is kept and what may be read.
 struct Reading {
@@ -48,7 +48,7 @@ struct Reading {
     {
         if (const Json* found = value_of(name, &Json::is_boolean)) value = found->get<bool>();
     }
-    void operator()(const char* name, std::string& value, Choices choices) const
+    void operator()(const char* name, std::string& value, OneOf choices) const
     {
         const Json* found = value_of(name, &Json::is_string);
         if (!found) return;
@@ -128,20 +128,20 @@ void each_preference(auto& p, const auto& field)
     field("other_hues", p.look.other_hues);
     field("show_dock", p.show_dock);
     field("hints", p.hints);
-    field("at_start", p.at_start, Choices{"card", "last", "empty"});
+    field("at_start", p.at_start, OneOf{"card", "last", "empty"});
     field("ask_to_keep", p.ask_to_keep);
     field("reduced_motion", p.reduced_motion);
     field("backdrop_as_in_pictures", p.backdrop_as_in_pictures);
     field("grid", p.grid);
     field("show_axes", p.show_axes);
     field("show_timing", p.show_timing);
-    field("quality", p.quality, Choices{"automatic", "draft", "standard", "high"});
-    field("pace", p.pace, Choices{"automatic", "60", "30", "15"});
-    field("deform", p.deform, Choices{"processor", "one_phase", "two_phases"});
+    field("quality", p.quality, OneOf{"automatic", "draft", "standard", "high"});
+    field("pace", p.pace, OneOf{"automatic", "60", "30", "15"});
+    field("deform", p.deform, OneOf{"processor", "one_phase", "two_phases"});
     field("threads", p.threads, 0.0, 1024.0);
-    field("mouse_device", p.mouse.device, Choices{"automatic", "mouse", "trackpad"});
-    field("mouse_emulation", p.mouse.emulation, Choices{"alt", "super", "none"});
-    field("orbit_about", p.mouse.orbit_about, Choices{"cursor", "selection", "origin"});
+    field("mouse_device", p.mouse.device, OneOf{"automatic", "mouse", "trackpad"});
+    field("mouse_emulation", p.mouse.emulation, OneOf{"alt", "super", "none"});
+    field("orbit_about", p.mouse.orbit_about, OneOf{"cursor", "selection", "origin"});
     field("zoom_to_cursor", p.mouse.zoom_to_cursor);
     field("reversed_zoom", p.mouse.reversed_zoom);
     field("orbit_speed", p.mouse.orbit, 0.1, 10.0);

@@ -8,6 +8,7 @@
 #include "editor/command_line/bench.h"
 #include "editor/command_line/info.h"
 #include "editor/command_line/replay.h"
+#include "editor/places.h"
 #include "editor/tutorial.h"
 
 #include <CLI/CLI.hpp>
@@ -131,20 +132,11 @@ Status list_commands(const Choices& choices, const Streams& streams)
     return Status::done;
 }
 
-// Of the checkout that the program was built in.
-std::filesystem::path checkout()
-{
-    std::error_code error;
-    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-    return program.parent_path().parent_path();
-}
-
-std::vector<std::string> sample_scenes()
+std::vector<std::string> sample_scenes_in(const std::string& folder)
 {
     std::vector<std::string> scenes;
     std::error_code error;
-    for (const auto& entry :
-         std::filesystem::directory_iterator(checkout() / "assets" / "scenes", error))
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error))
         if (entry.path().extension() == ".trivar") scenes.push_back(entry.path().string());
     std::ranges::sort(scenes);
     return scenes;
@@ -181,9 +173,11 @@ Status dispatch(const std::vector<std::string>& arguments, const Streams& stream
     if (bench->parsed()) return run_bench(choices.bench, streams);
     EditorOptions options;
     options.files = choices.files;
-    options.samples = sample_scenes();
-    options.manual = (checkout() / "docs" / "manual").string();
-    options.tutorials = tutorials_in((checkout() / "assets" / "tutorials").string());
+    const Places places = places_of(this_program());
+    options.samples = sample_scenes_in(places.scenes);
+    options.sample_pictures = places.pictures;
+    options.manual = places.manual;
+    options.tutorials = tutorials_in(places.tutorials);
     return run_editor(options) == 0 ? Status::done : Status::rejected;
 }
 

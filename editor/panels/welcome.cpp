@@ -1,90 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/panels/welcome.h"
 #include "editor/help_actions.h"
 #include "editor/panels/panels.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <ctime>
-#include <filesystem>
 #include <imgui.h>
 
 namespace trivar {
 namespace {
 
-constexpr std::size_t most_samples = 4, most_recent = 4;
+constexpr std::size_t most_recent = 4;
 constexpr float row_height = 44;
-
-// The samples that are shown first.
-struct SampleWords {
-    const char *file, *words;
-};
-constexpr std::array<SampleWords, 4> known_samples{{
-    {"first_placement", "One stroke"},
-    {"stacked", "One on another"},
-    {"snake_bridge", "Springs bridge gaps"},
-    {"crocodile_on_horse", "Laid on a body"},
-}};
-
-struct Sample {
-    std::string path, title, words;
-};
-std::vector<Sample> samples_of(const Files& files)
-{
-    std::vector<Sample> samples;
-    const auto stem = [](const std::string& path) {
-        return std::filesystem::path(path).stem().string();
-    };
-    for (const SampleWords& each : known_samples)
-        for (const std::string& path : files.samples)
-            if (stem(path) == each.file) {
-                const std::string title = sample_title(path);
-                samples.push_back({path, title.empty() ? scene_title(path) : title, each.words});
-            }
-    for (const std::string& path : files.samples)
-        if (!std::ranges::count(samples, path, &Sample::path))
-            samples.push_back({path, scene_title(path), {}});
-    if (samples.size() > most_samples) samples.resize(most_samples);
-    return samples;
-}
-
-// Drawn by the program; a test compares it with what the program draws.
-std::string picture_of_sample(const std::string& path)
-{
-    const std::filesystem::path scene(path);
-    return (scene.parent_path() / "../../docs/gallery" / scene.stem()).lexically_normal().string() +
-           ".png";
-}
-
-float caption(const ui::Theme& theme, const ui::Rect& column, float y, const char* words)
-{
-    ui::paint_text(theme.font.small_strong, {{column.lo.x, y}, {column.hi.x, y + theme.px(20)}},
-                   theme.color.text_3, words);
-    return y + theme.px(28);
-}
-
-// Words that lead somewhere; whether they were clicked.
-bool text_link(const ui::Theme& theme, const ui::Rect& row, const std::string& words,
-               ui::Align align = ui::Align::left)
-{
-    const ImFont* font = theme.font.body;
-    const float width = std::min(row.width(), ui::text_width(font, words));
-    const float x = align == ui::Align::right ? row.hi.x - width : row.lo.x;
-    const ui::Rect r = {{x, row.lo.y}, {x + width, row.hi.y}};
-    ImGui::SetCursorScreenPos({r.lo.x, r.lo.y});
-    const bool clicked = ImGui::InvisibleButton(words.c_str(), {r.width(), r.height()});
-    if (ImGui::IsItemHovered()) {
-        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-        const float base = r.center().y + theme.px(7);
-        ui::paint_line({r.lo.x, base}, {r.hi.x, base}, theme.color.accent_text,
-                       theme.size.hairline);
-    }
-    ui::paint_text(font, r, theme.color.accent_text, ui::elided(font, words, row.width()));
-    return clicked;
-}
 
 // A scene of the list; whether it was clicked. One that is gone is dim.
 bool recent_row(const ui::Theme& theme, const ui::Rect& row, const RecentScene& scene)
@@ -121,7 +52,7 @@ float draw_recent(Editor& editor, const ui::Theme& theme, const ui::Rect& column
     const auto& recent = editor.recent_scenes.of(editor.preferences.recent_scenes);
     const float row = theme.px(row_height);
     if (recent.empty() || y + theme.px(28) + row > column.hi.y) return y;
-    y = caption(theme, column, y, "RECENT");
+    y = draw_caption(theme, column, y, "RECENT");
     std::string open;
     bool look = false;
     for (std::size_t i = 0; i < std::min(most_recent, recent.size()) && y + row <= column.hi.y;
@@ -139,6 +70,22 @@ float draw_recent(Editor& editor, const ui::Theme& theme, const ui::Rect& column
     if (!open.empty()) editor.files.open_scene(open);
     if (look) editor.files.ask_open();
     return y;
+}
+
+// As many lines as there is room for.
+void tell_of_lacking(const ui::Theme& theme, const ui::Rect& r)
+{
+    float y = r.lo.y;
+    for (const std::string& words :
+         ui::wrapped(theme.font.small,
+                     "Sample scenes and manual were not found: share/trivar is not where the "
+                     "program was installed.",
+                     r.width())) {
+        if (y + theme.px(18) > r.hi.y) return;
+        ui::paint_text(theme.font.small, {{r.lo.x, y}, {r.hi.x, y + theme.px(18)}},
+                       theme.color.warn, words);
+        y += theme.px(18);
+    }
 }
 
 // The program's name and the ways to begin.
@@ -171,7 +118,9 @@ void draw_beginnings(Editor& editor, const ui::Theme& theme, const ui::Rect& col
     line("New scene", ui::icon::file, "New scene", ui::ButtonKind::primary);
     line("Open...", ui::icon::open_file, "Open...", ui::ButtonKind::plain);
     line("Import model...", ui::icon::import, "Import model...", ui::ButtonKind::plain);
-    draw_recent(editor, theme, upper, y + theme.px(8));
+    y = draw_recent(editor, theme, upper, y + theme.px(8));
+    if (editor.start_card.lacks_samples)
+        tell_of_lacking(theme, {{column.lo.x, y + theme.px(8)}, upper.hi});
     y = upper.hi.y;
     const auto foot_link = [&](const std::string& words) {
         const ui::Rect row = {{column.lo.x, y}, {column.hi.x, y + theme.px(28)}};
@@ -183,44 +132,6 @@ void draw_beginnings(Editor& editor, const ui::Theme& theme, const ui::Rect& col
         if (when.starts_with(day)) when[0] = static_cast<char>(std::tolower(day[0]));
     if (left && foot_link("Recover a scene from " + when)) editor.files.recover();
     if (tour && foot_link("Take the one-minute tour")) begin_tour(editor);
-}
-
-void draw_sample(Editor& editor, const ui::Theme& theme, const ui::Rect& r, float high,
-                 const Sample& sample)
-{
-    const ui::Palette& c = theme.color;
-    ImGui::SetCursorScreenPos({r.lo.x, r.lo.y});
-    const bool clicked = ImGui::InvisibleButton(sample.path.c_str(), {r.width(), r.height()});
-    const bool hovered = ImGui::IsItemHovered();
-    const ui::Rect picture = {r.lo, {r.hi.x, r.lo.y + high}};
-    paint_picture(editor, theme, picture, picture_of_sample(sample.path));
-    ui::paint_rim(picture, hovered ? c.focus : c.raised_rim, theme.size.rounding,
-                  hovered ? 1.5f * theme.scale : theme.size.hairline);
-    const float y = picture.hi.y + theme.px(6);
-    ui::paint_text(theme.font.strong, {{r.lo.x, y}, {r.hi.x, y + theme.px(20)}}, c.text,
-                   ui::elided(theme.font.strong, sample.title, r.width()));
-    ui::paint_text(theme.font.small, {{r.lo.x, y + theme.px(19)}, {r.hi.x, y + theme.px(37)}},
-                   c.text_3, ui::elided(theme.font.small, sample.words, r.width()));
-    if (clicked) editor.files.open_scene(sample.path);
-}
-
-// Two in a row, with the way to the tour above them.
-void draw_samples(Editor& editor, const ui::Theme& theme, const ui::Rect& column,
-                  const std::vector<Sample>& samples)
-{
-    const float y = caption(theme, column, column.lo.y + theme.px(4), "SAMPLE SCENES");
-    const ui::Rect head = {{column.lo.x + theme.px(120), column.lo.y},
-                           {column.hi.x, column.lo.y + theme.px(28)}};
-    if (has_tour(editor) && text_link(theme, head, "Take the one-minute tour", ui::Align::right))
-        begin_tour(editor);
-    const float gap = theme.px(16), wide = std::floor((column.width() - gap) / 2);
-    const float pitch = std::floor((column.hi.y - y) / 2);
-    const float high = std::min(std::round(wide * 0.85f), pitch - theme.px(52));
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-        const glm::vec2 at{column.lo.x + (wide + gap) * static_cast<float>(i % 2),
-                           y + pitch * static_cast<float>(i / 2)};
-        draw_sample(editor, theme, ui::rect_at(at, {wide, high + theme.px(44)}), high, samples[i]);
-    }
 }
 
 void paint_dashed(const ui::Rect& r, ui::Color color, float dash, float thickness)

@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# cmake --install build --prefix X puts the program into X/bin and what it shows into X/share/trivar,
+# where it looks for it from its own place.
+set(shared share/trivar)
+install(TARGETS trivar RUNTIME DESTINATION bin)
+install(FILES LICENSE DESTINATION ${shared})
+install(DIRECTORY docs/manual docs/gallery DESTINATION ${shared})
+install(DIRECTORY assets/scenes assets/tutorials DESTINATION ${shared}/assets FILES_MATCHING PATTERN *.trivar)
+install(DIRECTORY ${CMAKE_BINARY_DIR}/assets/models DESTINATION ${shared}/assets)
+# In the checkout scenes name the models that the build makes; here those beside them.
+install(CODE "set(assets \"\${CMAKE_INSTALL_PREFIX}/${shared}/assets\")")
+install(CODE [[
+  file(GLOB scenes $ENV{DESTDIR}${assets}/scenes/*.trivar $ENV{DESTDIR}${assets}/tutorials/*.trivar)
+  foreach(scene ${scenes})
+    file(READ ${scene} text)
+    string(REPLACE "../../build/assets/" "../" text "${text}")
+    file(WRITE ${scene} "${text}")
+  endforeach()
+]])

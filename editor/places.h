@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace trivar {
+
+// The folders of what comes with the program.
+struct Places {
+    std::string scenes, tutorials, manual, pictures; // pictures: of the scenes, by their names
+};
+
+// As `cmake --install` puts them beside the program's own folder, else those of the checkout that
+// it was built in; empty where there is neither.
+Places places_of(const std::filesystem::path& program);
+std::filesystem::path this_program();
+
+} // namespace trivar
