@@ -122,16 +122,8 @@ void paint_path(const std::vector<glm::vec2>& points, Color color, float thickne
 void paint_card(const Theme& theme, const Rect& rect)
 {
     const float rounding = theme.size.rounding_card;
-    list().PushClipRectFullScreen();
-    constexpr int rings = 6;
-    for (int k = rings; k > 0; --k) { // nested boxes add up to a blur
-        const float e = theme.px(18) * static_cast<float>(k) / rings;
-        Rect shadow = rect.grown(e);
-        shadow.lo.y += theme.px(5);
-        shadow.hi.y += theme.px(5);
-        paint_box(shadow, rgb(0, 0.03f), rounding + e);
-    }
-    list().PopClipRect();
+    paint_shadow({rect.lo + glm::vec2(0, theme.px(5)), rect.hi + glm::vec2(0, theme.px(5))},
+                 rounding, theme.px(22), 0.17f);
     paint_box(rect, theme.color.raised, rounding);
     paint_rim(rect, theme.color.raised_rim, rounding, theme.size.hairline);
 }

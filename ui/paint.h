@@ -47,6 +47,8 @@ void paint_path(const std::vector<glm::vec2>& points, Color color, float thickne
                 bool closed = false);
 // A card: soft shadow, raised surface, rim. The shadow may fall outside the current window.
 void paint_card(const Theme& theme, const Rect& rect);
+// Round a rectangle and as far out as it reaches, pixels; `strength` is how dark it is inside.
+void paint_shadow(const Rect& rect, float rounding, float reach, float strength);
 
 // A small label on the picture with an optional dot or icon before it; returns its rectangle.
 struct Chip {
