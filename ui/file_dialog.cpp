@@ -6,7 +6,6 @@
 #include "ui/keys.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <fmt/format.h>
 #include <imgui.h>
@@ -14,12 +13,6 @@
 namespace trivar::ui {
 namespace fs = std::filesystem;
 namespace {
-
-std::string lower(std::string text)
-{
-    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
-}
 
 std::string size_text(std::uintmax_t bytes)
 {
@@ -35,68 +28,13 @@ bool is_folder(const fs::path& path)
     return fs::is_directory(path, ignored);
 }
 
-bool has_extension(const std::string& name, const std::vector<std::string>& extensions)
-{
-    const std::string small = lower(name);
-    return extensions.empty() ||
-           std::any_of(extensions.begin(), extensions.end(),
-                       [&](const std::string& e) { return small.ends_with(e); });
-}
-
 } // namespace
-
-bool natural_less(const std::string& a, const std::string& b)
-{
-    const auto digit = [](char c) { return c >= '0' && c <= '9'; };
-    const std::string x = lower(a), y = lower(b);
-    std::size_t i = 0, j = 0;
-    while (i < x.size() && j < y.size()) {
-        if (digit(x[i]) && digit(y[j])) { // runs of digits compare as numbers: by length, then text
-            while (i + 1 < x.size() && x[i] == '0' && digit(x[i + 1])) ++i;
-            while (j + 1 < y.size() && y[j] == '0' && digit(y[j + 1])) ++j;
-            std::size_t m = i, n = j;
-            while (m < x.size() && digit(x[m])) ++m;
-            while (n < y.size() && digit(y[n])) ++n;
-            if (m - i != n - j) return m - i < n - j;
-            const int order = x.compare(i, m - i, y, j, n - j);
-            if (order != 0) return order < 0;
-            i = m;
-            j = n;
-        } else {
-            if (x[i] != y[j]) return x[i] < y[j];
-            ++i;
-            ++j;
-        }
-    }
-    if ((i < x.size()) != (j < y.size())) return j < y.size();
-    return a < b;
-}
-
-std::vector<FileEntry> entries_of(const fs::path& folder,
-                                  const std::vector<std::string>& extensions)
-{
-    std::vector<FileEntry> entries;
-    std::error_code trouble;
-    for (fs::directory_iterator it(folder, trouble), end; !trouble && it != end;
-         it.increment(trouble)) {
-        std::error_code ignored;
-        FileEntry entry{it->path().filename().string(), it->is_directory(ignored), 0};
-        if (entry.name.empty() || entry.name[0] == '.') continue;
-        if (!entry.folder && !has_extension(entry.name, extensions)) continue;
-        if (!entry.folder) entry.bytes = it->file_size(ignored);
-        if (ignored) entry.bytes = 0;
-        entries.push_back(std::move(entry));
-    }
-    std::sort(entries.begin(), entries.end(), [](const FileEntry& a, const FileEntry& b) {
-        return a.folder != b.folder ? a.folder : natural_less(a.name, b.name);
-    });
-    return entries;
-}
 
 void FileDialog::open(FileRequest request, const fs::path& start)
 {
     request_ = std::move(request);
     open_ = just_opened_ = true;
+    focus_ = Focus::field;
     typed_ = request_.name;
     std::error_code ignored;
     fs::path folder = is_folder(start) ? start : folder_;
@@ -235,6 +173,20 @@ std::optional<std::string> FileDialog::draw_list(const Theme& theme, float heigh
     return chosen ? take(*chosen) : std::nullopt;
 }
 
+// Tab goes from the field to the buttons and round; a click on anything ends that.
+void FileDialog::move_focus()
+{
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) focus_ = Focus::field;
+    if (ImGui::IsKeyPressed(key_tab, false)) {
+        const int on = ImGui::GetIO().KeyShift ? 2 : 1;
+        focus_ = static_cast<Focus>((static_cast<int>(focus_) + on) % 3);
+        just_opened_ = just_opened_ || focus_ == Focus::field; // the keyboard goes there
+    }
+    // ImGui's own way of going on by Tab knows fields only.
+    if (focus_ != Focus::field && !ImGui::IsMouseDown(ImGuiMouseButton_Left))
+        ImGui::ClearActiveID();
+}
+
 std::optional<std::string> FileDialog::draw(const Theme& theme)
 {
     if (!open_) return std::nullopt;
@@ -267,6 +219,7 @@ std::optional<std::string> FileDialog::draw(const Theme& theme)
     ImGui::PopClipRect();
     y += list_height + theme.px(12);
     at(left, y);
+    move_focus();
     if (just_opened_) ImGui::SetKeyboardFocusHere();
     just_opened_ = false;
     if (text_field(theme, "path", typed_, request_.saving ? "Name" : "Type or paste a path", width,
@@ -281,19 +234,31 @@ std::optional<std::string> FileDialog::draw(const Theme& theme)
     const std::string action = replacing ? "Replace" : request_.action;
     const float ok = button_width(theme, action), no = button_width(theme, "Cancel");
     const float bottom = rect.hi.y - theme.px(20) - theme.px(32);
-    at(rect.hi.x - pad - ok, bottom);
-    const bool pressed =
-        button(theme, action, replacing ? ButtonKind::danger : ButtonKind::primary);
-    at(rect.hi.x - pad - ok - theme.px(8) - no, bottom);
-    const bool cancelled = button(theme, "Cancel") || ImGui::IsKeyPressed(key_escape, false);
-    const bool agreed =
+    const bool enter_key =
         ImGui::IsKeyPressed(key_enter, false) || ImGui::IsKeyPressed(key_keypad_enter, false);
+    // A button, with a ring where it has the keyboard; then Enter and the space bar press it.
+    const auto walked = [&](float x, const std::string& words, ButtonKind kind, Focus mine) {
+        at(x, bottom);
+        const bool pressed = button(theme, words, kind);
+        if (focus_ != mine) return pressed;
+        const Rect r = rect_at({x, bottom}, {button_width(theme, words), theme.px(32)});
+        paint_rim(r.grown(theme.px(2)), theme.color.focus, theme.size.rounding + theme.px(2),
+                  1.5f * theme.scale);
+        return pressed || enter_key || ImGui::IsKeyPressed(key_space, false);
+    };
+    const bool pressed = walked(rect.hi.x - pad - ok, action,
+                                replacing ? ButtonKind::danger : ButtonKind::primary, Focus::agree);
+    const bool cancelled = walked(rect.hi.x - pad - ok - theme.px(8) - no, "Cancel",
+                                  ButtonKind::plain, Focus::cancel) ||
+                           ImGui::IsKeyPressed(key_escape, false);
+    const bool agreed = enter_key && focus_ != Focus::cancel;
     const bool replace = replacing && (pressed || ImGui::GetIO().KeyCtrl);
     if (!chosen && open_ && (pressed || agreed)) {
         const bool from_list = selected_ >= 0 && (typed_.empty() || !request_.saving);
         chosen = take(from_list ? entries_[static_cast<std::size_t>(selected_)].name : typed_,
                       replace && !from_list);
         just_opened_ = open_; // typing goes on where Enter took the keyboard away
+        focus_ = Focus::field;
     }
     if (open_ && nothing_typed && ImGui::IsKeyPressed(key_backspace, false))
         enter(folder_.parent_path());

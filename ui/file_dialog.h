@@ -32,10 +32,12 @@ struct FileEntry {
 std::vector<FileEntry> entries_of(const std::filesystem::path& folder,
                                   const std::vector<std::string>& extensions);
 bool natural_less(const std::string& a, const std::string& b);
+// Whatever its case; none at all: any name.
+bool has_extension(const std::string& name, const std::vector<std::string>& extensions);
 
 // Browses folders inside the window: click and double click, arrows, Enter, Backspace for the
-// folder above, or a path typed or pasted into its field. Esc closes it. A file that is there is
-// replaced by its button or by Ctrl Enter, not by Enter alone.
+// folder above, or a path typed or pasted into its field. Tab goes to its buttons. Esc closes it. A
+// file that is there is replaced by its button or by Ctrl Enter, not by Enter alone.
 class FileDialog {
 public:
     void open(FileRequest request, const std::filesystem::path& start = {});
@@ -45,12 +47,15 @@ public:
 
 private:
     void enter(const std::filesystem::path& folder);
+    void move_focus();
     std::optional<std::string> take(const std::string& typed, bool replace = false);
     bool replaces() const; // a file that is there has the typed name
     std::optional<std::string> draw_list(const Theme& theme, float height);
     std::filesystem::path absolute(const std::string& typed) const;
     std::filesystem::path with_extension(std::filesystem::path path) const; // where it has none
 
+    enum class Focus { field, cancel, agree }; // what has the keyboard, in the order of Tab
+    Focus focus_ = Focus::field;
     bool open_ = false, just_opened_ = false;
     FileRequest request_;
     std::filesystem::path folder_;

@@ -46,6 +46,30 @@ void let_menus_have_the_keyboard()
         ImGui::GetIO().NavInputs[ImGuiNavInput_Activate] = 1;
 }
 
+// A menu that was opened by a key shows at once which entry Enter would choose.
+void begin_at_first_entry()
+{
+    ImGuiContext& g = *GImGui;
+    const ImVector<ImGuiPopupData>& open = g.OpenPopupStack;
+    if (open.empty() || !g.NavWindow || open.back().Window != g.NavWindow ||
+        (g.NavWindow->Flags & ImGuiWindowFlags_Modal) != 0)
+        return;
+    g.NavLayer = ImGuiNavLayer_Main;
+    ImGui::NavInitWindow(g.NavWindow, true);
+    g.NavDisableHighlight = false;
+    g.NavDisableMouseHover = true;
+}
+
+// Whether the last thing that hands did was to press a key.
+bool by_key(bool before, const std::vector<Event>& events)
+{
+    for (const Event& event : events) {
+        if (event.kind == Event::Kind::button || event.kind == Event::Kind::move) before = false;
+        if (event.kind == Event::Kind::key && event.down) before = true;
+    }
+    return before;
+}
+
 } // namespace
 
 struct Gui::Contexts {
@@ -109,11 +133,16 @@ Frame Gui::frame(glm::ivec2 size_px, double time_s, bool close_asked, const Draw
     io.DeltaTime = static_cast<float>(std::clamp(passed, 1e-4, 0.6));
     last_time_s_ = time_s;
 
+    by_key_ = by_key(by_key_, input_.events()); // what opened since
     input_.begin_frame();
     Contexts::use_gpu();
     let_menus_have_the_keyboard();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
+    std::vector<unsigned> popups;
+    for (const ImGuiPopupData& each : GImGui->OpenPopupStack) popups.push_back(each.PopupId);
+    if (by_key_ && popups != popups_ && popups.size() >= popups_.size()) begin_at_first_entry();
+    popups_ = std::move(popups);
     Frame frame{theme_, input_.events(), glm::vec2(size_px), time_s, close_asked};
     body(frame);
     tooltips_.draw(theme_, frame);

@@ -34,6 +34,8 @@ private:
     Input input_;
     Tooltips tooltips_;
     double last_time_s_ = -1;
+    std::vector<unsigned> popups_; // that were open at the last frame
+    bool by_key_ = false;          // the last thing that hands did was to press a key
 };
 
 } // namespace trivar::ui

@@ -199,11 +199,14 @@ void draw_outliner(Editor& editor, const ui::Theme& theme, const Layout& layout)
     const ui::Rect list = {{r.lo.x, r.lo.y + theme.px(72)}, r.hi};
     if (rows.empty()) {
         const bool nothing = editor.session.document().objects.empty();
+        const std::string key = key_text(action(editor, add_action_name));
         ui::empty_state(theme, list, nothing ? ui::icon::volume : ui::icon::search,
                         nothing ? "Nothing here yet"
                                 : "Nothing is called '" +
                                       ui::elided(theme.font.strong, o.filter, theme.px(120)) + "'",
-                        nothing ? "Drop a model, or add one from the Add menu." : "");
+                        !nothing      ? ""
+                        : key.empty() ? "Drop a model, or add one from the Add menu."
+                                      : "Drop a model, or add one with " + key + ".");
         const float wide = ui::button_width(theme, "Clear");
         ImGui::SetCursorScreenPos(
             {std::round(list.center().x - wide / 2), std::round(list.center().y + theme.px(40))});

@@ -24,6 +24,8 @@ Layout layout_of(const ui::Theme& theme, glm::vec2 size_px, const Preferences& p
 void begin_panel(const char* name, const ui::Rect& rect, ui::Color color, bool scrolls = false);
 
 void draw_top_bar(Editor& editor, const ui::Theme& theme, const Layout& layout);
+// At the left of the bar; returns where it ends.
+float draw_menu_bar(Editor& editor, const ui::Theme& theme, const ui::Rect& bar);
 void draw_tool_strip(Editor& editor, const ui::Theme& theme, const Layout& layout);
 void draw_options_bar(Editor& editor, const ui::Theme& theme, const Layout& layout);
 void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout);

@@ -61,7 +61,7 @@ void draw_page_names(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
 }
 
 // Rows under each other, which scroll where there are too many of them.
-void draw_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
+void draw_rows_of_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
 {
     auto& dialog = editor.preferences_dialog;
     const PageOf& page = pages[static_cast<std::size_t>(dialog.page)];
@@ -151,7 +151,7 @@ void draw_preferences(Editor& editor, const ui::Theme& theme)
     const float y0 = r.lo.y + head + theme.size.hairline, y1 = r.hi.y - foot;
     draw_page_names(editor, theme, {{r.lo.x, y0}, {r.lo.x + left, y1}});
     const ui::Rect page = {{r.lo.x + left + theme.px(12), y0}, {r.hi.x - theme.px(12), y1}};
-    draw_page(editor, theme, page);
+    draw_rows_of_page(editor, theme, page);
     ui::paint_box({{r.lo.x, y1}, {r.hi.x, y1 + theme.size.hairline}}, c.line_soft);
     const float y = std::round(y1 + (foot - theme.px(32)) / 2);
     ImGui::SetCursorScreenPos({r.lo.x + theme.px(16), y});

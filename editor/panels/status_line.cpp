@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/help_actions.h"
 #include "editor/panels/panels.h"
 #include "editor/time_actions.h"
 
@@ -58,6 +59,22 @@ std::vector<Hint> timeline_hints()
             {{std::string("@") + timeline_action}, "Open or close"}};
 }
 
+// The keys of a tutorial that do something now.
+std::vector<Hint> tutorial_hints(const Editor& editor)
+{
+    std::vector<Hint> hints;
+    const auto add = [&](const char* name, const char* verb) {
+        if (is_enabled(editor, action(editor, name)))
+            hints.push_back({{std::string("@") + name}, verb});
+    };
+    add(tutorial_next, "Next step");
+    add(tutorial_back, "Step back");
+    add(tutorial_close, "Leave the tutorial");
+    hints.push_back({{"middle"}, "Orbit"});
+    hints.push_back({{"wheel"}, "Zoom"});
+    return hints;
+}
+
 // What buttons and keys do where the mouse is; in the viewport the tool knows. Nothing: neither.
 std::vector<Hint> hints_here(Editor& editor, const Layout& layout)
 {
@@ -74,6 +91,9 @@ std::vector<Hint> hints_here(Editor& editor, const Layout& layout)
                 {{"Shift"}, "Finely"},
                 {{"Ctrl"}, "In round steps"},
                 {{"left"}, "Click to type"}};
+    const bool over_dock =
+        layout.dock && (layout.outliner.contains(mouse) || layout.inspector.contains(mouse));
+    if (!over_dock && editor.tutorial.runs(editor.session)) return tutorial_hints(editor);
     if (!layout.dock) return of_tool;
     const bool rows = !editor.session.document().objects.empty();
     if (layout.outliner.contains(mouse) && rows)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/step_title.h"
 #include "editor/panels/panels.h"
-#include "editor/time_actions.h"
 
 #include "ui/icons.h"
 #include "ui/widgets.h"
@@ -25,66 +24,6 @@ void paint_mark(const ui::Theme& theme, glm::vec2 at)
                                                       : k == 1 ? 0.65f
                                                                : 0.4f),
                        1.4f * theme.scale, true);
-    }
-}
-
-void bookmarks(Editor& editor)
-{
-    if (editor.session.document().bookmarks.empty()) return;
-    ImGui::Separator();
-    std::string forget;
-    for (const auto& [name, camera] : editor.session.document().bookmarks) {
-        if (!ImGui::BeginMenu(name.c_str())) continue;
-        if (ImGui::MenuItem("Go there")) editor.session.go_to = camera;
-        if (ImGui::MenuItem("Forget")) forget = name;
-        ImGui::EndMenu();
-    }
-    if (!forget.empty()) editor.session.run(DeleteCamera{forget});
-}
-
-void recent_scenes(Editor& editor)
-{
-    const auto& recent = editor.recent_scenes.of(editor.preferences.recent_scenes);
-    if (recent.empty() || !ImGui::BeginMenu("Open recent")) return;
-    for (std::size_t i = 0; i < recent.size(); ++i) {
-        ImGui::PushID(static_cast<int>(i));
-        if (ImGui::MenuItem(recent[i].name.c_str(), recent[i].folder.c_str(), false,
-                            recent[i].there))
-            editor.files.open_scene(std::string(recent[i].path));
-        ImGui::PopID();
-    }
-    ImGui::EndMenu();
-}
-
-void tutorials(Editor& editor)
-{
-    if (!ImGui::BeginMenu("Tutorials")) return;
-    for (std::size_t i = 0; i < editor.actions.size(); ++i)
-        if (editor.actions[i].menu == "Tutorials") {
-            if (editor.actions[i].group_begins) ImGui::Separator();
-            menu_item(editor, editor.actions[i]);
-        }
-    ImGui::EndMenu();
-}
-
-void menus(Editor& editor, const ui::Theme& theme)
-{
-    for (const char* menu : {"File", "Edit", "Select", "Add", "View", "Animate", "Tools", "Help"}) {
-        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.px(8), theme.px(8)});
-        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {theme.px(10), theme.px(8)});
-        ImGui::SetNextWindowSizeConstraints({theme.px(216), 0}, {1e6f, 1e6f});
-        if (ImGui::BeginMenu(menu)) {
-            for (std::size_t i = 0; i < editor.actions.size(); ++i)
-                if (editor.actions[i].menu == menu) {
-                    if (editor.actions[i].group_begins) ImGui::Separator();
-                    menu_item(editor, editor.actions[i]);
-                    if (editor.actions[i].name == "Open...") recent_scenes(editor);
-                }
-            if (std::string_view(menu) == "View") bookmarks(editor);
-            if (std::string_view(menu) == "Help") tutorials(editor);
-            ImGui::EndMenu();
-        }
-        ImGui::PopStyleVar(2);
     }
 }
 
@@ -142,43 +81,13 @@ std::string words_of_step(const History& history, bool undo)
 
 } // namespace
 
-void menu_item(Editor& editor, const Action& each)
-{
-    const bool on = (each.name == "Perspective" && editor.session.camera.perspective) ||
-                    (each.name == "Timing" && editor.timing.open) ||
-                    (each.name == "Side panels" && editor.preferences.show_dock) ||
-                    (each.name == "Viewport only" && editor.only_view) ||
-                    (each.name == "Full screen" && editor.full_screen) ||
-                    (each.name == loop_action && editor.preferences.loop) ||
-                    (each.name == timeline_action && editor.preferences.timeline_open);
-    if (ImGui::MenuItem(each.name.c_str(), key_text(each).c_str(), on, is_enabled(editor, each)))
-        each.run(editor);
-}
-
 void draw_top_bar(Editor& editor, const ui::Theme& theme, const Layout& layout)
 {
     const ui::Palette& c = theme.color;
     const ui::Rect& r = layout.top;
     begin_panel("top bar", r, c.header);
     paint_mark(theme, {theme.px(13), theme.px(12)});
-    ImGui::SetCursorScreenPos({r.lo.x + theme.px(44), r.lo.y});
-    ImGui::BeginGroup();
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {theme.px(8), theme.px(12)});
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {theme.px(18), 0});
-    ImGui::PushStyleColor(ImGuiCol_MenuBarBg, 0);
-    // ImGui keeps a menu bar inside a window of its own kind; a child gives it one.
-    ImGui::BeginChild("menus", {theme.px(460), r.height()}, false,
-                      ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoScrollbar);
-    float menus_end = 0;
-    if (ImGui::BeginMenuBar()) {
-        menus(editor, theme);
-        menus_end = ImGui::GetCursorScreenPos().x;
-        ImGui::EndMenuBar();
-    }
-    ImGui::EndChild();
-    ImGui::PopStyleColor();
-    ImGui::PopStyleVar(2);
-    ImGui::EndGroup();
+    const float menus_end = draw_menu_bar(editor, theme, r);
 
     const State state = state_of(editor, c);
     const glm::vec2 square(theme.size.icon_button);

@@ -41,6 +41,29 @@ TEST(Keeping, TheKeyboardReachesEveryButtonOfAQuestion)
     }
 }
 
+TEST(Keeping, ACopyOfASceneThatIsOpenElsewhereOffersToBeSaved)
+{
+    const testing::TemporaryFolder folder;
+    SceneFile other;
+    other.run(AddBox{});
+    other.save_as(folder.file("a.trivar"));
+    Rig rig;
+    rig.editor.files.open_scene(folder.file("a.trivar"));
+    rig.wait();
+    ASSERT_TRUE(rig.editor.files.asking());
+    rig.key({ui::key_left}); // from Look only to Open a copy
+    rig.key({ui::key_enter});
+    rig.wait();
+    ASSERT_EQ(rig.editor.session.document().objects.size(), 1u);
+    const auto& notices = rig.editor.session.notices.all();
+    ASSERT_EQ(notices.size(), 1u);
+    ASSERT_EQ(notices.front().actions.size(), 1u);
+    const ui::Notices::Action save = notices.front().actions.front();
+    EXPECT_EQ(save.words, "Save as...");
+    save.act();
+    EXPECT_TRUE(rig.editor.files.asking());
+}
+
 TEST(Keeping, ANewSceneIsSeenFromHomeWithTheSelectingTool)
 {
     Rig rig;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/fixtures.h"
 #include "ui/file_dialog.h"
+#include "ui/headless.h"
+#include "ui/keys.h"
 
 #include <fstream>
 #include <gmock/gmock.h>
@@ -40,6 +42,56 @@ TEST(FileDialog, NaturalOrderComparesRunsOfDigitsAsNumbers)
     EXPECT_TRUE(natural_less("a", "a1"));
     EXPECT_FALSE(natural_less("a1", "a"));
     EXPECT_FALSE(natural_less("same", "same"));
+}
+
+// A dialog of a folder with one file, in frames without a screen.
+struct Dialog {
+    explicit Dialog(const FileRequest& request)
+    {
+        std::ofstream(folder.file("a.obj")) << "old";
+        dialog.open(request, folder.path());
+        frames();
+    }
+    const testing::TemporaryFolder folder;
+    HeadlessFrames screen{{720, 600}};
+    FileDialog dialog;
+    std::optional<std::string> chosen;
+
+    void frames()
+    {
+        screen.frames(4, [this](Frame& frame) {
+            if (auto path = dialog.draw(frame.theme)) chosen = path;
+        });
+    }
+    void key(int code)
+    {
+        screen.input().push(press_key(code));
+        screen.input().push(press_key(code, false));
+        frames();
+    }
+};
+const FileRequest saving{
+    .title = "Save", .action = "Save", .extensions = {".obj"}, .saving = true, .name = "a.obj"};
+
+TEST(FileDialog, TabWalksToItsButtonsAndBack)
+{
+    Dialog d(saving);
+    d.key(key_enter);
+    EXPECT_FALSE(d.chosen) << "Enter alone replaces nothing";
+    for (int i = 0; i < 5; ++i) d.key(key_tab); // once round and on to the button
+    d.key(key_enter);
+    ASSERT_TRUE(d.chosen);
+    EXPECT_EQ(*d.chosen, d.folder.file("a.obj"));
+    EXPECT_FALSE(d.dialog.is_open());
+}
+
+TEST(FileDialog, IsLeftByTheButtonThatSaysSo)
+{
+    Dialog d(saving);
+    d.key(key_tab);
+    d.key(key_space);
+    EXPECT_FALSE(d.chosen);
+    EXPECT_FALSE(d.dialog.is_open());
 }
 
 } // namespace

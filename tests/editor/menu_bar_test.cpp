@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/actions.h"
+#include "editor/menu_letters.h"
+#include "tests/editor/rig.h"
+
+#include <gmock/gmock.h>
+#include <imgui_internal.h>
+
+namespace trivar {
+namespace {
+
+using ::testing::ElementsAre;
+using testing::Rig;
+
+TEST(MenuLetters, AreTheFirstThatAreFree)
+{
+    EXPECT_THAT(menu_letters({"Open...", "Open recent", "Options", "O"}),
+                ElementsAre('O', 'P', 'T', 0));
+    EXPECT_THAT(menu_letters({"File", "Add"}, "AF"), ElementsAre('I', 'D'));
+}
+
+TEST(MenuBar, OpensByALetterAndShowsWhichEntryHasTheKeyboard)
+{
+    Rig rig({1024, 700});
+    rig.frames();
+    rig.key({.key = 'F', .alt = true});
+    EXPECT_EQ(rig.editor.menu.open, "File");
+    EXPECT_NE(GImGui->NavId, 0u);
+    EXPECT_FALSE(GImGui->NavDisableHighlight);
+    rig.key({.key = 'E', .alt = true});
+    EXPECT_EQ(rig.editor.menu.open, "Edit");
+    rig.key({ui::key_right});
+    EXPECT_EQ(rig.editor.menu.open, "Select");
+    EXPECT_NE(GImGui->NavId, 0u);
+    rig.key({ui::key_left});
+    EXPECT_EQ(rig.editor.menu.open, "Edit");
+    rig.key({ui::key_escape});
+    EXPECT_EQ(rig.editor.menu.open, "");
+}
+
+TEST(MenuBar, AnEntryRunsByItsLetter)
+{
+    Rig rig({1024, 700});
+    rig.frames();
+    const bool shown = rig.editor.preferences.show_dock;
+    rig.key({.key = 'V', .alt = true});
+    ASSERT_EQ(rig.editor.menu.open, "View");
+    std::vector<std::string> names;
+    for (const Action& each : rig.editor.actions)
+        if (each.menu == "View") names.push_back(each.name);
+    const std::vector<char> letters = menu_letters(names);
+    const auto at = std::ranges::find(names, "Side panels") - names.begin();
+    rig.key({letters[static_cast<std::size_t>(at)]});
+    EXPECT_NE(rig.editor.preferences.show_dock, shown);
+    EXPECT_EQ(rig.editor.menu.open, "");
+}
+
+TEST(MenuBar, EnterRunsTheFirstEntryAtOnce)
+{
+    Rig rig({1024, 700});
+    rig.frames();
+    rig.editor.session.camera.eye = {9, 9, 9};
+    rig.key({.key = 'F', .alt = true});
+    rig.key({ui::key_enter}); // New scene
+    EXPECT_EQ(rig.editor.session.camera.eye, Camera{}.eye);
+}
+
+TEST(MenuBar, LeavesKeysWithAltToTheActionsThatHaveThem)
+{
+    Rig rig({1024, 700});
+    rig.two_objects();
+    rig.key({.key = 'A', .alt = true}); // nothing selected, not the menu Add
+    EXPECT_EQ(rig.editor.menu.open, "");
+    EXPECT_EQ(rig.editor.session.selected, 0u);
+}
+
+} // namespace
+} // namespace trivar
