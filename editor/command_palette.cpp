@@ -6,6 +6,7 @@
 #include "editor/editor.h"
 #include "editor/letters_in_order.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/preferences_pages.h"
 #include "editor/typed_command.h"
 #include "ui/icons.h"
 
@@ -184,6 +185,23 @@ std::vector<PaletteEntry> palette_preferences(const Editor& editor)
         [](Preferences& q) { q.reduced_motion = !q.reduced_motion; });
     add("Backdrop as in pictures", p.backdrop_as_in_pictures,
         [](Preferences& q) { q.backdrop_as_in_pictures = !q.backdrop_as_in_pictures; });
+    add("Grid", p.grid, [](Preferences& q) { q.grid = !q.grid; });
+    add("Navigation axes", p.show_axes, [](Preferences& q) { q.show_axes = !q.show_axes; });
+    add("Timing in the corner", p.show_timing,
+        [](Preferences& q) { q.show_timing = !q.show_timing; });
+    add("Ask what becomes of unnamed scenes", p.ask_to_keep,
+        [](Preferences& q) { q.ask_to_keep = !q.ask_to_keep; });
+    add("Zoom to the mouse", p.mouse.zoom_to_cursor,
+        [](Preferences& q) { q.mouse.zoom_to_cursor = !q.mouse.zoom_to_cursor; });
+    add("Reversed zoom", p.mouse.reversed_zoom,
+        [](Preferences& q) { q.mouse.reversed_zoom = !q.mouse.reversed_zoom; });
+    for (int page = 0; page < Editor::PreferencesDialog::page_count; ++page)
+        entries.push_back(
+            {preferences_page_name(page), "page", ui::icon::settings, {}, {}, [page](Editor& e) {
+                 e.preferences_dialog = {};
+                 e.preferences_dialog.open = true;
+                 e.preferences_dialog.page = page;
+             }});
     for (const double scale : interface_scales)
         add("Size of the interface " + std::to_string(static_cast<int>(100 * scale + 0.5)) + " %",
             p.scale == scale, [scale](Preferences& q) { q.scale = scale; });

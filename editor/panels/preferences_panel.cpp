@@ -76,6 +76,11 @@ void draw_rows_of_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r
 
 } // namespace
 
+const char* preferences_page_name(int page)
+{
+    return pages[static_cast<std::size_t>(page)].name;
+}
+
 void reset_preferences_page(Editor& editor)
 {
     Preferences& p = editor.preferences;

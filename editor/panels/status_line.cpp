@@ -116,6 +116,9 @@ std::vector<Hint> hints_here(Editor& editor, const Layout& layout)
 std::vector<std::string> inputs_now(const Editor& editor, const Hint& hint)
 {
     std::vector<std::string> inputs = hint.inputs;
+    // Two fingers orbit there.
+    if (hint.verb == "Zoom" && editor.preferences.mouse.device == "trackpad")
+        inputs.insert(inputs.begin(), "Ctrl");
     for (std::string& input : inputs) {
         if (!input.starts_with('@')) continue;
         input = key_text(action(editor, input.substr(1)));

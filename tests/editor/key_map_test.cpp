@@ -84,6 +84,15 @@ TEST(KeyMap, IsWhatHintsName)
     EXPECT_THAT(inputs_now(editor, hint), IsEmpty());
 }
 
+TEST(KeyMap, HintsSayWhatATrackpadNeedsToZoom)
+{
+    Editor editor([] {});
+    const Hint zoom{{"wheel"}, "Zoom"};
+    EXPECT_THAT(inputs_now(editor, zoom), ElementsAre("wheel"));
+    editor.preferences.mouse.device = "trackpad";
+    EXPECT_THAT(inputs_now(editor, zoom), ElementsAre("Ctrl", "wheel"));
+}
+
 TEST(KeyMap, IsChangedByPressingTheNewKey)
 {
     Rig rig;

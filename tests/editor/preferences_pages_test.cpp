@@ -74,6 +74,30 @@ TEST(PreferencesPages, ShowWhoseAKeyIs)
     EXPECT_FALSE(dialog.seeking);
 }
 
+TEST(PreferencesPages, OpenByTheirNamesInThePalette)
+{
+    Rig rig;
+    for (const PaletteEntry& each : palette_preferences(rig.editor)) {
+        if (each.note != "page") continue;
+        each.run(rig.editor);
+        EXPECT_TRUE(rig.editor.preferences_dialog.open);
+        EXPECT_EQ(preferences_page_name(rig.editor.preferences_dialog.page), each.name);
+    }
+    EXPECT_EQ(rig.editor.preferences_dialog.page, Editor::PreferencesDialog::of_about);
+}
+
+TEST(PreferencesPages, SwitchByTheirNamesInThePalette)
+{
+    Rig rig;
+    for (const PaletteEntry& each : palette_preferences(rig.editor)) {
+        if (each.note != "on" && each.note != "off") continue;
+        const Preferences before = rig.editor.preferences;
+        each.run(rig.editor);
+        const bool scale = each.name.starts_with("Size of the interface");
+        EXPECT_TRUE(scale || before != rig.editor.preferences) << each.name;
+    }
+}
+
 TEST(Mouse, ZoomsTheOtherWayWhereItIsSaidSo)
 {
     Looking rig;
