@@ -7,13 +7,15 @@ install(FILES LICENSE DESTINATION ${shared})
 install(DIRECTORY docs/manual docs/gallery DESTINATION ${shared})
 install(DIRECTORY assets/scenes assets/tutorials DESTINATION ${shared}/assets FILES_MATCHING PATTERN *.trivar)
 install(DIRECTORY ${CMAKE_BINARY_DIR}/assets/models DESTINATION ${shared}/assets)
-# In the checkout scenes name the models that the build makes; here those beside them.
+# In the checkout scenes name the models that the build makes; here those beside them. Their digests
+# are of the paths as well.
 install(CODE "set(assets \"\${CMAKE_INSTALL_PREFIX}/${shared}/assets\")")
 install(CODE [[
   file(GLOB scenes $ENV{DESTDIR}${assets}/scenes/*.trivar $ENV{DESTDIR}${assets}/tutorials/*.trivar)
   foreach(scene ${scenes})
     file(READ ${scene} text)
     string(REPLACE "../../build/assets/" "../" text "${text}")
+    string(REGEX REPLACE "{\"digest\"[^\n]*\n" "" text "${text}")
     file(WRITE ${scene} "${text}")
   endforeach()
 ]])
