@@ -101,8 +101,27 @@ ui::Tip tip_of(const Editor& editor, const Action& action, std::string sentence)
     return {action.name, key_text(action), std::move(sentence)};
 }
 
+namespace {
+
+// A tool with which something was done while its key was held goes with the key.
+void return_lent_tool(Editor& editor)
+{
+    Editor::LentTool& lent = editor.lent_tool;
+    const bool busy = editor.active_tool().busy();
+    if (lent.key == 0) return;
+    if (ui::is_down(lent.key)) {
+        lent.used = lent.used || (busy && ImGui::IsMouseDown(ImGuiMouseButton_Left));
+    } else if (!busy) {
+        if (lent.used) editor.choose_tool(lent.before);
+        lent = {};
+    }
+}
+
+} // namespace
+
 void run_keys(Editor& editor)
 {
+    return_lent_tool(editor);
     const auto escape = [] { return ui::struck({ui::key_escape}); };
     Tool& tool = editor.active_tool();
     if (tool.busy()) { // a gesture has the keyboard: only it and the camera go on
@@ -137,10 +156,13 @@ void run_keys(Editor& editor)
                                                              : KeysIn::picture;
     for (const Action& each : editor.actions) {
         if (each.keys_in != KeysIn::anywhere && each.keys_in != here) continue;
-        bool hit = false;
-        for (const ui::Chord& chord : each.keys) hit = hit || ui::struck(chord);
-        if (!hit || !is_enabled(editor, each)) continue;
+        const auto chord = std::ranges::find_if(each.keys, ui::struck);
+        if (chord == each.keys.end() || !is_enabled(editor, each)) continue;
+        const std::size_t tool_before = editor.tool;
+        const int key = chord->key; // the action may give it to another
         each.run(editor);
+        editor.lent_tool = {};
+        if (editor.tool != tool_before) editor.lent_tool = {key, tool_before};
         return; // one press, one action
     }
 }

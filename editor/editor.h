@@ -86,6 +86,11 @@ struct Editor {
     } start_card;
     StoredPictures stored_pictures;
     Tutorial tutorial;
+    struct LentTool { // by a key that is held
+        int key = 0;
+        std::size_t before = 0; // the tool that comes back
+        bool used = false;      // by the mouse
+    } lent_tool;
     struct PreferencesDialog {
         enum Page { // in the order of their names
             of_general,

@@ -87,6 +87,11 @@ std::optional<Chord> struck_chord()
     return std::nullopt;
 }
 
+bool is_down(int key)
+{
+    return ImGui::IsKeyDown(key);
+}
+
 bool struck(const Chord& chord)
 {
     return !ImGui::GetIO().WantTextInput && pressed(chord);

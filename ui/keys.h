@@ -63,6 +63,7 @@ std::optional<Chord> chord_from(std::string_view text); // the inverse of text_o
 bool struck(const Chord& chord);
 // The same while somebody types, of chords that are no letter.
 bool struck_while_typing(const Chord& chord);
+bool is_down(int key);
 // Whichever was struck in this frame: a key that is not only held beside others.
 std::optional<Chord> struck_chord();
 
