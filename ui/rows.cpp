@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/icons.h"
+#include "ui/keys.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -54,7 +55,11 @@ Row label_row(const Theme& theme, const std::string& label, bool changed, const 
         row.reset = ImGui::InvisibleButton("reset", {theme.size.padding, theme.size.row});
         const bool hot = ImGui::IsItemHovered();
         paint_dot({x - theme.px(6), r.center().y}, theme.px(hot ? 3 : 2), c.changed);
-        tooltip({"Reset to the default"});
+        tooltip({"Reset to the default", "Backspace"});
+        const bool over = ImGui::IsWindowHovered() &&
+                          ImGui::IsMouseHoveringRect({r.lo.x, r.lo.y}, {r.hi.x, r.hi.y});
+        row.reset =
+            row.reset || (over && !ImGui::IsAnyItemActive() && struck({.key = key_backspace}));
     }
     const float room = theme.size.label - theme.px(8);
     const std::string shown = elided(theme.font.body, label, room);
