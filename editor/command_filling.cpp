@@ -27,6 +27,17 @@ CommandForm with_option(CommandForm form, const Document& document)
     return form;
 }
 
+// Why what is filled in is no value of its field; empty: it is one.
+std::string unreadable(const CommandForm& form, const Document& document)
+{
+    try {
+        filled(form, document);
+    } catch (const Rejected& why) {
+        return why.what();
+    }
+    return {};
+}
+
 // Why what is filled in cannot be done; empty: it can.
 std::string refusal(const CommandForm& form, const Document& document)
 {
@@ -74,6 +85,8 @@ bool next_field(Editor& editor, int step)
     const std::string why = refusal(form, document);
     // What is missing in the others is said when it runs.
     form.trouble = refusal(without, document).empty() ? why : "";
+    if (unreadable(without, document).empty() && !unreadable(form, document).empty())
+        form.trouble = why;
     editor.palette.fresh = true;
     if (!form.trouble.empty()) return true;
     const std::size_t count = form.fields.size();
@@ -102,6 +115,8 @@ bool run_filled(Editor& editor)
     }
     select_again(session, filling.selected);
     if (session.committed().next_id > first) session.select_new(first);
+    if (const auto* place = std::get_if<Place>(&session.scene().history().steps().back().command))
+        session.selected = place->object;
     if (empty) session.frame_all_when_evaluated = true;
     editor.palette.filling.reset();
     return true;

@@ -119,6 +119,25 @@ json object_json(std::string_view text, const Document& document)
     return std::string(text);
 }
 
+// "200 300, 400 320": a list of lists of numbers; as JSON has it, it may be given too.
+json points_json(const Field& field, std::string_view typed)
+{
+    if (typed == "none") return json::array();
+    if (typed.starts_with('[')) {
+        json list = json::parse(typed, nullptr, false);
+        if (list.is_array()) return list;
+    }
+    json points = json::array();
+    for (const std::string_view each : cut_at(typed, ",;")) {
+        if (each.empty()) continue;
+        json numbers = json::array();
+        for (const std::string& number : numbers_in(each))
+            numbers.push_back(number_json(field, number, "0"));
+        points.push_back(std::move(numbers));
+    }
+    return points;
+}
+
 std::string value_json(const Field& field, const Document& document)
 {
     const std::string_view typed = trimmed(field.typed);
@@ -143,6 +162,7 @@ std::string value_json(const Field& field, const Document& document)
             numbers.push_back(number_json(field, texts[i], i < was.size() ? was[i] : "0"));
         return dumped(numbers);
     }
+    if (field.kind == Field::points) return dumped(points_json(field, typed));
     if (typed.starts_with('"')) {
         const json quoted = json::parse(typed, nullptr, false);
         if (quoted.is_string()) return dumped(quoted);
@@ -160,6 +180,18 @@ std::string typed_name(Id id, const std::string& name, std::size_t count, bool a
     return odd ? dumped(name) : name;
 }
 
+// Where the points are, or how many.
+std::string points_text(const json& points)
+{
+    constexpr std::size_t most = 4;
+    if (points.empty()) return "none";
+    if (points.size() > most) return std::to_string(points.size()) + " points";
+    std::string text;
+    for (const json& each : points)
+        text += (text.empty() ? "" : ", ") + dumped(each[0]) + " " + dumped(each[1]);
+    return text;
+}
+
 std::string present_text(const Field& field, const json& value, const Document& document)
 {
     const auto name = [&](const json& id, bool among_others) -> std::string {
@@ -170,6 +202,7 @@ std::string present_text(const Field& field, const json& value, const Document& 
         return typed_name(number, called, count_called(document, called), among_others);
     };
     if (value.is_null()) return "as it is";
+    if (field.kind == Field::points) return points_text(value);
     if (field.kind == Field::object) return name(value, false);
     std::string text;
     if (value.is_array()) {
@@ -212,6 +245,8 @@ bool add_fields(std::vector<Field>& fields, const json& list, const std::string&
             field.kind = Field::number;
         else if (type == "text")
             field.choices = range.empty() ? std::vector<std::string>{} : choices_in(range);
+        else if (type == "list of pairs of numbers" || type == "list of samples")
+            field.kind = Field::points;
         else if (type.find(", ") != type.npos)
             field.choices = choices_in(type);
         else if (each["required"].get<bool>())
@@ -230,6 +265,28 @@ bool add_fields(std::vector<Field>& fields, const json& list, const std::string&
     return true;
 }
 
+// A stroke is typed as points of the picture it is seen in, and the view is the last that anybody
+// would change.
+void ask_for_stroke(CommandForm& form, const Sketch& sketch)
+{
+    std::ranges::stable_partition(
+        form.fields, [](const Field& each) { return !each.name.starts_with("camera."); });
+    const auto samples = std::ranges::find(form.fields, "samples", &Field::name);
+    const glm::ivec2 size(sketch.camera.size_px);
+    samples->label = "Points";
+    samples->help = "x and y of each point of the stroke in the picture, which has " +
+                    std::to_string(size.x) + " by " + std::to_string(size.y) +
+                    " pixels; commas between them";
+    const auto at = [&](int x, int y) {
+        return std::to_string(size.x * x / 100) + " " + std::to_string(size.y * y / 100);
+    };
+    samples->ready = {
+        {"Across the picture", at(25, 60) + ", " + at(50, 60) + ", " + at(75, 60)},
+        {"From near to far", at(50, 85) + ", " + at(50, 65) + ", " + at(50, 45)},
+        {"In a wide bend", at(25, 75) + ", " + at(40, 60) + ", " + at(60, 60) + ", " + at(75, 75)},
+    };
+}
+
 // What is typed of the object at hand: all of it, or what follows the last comma.
 std::string_view letters_of(const Field& field)
 {
@@ -246,6 +303,7 @@ std::optional<CommandForm> form_of(const Command& ready, std::string title,
         if (each["do"] == verb(ready) && !add_fields(form.fields, each["fields"], ""))
             return std::nullopt;
     if (form.fields.empty()) return std::nullopt;
+    if (const auto* place = std::get_if<Place>(&ready)) ask_for_stroke(form, place->sketch);
     show_present(form, ready, document);
     return form;
 }
@@ -276,6 +334,7 @@ std::vector<FormOption> options_of(const CommandForm& form, const Document& docu
     std::vector<FormOption> options;
     if (field.kind == Field::choice)
         for (const std::string& each : field.choices) options.push_back({each, each, 0, {}});
+    for (const Field::Ready& each : field.ready) options.push_back({each.typed, each.words, 0, {}});
     if (field.kind == Field::object || field.kind == Field::objects) {
         std::map<std::string_view, std::size_t> count; // there may be thousands
         for (const auto& [id, each] : document.objects) ++count[each->name];

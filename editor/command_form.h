@@ -10,15 +10,19 @@
 namespace trivar {
 
 // A command whose values are filled in one after another, as a person types them: "12 mm" and
-// "+=0.1" for a number, "1 2 3" for three, "Snake, Big rock" for objects.
+// "+=0.1" for a number, "1 2 3" for three, "Snake, Big rock" for objects, "0 1, 0.5 2" for points.
 struct CommandForm {
     struct Field {
-        enum Kind { number, text, choice, object, objects };
+        enum Kind { number, text, choice, object, objects, points };
         std::string name; // "parameters.width": as a typed command has it
         std::string label, unit, help;
         Kind kind = text;
         bool list = false; // of numbers
         std::vector<std::string> choices = {};
+        struct Ready { // points that can be taken and changed
+            std::string words, typed;
+        };
+        std::vector<Ready> ready = {};
         std::string typed = {};   // empty: as it is
         std::string present = {}; // the value that it has then, as it would be typed
     };
@@ -31,7 +35,7 @@ struct CommandForm {
     std::string trouble = {}; // why it was not run
 };
 
-// The form of a command; nothing where it takes what nobody types, like a stroke, or no values.
+// The form of a command; nothing where it takes what nobody types, like files, or no values.
 std::optional<CommandForm> form_of(const Command& ready, std::string title,
                                    const Document& document);
 

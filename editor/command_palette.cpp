@@ -7,6 +7,7 @@
 #include "editor/letters_in_order.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/preferences_pages.h"
+#include "editor/tools/place.h"
 #include "editor/typed_command.h"
 #include "ui/icons.h"
 
@@ -54,6 +55,10 @@ Command about_selection(const Command& command, const Editor& editor)
     const Document& document = session.document();
     Command ready = as_it_is(command, session.selected, document).value_or(command);
     ready = about(ready, topmost(document, session.selected.ids()));
+    if (auto* c = std::get_if<Place>(&ready)) { // in the present view
+        c->sketch.camera = session.camera;
+        c->object = model_to_place(session, 0);
+    }
     if (auto* c = std::get_if<SaveCamera>(&ready)) *c = {"View", session.camera};
     if (auto* c = std::get_if<DeleteCamera>(&ready); c && !document.bookmarks.empty())
         c->name = document.bookmarks.begin()->first;
@@ -127,7 +132,7 @@ std::vector<PaletteEntry> palette_commands(const Editor& editor)
                            caps, is_enabled(editor, each) ? "" : each.enabled.otherwise,
                            [name = each.name](Editor& e) { action(e, name).run(e); }, each.name});
         PaletteEntry& entry = entries.back();
-        if (each.menu == "Tools") continue; // their values come from a hand
+        if (each.menu == "Tools" && each.name != "Place") continue; // their values come from a hand
         const auto command = command_called(entry.name, commands);
         if (command && why_not(*command, editor) != empty_scene)
             entry.fill = about_selection(*command, editor);

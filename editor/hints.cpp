@@ -17,10 +17,10 @@ bool closed(const Editor& editor, const std::string& name)
     return std::ranges::find(names, name) != names.end();
 }
 
-bool draws(const Session& session)
+bool draws(const Editor& editor)
 {
-    const auto& proposal = session.scene().history().proposal();
-    return proposal && std::holds_alternative<Place>(proposal->command);
+    const auto& proposal = editor.session.scene().history().proposal();
+    return proposal && !editor.palette.open && std::holds_alternative<Place>(proposal->command);
 }
 
 HintCard card_before_a_stroke(const Editor& editor, std::size_t shapes)
@@ -54,7 +54,7 @@ std::optional<HintCard> hint_card(const Editor& editor)
 {
     const Session& session = editor.session;
     if (!editor.preferences.hints || session.jobs().status()) return {};
-    if (draws(session)) {
+    if (draws(editor)) {
         if (closed(editor, let_go_hint)) return {};
         return HintCard{let_go_hint, 2, "Keep going, then let go",
                         "The strip follows the scene. Where its points are white, springs bridge a "

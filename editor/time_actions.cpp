@@ -2,6 +2,7 @@
 #include "editor/time_actions.h"
 
 #include "editor/editor.h"
+#include "editor/panels/timeline.h"
 
 namespace trivar {
 namespace {
@@ -38,6 +39,15 @@ void add_time_actions(std::vector<Action>& a)
                              [](const Session& s) { return s.document().time.first_frame; }));
     a.push_back(frame_action(last_frame_action, {.key = ui::key_right, .shift = true},
                              [](const Session& s) { return s.document().time.last_frame; }));
+    a.push_back({"Animate",
+                 make_room_action,
+                 {},
+                 [](Editor& e) {
+                     if (const auto time = time_with_room(e.session)) e.session.run(SetTime{*time});
+                 },
+                 {[](const Editor& e) { return time_with_room(e.session).has_value(); },
+                  "nothing is on its way in the last frame"},
+                 true});
     a.push_back({"Animate",
                  timeline_action,
                  {{.key = 'T', .shift = true}},

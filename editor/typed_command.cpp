@@ -181,7 +181,7 @@ template <class What> LogLine line_of(What what)
 
 bool names_object(std::string_view field)
 {
-    return field == "object" || field == "parent" || field == "before";
+    return field == "object" || field == "around" || field == "parent" || field == "before";
 }
 bool names_objects(std::string_view field)
 {

@@ -240,9 +240,21 @@ void draw_open(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
     const std::string words = count == 0   ? "Nothing travels"
                               : count == 1 ? "1 object travels"
                                            : std::to_string(count) + " objects travel";
+    const Action& room = action(editor, make_room_action);
+    const float wide =
+        is_enabled(editor, room) ? ui::text_width(theme.font.body, "Make room") + theme.px(16) : 0;
     ui::paint_text(theme.font.small, {{r.lo.x + theme.px(12), r.lo.y}, {split, under}},
                    count == 0 ? c.text_3 : c.text_2,
-                   ui::elided(theme.font.small, words, split - r.lo.x - theme.px(20)));
+                   ui::elided(theme.font.small, words, split - r.lo.x - theme.px(20) - wide));
+    if (wide > 0) {
+        ImGui::SetCursorScreenPos({split - wide, r.lo.y});
+        const bool pressed =
+            ui::button(theme, "Make room", ui::ButtonKind::quiet, {wide, under - r.lo.y - line});
+        ui::tooltip(tip_of(editor, room,
+                           "Something is still on its way in the last frame. The range grows by "
+                           "whole seconds until all have come to their ends."));
+        if (pressed) room.run(editor);
+    }
     const ui::Rect ruler = {{split + line, r.lo.y}, {r.hi.x, under}};
     paint_ticks(theme, ruler, scale, true);
     scrub(editor, ruler, scale);
@@ -297,6 +309,22 @@ std::optional<TravelBar> bar_of(const Session& session, Id id)
     bar.end = bar.endless ? std::max(bar.begin, 1.0 + time.last_frame)
                           : bar.begin + journey.seconds() * time.frames_per_second;
     return bar;
+}
+
+std::optional<Time> time_with_room(const Session& session)
+{
+    constexpr double latest = 999999; // frame
+    Time time = session.document().time;
+    double end = 0;
+    for (const Id id : travelling(session.document()))
+        if (const auto bar = bar_of(session, id); bar && !bar->endless)
+            end = std::max(end, bar->end);
+    if (end < time.last_frame || time.last_frame >= latest) return {};
+    const double rate = time.frames_per_second;
+    const double seconds = std::floor((end + 1 - time.first_frame) / rate) + 1;
+    time.last_frame =
+        static_cast<int>(std::min(latest, std::ceil(time.first_frame - 1 + seconds * rate)));
+    return time;
 }
 
 void draw_timeline(Editor& editor, const ui::Theme& theme, const Layout& layout)

@@ -27,6 +27,10 @@ struct TravelBar {
 // Nothing where it was not evaluated, being hidden.
 std::optional<TravelBar> bar_of(const Session& session, Id id);
 
+// The frames of the scene with as many whole seconds more as let everything that comes to an end
+// come there; nothing where it does already.
+std::optional<Time> time_with_room(const Session& session);
+
 // A row for each object that travels, with its bar to drag.
 void draw_tracks(Editor& editor, const ui::Theme& theme, const ui::Rect& names,
                  const ui::Rect& tracks, const FrameScale& scale);

@@ -140,12 +140,13 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     }
     draw_object_menu(editor, theme, viewport_menu);
     draw_add_menu(editor, theme);
-    labels(editor, theme, view);
+    const bool welcome = !editor.tutorial.runs(session) && shows_welcome(editor);
+    if (!welcome) labels(editor, theme, view);
     if (session.document().render->color_by == ColorBy::stretch) draw_legend(theme, view);
     if (editor.preferences.show_axes) draw_navigation(editor, theme, view);
     if (editor.tutorial.runs(session))
         draw_tutorial(editor, frame, view);
-    else if (shows_welcome(editor))
+    else if (welcome)
         draw_welcome(editor, theme, view);
     else
         draw_hint_card(editor, theme, view);

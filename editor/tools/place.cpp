@@ -319,8 +319,8 @@ void PlaceTool::options(Session& session, const ui::Theme& theme, float width)
                            ui::segments(theme, "brush", brush, {"Even", "Speed", "Wheel"}, field);
                            brush_ = static_cast<Brush>(brush);
                        },
-                       "What makes the stroke wider and narrower: nothing, the hand's speed or a "
-                       "pen's pressure, the wheel."});
+                       "What makes the stroke wider and narrower: nothing, the hand's speed, or "
+                       "the wheel."});
     options.push_back({"Gaps", 144,
                        [&](float field) {
                            int gaps = parameters_.springs ? 0 : 1;

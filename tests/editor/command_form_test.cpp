@@ -49,7 +49,7 @@ TEST(CommandForm, AsksForEveryValueThatCanBeTyped)
     EXPECT_EQ(add.fields[1].unit, "m");
     EXPECT_EQ(add.fields[3].label, "Position");
     EXPECT_EQ(add.fields[5].present, "1 1 1");
-    EXPECT_FALSE(form_of(Place{}, "Place", scene())) << "nobody types a stroke";
+    EXPECT_FALSE(form_of(Relink{}, "Relink", scene())) << "nobody types a list of files";
     for (const Command& each : every_command())
         if (const auto any = form_of(each, "Any", scene())) {
             EXPECT_NO_THROW(filled(*any, scene())) << verb(each);
@@ -76,6 +76,43 @@ TEST(CommandForm, ReadsNumbersAsPeopleTypeThem)
     EXPECT_EQ(moved("[1,2,4]"), glm::dvec3(1, 2, 4));
     EXPECT_EQ(moved("+=1 2 max(1, 3)"), glm::dvec3(2, 2, 3));
     EXPECT_EQ(std::get<SetRender>(with(SetRender{}, "exposure", "1 + 1/2")).settings.exposure, 1.5);
+}
+
+TEST(CommandForm, ReadsPointsAsPairsBetweenCommas)
+{
+    Place ready;
+    ready.object = 1;
+    ready.sketch.camera.size_px = {800, 600};
+    CommandForm place = form(ready);
+    EXPECT_EQ(place.fields[0].name, "object");
+    EXPECT_EQ(place.fields[1].name, "samples") << "the view is asked for last";
+    EXPECT_THAT(place.fields[1].help, HasSubstr("800 by 600"));
+    EXPECT_TRUE(place.fields.back().name.starts_with("camera."));
+    const auto points = [&](const std::string& typed) {
+        place.fields[1].typed = typed;
+        std::vector<glm::dvec2> all;
+        const Command command = filled(place, scene());
+        for (const StrokeSample& each : std::get<Place>(command).sketch.samples)
+            all.push_back(each.p_px);
+        return all;
+    };
+    const std::vector<glm::dvec2> line{{200, 300}, {400.5, 320}};
+    EXPECT_EQ(points("200 300, 400.5 320"), line);
+    EXPECT_EQ(points("[[200,300,0,1],[400.5,320,0.1,1]]"), line);
+    EXPECT_EQ(points("800/4 300; 400.5 320;"), line);
+    EXPECT_THROW(points("200 300, 400"), Rejected);
+    EXPECT_THROW(points("200 300, 400 far"), Rejected);
+    EXPECT_THROW(points("[["), Rejected);
+    place.at = 1;
+    place.fields[1].typed.clear();
+    const auto options = options_of(place, scene());
+    ASSERT_FALSE(options.empty()) << "a stroke to begin with";
+    take(place, options.front());
+    EXPECT_NO_THROW(filled(place, scene()));
+    EditPlacement edit;
+    edit.object = 1;
+    EXPECT_EQ(with(edit, "parameters.width_profile", "0 1, 0.5 2, 1 1"),
+              with(edit, "parameters.width_profile", "[[0,1],[0.5,2],[1,1]]"));
 }
 
 TEST(CommandForm, TakesObjectsWhateverTheyAreCalled)
@@ -155,6 +192,35 @@ TEST(FillingValues, ShowsTheResultAndEndsAsOneStep)
     EXPECT_FALSE(rig.editor.palette.open);
     EXPECT_FALSE(rig.editor.session.proposing());
     EXPECT_EQ(rig.steps(), before + 1);
+    EXPECT_EQ(rig.editor.session.selected.ids(), std::vector<Id>{2});
+}
+
+TEST(FillingValues, LaysAModelAlongAStrokeThatIsTyped)
+{
+    testing::Rig rig({1024, 700});
+    rig.two_objects();
+    rig.editor.session.selected = 0;
+    const std::size_t before = rig.steps();
+    const glm::dvec2 c = rig.editor.session.camera.size_px / 2.0;
+    fill(rig, "place");
+    ASSERT_EQ(rig.editor.palette.filling->form.title, "Place");
+    EXPECT_EQ(rig.editor.palette.filling->form.fields[0].present, "Box");
+    rig.key({.key = ui::key_tab});
+    rig.type("100");
+    rig.key({.key = ui::key_tab});
+    EXPECT_FALSE(rig.editor.palette.filling->form.trouble.empty()) << "a point has two numbers";
+    EXPECT_FALSE(rig.editor.session.proposing());
+    rig.type("100 " + std::to_string(int(c.y)) + ", " + std::to_string(int(c.x)) + " " +
+             std::to_string(int(c.y)) + ", " + std::to_string(int(c.x) + 150) + " " +
+             std::to_string(int(c.y)));
+    EXPECT_TRUE(rig.editor.session.proposing());
+    EXPECT_TRUE(object(rig.editor.session.document(), 2).placement) << "shown before it is done";
+    rig.key({.key = ui::key_enter});
+    EXPECT_FALSE(rig.editor.palette.open);
+    rig.wait();
+    EXPECT_EQ(rig.steps(), before + 1);
+    ASSERT_TRUE(object(rig.editor.session.committed(), 2).placement);
+    EXPECT_EQ(object(rig.editor.session.committed(), 2).placement->sketch.samples.size(), 3u);
     EXPECT_EQ(rig.editor.session.selected.ids(), std::vector<Id>{2});
 }
 

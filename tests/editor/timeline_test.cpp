@@ -197,6 +197,29 @@ TEST(Timeline, AClickOnABarOnlySelectsAndALockedOneStays)
     EXPECT_EQ(rig.travel().start_frame, 25);
 }
 
+TEST(Timeline, MakesRoomForWhatIsStillOnItsWayInTheLastFrame)
+{
+    Travelling rig;
+    const Action& make_room = action(rig.editor, make_room_action);
+    rig.let({.speed = 1, .start_frame = 25});
+    ASSERT_LT(rig.bar().end, 240);
+    EXPECT_FALSE(is_enabled(rig.editor, make_room));
+    rig.let({.speed = 0.002, .start_frame = 25});
+    ASSERT_GT(rig.bar().end, 240);
+    const std::size_t before = rig.steps();
+    const ui::Rect r = rig.layout().timeline;
+    rig.click({names_end(rig.screen.theme(), r) - 30, r.lo.y + 40 + 12});
+    rig.wait();
+    EXPECT_EQ(rig.steps(), before + 1);
+    const Time& time = rig.editor.session.document().time;
+    EXPECT_GT(time.last_frame, rig.bar().end);
+    EXPECT_EQ(time.last_frame % 24, 0) << "whole seconds";
+    EXPECT_LE(time.last_frame, rig.bar().end + 24);
+    EXPECT_FALSE(is_enabled(rig.editor, make_room));
+    rig.let({.speed = 0.002, .ends = Ends::loop, .start_frame = 25});
+    EXPECT_FALSE(is_enabled(rig.editor, make_room)) << "it never ends";
+}
+
 TEST(Timeline, OpensAndClosesByItsUpperLine)
 {
     Travelling rig;

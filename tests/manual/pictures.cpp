@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Draws the pictures of docs/manual anew: each is the editor, without a screen, in the state that
+// the page speaks of. Without arguments all of them, else those that are named.
+
+#include "core/files/image.h"
+#include "editor/help_actions.h"
+#include "tests/editor/rig.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+namespace trivar {
+namespace {
+
+using namespace std::chrono_literals;
+
+const std::string checkout = TRIVAR_SOURCE_DIR;
+
+struct Window : testing::Rig {
+    explicit Window(glm::ivec2 size = {1200, 750}, float scale = 1) : Rig(size, {.scale = scale})
+    {
+        editor.preferences.quality = "high";
+        editor.preferences.hints = false;
+        editor.preferences.show_timing = false; // the times of whatever machine draws them
+        for (const auto& each : std::filesystem::directory_iterator(checkout + "/assets/scenes"))
+            editor.files.samples.push_back(each.path());
+        std::ranges::sort(editor.files.samples);
+        add_tutorials(editor, {checkout + "/assets/tutorials/first_stroke.trivar"});
+        frames();
+    }
+    void open(const std::string& scene)
+    {
+        bool opened = false;
+        editor.files.open_copy(checkout + "/assets/scenes/" + scene + ".trivar",
+                               [&] { opened = true; });
+        for (int i = 0; i < 6000 && !opened; ++i) work();
+        finish();
+        editor.session.selected = 0;
+    }
+    void select(const std::string& name) { editor.session.selected = named(name); }
+    Id named(const std::string& name) const
+    {
+        for (const auto& [id, each] : editor.session.document().objects)
+            if (each->name == name) return id;
+        throw std::runtime_error("no object is called " + name);
+    }
+    void run(const Command& command)
+    {
+        if (!editor.session.run(command)) throw std::runtime_error("a command was refused");
+        finish();
+    }
+    void act(const std::string& name) { action(editor, name).run(editor); }
+    // Until nothing is read, evaluated or drawn any more; how long it took is nobody's business.
+    void finish()
+    {
+        for (int i = 0; i < 6000; ++i) {
+            work();
+            if (editor.session.up_to_date() && !editor.session.jobs().status()) break;
+        }
+        editor.adjustment = {};
+        editor.session.notices.clear();
+        screen.settle(body(), 600);
+    }
+    Image taken(const ui::Rect& part)
+    {
+        finish();
+        const Image whole = screen.picture();
+        const glm::ivec2 lo(part.lo), hi(part.hi);
+        Image image{
+            .name = "picture", .size_px = hi - lo, .rgba = {}, .source_bytes = {}, .mime = {}};
+        for (int y = lo.y; y < hi.y; ++y) {
+            const auto row = whole.rgba.begin() + 4 * (std::ptrdiff_t{y} * whole.size_px.x + lo.x);
+            image.rgba.insert(image.rgba.end(), row, row + 4 * std::ptrdiff_t{image.size_px.x});
+        }
+        return image;
+    }
+    Image taken() { return taken({{0, 0}, glm::vec2(size_px)}); }
+
+private:
+    void work()
+    {
+        frames(1);
+        std::this_thread::sleep_for(5ms);
+    }
+};
+
+Image start()
+{
+    Window window({1440, 900});
+    for (int i = 0; i < 40; ++i) { // the samples' pictures are read beside
+        window.frames(2);
+        std::this_thread::sleep_for(50ms);
+    }
+    return window.taken();
+}
+
+Image place()
+{
+    Window window;
+    window.open("first_placement");
+    window.select("Snake");
+    const Id snake = window.editor.session.selected;
+    EditPlacement edit{
+        snake, object(window.editor.session.document(), snake).placement->parameters, {}, {}};
+    edit.parameters.offset = 0; // so that it folds nowhere
+    edit.parameters.width_profile = {{0, 0.5}, {0.5, 1.3}, {1, 0.5}};
+    window.run(edit);
+    window.act("Place");
+    window.editor.session.selected = snake;
+    return window.taken();
+}
+
+Image history()
+{
+    Window window;
+    window.open("stacked");
+    window.editor.tab = Editor::Tab::history;
+    return window.taken();
+}
+
+Image stretch()
+{
+    Window window;
+    window.open("crocodile_on_horse");
+    RenderSettings settings = *window.editor.session.document().render;
+    settings.color_by = ColorBy::stretch;
+    window.run(SetRender{settings});
+    window.act("Frame all");
+    return window.taken();
+}
+
+Image timeline()
+{
+    Window window;
+    window.editor.preferences.timeline_open = true;
+    window.open("ants");
+    const double fast = 0.25;
+    window.run(SetTravel{{2}, {.speed = fast, .ends = Ends::loop}});
+    window.run(SetTravel{{3}, {.speed = fast, .ends = Ends::loop, .start_frame = 25}});
+    window.run(SetTravel{{4}, {.speed = fast, .ends = Ends::loop, .duration = 5}});
+    window.run(
+        SetTravel{{5}, {.speed = fast, .ends = Ends::loop, .start_frame = 73, .duration = 4}});
+    window.select("Ant 3");
+    window.editor.session.show_frame(96);
+    return window.taken();
+}
+
+Image outliner()
+{
+    Window window({2048, 1400}, 2);
+    window.open("snake_bridge");
+    const auto group = [&](const std::string& name, const std::vector<Id>& ids) {
+        window.run(Group{.objects = ids, .name = name});
+    };
+    group("Over the gap", {window.named("Jar A"), window.named("Dodecahedron A"),
+                           window.named("Snake, with springs")});
+    group("Into the gap", {window.named("Jar B"), window.named("Dodecahedron B"),
+                           window.named("Snake, without springs")});
+    window.run(Lock{{window.named("Floor")}});
+    window.run(Hide{{window.named("Dodecahedron B")}});
+    window.select("Snake, with springs");
+    window.editor.preferences.outliner = 288;
+    return window.taken(window.layout().outliner);
+}
+
+Image preferences()
+{
+    Window window;
+    window.open("snake_bridge");
+    window.editor.preferences_dialog.open = true;
+    return window.taken();
+}
+
+Image palette()
+{
+    Window window;
+    window.open("snake_bridge");
+    window.editor.palette.show();
+    window.frames(8);
+    window.type("tra");
+    return window.taken();
+}
+
+Image move()
+{
+    Window window;
+    window.open("snake_bridge");
+    window.editor.choose_tool(1);
+    window.select("Jar B");
+    return window.taken();
+}
+
+struct Picture {
+    const char* name;
+    Image (*drawn)();
+};
+constexpr Picture pictures[] = {{"start", start},
+                                {"place", place},
+                                {"history", history},
+                                {"stretch", stretch},
+                                {"timeline", timeline},
+                                {"outliner", outliner},
+                                {"preferences", preferences},
+                                {"palette", palette},
+                                {"move-rotate-scale", move}};
+
+} // namespace
+} // namespace trivar
+
+int main(int count, char** arguments)
+{
+    const std::vector<std::string> asked(arguments + 1, arguments + count);
+    for (const auto& [name, drawn] : trivar::pictures) {
+        if (!asked.empty() && std::ranges::find(asked, name) == asked.end()) continue;
+        const std::string path = trivar::checkout + "/docs/manual/" + name + ".png";
+        trivar::write_image(drawn(), path);
+        std::printf("%s\n", path.c_str());
+        std::fflush(stdout);
+    }
+    return 0;
+}
