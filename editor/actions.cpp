@@ -156,7 +156,9 @@ void run_keys(Editor& editor)
                                                              : KeysIn::picture;
     for (const Action& each : editor.actions) {
         if (each.keys_in != KeysIn::anywhere && each.keys_in != here) continue;
-        const auto chord = std::ranges::find_if(each.keys, ui::struck);
+        const auto chord = std::ranges::find_if(each.keys, [&](const ui::Chord& one) {
+            return ui::struck(one, each.repeats) && !tool.awaits(one);
+        });
         if (chord == each.keys.end() || !is_enabled(editor, each)) continue;
         const std::size_t tool_before = editor.tool;
         const int key = chord->key; // the action may give it to another

@@ -44,10 +44,12 @@ struct Action {
     bool group_begins = false;              // a rule above it in the menu
     std::vector<ui::Chord> usual_keys = {}; // before anybody changed them
     KeysIn keys_in = KeysIn::anywhere;
+    bool repeats = false; // while its key is held
 };
 
 inline constexpr const char* add_action_name = "Add...";
 inline constexpr const char* palette_action = "Find a command...";
+inline constexpr const char* isolate_action = "Isolate";
 inline constexpr const char* preferences_action = "Preferences...";
 
 std::vector<Action> all_actions(const Editor& editor);

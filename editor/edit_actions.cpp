@@ -168,7 +168,7 @@ void add_edit_actions(std::vector<Action>& a)
                  something_selected()});
     a.push_back({"Edit",
                  "Delete",
-                 {{ui::key_delete}},
+                 {{ui::key_delete}, {'X'}},
                  [](Editor& e) {
                      const std::vector<Id> ids = deletable(e, "Nothing was deleted");
                      if (!ids.empty()) e.session.run(Delete{ids});

@@ -7,6 +7,7 @@
 #include "editor/files.h"
 #include "editor/manual.h"
 #include "editor/outline.h"
+#include "editor/picture_to_file.h"
 #include "editor/playback.h"
 #include "editor/preferences.h"
 #include "editor/recent_scenes.h"
@@ -40,6 +41,8 @@ struct Editor {
     // Layout, and what panels remember.
     Preferences preferences;
     bool only_view = false, full_screen = false;
+    Shading shading;
+    PictureToFile picture_to_file;
     ui::TimingView timing;
     enum class Tab { inspector, history, log } tab = Tab::inspector;
     OutlinerState outliner;
@@ -51,6 +54,7 @@ struct Editor {
         Travel travel;                        // before it was
         double grabbed = 0, from = 0, to = 0; // frames: under the mouse, and the bar's ends then
         bool hovered = false;
+        std::optional<glm::dvec2> shown; // the frames between which it is open; none: all
     } timeline;
     enum class Panel { view, outliner, dock } panel = Panel::view; // the keyboard's
     bool show_focus = false;                                       // it came there by a key

@@ -6,6 +6,20 @@
 #include "editor/relink.h"
 
 namespace trivar {
+namespace {
+
+void render_picture(Editor& e)
+{
+    constexpr int width_px = 1920;
+    if (e.session.scene().path().empty())
+        e.session.notices.say(ui::NoticeKind::warning, "The scene has no file yet",
+                              "Pictures are written beside it: save it first.", "picture",
+                              {{"Save as...", [&e] { e.files.ask_save_as(); }}});
+    else if (!e.picture_to_file.running())
+        e.picture_to_file.begin(e.session, width_px);
+}
+
+} // namespace
 
 void add_file_actions(std::vector<Action>& a)
 {
@@ -52,6 +66,7 @@ void add_file_actions(std::vector<Action>& a)
                  {ctrl('E')},
                  [](Editor& e) { e.files.ask_export(); },
                  something_there()});
+    a.push_back({"File", "Render picture", {{ui::key_f1 + 11}}, render_picture, something_there()});
     a.push_back({"File", "Quit", {ctrl('Q')}, [](Editor& e) { e.files.ask_close(); }, {}, true});
 }
 

@@ -99,7 +99,8 @@ std::vector<glm::dvec3> points_of(const Session& session, const std::vector<Id>&
     const Members members(session.document(), ids);
     std::vector<glm::dvec3> points;
     for (const auto& [id, object] : session.evaluated().objects)
-        if (ids.empty() || members.contain(id)) add_points(points, *object);
+        if (ids.empty() ? !std::ranges::binary_search(session.aside, id) : members.contain(id))
+            add_points(points, *object);
     return points;
 }
 

@@ -4,6 +4,7 @@
 #include "editor/editor.h"
 #include "editor/tools/select.h"
 
+#include <algorithm>
 #include <functional>
 
 namespace trivar {
@@ -18,14 +19,16 @@ std::vector<Id> objects_that(const Editor& e, const std::function<bool(Id)>& fit
 }
 
 // What a click on it would select.
-bool in_reach(const Document& document, Id id)
+bool in_reach(const Session& session, Id id)
 {
-    return visible(document, id) && !locked(document, id);
+    const Document& document = session.document();
+    return visible(document, id) && !locked(document, id) &&
+           !std::ranges::binary_search(session.aside, id);
 }
 
 std::vector<Id> visible_ones(const Editor& e)
 {
-    return objects_that(e, [&](Id id) { return in_reach(e.session.document(), id); });
+    return objects_that(e, [&](Id id) { return in_reach(e.session, id); });
 }
 
 // Neither among the selected ones, nor in them, nor round them.
@@ -35,7 +38,9 @@ std::vector<Id> others(const Editor& e)
     const std::vector<Id>& ids = e.session.selected.ids();
     const Members chosen(document, ids);
     return objects_that(e, [&](Id id) {
-        if (!visible(document, id) || chosen.contain(id)) return false;
+        if (!visible(document, id) || chosen.contain(id) ||
+            std::ranges::binary_search(e.session.aside, id))
+            return false;
         for (const Id each : ids)
             if (belongs_to(document, each, id)) return false;
         return true;
@@ -48,7 +53,7 @@ std::vector<Id> of_the_same_type(const Editor& e)
     const Object& active = object(document, e.session.selected);
     return objects_that(e, [&](Id id) {
         const Object& each = object(document, id);
-        return in_reach(document, id) && each.source.index() == active.source.index() &&
+        return in_reach(e.session, id) && each.source.index() == active.source.index() &&
                each.placement.has_value() == active.placement.has_value();
     });
 }
@@ -59,6 +64,16 @@ void select_keeping_active(Editor& e, const std::vector<Id>& ids)
     const Id active = e.session.selected;
     e.session.selected.set(ids);
     if (e.session.selected.contains(active)) e.session.selected.add({active});
+}
+
+// Only what is selected is shown, or everything again.
+void isolate(Editor& e)
+{
+    std::vector<Id>& aside = e.session.aside;
+    if (aside.empty())
+        aside = others(e);
+    else
+        aside.clear();
 }
 
 } // namespace
@@ -97,6 +112,14 @@ void add_selection_actions(std::vector<Action>& a)
                      static_cast<SelectTool&>(e.active_tool()).begin_box();
                  },
                  something_there()});
+    a.push_back(
+        {"Select",
+         isolate_action,
+         {{ui::key_slash}, {ui::key_keypad_divide}},
+         isolate,
+         {[](const Editor& e) { return e.session.selected != 0 || !e.session.aside.empty(); },
+          "select an object first"},
+         true});
     a.push_back({"Select",
                  "Hide the others",
                  {{.key = 'H', .shift = true}},
@@ -104,8 +127,7 @@ void add_selection_actions(std::vector<Action>& a)
                      if (const auto ids = topmost(e.session.document(), others(e)); !ids.empty())
                          e.session.run(Hide{ids});
                  },
-                 something_selected(),
-                 true});
+                 something_selected()});
     a.push_back({"Select",
                  "Show all",
                  {{.key = 'H', .alt = true}},

@@ -14,13 +14,6 @@
 #include <utility>
 
 namespace trivar {
-namespace {
-
-// What is told of one step takes the place of what was told of the one before; so with saving.
-constexpr const char* of_a_step = "step";
-constexpr const char* of_saving = "saving";
-
-} // namespace
 
 Session::Session(std::function<void()> wake, std::string unnamed_folder)
     : wake_(std::move(wake)),
@@ -46,6 +39,7 @@ void Session::refresh()
     previewed_.reset();
     asked_ticket_ = submit(scene_.document());
     selected.keep_those_in(scene_.document());
+    std::erase_if(aside, [&](Id id) { return !scene_.document().objects.contains(id); });
     if (scene_.trouble() == told_trouble_) return;
     told_trouble_ = scene_.trouble();
     if (told_trouble_.empty())
@@ -260,6 +254,7 @@ void Session::replace_scene(SceneFile scene, std::vector<ui::Notices::Action> of
     ++scenes_;
     scene_.keep_in(unnamed_folder_);
     selected = 0;
+    aside.clear();
     refused_.clear();
     evaluated_ = {};
     ++evaluation_;
@@ -287,11 +282,11 @@ void Session::forget_discarded() const
 void Session::tell_of_discarded()
 {
     forget_discarded();
-    const auto aside = SceneFile::set_aside_in(unnamed_folder_);
-    if (aside.empty()) return;
+    const auto discarded = SceneFile::set_aside_in(unnamed_folder_);
+    if (discarded.empty()) return;
     notices.say(ui::NoticeKind::good, "The scene was discarded",
                 "It stays in the recovery folder " + for_days(discarded_days) + ".", {},
-                {{"Bring it back", [this, path = aside.front()] { take_up(path); }}});
+                {{"Bring it back", [this, path = discarded.front()] { take_up(path); }}});
 }
 
 bool Session::take_up(const std::string& path)

@@ -14,6 +14,11 @@
 
 namespace trivar {
 
+// The topics of notices. What is told of one step takes the place of what was told of the one
+// before; so with saving.
+inline constexpr const char* of_a_step = "step";
+inline constexpr const char* of_saving = "saving";
+
 // What is open and what the person is doing with it: the scene with its proposal, what it looks
 // like by the latest evaluation, the selection and the point of view. Frame thread only.
 class Session {
@@ -104,6 +109,7 @@ public:
 
     // The person's own; not part of the document and of no undo step.
     Selection selected;
+    std::vector<Id> aside;     // ascending: left out of the picture while others are worked on
     void select_new(Id first); // all from that id up, but not what is in groups among them
     Camera camera;
     bool frame_all_when_evaluated = false;

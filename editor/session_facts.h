@@ -13,7 +13,8 @@ class Session;
 // The box round an object, with what is in it if it is a group, or round everything for id 0.
 Box bounds_of(const Session& session, Id id);
 Box bounds_of(const Session& session, const std::vector<Id>& ids);
-// All vertices of these objects, in world space; of everything where there is none.
+// All vertices of these objects, in world space; where there is none, of everything but what is
+// left aside.
 std::vector<glm::dvec3> points_of(const Session& session, const std::vector<Id>& ids);
 // Whether it is that object or in that group, however deep; everything is in 0.
 bool belongs_to(const Document& document, Id id, Id group);

@@ -33,8 +33,10 @@ void add_time_actions(std::vector<Action>& a)
     a.push_back(frame_action(next_frame_action, {ui::key_right},
                              [](const Session& s) { return s.frame() + 1; }));
     a.back().group_begins = true;
+    a.back().repeats = true;
     a.push_back(frame_action(previous_frame_action, {ui::key_left},
                              [](const Session& s) { return s.frame() - 1; }));
+    a.back().repeats = true;
     a.push_back(frame_action(first_frame_action, {.key = ui::key_left, .shift = true},
                              [](const Session& s) { return s.document().time.first_frame; }));
     a.push_back(frame_action(last_frame_action, {.key = ui::key_right, .shift = true},

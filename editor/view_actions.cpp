@@ -8,6 +8,11 @@
 namespace trivar {
 namespace {
 
+constexpr ui::Chord keypad(int digit)
+{
+    return {.key = ui::key_keypad_0 + digit};
+}
+
 void look_from(Editor& e, const glm::dvec3& direction)
 {
     e.session.camera = ui::seen_from(e.session.camera, direction);
@@ -36,23 +41,43 @@ void add_view_actions(std::vector<Action>& a)
                  "Frame all",
                  {{ui::key_home}},
                  [](Editor& e) {
-                     e.session.camera = ui::framed(e.session.camera, points_of(e.session, {}));
+                     if (e.timeline.hovered)
+                         e.timeline.shown.reset();
+                     else
+                         e.session.camera = ui::framed(e.session.camera, points_of(e.session, {}));
                  },
                  something_there()});
     a.push_back({"View",
                  "Front",
-                 {alt('1')},
+                 {alt('1'), keypad(1)},
                  [](Editor& e) {
                      look_from(e, {0, -1, 0});
                  },
                  {},
                  true});
-    a.push_back({"View", "Right", {alt('3')}, [](Editor& e) { look_from(e, {1, 0, 0}); }});
-    a.push_back({"View", "Top", {alt('7')}, [](Editor& e) { look_from(e, {0, 0, 1}); }});
-    a.push_back({"View", "Perspective", {alt('5')}, [](Editor& e) {
+    a.push_back({"View", "Right", {alt('3'), keypad(3)}, [](Editor& e) {
+                     look_from(e, {1, 0, 0});
+                 }});
+    a.push_back({"View", "Top", {alt('7'), keypad(7)}, [](Editor& e) { look_from(e, {0, 0, 1}); }});
+    a.push_back({"View", "Perspective", {alt('5'), keypad(5)}, [](Editor& e) {
                      Camera& camera = e.session.camera;
                      camera = ui::with_perspective(camera, !camera.perspective);
                  }});
+    a.push_back(
+        {"View",
+         "View of pictures",
+         {keypad(0)},
+         [](Editor& e) { e.session.go_to = e.session.document().bookmarks.at("picture"); },
+         {[](const Editor& e) { return e.session.document().bookmarks.contains("picture"); },
+          "no view is kept for pictures"}});
+    const auto shading = [&](const char* name, const ui::Chord& key, bool Shading::*part) {
+        a.push_back(
+            {"View", name, {key}, [part](Editor& e) { e.shading.*part = !(e.shading.*part); }});
+    };
+    shading("Wireframe", {'Z'}, &Shading::wireframe);
+    a.back().group_begins = true;
+    shading("See through", alt('Z'), &Shading::see_through);
+    shading("Edges over surfaces", {.key = 'Z', .shift = true}, &Shading::edges);
     const auto colored_by = [](ColorBy by) {
         return [by](Editor& e) {
             RenderSettings settings = *e.session.document().render;

@@ -26,15 +26,31 @@ bool can_be_picked(const Document& document, Id id)
     return document.objects.contains(id) && !locked(document, id);
 }
 
-gpu::Picture picture_of(const Session& session, gpu::Level level, gpu::DeformBy by,
+void shade(gpu::Picture& picture, const ViewportStyle& style)
+{
+    constexpr float unseen = 0.003f; // picked, though less than what is drawn
+    constexpr float glassy = 0.35f;
+    const Shading& s = style.shading;
+    picture.settings.wire = picture.settings.wire || s.edges || s.wireframe;
+    if (s.wireframe) picture.edges = {style.edge_color, true};
+    if (s.wireframe || s.see_through)
+        for (gpu::Instance& instance : picture.instances)
+            instance.opacity = s.wireframe ? unseen : glassy;
+}
+
+gpu::Picture picture_of(const Session& session, gpu::Level level, const ViewportStyle& style,
                         Stretches& stretches)
 {
-    gpu::Picture picture =
-        picture_of(session.evaluated(), session.document(), session.camera, stretches, by);
+    gpu::Picture picture = picture_of(session.evaluated(), session.document(), session.camera,
+                                      stretches, style.deform_by);
     gpu::set_level(picture, level);
+    std::erase_if(picture.instances, [&](const gpu::Instance& instance) {
+        return std::ranges::binary_search(session.aside, instance.id);
+    });
     const Members selected(session.document(), session.selected.ids());
     for (gpu::Instance& instance : picture.instances)
         instance.highlighted = selected.contain(instance.id);
+    shade(picture, style);
     return picture;
 }
 
@@ -67,6 +83,9 @@ ViewportInput Viewport::take_input(Session& session, const ui::Frame& frame, con
         if (renderer_ && shown_) input.under = renderer_->pick(glm::ivec2(input.mouse));
         if (!can_be_picked(session.document(), input.under)) input.under = 0;
     }
+    input.seen_at = [this](glm::dvec2 p_px) {
+        return renderer_ && shown_ ? renderer_->pick(glm::ivec2(glm::floor(p_px))) : 0;
+    };
     input.seen_in = [this, &session](glm::dvec2 lo, glm::dvec2 hi) {
         if (!renderer_ || !shown_) return std::vector<Id>{};
         const glm::ivec2 first(glm::floor(lo)), last(glm::floor(hi));
@@ -112,6 +131,7 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
     Shown wanted{session.camera,
                  session.evaluation(),
                  session.selected,
+                 session.aside,
                  size_px,
                  state,
                  false,
@@ -138,8 +158,8 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
     if (!pace_) pace_ = pace_of(style_.draft_ms);
     if (wanted.draft || begun_ != wanted) {
         gpu::Picture picture = picture_of(
-            session, wanted.draft ? std::min(pace_->level(), style_.level) : style_.level,
-            style_.deform_by, stretches_);
+            session, wanted.draft ? std::min(pace_->level(), style_.level) : style_.level, style_,
+            stretches_);
         picture.backdrop = style_.backdrop;
         picture.grid = style_.backdrop.has_value() && style_.grid;
         picture.outline = style_.outline;
@@ -191,6 +211,7 @@ ViewportStyle viewport_style(const ui::Theme& theme, bool as_in_pictures)
     style.outline.halo = ui::linear_light(c.halo);
     style.outline.width_px = theme.line(style.outline.width_px);
     style.outline.halo_px *= theme.scale;
+    style.edge_color = ui::linear_light(c.chip_text);
     if (as_in_pictures) return style;
     constexpr float axis_share = 0.55f;
     gpu::Backdrop backdrop;

@@ -19,6 +19,14 @@ struct Helpers {
     std::vector<gpu::Translucent> veils;
 };
 
+// What the window shows of surfaces; the scene and its pictures know nothing of it.
+struct Shading {
+    bool wireframe = false;   // nothing but the edges of the faces, those behind too
+    bool see_through = false; // what is behind shows through
+    bool edges = false;       // over the surfaces
+    bool operator==(const Shading&) const = default;
+};
+
 // How the window shows the scene, beyond what the scene says of its pictures.
 struct ViewportStyle {
     std::optional<gpu::Backdrop> backdrop; // with a grid; none: as in pictures
@@ -27,6 +35,8 @@ struct ViewportStyle {
     gpu::DeformBy deform_by = gpu::DeformBy::processor;
     bool grid = true;    // of a backdrop
     double draft_ms = 0; // what a picture of what moves may take; 0: as fits the graphics card
+    Shading shading = {};
+    glm::vec3 edge_color{1}; // of a wireframe; linear
     bool operator==(const ViewportStyle&) const = default;
 };
 // `as_in_pictures`: the backdrop of the scene's look, else the theme's own.
@@ -66,6 +76,7 @@ private:
         Camera camera;
         long evaluation = 0;
         Selection selected;
+        std::vector<Id> aside;
         glm::ivec2 size_px{0};
         int state = 0;
         bool draft = false;

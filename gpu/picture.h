@@ -68,6 +68,13 @@ struct Outline {
     bool operator==(const Outline&) const = default;
 };
 
+// The edges of faces, where the settings ask for them. Linear.
+struct EdgeStyle {
+    glm::vec3 color{0.012f, 0.014f, 0.02f};
+    bool alone = false; // of instances that are not drawn otherwise: as dark as of solid ones
+    bool operator==(const EdgeStyle&) const = default;
+};
+
 struct Picture {
     Camera camera;
     RenderSettings settings;
@@ -75,6 +82,7 @@ struct Picture {
     std::vector<Translucent> translucent;
     std::vector<Line> lines;
     Outline outline;
+    EdgeStyle edges = {};
     // The values of instances are shown in place of materials, and what has none is grey.
     std::optional<ValueColors> value_colors;
     DeformBy deform_by = DeformBy::two_phases; // instances that have stages

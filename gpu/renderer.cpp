@@ -161,7 +161,8 @@ struct Renderer::State {
             return false;
         default:
             if (w.picture.settings.wire)
-                clock.pass("wire", [&] { draw_wire(tools, *w.targets, frame, w.scene); });
+                clock.pass("wire",
+                           [&] { draw_wire(tools, *w.targets, frame, w.scene, w.picture.edges); });
             if (see_through.any(w.scene))
                 clock.pass("see-through",
                            [&] { see_through.draw(tools, *w.targets, frame, w.scene, w.quality); });
@@ -254,8 +255,13 @@ unsigned Renderer::texture() const
 Image Renderer::render(const Picture& picture, glm::ivec2 size_px)
 {
     draw(picture, size_px);
+    return image();
+}
+
+Image Renderer::image() const
+{
     const StateGuard guard;
-    return read_back(*state_->whole);
+    return state_->whole ? read_back(*state_->whole) : Image{};
 }
 
 int Renderer::pick(glm::ivec2 p_px)

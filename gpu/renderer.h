@@ -29,6 +29,8 @@ public:
     bool advance(double budget_ms);
     unsigned texture() const;
 
+    Image image() const; // the last whole picture, read back
+
     // The same as draw(), read back.
     Image render(const Picture& picture, glm::ivec2 size_px);
 

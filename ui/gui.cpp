@@ -24,8 +24,10 @@ void ask_for_what_imgui_needs(Frame& frame)
         if (window->Active &&
             (window->HiddenFramesCanSkipItems > 0 || window->HiddenFramesCannotSkipItems > 0))
             frame.again_in(0);
-    if (g.IO.WantTextInput && std::any_of(std::begin(g.IO.KeysDown), std::end(g.IO.KeysDown),
-                                          [](bool down) { return down; }))
+    const auto down = [](bool held) { return held; };
+    const bool* keys = g.IO.KeysDown;
+    if (std::any_of(keys + key_right, keys + key_up + 1, down) ||
+        (g.IO.WantTextInput && std::any_of(keys, keys + key_count, down)))
         frame.again_in(repeat_s);
 }
 
@@ -134,7 +136,7 @@ Frame Gui::frame(glm::ivec2 size_px, double time_s, bool close_asked, const Draw
     last_time_s_ = time_s;
 
     by_key_ = by_key(by_key_, input_.events()); // what opened since
-    input_.begin_frame();
+    input_.begin_frame(time_s);
     Contexts::use_gpu();
     let_menus_have_the_keyboard();
     ImGui_ImplOpenGL3_NewFrame();

@@ -8,6 +8,11 @@
 namespace trivar::ui {
 namespace {
 
+// Between the two presses of a double click; and what makes ImGui take a press for a second one,
+// if it is in the same place, or never.
+constexpr double double_click_s = 0.3;
+constexpr float always_s = 1e9f, never_s = -1;
+
 bool is_modifier(const Event& event)
 {
     return event.kind == Event::Kind::key && event.code >= key_left_shift &&
@@ -29,10 +34,13 @@ Event move_to(glm::vec2 p_px, double time_s)
     return {.kind = Event::Kind::move, .at = p_px, .paths = {}, .time_s = time_s};
 }
 
-Event press(Button button, bool down)
+Event press(Button button, bool down, double time_s)
 {
-    return {
-        .kind = Event::Kind::button, .code = static_cast<int>(button), .down = down, .paths = {}};
+    return {.kind = Event::Kind::button,
+            .code = static_cast<int>(button),
+            .down = down,
+            .paths = {},
+            .time_s = time_s};
 }
 
 Event press_key(int code, bool down)
@@ -55,8 +63,9 @@ Event drop_files(std::vector<std::string> paths)
     return {.kind = Event::Kind::drop, .paths = std::move(paths)};
 }
 
-void Input::begin_frame()
+void Input::begin_frame(double time_s)
 {
+    ImGui::GetIO().MouseDoubleClickTime = never_s;
     taken_.clear();
     bool pressed = false; // a press or release was taken: what follows it must wait a frame
     while (!waiting_.empty()) {
@@ -66,19 +75,28 @@ void Input::begin_frame()
         if (pressed && (press || next.kind == Event::Kind::move)) break;
         // Modifiers going down belong to the press that follows them.
         if (press && !(is_modifier(next) && next.down)) pressed = true;
-        tell(next);
+        tell(next, time_s);
         taken_.push_back(std::move(waiting_.front()));
         waiting_.pop_front();
     }
 }
 
-void Input::tell(const Event& event) const
+void Input::tell(const Event& event, double time_s)
 {
     ImGuiIO& io = ImGui::GetIO();
     switch (event.kind) {
     case Event::Kind::move: io.MousePos = {event.at.x, event.at.y}; break;
     case Event::Kind::button:
-        if (event.code >= 0 && event.code < 5) io.MouseDown[event.code] = event.down;
+        if (event.code < 0 || event.code >= 5) break;
+        io.MouseDown[event.code] = event.down;
+        if (event.down) {
+            double& before_s = pressed_s_[static_cast<std::size_t>(event.code)];
+            const double at_s = event.time_s < 0 ? time_s : event.time_s;
+            // ImGui counts by its frames, of which a slow machine has few.
+            if (at_s - event.doubt_s - before_s < double_click_s)
+                io.MouseDoubleClickTime = always_s;
+            before_s = at_s;
+        }
         break;
     case Event::Kind::wheel:
         io.MouseWheelH += event.at.x;

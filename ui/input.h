@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <deque>
 #include <glm/glm.hpp>
 #include <string>
@@ -17,11 +18,12 @@ struct Event {
     int code = 0;                   // button: a Button; key: its code (keys.h); text: a code point
     bool down = false;              // button, key: pressed or let go; focus: gained or lost
     std::vector<std::string> paths; // drop: the files
-    double time_s = 0;              // when, on any steady clock
+    double time_s = 0;              // when, on the clock of the frames; below 0: in this frame
+    double doubt_s = 0;             // it may have been that much earlier: nobody listened then
 };
 
 Event move_to(glm::vec2 p_px, double time_s = 0);
-Event press(Button button, bool down = true);
+Event press(Button button, bool down = true, double time_s = -1);
 Event press_key(int code, bool down = true);
 Event type_text(unsigned code_point);
 Event turn_wheel(float steps_up);
@@ -34,15 +36,17 @@ public:
     void push(Event event) { waiting_.push_back(std::move(event)); }
     bool pending() const { return !waiting_.empty(); }
 
-    // Takes the events of one frame and tells the current ImGui context.
-    void begin_frame();
+    // Takes the events of one frame and tells the current ImGui context. Two presses are a double
+    // click by when they were made, however long the frames between them took.
+    void begin_frame(double time_s);
     const std::vector<Event>& events() const { return taken_; } // of this frame, in order
 
 private:
-    void tell(const Event& event) const;
+    void tell(const Event& event, double time_s);
 
     std::deque<Event> waiting_;
     std::vector<Event> taken_;
+    std::array<double, 5> pressed_s_{-1e9, -1e9, -1e9, -1e9, -1e9}; // by button, the last time
 };
 
 // Gives ImGui's names of the keys our codes. Called once a context.

@@ -9,6 +9,8 @@ namespace {
 std::string name_of(int key)
 {
     if (key > key_f1 - 1 && key < key_f1 + 12) return "F" + std::to_string(key - key_f1 + 1);
+    if (key >= key_keypad_0 && key < key_keypad_0 + 10)
+        return "Keypad " + std::to_string(key - key_keypad_0);
     switch (key) {
     case key_space: return "Space";
     case key_escape: return "Esc";
@@ -25,6 +27,7 @@ std::string name_of(int key)
     case key_right: return "Right";
     case key_up: return "Up";
     case key_down: return "Down";
+    case key_keypad_divide: return "Keypad /";
     case key_keypad_minus: return "Keypad -";
     case key_keypad_plus: return "Keypad +";
     case key_keypad_enter: return "Keypad Enter";
@@ -34,11 +37,11 @@ std::string name_of(int key)
     return printed ? std::string(1, static_cast<char>(key)) : std::string();
 }
 
-bool pressed(const Chord& chord)
+bool pressed(const Chord& chord, bool again = false)
 {
     const ImGuiIO& io = ImGui::GetIO();
     return chord.key > 0 && io.KeyCtrl == chord.ctrl && io.KeyShift == chord.shift &&
-           io.KeyAlt == chord.alt && ImGui::IsKeyPressed(chord.key, false);
+           io.KeyAlt == chord.alt && ImGui::IsKeyPressed(chord.key, again);
 }
 
 bool take(std::string_view& text, std::string_view word)
@@ -92,9 +95,9 @@ bool is_down(int key)
     return ImGui::IsKeyDown(key);
 }
 
-bool struck(const Chord& chord)
+bool struck(const Chord& chord, bool again)
 {
-    return !ImGui::GetIO().WantTextInput && pressed(chord);
+    return !ImGui::GetIO().WantTextInput && pressed(chord, again);
 }
 
 bool struck_while_typing(const Chord& chord)

@@ -35,6 +35,8 @@ enum Key : int {
     key_home = 268,
     key_end = 269,
     key_f1 = 290,
+    key_keypad_0 = 320,
+    key_keypad_divide = 331,
     key_keypad_minus = 333,
     key_keypad_plus = 334,
     key_keypad_enter = 335,
@@ -59,8 +61,9 @@ std::string text_of(const Chord& chord);
 std::vector<std::string> caps_of(const Chord& chord);
 std::optional<Chord> chord_from(std::string_view text); // the inverse of text_of
 
-// Whether the chord was struck in this frame (held keys do not repeat) and nobody types text.
-bool struck(const Chord& chord);
+// Whether the chord was struck in this frame and nobody types text; with `again` also while it is
+// held, as letters are repeated.
+bool struck(const Chord& chord, bool again = false);
 // The same while somebody types, of chords that are no letter.
 bool struck_while_typing(const Chord& chord);
 bool is_down(int key);

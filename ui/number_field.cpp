@@ -39,6 +39,13 @@ struct Memory {
     void set_travel(float px) const { ImGui::GetStateStorage()->SetFloat(id + 3, px); }
     bool refused() const { return ImGui::GetStateStorage()->GetBool(id + 4); } // what was typed
     void refuse(bool refused) const { ImGui::GetStateStorage()->SetBool(id + 4, refused); }
+    // What was typed and left could not be taken; said till the hand does something else.
+    enum Dropped { nothing, no_number, too_small, too_large };
+    Dropped dropped() const
+    {
+        return static_cast<Dropped>(ImGui::GetStateStorage()->GetInt(id + 5));
+    }
+    void drop(Dropped what) const { ImGui::GetStateStorage()->SetInt(id + 5, what); }
 };
 
 // A drag gives values that people can read: four significant digits, or whole steps.
@@ -143,6 +150,29 @@ std::string limit_words(double value, const NumberStyle& style)
                             : "At most " + short_number(style.hi) + unit + ".";
 }
 
+Memory::Dropped dropped(std::optional<double> typed, const NumberStyle& style)
+{
+    return !typed ? Memory::no_number : *typed < style.lo ? Memory::too_small : Memory::too_large;
+}
+
+// Why what was typed was not taken, and what is there instead.
+std::string dropped_words(Memory::Dropped what, double value, const NumberStyle& style)
+{
+    const std::string why = what == Memory::no_number   ? "This is no number."
+                            : what == Memory::too_small ? limit_words(style.lo - 1, style)
+                                                        : limit_words(style.hi + 1, style);
+    return why + " It stays " + typed_text(value) +
+           (style.unit.empty() ? "." : " " + style.unit + ".");
+}
+
+bool hand_does_something()
+{
+    const ImGuiIO& io = ImGui::GetIO();
+    return ImGui::IsMouseClicked(ImGuiMouseButton_Left) ||
+           ImGui::IsMouseClicked(ImGuiMouseButton_Right) || io.MouseWheel != 0 ||
+           struck_chord().has_value();
+}
+
 // Over everything, so that it needs no room in the panel.
 void say_under(const Theme& theme, const Rect& field, const std::string& words)
 {
@@ -200,8 +230,9 @@ Edit type_number(const Theme& theme, const Memory& memory, double& value, const 
     if (tab) pass_on_typing();
     memory.set_mode(Memory::resting);
     const double result = memory.get();
-    if (untouched || !why_not.empty() || result == value) return Edit::none;
-    if (ImGui::IsKeyPressed(key_escape, false)) return Edit::none;
+    const bool escaped = ImGui::IsKeyPressed(key_escape, false);
+    if (!why_not.empty() && !escaped) memory.drop(dropped(typed, style));
+    if (untouched || !why_not.empty() || result == value || escaped) return Edit::none;
     value = result;
     return Edit::changed;
 }
@@ -283,6 +314,10 @@ Edit number_field(const Theme& theme, const std::string& id, double& value,
         memory.set_mode(Memory::resting);
     }
     paint_number(theme, rect, value, style, hot);
+    if (memory.dropped() != Memory::nothing) {
+        say_under(theme, rect, dropped_words(memory.dropped(), value, style));
+        if (hand_does_something() || edit != Edit::none) memory.drop(Memory::nothing);
+    }
     ImGui::PopID();
     return edit;
 }

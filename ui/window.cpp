@@ -76,6 +76,9 @@ struct Window::State {
     glm::ivec2 windowed_at{0}, windowed_size{0}; // before it was full screen
     std::atomic<bool> woken = false;             // by another thread
     long frames = 0;
+    double listened_s = 0;  // till when events were asked for
+    double deaf_s = 0;      // how long none were, before this time
+    double heard_all_s = 0; // those that had waited have been heard of by then
 
     explicit State(const WindowOptions& wanted)
         : window(open_window(wanted)),
@@ -187,8 +190,12 @@ struct Window::State {
         return glfwGetPrimaryMonitor();
     }
 
+    // What came while a frame was drawn is heard of after it.
     void push(Event event)
     {
+        constexpr double most_s = 0.4;
+        event.time_s = glfwGetTime();
+        event.doubt_s = std::min(event.time_s < heard_all_s ? deaf_s : 0.0, most_s);
         gui.input().push(std::move(event));
         pace.input_came();
     }
@@ -202,10 +209,10 @@ struct Window::State {
     {
         glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
             const float d = of(w).density();
-            of(w).push(move_to(glm::vec2(x, y) * d, glfwGetTime()));
+            of(w).push(move_to(glm::vec2(x, y) * d));
         });
         glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
-            if (!entered) of(w).push(move_to(glm::vec2(-1e6f), glfwGetTime()));
+            if (!entered) of(w).push(move_to(glm::vec2(-1e6f)));
         });
         glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int) {
             of(w).push(press(static_cast<Button>(button), action == GLFW_PRESS));
@@ -264,13 +271,17 @@ struct Window::State {
 
     void sleep_until_due()
     {
+        constexpr double delivery_s = 2e-3; // of all that waited
         const double wait = gui.input().pending() ? 0 : pace.wait_s(glfwGetTime());
+        deaf_s = glfwGetTime() - listened_s;
+        heard_all_s = glfwGetTime() + delivery_s;
         if (wait <= 0)
             glfwPollEvents();
         else if (wait > 1e9)
             glfwWaitEvents();
         else
             glfwWaitEventsTimeout(wait);
+        listened_s = glfwGetTime();
         if (woken.exchange(false)) pace.input_came();
     }
 

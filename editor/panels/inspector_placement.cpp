@@ -49,7 +49,7 @@ void report_rows(const ui::Theme& theme, const PlacementReport& r)
         folds ? theme.color.bad : theme.color.good);
 }
 
-void volume_rows(ValueRows& rows, PlacementParameters& p, const PlacementReport* report,
+void volume_rows(ValueRows& rows, PlacementParameters& p, bool round, const PlacementReport* report,
                  Editor& editor)
 {
     const PlacementParameters rest;
@@ -87,8 +87,9 @@ void volume_rows(ValueRows& rows, PlacementParameters& p, const PlacementReport*
     profile("Width", width, rows.theme.color.stroke, p.width_profile, editor.width_point);
     sized("Height", p.height, height, help_of("height"));
     profile("Height", height, rows.theme.color.lattice, p.height_profile, editor.height_point);
-    rows.number("Offset", p.offset, rest.offset, {.lo = 0, .hi = 1, .bar_hi = 1},
-                help_of("offset"));
+    if (!round) // there is no camera to extrude toward
+        rows.number("Offset", p.offset, rest.offset, {.lo = 0, .hi = 1, .bar_hi = 1},
+                    help_of("offset"));
     rows.triple("Density", p.grid, rest.grid, {.lo = 2, .hi = 1024}, help_of("grid"));
     rows.triple("Order", p.orders, rest.orders, {.lo = 2, .hi = 6}, help_of("orders"));
 }
@@ -156,6 +157,7 @@ void draw_placement(Editor& editor, const ui::Theme& theme, Id id)
     const Placement* placement = effects == editor.session.evaluated().objects.end()
                                      ? nullptr
                                      : effects->second->placement.get();
+    const bool round = each.placement->round;
     ValueRows rows{theme};
     const auto part = [&](const char* title, bool open, auto&& fill) {
         ImGui::PushID(title);
@@ -166,11 +168,11 @@ void draw_placement(Editor& editor, const ui::Theme& theme, Id id)
         ImGui::PopID();
     };
     part("Volume", true,
-         [&] { volume_rows(rows, p, placement ? &placement->report : nullptr, editor); });
-    if (!each.placement->round) part("Springs", true, [&] { spring_rows(rows, p); });
+         [&] { volume_rows(rows, p, round, placement ? &placement->report : nullptr, editor); });
+    if (!round) part("Springs", true, [&] { spring_rows(rows, p); });
     part("Fit", true, [&] { fit_rows(rows, p); });
-    if (!each.placement->round) part("Contact", false, [&] { contact_rows(rows, p); });
-    draw_travel(editor, theme, id);
+    if (!round) part("Contact", false, [&] { contact_rows(rows, p); });
+    draw_travel(editor, theme, {id});
     if (placement) part("Checks", true, [&] { report_rows(theme, placement->report); });
     propose_edit(editor, rows.edit, [&] { return EditPlacement{id, p, {}, {}}; });
 }

@@ -158,6 +158,10 @@ void draw_several(Editor& editor, const ui::Theme& theme)
     ui::fact_row(theme, "Active", active->name);
     ui::gap(theme, 8);
     transforms(editor, theme);
+    std::vector<Id> travellers;
+    for (const Id id : session.selected.ids())
+        if (object(session.document(), id).placement) travellers.push_back(id);
+    if (!travellers.empty()) draw_travel(editor, theme, travellers);
     material(editor, theme);
     facts(editor, theme);
 }

@@ -4,6 +4,7 @@
 #include "editor/panels/panels.h"
 #include "editor/panels/value_rows.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -33,34 +34,66 @@ std::string way_of(const Journey& journey, double frames_per_second)
                        seconds * frames_per_second);
 }
 
+// What a hand changed of one travel, in another one.
+void take_changes(Travel& travel, const Travel& before, const Travel& after)
+{
+    const auto take = [&](auto Travel::*part) {
+        if (before.*part != after.*part) travel.*part = after.*part;
+    };
+    take(&Travel::speed);
+    take(&Travel::ends);
+    take(&Travel::ease_in);
+    take(&Travel::ease_out);
+    take(&Travel::start_frame);
+    take(&Travel::duration);
+}
+
 } // namespace
 
-void draw_travel(Editor& editor, const ui::Theme& theme, Id id)
+void draw_travel(Editor& editor, const ui::Theme& theme, const std::vector<Id>& placed)
 {
     const Document& document = editor.session.document();
     if (!ui::section(theme, "Travel")) return;
-    const Travel rest;
-    Travel t = object(document, id).travel;
+    std::vector<Travel> all;
+    for (const Id id : placed) all.push_back(object(document, id).travel);
+    const Travel rest, before = all.back(); // the active one's, from which a drag begins
+    Travel t = before;
+    const auto style = [&](auto Travel::*part, ui::NumberStyle own) {
+        const auto differs = [&](const Travel& each) { return each.*part != before.*part; };
+        if (std::ranges::any_of(all, differs)) own.words = "mixed";
+        return own;
+    };
     ValueRows rows{theme};
-    rows.number("Speed", t.speed, 0, {.lo = -1e6, .hi = 1e6, .unit = "m/s", .zero = "rests"},
+    rows.number("Speed", t.speed, 0,
+                style(&Travel::speed, {.lo = -1e6, .hi = 1e6, .unit = "m/s", .zero = "rests"}),
                 help_of_travel("speed"));
-    if (t.speed != 0) {
+    const auto travels = [](const Travel& each) { return each.speed != 0; };
+    if (std::ranges::any_of(all, travels) || t.speed != 0) {
         ends_row(rows, t.ends);
         const ui::NumberStyle seconds{.lo = 0, .hi = 1e6, .unit = "s"};
-        rows.number("Ease in", t.ease_in, rest.ease_in, seconds, help_of_travel("ease_in"));
-        rows.number("Ease out", t.ease_out, rest.ease_out, seconds, help_of_travel("ease_out"));
+        rows.number("Ease in", t.ease_in, rest.ease_in, style(&Travel::ease_in, seconds),
+                    help_of_travel("ease_in"));
+        rows.number("Ease out", t.ease_out, rest.ease_out, style(&Travel::ease_out, seconds),
+                    help_of_travel("ease_out"));
         rows.integer("Sets out", t.start_frame, document.time.first_frame,
-                     {.lo = -999999, .hi = 999999, .unit = "frame"}, help_of_travel("start_frame"));
+                     style(&Travel::start_frame, {.lo = -999999, .hi = 999999, .unit = "frame"}),
+                     help_of_travel("start_frame"));
         ui::NumberStyle duration = seconds;
         duration.zero = "no limit";
-        rows.number("Stops after", t.duration, rest.duration, duration, help_of_travel("duration"));
-        const auto effects = editor.session.evaluated().objects.find(id);
-        if (effects != editor.session.evaluated().objects.end() && effects->second->journey)
+        rows.number("Stops after", t.duration, rest.duration, style(&Travel::duration, duration),
+                    help_of_travel("duration"));
+        const auto effects = editor.session.evaluated().objects.find(placed.back());
+        if (placed.size() == 1 && effects != editor.session.evaluated().objects.end() &&
+            effects->second->journey)
             ui::fact_row(theme, "Moves for",
                          way_of(*effects->second->journey, document.time.frames_per_second));
     }
     ui::gap(theme, 8);
-    propose_edit(editor, rows.edit, [&] { return SetTravel{{id}, t}; });
+    propose_edit(editor, rows.edit, [&] {
+        if (placed.size() == 1) return SetTravel{placed, t};
+        for (Travel& each : all) take_changes(each, before, t);
+        return SetTravel{placed, {}, all};
+    });
 }
 
 } // namespace trivar

@@ -63,7 +63,7 @@ void paint_picture(Editor& editor, const ui::Theme& theme, const ui::Rect& r,
 void draw_transform(Editor& editor, const ui::Theme& theme, Id id);
 void draw_material(Editor& editor, const ui::Theme& theme, Id id);
 void draw_placement(Editor& editor, const ui::Theme& theme, Id id);
-void draw_travel(Editor& editor, const ui::Theme& theme, Id id);
+void draw_travel(Editor& editor, const ui::Theme& theme, const std::vector<Id>& placed);
 void draw_several(Editor& editor, const ui::Theme& theme); // where several objects are selected
 void draw_picture_settings(Editor& editor, const ui::Theme& theme);
 

@@ -50,13 +50,20 @@ void paint_input(const ui::Theme& theme, glm::vec2 at, float height, const std::
         ui::paint_keycap(theme, at, height, input);
 }
 
-std::vector<Hint> timeline_hints()
+std::vector<Hint> timeline_hints(bool open)
 {
-    return {{{"left"}, "Drag to a frame, or drag a bar"},
+    if (open)
+        return {{{"left"}, "Drag to a frame, or drag a bar"},
+                {{std::string("@") + play_action}, "Play"},
+                {{"wheel"}, "Zoom the ruler"},
+                {{"Shift", "wheel"}, "Roll"},
+                {{"@Frame all"}, "Show all frames"},
+                {{std::string("@") + timeline_action}, "Close"}};
+    return {{{"left"}, "Drag to a frame"},
             {{std::string("@") + play_action}, "Play"},
             {{std::string("@") + previous_frame_action, "/", std::string("@") + next_frame_action},
              "Frame"},
-            {{std::string("@") + timeline_action}, "Open or close"}};
+            {{std::string("@") + timeline_action}, "Open"}};
 }
 
 // The keys of a tutorial that do something now.
@@ -80,7 +87,7 @@ std::vector<Hint> hints_here(Editor& editor, const Layout& layout)
 {
     const std::vector<Hint> of_tool = editor.active_tool().hints(editor.session);
     if (editor.active_tool().busy()) return of_tool;
-    if (editor.timeline.hovered) return timeline_hints();
+    if (editor.timeline.hovered) return timeline_hints(editor.preferences.timeline_open);
     const ImGuiIO& io = ImGui::GetIO();
     if (io.WantTextInput)
         return {{{"Enter"}, "Take it"}, {{"Tab"}, "Go to the next field"}, {{"Esc"}, "Restore"}};

@@ -150,7 +150,7 @@ void numbers(Editor& editor, Transport& line, const Room& room)
 // Steps that people count in, so that the words of two do not meet.
 int tick_step(const FrameScale& scale, float least_px)
 {
-    const float per_frame = scale.x(1) - scale.x(0);
+    const float per_frame = scale.x(scale.first + 1) - scale.x(scale.first);
     for (int unit = 1; unit < 1000000; unit *= 10)
         for (const int factor : {1, 2, 5})
             if (per_frame * static_cast<float>(unit * factor) >= least_px) return unit * factor;
@@ -161,15 +161,18 @@ void paint_ticks(const ui::Theme& theme, const ui::Rect& r, const FrameScale& sc
 {
     const ui::Palette& c = theme.color;
     const int step = tick_step(scale, theme.px(56)), small = tick_step(scale, theme.px(8));
+    const int last =
+        std::min(scale.time.last_frame, static_cast<int>(std::ceil(scale.frame_at(r.hi.x))));
     const auto first_of = [&](int every) {
-        const int first = scale.time.first_frame;
+        const int first =
+            std::max(scale.time.first_frame, static_cast<int>(std::floor(scale.frame_at(r.lo.x))));
         return first + ((every - first % every) % every + every) % every;
     };
-    for (int f = first_of(small); f <= scale.time.last_frame; f += small) {
+    for (int f = first_of(small); f <= last; f += small) {
         const float height = theme.px(f % step == 0 ? 6 : 3), x = std::round(scale.x(f));
         ui::paint_line({x, r.hi.y - height}, {x, r.hi.y}, c.text_off, theme.size.hairline);
     }
-    for (int f = first_of(step); numbered && f <= scale.time.last_frame; f += step) {
+    for (int f = first_of(step); numbered && f <= last; f += step) {
         const float x = scale.x(f), half = theme.px(24);
         ui::paint_text(theme.font.small, {{x - half, r.lo.y}, {x + half, r.hi.y - theme.px(4)}},
                        c.text_2, std::to_string(f), ui::Align::center);
@@ -185,6 +188,38 @@ void scrub(Editor& editor, const ui::Rect& r, const FrameScale& scale)
     editor.playback.pause();
     const double frame = std::clamp(scale.frame_at(ImGui::GetIO().MousePos.x), -1e6, 1e6);
     editor.session.show_frame(static_cast<int>(std::lround(frame)));
+}
+
+// The wheel over the ruler, or with Ctrl anywhere in it, zooms; with Shift, or sideways, it rolls.
+void zoom(Editor& editor, const ui::Rect& ruler, const ui::Rect& tracks, const FrameScale& scale)
+{
+    const ImGuiIO& io = ImGui::GetIO();
+    const glm::vec2 mouse{io.MousePos.x, io.MousePos.y};
+    const bool over = ruler.contains(mouse);
+    if (!editor.timeline.hovered || (!over && !tracks.contains(mouse))) return;
+    const glm::dvec2 before(scale.first, scale.last);
+    glm::dvec2 shown = before;
+    const double up = static_cast<double>(io.MouseWheel),
+                 aside = static_cast<double>(io.MouseWheelH);
+    if (io.KeyShift || aside != 0)
+        shown = rolled_frames(shown, scale.time, io.KeyShift ? up : aside);
+    else if (over || io.KeyCtrl)
+        shown = zoomed_frames(shown, scale.time, scale.frame_at(mouse.x), up);
+    if (shown == before) return;
+    const bool all = shown.x <= scale.time.first_frame && shown.y >= scale.time.last_frame;
+    editor.timeline.shown = all ? std::nullopt : std::optional(shown);
+}
+
+// What plays goes on in sight.
+void follow_playhead(Editor& editor)
+{
+    std::optional<glm::dvec2>& shown = editor.timeline.shown;
+    const double frame = editor.session.frame();
+    if (!shown || !editor.playback.playing() || (frame >= shown->x && frame <= shown->y)) return;
+    const double width = shown->y - shown->x;
+    const Time& time = editor.session.document().time;
+    shown->x = std::min(frame, time.last_frame - width);
+    shown->y = shown->x + width;
 }
 
 void paint_playhead(const ui::Theme& theme, const ui::Rect& r, const FrameScale& scale, int frame,
@@ -230,12 +265,12 @@ void paint_thin_bars(const Editor& editor, const ui::Theme& theme, const ui::Rec
 void draw_open(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
 {
     const ui::Palette& c = theme.color;
-    const Time& time = editor.session.document().time;
     const float split = names_end(theme, r);
     const float line = theme.size.hairline, under = r.lo.y + theme.px(24);
     ui::paint_box(r, c.base);
     ui::paint_box({r.lo, {split, r.hi.y}}, c.panel);
-    const FrameScale scale = track_scale(theme, r, time);
+    follow_playhead(editor);
+    const FrameScale scale = track_scale(theme, r, editor);
     const std::size_t count = travelling(editor.session.document()).size();
     const std::string words = count == 0   ? "Nothing travels"
                               : count == 1 ? "1 object travels"
@@ -256,11 +291,14 @@ void draw_open(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
         if (pressed) room.run(editor);
     }
     const ui::Rect ruler = {{split + line, r.lo.y}, {r.hi.x, under}};
+    ImGui::PushClipRect({ruler.lo.x, ruler.lo.y}, {ruler.hi.x, ruler.hi.y}, true);
     paint_ticks(theme, ruler, scale, true);
+    ImGui::PopClipRect();
     scrub(editor, ruler, scale);
     ui::paint_box({{r.lo.x, under - line}, {r.hi.x, under}}, c.gap);
     const ui::Rect names = {{r.lo.x, under}, {split, r.hi.y}};
     const ui::Rect tracks = {{split + line, under}, r.hi};
+    zoom(editor, ruler, tracks, scale);
     if (count == 0)
         ui::empty_state(theme, tracks, ui::icon::travel, "Nothing travels yet",
                         "Select what lies on a stroke and give it a speed under Travel.");
@@ -280,21 +318,49 @@ float names_end(const ui::Theme& theme, const ui::Rect& r)
     return r.lo.x + std::min(theme.px(200), std::round(r.width() * 0.35f));
 }
 
-FrameScale track_scale(const ui::Theme& theme, const ui::Rect& r, const Time& time)
+FrameScale track_scale(const ui::Theme& theme, const ui::Rect& r, const Editor& editor)
 {
-    return {names_end(theme, r) + theme.px(28), r.hi.x - theme.px(28), time};
+    const Time& time = editor.session.document().time;
+    const glm::dvec2 all(time.first_frame, time.last_frame);
+    glm::dvec2 shown = editor.timeline.shown.value_or(all);
+    if (shown.x < all.x || shown.y > all.y) shown = all; // the range was changed
+    return {names_end(theme, r) + theme.px(28), r.hi.x - theme.px(28), shown.x, shown.y, time};
+}
+
+glm::dvec2 zoomed_frames(glm::dvec2 shown, const Time& time, double frame, double notches)
+{
+    constexpr double least = 10;
+    const glm::dvec2 all(time.first_frame, time.last_frame);
+    const double width = shown.y - shown.x;
+    const double wanted =
+        std::clamp(width * std::pow(0.8, notches), std::min(least, all.y - all.x), all.y - all.x);
+    if (!(width > 0)) return all;
+    // The frame stays under the mouse, unless an end comes into sight.
+    const double share = std::clamp((frame - shown.x) / width, 0.0, 1.0);
+    const double first =
+        std::clamp(std::clamp(frame, all.x, all.y) - share * wanted, all.x, all.y - wanted);
+    return {first, first + wanted};
+}
+
+glm::dvec2 rolled_frames(glm::dvec2 shown, const Time& time, double notches)
+{
+    constexpr double share = 0.1; // of what is shown, a notch
+    const double width = shown.y - shown.x;
+    const double first =
+        std::clamp(shown.x - notches * share * width, static_cast<double>(time.first_frame),
+                   std::max<double>(time.first_frame, time.last_frame - width));
+    return {first, first + width};
 }
 
 float FrameScale::x(double frame) const
 {
-    const int frames = std::max(1, time.last_frame - time.first_frame);
-    return lo + static_cast<float>((frame - time.first_frame) / frames) * (hi - lo);
+    return lo + static_cast<float>((frame - first) / std::max(1.0, last - first)) * (hi - lo);
 }
 
 double FrameScale::frame_at(float at) const
 {
-    const int frames = std::max(1, time.last_frame - time.first_frame);
-    return time.first_frame + static_cast<double>((at - lo) / std::max(1.0f, hi - lo)) * frames;
+    return first +
+           static_cast<double>((at - lo) / std::max(1.0f, hi - lo)) * std::max(1.0, last - first);
 }
 
 std::optional<TravelBar> bar_of(const Session& session, Id id)
@@ -349,7 +415,9 @@ void draw_timeline(Editor& editor, const ui::Theme& theme, const Layout& layout)
     buttons(editor, line);
     numbers(editor, line, room);
     const Time& time = editor.session.document().time;
-    const FrameScale scale{line.x + theme.px(12), bar.hi.x - theme.px(20), time};
+    const FrameScale scale{line.x + theme.px(12), bar.hi.x - theme.px(20),
+                           static_cast<double>(time.first_frame),
+                           static_cast<double>(time.last_frame), time};
     if (!open && scale.hi - scale.lo > theme.px(64)) {
         const ui::Rect ruler = {{line.x, bar.lo.y}, bar.hi};
         paint_ticks(theme, {ruler.lo, ruler.hi - glm::vec2(0, theme.px(4))}, scale, false);

@@ -9,7 +9,8 @@ namespace trivar {
 
 // Where frames stand, in pixels.
 struct FrameScale {
-    float lo = 0, hi = 0; // of the first and the last frame
+    float lo = 0, hi = 0;       // of the first and the last frame that are shown
+    double first = 0, last = 0; // those frames
     Time time;
     float x(double frame) const;
     double frame_at(float x) const;
@@ -17,7 +18,12 @@ struct FrameScale {
 
 // Where the open timeline parts its names from its tracks, and where frames stand in these.
 float names_end(const ui::Theme& theme, const ui::Rect& timeline);
-FrameScale track_scale(const ui::Theme& theme, const ui::Rect& timeline, const Time& time);
+FrameScale track_scale(const ui::Theme& theme, const ui::Rect& timeline, const Editor& editor);
+
+// The frames that are shown when the wheel has turned so many notches over that frame, or rolled
+// so many sideways: not less than ten, not more than all.
+glm::dvec2 zoomed_frames(glm::dvec2 shown, const Time& time, double frame, double notches);
+glm::dvec2 rolled_frames(glm::dvec2 shown, const Time& time, double notches);
 
 // When an object moves, in frames; `endless`: `end` is past the last frame.
 struct TravelBar {

@@ -124,6 +124,9 @@ void draw_bar(Editor& editor, const ui::Theme& theme, const ui::Rect& row, const
     Session& session = editor.session;
     const auto bar = bar_of(session, id);
     if (!bar) return;
+    const bool out_of_sight = scale.x(bar->end) < row.lo.x || scale.x(bar->begin) > row.hi.x;
+    const bool dragged_here = editor.timeline.hand != Hand::none && editor.timeline.id == id;
+    if (out_of_sight && !dragged_here) return;
     const float least = theme.px(6); // what rests at once can still be taken
     const float from = std::clamp(scale.x(bar->begin), row.lo.x, row.hi.x - least);
     const float to = std::clamp(scale.x(bar->end), from + least, row.hi.x);
@@ -200,7 +203,8 @@ void draw_tracks(Editor& editor, const ui::Theme& theme, const ui::Rect& names,
     ImGui::SetCursorScreenPos({names.lo.x, y});
     ImGui::Dummy({1, 1});
     const float now = std::round(scale.x(editor.session.frame())); // over the bars
-    ui::paint_line({now, tracks.lo.y}, {now, tracks.hi.y}, c.focus, 1.5f * theme.scale);
+    if (now >= tracks.lo.x)
+        ui::paint_line({now, tracks.lo.y}, {now, tracks.hi.y}, c.focus, 1.5f * theme.scale);
     if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) let_go(editor);
     ImGui::EndChild();
     ImGui::PopStyleVar(2);

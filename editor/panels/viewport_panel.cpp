@@ -3,6 +3,7 @@
 
 #include "core/base/memory.h"
 #include "core/base/text.h"
+#include "editor/file_words.h"
 #include "ui/icons.h"
 #include "ui/timing_overlay.h"
 #include "ui/widgets.h"
@@ -21,26 +22,53 @@ Helpers helpers_of(Editor& editor, const ui::Theme& theme)
     Helpers helpers{tool.lines(editor.session, theme), tool.veils(editor.session, theme)};
     const auto& objects = editor.session.evaluated().objects;
     const auto found = objects.find(editor.session.selected);
-    if (found == objects.end() || !found->second->placement || !tool.shows_volume()) return helpers;
+    if (found == objects.end() || !found->second->placement || !tool.shows_volume() ||
+        std::ranges::binary_search(editor.session.aside, found->first))
+        return helpers;
     for (gpu::Line& line : placement_lines(*found->second->placement, theme))
         helpers.lines.push_back(std::move(line));
     helpers.veils.push_back(placement_veil(*found->second->placement, theme));
     return helpers;
 }
 
+// That most of the scene is left out, and how it comes back.
+std::string aside_words(const Editor& editor)
+{
+    const Session& session = editor.session;
+    if (session.aside.empty()) return {};
+    std::vector<Id> shown;
+    for (const auto& [id, each] : session.evaluated().objects)
+        if (!each->parts.empty() && !std::ranges::binary_search(session.aside, id))
+            shown.push_back(id);
+    const std::string what = shown.size() == 1 ? name_of(session.document(), shown.front())
+                                               : std::to_string(shown.size()) + " objects";
+    const std::string key = key_text(action(editor, isolate_action));
+    return "Only " + what + "  ·  " + (key.empty() ? "Isolate" : key) + " brings the others back";
+}
+
 void labels(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
 {
     const Session& session = editor.session;
     const std::string name = name_of(session.document(), session.selected);
-    const std::string label =
-        std::string(session.camera.perspective ? "Perspective" : "Orthographic") +
-        (session.previewing() ? "  ·  Preview of a step"
-         : name.empty()       ? ""
-                              : "  ·  " + name);
+    std::string label = session.camera.perspective ? "Perspective" : "Orthographic";
+    const auto add = [&](const std::string& words) { label += "  ·  " + words; };
+    if (editor.shading.wireframe)
+        add("Wireframe");
+    else if (editor.shading.see_through)
+        add("See-through");
+    if (editor.shading.edges && !editor.shading.wireframe) add("Edges");
+    if (session.previewing())
+        add("Preview of a step");
+    else if (!name.empty())
+        add(name);
     glm::vec2 at = view.lo + theme.px(12);
     const float room = view.width() - theme.px(12 + 130); // the axes stand at the right
     ui::paint_chip(theme, at, {ui::elided(theme.font.small, label, room)});
     at.y += theme.px(28);
+    if (const std::string words = aside_words(editor); !words.empty()) {
+        ui::paint_chip(theme, at, {ui::elided(theme.font.small, words, room)});
+        at.y += theme.px(28);
+    }
     const Viewport& shown = editor.viewport;
     if (shown.drafts().count() == 0) return;
     if (!editor.preferences.show_timing && !editor.timing.open) return;
@@ -55,6 +83,13 @@ void labels(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
 void progress(Editor& editor, ui::Frame& frame, const ui::Rect& view)
 {
     constexpr double patience_s = 0.25, bar_s = 0.6;
+    editor.picture_to_file.advance(editor.session, frame);
+    if (editor.picture_to_file.running()) {
+        const std::string name = file_name(editor.picture_to_file.path());
+        if (ui::draw_progress(frame.theme, view, "Rendering " + name, {}, -1))
+            editor.picture_to_file.stop();
+        return;
+    }
     if (const auto job = editor.session.jobs().status()) {
         frame.again_in(patience_s);
         if (job->seconds > patience_s &&
@@ -125,6 +160,7 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     style.grid = editor.preferences.grid;
     const std::optional<double> pace = parse_number(editor.preferences.pace); // pictures a second
     style.draft_ms = pace ? 1000 / *pace : 0;
+    style.shading = editor.shading;
     editor.viewport.set_style(style);
     const unsigned texture = editor.viewport.draw(session, frame, size_px, moving, state,
                                                   [&] { return helpers_of(editor, over); });

@@ -57,6 +57,36 @@ bool carries(const EvaluatedObject& furniture, const Evaluated& evaluated)
     });
 }
 
+// What its strokes fall on; none: whatever is visible. What is left aside is not meant.
+std::vector<Id> bases_of(const Session& session, Id model)
+{
+    if (session.aside.empty()) return {};
+    std::vector<Id> bases = possible_bases(session.committed(), model);
+    std::erase_if(bases, [&](Id id) { return std::ranges::binary_search(session.aside, id); });
+    return bases;
+}
+
+// Why no stroke can begin anywhere; empty: it can.
+const char* why_no_stroke(const Session& session, Id model)
+{
+    if (model == 0) return "There is no model to lay";
+    if (session.document().objects.size() < 2) return "There is nothing to lie on";
+    return "";
+}
+
+// Nothing can be done here: a ring with a bar across.
+void paint_no(const ui::Theme& theme, glm::vec2 at)
+{
+    const float radius = theme.px(7), slope = radius * 0.7f;
+    const glm::vec2 bar(slope, slope);
+    for (const auto& [color, wider] :
+         {std::pair(theme.color.halo, 2.0f), {theme.color.stroke, 0.0f}}) {
+        const float width = (1.8f + wider) * theme.scale;
+        ui::paint_dot(at, radius, 0, color, width);
+        ui::paint_line(at - bar, at + bar, color, width);
+    }
+}
+
 } // namespace
 
 Id model_to_place(const Session& session, Id chosen)
@@ -98,10 +128,10 @@ Command PlaceTool::command(const Session& session) const
         PlacementParameters parameters = parameters_;
         if (width_ > 0) parameters.width = width_;
         parameters.width_profile = brush_profile(drawn.samples, brush_);
-        return Place{model_, drawn, std::move(parameters), {}};
+        return Place{model_, drawn, std::move(parameters), bases_of(session, model_)};
     }
     // A new stroke for what was placed before keeps how it lies.
-    EditPlacement edit{model_, model.placement->parameters, drawn, std::vector<Id>{}};
+    EditPlacement edit{model_, model.placement->parameters, drawn, bases_of(session, model_)};
     if (width_ > 0) edit.parameters.width = width_;
     if (!redrawing_) {
         if (brush_ != Brush::even)
@@ -123,12 +153,13 @@ void PlaceTool::begin(Session& session, const ViewportInput& input)
     model_ = redrawing_ ? session.selected : model_to_place(session, chosen_);
     if (model_ == 0) {
         session.notices.say(ui::NoticeKind::warning, "There is no model to place",
-                            "Drop a model into the window, then draw the stroke again.");
+                            "Drop a model into the window, then draw the stroke again.", of_a_step);
         return;
     }
     if (session.document().objects.size() < 2) {
         session.notices.say(ui::NoticeKind::warning, "There is nothing to place it on",
-                            "Drop a scene into the window, or add a primitive, then draw on it.");
+                            "Drop a scene into the window, or add a primitive, then draw on it.",
+                            of_a_step);
         return;
     }
     drawing_ = true;
@@ -150,6 +181,10 @@ void PlaceTool::use(Session& session, const ViewportInput& input)
         on_line_ = laid && (input.hovered || input.pressed) &&
                    nearest_on_line(*laid->placement, session.camera, input.mouse).distance_px <
                        near_line_px * input.scale;
+        const Id model = on_line_ ? 0 : model_to_place(session, chosen_);
+        why_not_ = on_line_ || !input.hovered ? "" : why_no_stroke(session, model);
+        if (!on_line_ && input.hovered && why_not_.empty() && input.seen_at(input.mouse) == 0)
+            why_not_ = "Nothing to lie on is under the mouse";
         if (input.pressed && !session.committing()) begin(session, input);
     }
     if (!drawing_) return;
@@ -190,7 +225,8 @@ void PlaceTool::finish(Session& session)
     if (stroke_.is_click()) {
         session.cancel();
         session.notices.say(ui::NoticeKind::warning, "Nothing was placed",
-                            "Keep the left button down and draw a line across the scene.");
+                            "Keep the left button down and draw a line across the scene.",
+                            of_a_step);
         return;
     }
     if (session.propose(command(session)))
@@ -245,6 +281,7 @@ void PlaceTool::overlay(const Session& session, const ui::Theme& theme,
     handles_.overlay(session, theme, input);
     if (!input.hovered || handles_.hovers() || handles_.busy()) return;
     const glm::vec2 mouse = input.rect.lo + glm::vec2(input.mouse);
+    if (!why_not_.empty()) return paint_no(theme, mouse);
     ui::paint_dot(mouse, theme.px(5), ui::faded(theme.color.stroke, 0.35f), theme.color.stroke,
                   1.4f * theme.scale);
     if (on_line_) ui::paint_chip(theme, mouse + glm::vec2(theme.px(18), -theme.px(30)), {"redraw"});
@@ -351,10 +388,11 @@ std::vector<Hint> PlaceTool::hints(const Session& session) const
         return hints;
     }
     const std::string name = name_of(session.document(), model_to_place(session, chosen_));
-    return {{{"left"},
-             on_line_       ? "Drag to redraw from here"
-             : name.empty() ? "Drag to draw"
-                            : "Drag to lay " + name},
+    const Hint draw{{"left"},
+                    on_line_       ? "Drag to redraw from here"
+                    : name.empty() ? "Drag to draw"
+                                   : "Drag to lay " + name};
+    return {why_not_.empty() ? draw : Hint{{}, why_not_},
             {{"middle"}, "Orbit"},
             {{"Shift", "middle"}, "Pan"},
             {{"wheel"}, "Zoom"},

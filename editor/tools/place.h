@@ -49,6 +49,7 @@ private:
     Id model_ = 0;  // of the stroke that is being drawn
     bool drawing_ = false, redrawing_ = false;
     bool on_line_ = false; // the mouse is where a stroke would redraw the old one
+    std::string why_not_;  // no stroke can begin where the mouse is
     StrokeDrawing stroke_;
     Brush brush_ = Brush::even;
     double pressure_ = 0.5;          // of a hand without a pen: what the wheel makes of it

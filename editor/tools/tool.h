@@ -36,7 +36,9 @@ struct ViewportInput {
     double wheel = 0; // notches since the last frame, away from the hand, for who takes_wheel()
     std::vector<StrokeSample> moves; // since the last frame, while down
     Id under = 0;                    // the object under the mouse, where `pressed`
-    // What is seen in a rectangle of the picture, pixels.
+    // What is seen there, pixels of the picture, locked or not; 0: nothing.
+    std::function<Id(glm::dvec2)> seen_at;
+    // What is seen in a rectangle of the picture, pixels, and not locked.
     std::function<std::vector<Id>(glm::dvec2 lo, glm::dvec2 hi)> seen_in;
 };
 
@@ -59,7 +61,9 @@ public:
     virtual bool shows_volume() const { return !busy(); }       // of the selected placement
     virtual bool takes_wheel() const { return false; }          // it does not zoom then
     virtual void take_keys(Session& session) { (void)session; } // while busy
-    virtual void cancel(Session& session) { (void)session; }    // the gesture
+    // Whether the key was meant for a gesture that could not begin: then nobody else has it.
+    virtual bool awaits(const ui::Chord&) const { return false; }
+    virtual void cancel(Session& session) { (void)session; } // the gesture
 
     // What it draws: in the scene, over the picture, and its settings in the options bar.
     virtual std::vector<gpu::Line> lines(const Session&, const ui::Theme&) const { return {}; }

@@ -52,10 +52,19 @@ std::optional<MotionFrame> TransformTool::handles_at(const Session& session) con
                        shared_axes(stands, active, choices_->orientation, session.camera)};
 }
 
+bool TransformTool::awaits(const ui::Chord& chord) const
+{
+    constexpr double patience_s = 2;
+    return chord.key >= 'X' && chord.key <= 'Z' && !chord.ctrl && !chord.alt &&
+           ImGui::GetTime() - refused_s_ < patience_s;
+}
+
 void TransformTool::begin(Session& session)
 {
+    refused_s_ = -1e9;
     if (session.selected == 0 || session.committing()) return;
     if (!handles_at(session)) {
+        refused_s_ = ImGui::GetTime();
         if (locked(session.document(), session.selected)) {
             session.notices.say(ui::NoticeKind::warning,
                                 name_of(session.document(), session.selected) + " is locked",

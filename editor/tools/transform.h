@@ -28,6 +28,7 @@ public:
     void use(Session& session, const ViewportInput& input) override;
     bool busy() const override { return gesture_.has_value() || beginning_; }
     void take_keys(Session& session) override;
+    bool awaits(const ui::Chord& chord) const override;
     void cancel(Session& session) override;
     void overlay(const Session& session, const ui::Theme& theme,
                  const ViewportInput& input) const override;
@@ -47,9 +48,10 @@ private:
     MotionKind kind_;
     std::shared_ptr<TransformChoices> choices_;
     std::optional<TransformGesture> gesture_;
-    bool by_key_ = false;    // the gesture ends with a click, not with letting go
-    bool beginning_ = false; // by its key, as soon as it is known where the mouse is
-    bool outside_ = false;   // the mouse is not over the picture
+    bool by_key_ = false;     // the gesture ends with a click, not with letting go
+    bool beginning_ = false;  // by its key, as soon as it is known where the mouse is
+    bool outside_ = false;    // the mouse is not over the picture
+    double refused_s_ = -1e9; // when there was nothing to move, and axes may follow
     Handle hovered_;
     std::vector<Transform> shown_; // proposed last
 };

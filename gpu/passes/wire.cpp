@@ -20,7 +20,8 @@ float edge_px(const SceneItem& item, const Frame& frame)
 
 } // namespace
 
-void draw_wire(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene)
+void draw_wire(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
+               const EdgeStyle& style)
 {
     targets.to_color.bind();
     set_state({.depth = DepthTest::less_equal, .blend = true});
@@ -30,7 +31,10 @@ void draw_wire(Tools& tools, const Targets& targets, const Frame& frame, const S
         if (!item.edges || item.edges->indices->count == 0) continue;
         program.set("to_scene", item.to_scene);
         const float room = glm::smoothstep(1.5f, 6.0f, edge_px(item, frame));
-        program.set("opacity", item.opacity * glm::mix(0.12f, 0.7f, room));
+        // Edges alone lie over one another, and need no more to be seen.
+        const float opacity =
+            style.alone ? glm::mix(0.04f, 0.4f, room) : item.opacity * glm::mix(0.12f, 0.7f, room);
+        program.set("color", glm::vec4(style.color, opacity));
         item.edges->vertices.bind();
         glDrawElements(GL_LINES, item.edges->indices->count, GL_UNSIGNED_INT, nullptr);
     }

@@ -3,11 +3,13 @@
 
 #include "gpu/passes/targets.h"
 #include "gpu/passes/tools.h"
+#include "gpu/picture.h"
 
 namespace trivar::gpu {
 
 // The edges of the scene's faces over the lit surfaces, for items that have them; fainter where
 // they lie so close that they would cover everything.
-void draw_wire(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene);
+void draw_wire(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
+               const EdgeStyle& style);
 
 } // namespace trivar::gpu

@@ -174,5 +174,16 @@ TEST(PlaceRound, SaysWhatItNeeds)
     EXPECT_THAT(new_evaluator()(laid).objects.at(3)->rejected, HasSubstr("stands free"));
 }
 
+TEST(SetTravel, GivesOneEachOrOneForAll)
+{
+    Document document = testing::small_document();
+    document = after(document, Place{2, testing::small_sketch(), {}, {1}});
+    const SetTravel each{{3, 2}, {}, {{.speed = 1}, {.speed = 2}}};
+    const Document done = after(document, each);
+    EXPECT_EQ(object(done, 3).travel.speed, 1);
+    EXPECT_EQ(object(done, 2).travel.speed, 2);
+    EXPECT_THROW(after(document, SetTravel{{3, 2}, {}, {{.speed = 1}}}), Rejected);
+}
+
 } // namespace
 } // namespace trivar

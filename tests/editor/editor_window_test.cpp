@@ -126,6 +126,21 @@ std::optional<glm::vec2> find_field(Rig& rig)
     return std::nullopt;
 }
 
+TEST(EditorWindow, WhereNothingIsToLieOnThePlaceToolSaysSoBeforeAStroke)
+{
+    Rig rig;
+    rig.two_objects();
+    rig.key({'P'});
+    const auto said = [&] { return rig.editor.active_tool().hints(rig.editor.session).front(); };
+    rig.move(rig.seen_at({0, 0, 0}));
+    EXPECT_EQ(said().verb, "Drag to lay Box");
+    rig.move(rig.layout().view.lo + glm::vec2(200, 30)); // the sky
+    EXPECT_EQ(said().verb, "Nothing to lie on is under the mouse");
+    EXPECT_TRUE(said().inputs.empty());
+    rig.move(rig.seen_at({0, 0, 0}));
+    EXPECT_FALSE(said().inputs.empty());
+}
+
 TEST(EditorWindow, DraggingAFieldOfTheInspectorIsOneStep)
 {
     Rig rig;

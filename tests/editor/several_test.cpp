@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/editor/boxes.h"
+#include "tests/editor/scenes.h"
 
 #include <gmock/gmock.h>
 #include <imgui.h>
@@ -7,10 +8,10 @@
 namespace trivar {
 namespace {
 
-using testing::Boxes;
+using testing::Boxes, testing::Rig;
 
 // Into the uppermost number field of the inspector, at the left: the position along X.
-void type_x(Boxes& rig, const std::string& text)
+void type_x(testing::Rig& rig, const std::string& text)
 {
     const ui::Rect in = rig.layout().inspector;
     const ui::Theme& theme = rig.screen.theme();
@@ -61,6 +62,27 @@ TEST(Several, WhatIsLockedStaysWhereItIs)
     type_x(rig, "4");
     EXPECT_EQ(rig.of(1).translation.x, 4);
     EXPECT_EQ(rig.of(2), before);
+}
+
+TEST(Several, KeepWhatTheirTravelsDifferInWhenOneNumberOfAllIsTyped)
+{
+    Rig rig({1024, 900});
+    SceneFile scene = testing::typical_scene();
+    scene.run(AddBox{});
+    scene.run(testing::placed(6, 1));
+    scene.run(SetTravel{{6}, {.speed = 0.5, .start_frame = 30}});
+    rig.editor.session.replace_scene(std::move(scene));
+    rig.editor.session.selected.set({2, 6});
+    rig.wait();
+    const std::size_t before = rig.steps();
+    type_x(rig, "0.4"); // the speed: nothing here has a position
+    EXPECT_EQ(rig.steps(), before + 1);
+    const auto travel = [&](Id id) { return object(rig.editor.session.document(), id).travel; };
+    EXPECT_EQ(travel(2).speed, 0.4);
+    EXPECT_EQ(travel(6).speed, 0.4);
+    EXPECT_EQ(travel(2).ends, Ends::loop);
+    EXPECT_EQ(travel(2).start_frame, 1);
+    EXPECT_EQ(travel(6).start_frame, 30);
 }
 
 TEST(ViewportMenu, IsOfWhatIsUnderTheMouseAndNotOfAGestureThatTheButtonEnded)

@@ -27,10 +27,7 @@ struct Travelling : Rig {
         wait();
     }
     const Travel& travel() const { return object(editor.session.document(), 2).travel; }
-    FrameScale scale() const
-    {
-        return track_scale(screen.theme(), layout().timeline, editor.session.document().time);
-    }
+    FrameScale scale() const { return track_scale(screen.theme(), layout().timeline, editor); }
     // In the first row of the tracks, or in the ruler over it.
     glm::vec2 row_at(float x) const { return {x, layout().timeline.lo.y + 40 + 24 + 12}; }
     glm::vec2 ruler_at(double frame) const
@@ -66,6 +63,54 @@ TEST(Timeline, StepsThroughTheFramesByKeysAndStaysInTheirRange)
     EXPECT_EQ(frame(), 1);
     rig.key({.key = 'T', .shift = true});
     EXPECT_FALSE(rig.editor.preferences.timeline_open);
+}
+
+TEST(Timeline, GoesOnThroughTheFramesWhileAnArrowIsHeld)
+{
+    Travelling rig;
+    rig.hold(ui::key_right);
+    rig.frames(60);
+    rig.hold(ui::key_right, false);
+    EXPECT_GT(rig.editor.session.frame(), 6);
+}
+
+TEST(Timeline, IsZoomedByTheWheelAboutTheFrameUnderTheMouseAndFitByHome)
+{
+    Travelling rig;
+    const FrameScale all = rig.scale();
+    const glm::vec2 at = rig.ruler_at(60);
+    rig.move(at);
+    rig.screen.input().push(ui::turn_wheel(3));
+    rig.frames(3);
+    const FrameScale zoomed = rig.scale();
+    EXPECT_LT(zoomed.last - zoomed.first, 0.6 * (all.last - all.first));
+    EXPECT_NEAR(zoomed.frame_at(at.x), 60, 0.5);
+    rig.draw({at, at + glm::vec2(1, 0)}); // it scrubs as before
+    EXPECT_EQ(rig.editor.session.frame(), 60);
+    rig.move(rig.row_at(at.x));
+    rig.screen.input().push(ui::turn_wheel(2)); // the rows' own
+    rig.frames(3);
+    EXPECT_EQ(rig.scale().first, zoomed.first);
+    const ui::Rect view = rig.layout().view;
+    const Camera camera = rig.editor.session.camera;
+    rig.key({ui::key_home});
+    EXPECT_EQ(rig.scale().last, all.last);
+    EXPECT_EQ(rig.editor.session.camera.eye, camera.eye);
+    rig.move(view.center());
+    rig.key({ui::key_home});
+    EXPECT_NE(rig.editor.session.camera.eye, camera.eye);
+}
+
+TEST(Timeline, ShowsTenFramesAtLeastAndNoneBeyondTheEnds)
+{
+    const Time time{.first_frame = 1, .last_frame = 240};
+    const glm::dvec2 all(1, 240);
+    EXPECT_EQ(zoomed_frames(all, time, 60, -5), all);
+    const glm::dvec2 close = zoomed_frames(all, time, 1, 100);
+    EXPECT_EQ(close, glm::dvec2(1, 11));
+    EXPECT_EQ(rolled_frames(close, time, 100), close);
+    EXPECT_EQ(rolled_frames(close, time, -1000), glm::dvec2(230, 240));
+    EXPECT_EQ(zoomed_frames({5, 5}, {.first_frame = 5, .last_frame = 5}, 5, 3), glm::dvec2(5));
 }
 
 TEST(Timeline, LeavesTheArrowsToTheListThatHasTheKeyboard)

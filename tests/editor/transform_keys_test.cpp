@@ -172,6 +172,16 @@ TEST(TransformByKey, WhatLiesOnAStrokeSaysWhyItStaysWhereItIs)
     ASSERT_EQ(rig.editor.session.notices.all().size(), said + 1);
     rig.key({'X'});
     EXPECT_EQ(rig.steps(), 3u) << "an axis is no command of its own";
+    const auto& notice = rig.editor.session.notices.all().back();
+    ASSERT_EQ(notice.actions.size(), 1u);
+    EXPECT_EQ(notice.actions[0].words, "Take off the stroke");
+    const auto take_off = notice.actions[0].act; // it may outlive its notice
+    take_off();
+    EXPECT_EQ(rig.steps(), 4u);
+    EXPECT_FALSE(object(rig.editor.session.document(), 2).placement);
+    EXPECT_EQ(rig.editor.session.selected, 2);
+    rig.key({'G'});
+    EXPECT_TRUE(rig.editor.active_tool().busy());
 }
 
 TEST(TransformByKey, MovesACopyFromWhereItsOriginalIs)

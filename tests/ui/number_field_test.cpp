@@ -74,6 +74,34 @@ TEST(NumberField, NeitherReplacesNorDropsWhatIsBeyondThemButIsTypedOn)
     EXPECT_EQ(typed(2, {"12", "9"}), 9); // the 12 stood there, chosen
 }
 
+TEST(NumberField, SaysThatWhatIsLeftWasNotTaken)
+{
+    Typist hand;
+    double value = 2;
+    hand.body = [&](Frame& frame) {
+        ImGui::SetNextWindowPos({0, 0});
+        ImGui::SetNextWindowSize({360, 180});
+        ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration);
+        ImGui::SetCursorScreenPos({20, 20});
+        number_field(frame.theme, "number", value, {.lo = 0, .hi = 10}, 120);
+        ImGui::End();
+    };
+    hand.screen.frames(2, hand.body);
+    const auto resting = hand.screen.picture().rgba;
+    hand.click({60, 30});
+    hand.type("12");
+    hand.click({300, 150}); // away
+    EXPECT_EQ(value, 2);
+    EXPECT_NE(hand.screen.picture().rgba, resting) << "it stands under the field";
+    hand.click({300, 150});
+    EXPECT_EQ(hand.screen.picture().rgba, resting);
+    hand.click({60, 30});
+    hand.type("12");
+    hand.key(key_escape); // on purpose
+    hand.click({300, 150});
+    EXPECT_EQ(hand.screen.picture().rgba, resting);
+}
+
 TEST(NumberField, ChangesNothingByWhatCannotBeRead)
 {
     EXPECT_EQ(typed(2, {"seven"}), 2);

@@ -71,9 +71,6 @@ std::set<Id> with_contents(const Document& document, std::set<Id> ids);
 // Throws Rejected where groups nest too deep below it.
 void check_depth(const Document& document, Id group);
 
-// Whether something visible is there that a stroke of it could fall on.
-bool could_lie(const Document& document, Id id);
-
 void check_transform(const Transform& transform);
 // Rotation, scale and translation of an affine matrix; what shear it has is lost.
 Transform decomposed(const glm::dmat4& matrix);

@@ -95,7 +95,7 @@ Document laid(Document document, Id id, const CopiedObject& copy, const std::vec
     if (p.round)
         document =
             applied(std::move(document), PlaceRound{id, bases.front(), p.level, p.parameters});
-    else if (!bases.empty() || could_lie(document, id))
+    else if (!bases.empty() || !possible_bases(document, id).empty())
         document = applied(std::move(document), Place{id, p.sketch, p.parameters, bases});
     else
         return document;

@@ -45,23 +45,13 @@ void check_count(const std::vector<Id>& supports)
                                    supports.size(), most_supports));
 }
 
-// Every visible object that is not among those above.
-std::vector<Id> all_below(const Document& document, const std::set<Id>& above)
-{
-    std::vector<Id> result;
-    for (const auto& [other, ref] : document.objects)
-        if (!is_group(*ref) && !above.contains(other) && visible(document, other))
-            result.push_back(other);
-    return result;
-}
-
 // The objects a stroke may fall on: those named, groups opened up, or all that make sense.
 std::vector<Id> supports(const Document& document, Id id, const std::vector<Id>& onto)
 {
     const std::set<Id> above = lying_on(document, id);
     std::vector<Id> result;
     if (onto.empty()) {
-        result = all_below(document, above);
+        result = possible_bases(document, id);
         if (result.empty())
             throw Rejected(fmt::format("there is nothing visible that {} could lie on; add or "
                                        "show another object first",
@@ -122,9 +112,14 @@ void check_placed(const Object& o, Id id)
 
 } // namespace
 
-bool could_lie(const Document& document, Id id)
+std::vector<Id> possible_bases(const Document& document, Id id)
 {
-    return !all_below(document, lying_on(document, id)).empty();
+    const std::set<Id> above = lying_on(document, id);
+    std::vector<Id> result;
+    for (const auto& [other, ref] : document.objects)
+        if (!is_group(*ref) && !above.contains(other) && visible(document, other))
+            result.push_back(other);
+    return result;
 }
 
 Document applied(Document document, const Place& command)
@@ -198,8 +193,16 @@ Document applied(Document document, const Unplace& command)
 Document applied(Document document, const SetTravel& command)
 {
     for (const Id id : distinct(document, command.objects)) check_placed(object(document, id), id);
-    return with_all_changed(std::move(document), command.objects,
-                            [&](Object& o) { o.travel = command.travel; });
+    if (command.travels.empty())
+        return with_all_changed(std::move(document), command.objects,
+                                [&](Object& o) { o.travel = command.travel; });
+    if (command.travels.size() != command.objects.size())
+        throw Rejected(fmt::format("field \"travels\" has {} entries for {} objects",
+                                   command.travels.size(), command.objects.size()));
+    for (std::size_t i = 0; i < command.objects.size(); ++i)
+        document = with_changed(std::move(document), command.objects[i],
+                                [&](Object& o) { o.travel = command.travels[i]; });
+    return document;
 }
 
 } // namespace trivar

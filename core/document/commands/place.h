@@ -80,6 +80,10 @@ struct Place {
               "ids it lies on; empty: every visible object that does not lie on it");
     }
 };
+// Every visible object that a stroke of it could fall on: no group, not itself, nor what lies on
+// it.
+std::vector<Id> possible_bases(const Document& document, Id id);
+
 struct PlaceRound {
     static constexpr std::string_view verb = "place_round",
                                       summary = "Lay an object round a cylinder, a sphere, a torus "

@@ -265,10 +265,11 @@ struct Titles {
         const std::string names = names_in(before, c.objects);
         const Object* object = c.objects.empty() ? nullptr : was(c.objects.front());
         const Travel old = object ? object->travel : Travel{};
-        const std::string speed = brief_number(c.travel.speed) + " m/s";
-        if (old.speed == 0 && c.travel.speed != 0) return {"Let " + names + " travel", speed};
-        if (old.speed != 0 && c.travel.speed == 0) return {"Let " + names + " rest", {}};
-        return title_of_changes(changes(old, c.travel), "Travel", names);
+        const Travel& now = c.travels.empty() ? c.travel : c.travels.front();
+        const std::string speed = brief_number(now.speed) + " m/s";
+        if (old.speed == 0 && now.speed != 0) return {"Let " + names + " travel", speed};
+        if (old.speed != 0 && now.speed == 0) return {"Let " + names + " rest", {}};
+        return title_of_changes(changes(old, now), "Travel", names);
     }
     StepTitle operator()(const Paste&) const
     {

@@ -31,11 +31,15 @@ struct SetTravel {
                                                 "or rest.";
     std::vector<Id> objects;
     Travel travel;
+    std::vector<Travel> travels = {};
     bool operator==(const SetTravel&) const = default;
     static void fields(auto& c, auto&& field)
     {
         field("objects", c.objects, "ids of placed objects", required);
         FieldsOf<Travel>::fields(c.travel, field);
+        field("travels", c.travels,
+              "one each, in the order of the objects, in place of these fields; empty: the same "
+              "for all");
     }
 };
 

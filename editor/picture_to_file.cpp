@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/picture_to_file.h"
+
+#include "core/files/image.h"
+#include "editor/file_words.h"
+#include "editor/files.h"
+#include "editor/picture.h"
+#include "gpu/level.h"
+#include "ui/camera_control.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace trivar {
+
+void PictureToFile::begin(const Session& session, int width_px)
+{
+    path_ = numbered_name(
+        std::filesystem::absolute(session.scene().path()).replace_extension(".png").string());
+    const glm::dvec2 view = session.camera.size_px;
+    const glm::ivec2 size_px(
+        width_px,
+        std::max(1, static_cast<int>(std::lround(width_px * view.y / std::max(1.0, view.x)))));
+    gpu::Picture picture = picture_of(session.evaluated(), session.document(),
+                                      ui::reshaped(session.camera, glm::dvec2(size_px)), stretches_,
+                                      gpu::DeformBy::processor);
+    gpu::set_level(picture, gpu::Level::high);
+    renderer_ = std::make_unique<gpu::Renderer>();
+    renderer_->begin(picture, size_px);
+}
+
+void PictureToFile::advance(Session& session, ui::Frame& frame)
+{
+    constexpr double budget_ms = 40; // as for the window's own picture
+    if (!renderer_) return;
+    frame.again_in(0);
+    if (!renderer_->advance(budget_ms)) return;
+    const auto image = std::make_shared<const Image>(renderer_->image());
+    renderer_.reset();
+    session.jobs().start(
+        {"Writing " + file_name(path_),
+         [&session, image, path = path_](const Progress&) -> Jobs::Finish {
+             write_image(*image, path);
+             return [&session, path] {
+                 session.notices.say(ui::NoticeKind::good, file_name(path) + " was written",
+                                     "It lies beside the scene.", "picture");
+             };
+         },
+         [&session, path = path_](const std::string& why) {
+             session.notices.say(ui::NoticeKind::error, file_name(path) + " was not written",
+                                 reason(why, path), "picture");
+         }});
+}
+
+} // namespace trivar

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "editor/session.h"
+#include "editor/stretch.h"
+#include "gpu/renderer.h"
+#include "ui/frame.h"
+
+#include <memory>
+#include <string>
+
+namespace trivar {
+
+// The picture of the present view, as the scene asks for it and in full, written beside the scene's
+// file under the next free number. It is drawn a piece a frame, so the window goes on.
+class PictureToFile {
+public:
+    bool running() const { return renderer_ != nullptr; }
+    const std::string& path() const { return path_; }
+    // `width_px` wide, in the shape of the viewport. Needs the scene's file, for its folder.
+    void begin(const Session& session, int width_px);
+    void advance(Session& session, ui::Frame& frame); // once a frame, in the window's context
+    void stop() { renderer_.reset(); }
+
+private:
+    std::unique_ptr<gpu::Renderer> renderer_;
+    std::string path_;
+    Stretches stretches_;
+};
+
+} // namespace trivar

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/headless.h"
+#include "ui/keys.h"
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+namespace trivar::ui {
+namespace {
+
+// Two clicks in one place with so many seconds between the presses, and so many frames.
+struct Clicks {
+    double apart_s = 0.2, doubt_s = 0;
+    int frames_between = 1;
+    float moved_px = 0;
+
+    int doubles() const
+    {
+        HeadlessFrames screen{{320, 120}};
+        int count = 0;
+        const DrawFrame body = [&](Frame&) {
+            count += ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) ? 1 : 0;
+        };
+        screen.frames(2, body);
+        for (int i = 0; i < 2; ++i) {
+            Event down = press(Button::left, true, 5 + i * apart_s);
+            down.doubt_s = i * doubt_s;
+            screen.input().push(move_to({60 + static_cast<float>(i) * moved_px, 32}));
+            screen.input().push(down);
+            screen.input().push(press(Button::left, false, 5 + i * apart_s));
+            screen.frames(frames_between, body);
+        }
+        screen.frames(4, body);
+        return count;
+    }
+};
+
+TEST(DoubleClick, IsOneHoweverLongTheFramesTook)
+{
+    EXPECT_EQ((Clicks{.frames_between = 1}.doubles()), 1);
+    EXPECT_EQ((Clicks{.frames_between = 60}.doubles()), 1); // a second of the frames' clock
+}
+
+TEST(DoubleClick, IsNoneWhereThePressesWereTooFarApart)
+{
+    EXPECT_EQ((Clicks{.apart_s = 0.4}.doubles()), 0);
+    EXPECT_EQ((Clicks{.moved_px = 20}.doubles()), 0);
+}
+
+TEST(DoubleClick, IsOneWhereTheSecondPressMayHaveBeenMadeInTime)
+{
+    EXPECT_EQ((Clicks{.apart_s = 0.5, .doubt_s = 0.3}.doubles()), 1);
+}
+
+TEST(Keys, RepeatWhileTheyAreHeldWhereThatIsWanted)
+{
+    HeadlessFrames screen{{320, 120}};
+    int once = 0, again = 0;
+    const DrawFrame body = [&](Frame&) {
+        once += struck({key_right}) ? 1 : 0;
+        again += struck({key_right}, true) ? 1 : 0;
+    };
+    screen.input().push(press_key(key_right));
+    screen.frames(60, body);
+    EXPECT_EQ(once, 1);
+    EXPECT_GT(again, 5);
+}
+
+} // namespace
+} // namespace trivar::ui
