@@ -93,7 +93,7 @@ void write_into_log(const Command& ready, Editor& editor)
     editor.preferences.show_dock = true;
     editor.only_view = false;
     editor.tab = Editor::Tab::log;
-    Editor::CommandField& field = editor.command_field;
+    CommandField& field = editor.command_field;
     field.text = typed_text(ready, editor.session.document());
     field.trouble.clear();
     field.focus = true;

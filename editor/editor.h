@@ -3,8 +3,10 @@
 
 #include "core/base/parallel.h"
 #include "editor/adjustment.h"
+#include "editor/command_field.h"
 #include "editor/command_palette.h"
 #include "editor/files.h"
+#include "editor/hints.h"
 #include "editor/manual.h"
 #include "editor/outline.h"
 #include "editor/picture_to_file.h"
@@ -64,10 +66,7 @@ struct Editor {
         bool beside = false;    // another one is open beside it
     } menu;
     Adjustment adjustment;
-    struct FollowedSteps { // of which scene, and how many
-        long scene = -1;
-        std::size_t count = 0;
-    } followed_by_hints;
+    FollowedSteps followed_by_hints;
     long scene = 0;               // number of the session's scene that the tools know
     bool add_menu_asked = false;  // it opens at the mouse in the next frame
     bool right_cancelled = false; // the right button, which is held, ended a gesture
@@ -121,15 +120,7 @@ struct Editor {
     } preferences_dialog;
     std::string preferences_path; // of the file they are kept in; empty: in memory
     CommandPalette palette;
-    struct CommandField { // at the foot of the log
-        std::string text, trouble;
-        std::string offered;            // the text after which ...
-        std::vector<std::string> words; // ... these could follow
-        bool focus = false;             // takes the keyboard in the next frame
-        bool active = false;            // has it
-        std::vector<std::string> before;
-        std::size_t recalled = 0; // steps back in `before`
-    } command_field;
+    CommandField command_field;
 
     struct LogLines { // those that are selected in the log
         std::optional<std::size_t> from;

@@ -83,7 +83,7 @@ void close_hint(Editor& editor, const std::string& name)
 void follow_hints(Editor& editor)
 {
     const History& history = editor.session.scene().history();
-    Editor::FollowedSteps& followed = editor.followed_by_hints;
+    FollowedSteps& followed = editor.followed_by_hints;
     const std::size_t now = history.position();
     const bool made = followed.scene == editor.session.scenes() && now == followed.count + 1 &&
                       now == history.steps().size() && !editor.tutorial.runs(editor.session);

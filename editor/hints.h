@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -16,6 +17,12 @@ struct HintCard {
     std::string title, body;
 };
 std::optional<HintCard> hint_card(const Editor& editor);
+// The steps that are known: of which scene, and how many.
+struct FollowedSteps {
+    long scene = -1;
+    std::size_t count = 0;
+};
+
 void close_hint(Editor& editor, const std::string& name);
 void follow_hints(Editor& editor); // every frame: closes those whose step was made
 void show_hints_again(Editor& editor);

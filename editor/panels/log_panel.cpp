@@ -196,7 +196,7 @@ void draw_entries(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
 
 void run_field(Editor& editor)
 {
-    Editor::CommandField& field = editor.command_field;
+    CommandField& field = editor.command_field;
     field.words.clear();
     field.focus = true;
     field.trouble = run_typed(editor.session, field.text);
@@ -222,7 +222,7 @@ bool run_pasted(Editor& editor)
 int help_typing(ImGuiInputTextCallbackData* data)
 {
     auto& editor = *static_cast<Editor*>(data->UserData);
-    Editor::CommandField& field = editor.command_field;
+    CommandField& field = editor.command_field;
     const auto put = [&](const std::string& text) {
         data->DeleteChars(0, data->BufTextLen);
         data->InsertChars(0, text.c_str());
@@ -249,7 +249,7 @@ int help_typing(ImGuiInputTextCallbackData* data)
 std::vector<std::string> told_by_field(const Editor& editor, const ui::Theme& theme, float width)
 {
     constexpr std::size_t most = 4;
-    const Editor::CommandField& field = editor.command_field;
+    const CommandField& field = editor.command_field;
     std::string words = field.trouble.empty() ? "" : ui::sentence(field.trouble);
     if (words.empty())
         for (const std::string& word : field.words) words += (words.empty() ? "" : "  ") + word;
@@ -265,7 +265,7 @@ void draw_field(Editor& editor, const ui::Theme& theme, const ui::Rect& r,
                 const std::vector<std::string>& told)
 {
     const ui::Palette& c = theme.color;
-    Editor::CommandField& field = editor.command_field;
+    CommandField& field = editor.command_field;
     ui::paint_box({r.lo, {r.hi.x, r.lo.y + theme.size.hairline}}, c.line);
     float y = r.lo.y + theme.px(8);
     for (const std::string& words : told) {
