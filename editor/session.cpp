@@ -309,7 +309,7 @@ void Session::take_up_left_scene()
                 "Trivar ended before it had a name. Save it to keep it.");
 }
 
-const std::optional<Session::LeftScene>& Session::left_scene() const
+const std::optional<LeftScene>& Session::left_scene() const
 {
     if (std::exchange(left_looked_for_, scenes_) == scenes_) return left_scene_;
     left_scene_.reset();

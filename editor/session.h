@@ -4,6 +4,7 @@
 #include "core/document/scene_file.h"
 #include "editor/background_evaluator.h"
 #include "editor/job.h"
+#include "editor/left_scene.h"
 #include "editor/selection.h"
 #include "editor/session_facts.h"
 #include "ui/notices.h"
@@ -74,8 +75,7 @@ public:
     };
     const std::vector<Refused>& refused() const { return refused_; }
 
-    // Another scene, or an empty one. Selection and effects start anew.
-    // What its notices offer, if it has any.
+    // Another scene, with what its notices offer. Selection and effects start anew.
     void replace_scene(SceneFile scene, std::vector<ui::Notices::Action> offers = {});
     long scenes() const { return scenes_; } // there have been
     // The scene without a name of a program that was killed: goes on with it, or tells of it.
@@ -86,14 +86,9 @@ public:
     // What is discarded stays so long; what is older goes when something is discarded, or at once.
     int discarded_days = 30;
     void forget_discarded() const;
-    // That scene, looked for once a scene.
-    struct LeftScene {
-        std::string path;
-        std::time_t when = 0; // it was written last
-    };
-    const std::optional<LeftScene>& left_scene() const;
-    void save_as(const std::string& path);      // may throw Rejected
-    void save_compact(const std::string& path); // may throw Rejected
+    const std::optional<LeftScene>& left_scene() const; // that one, looked for once a scene
+    void save_as(const std::string& path);              // may throw Rejected
+    void save_compact(const std::string& path);         // may throw Rejected
     Ref<AssetStore> assets() const { return assets_; }
 
     // Takes in what other threads finished; once a frame.
