@@ -3,6 +3,7 @@
 
 #include "core/base/parallel.h"
 #include "core/placement/strip_judge.h"
+#include "core/placement/strip_rays.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,51 +12,17 @@
 namespace trivar {
 namespace {
 
-constexpr double steep = 0.15;      // cosine to the ray below which a cell gets more rays
-constexpr int rays_where_steep = 6; // along each axis
-constexpr int quads_a_cell = 2;     // of the index, along each axis
-constexpr int most_rounds = 12;     // of lifting; lines of sight that are parallel need one
+constexpr double folding = 0.1; // cosine to the ray below which the strip may fold in the picture
+// Rays along each axis of a cell seen edge-on: in each look, and in the last.
+constexpr int rays_where_steep = 6, rays_in_last_look = 16;
+// Quads of the index a cell, along each axis: where the strip may fold, finer ones tell its layers
+// apart.
+constexpr int quads_plain = 2, quads_folded = 4;
+constexpr int most_rounds = 12; // of lifting; lines of sight that are parallel need one
 constexpr int most_judgements = 12;
 constexpr int most_looks_again = 5; // with rays, for one judgement
 // Shares of the tolerance: what is let be, how far in front a lift ends, what the judges pass.
 constexpr double let_be_share = 0.25, margin_share = 0.3, pass_share = 0.75;
-
-// What the camera sees behind the surface, one ray a cell, each time elsewhere in it: a second look
-// at the same places would find nothing. Many rays where the surface is seen edge-on: there the
-// picture hardly tells where on the surface a point of the scene belongs. Where the camera sees
-// nothing there is no sample. Only of cells that have `changed`: one value a corner of the quads.
-std::vector<SceneSample> seen_behind(const SurfaceTable& s, const std::vector<char>& changed,
-                                     int judgement, const View& view, const RayScene& scene,
-                                     bool skip_back_faces)
-{
-    const double shift = std::fmod(0.37 + 0.19 * judgement, 1);
-    std::vector<glm::dvec2> uv;
-    for (int i = 0; i < static_cast<int>(s.cells().x); ++i)
-        for (int j = 0; j < static_cast<int>(s.cells().y); ++j) {
-            const int middle = quads_a_cell / 2, columns = static_cast<int>(s.cells().y);
-            const int corner = (quads_a_cell * i + middle) * (quads_a_cell * columns + 1) +
-                               quads_a_cell * j + middle;
-            if (!changed[static_cast<std::size_t>(corner)]) continue;
-            const SurfaceTable::Jet jet = s.jet((glm::dvec2(i, j) + 0.5) / s.cells());
-            const glm::dvec3 n = glm::cross(jet.u, jet.v);
-            const double facing = glm::dot(n, view.toward_eye(jet.value));
-            const int rays = facing > steep * glm::length(n) ? 1 : rays_where_steep;
-            for (int a = 0; a < rays; ++a)
-                for (int b = 0; b < rays; ++b)
-                    uv.push_back(
-                        (glm::dvec2(i, j) + (glm::dvec2(a, b) + glm::dvec2(shift, 1 - shift)) /
-                                                static_cast<double>(rays)) /
-                        s.cells());
-        }
-    std::vector<Ray> rays;
-    rays.reserve(uv.size());
-    for (const glm::dvec2& at : uv) rays.push_back(view.ray(view.project(s.jet(at).value).p_px));
-    const auto hits = scene.hits(rays, skip_back_faces);
-    std::vector<SceneSample> out;
-    for (std::size_t k = 0; k < uv.size(); ++k)
-        if (hits[k]) out.push_back({hits[k]->p_world, uv[k]});
-    return out;
-}
 
 // A control point that carries the surface at a sample, and how far it may be lifted for it.
 struct Carrier {
@@ -132,19 +99,18 @@ Lifted lifted(Surface<glm::dvec3> contact, const Camera& camera, const RayScene&
               const LiftOptions& options)
 {
     const View view(camera);
-    const glm::ivec2 quads =
-        quads_a_cell * glm::ivec2(contact.axes[0].count() - 1, contact.axes[1].count() - 1);
     const double enough = options.clearance, pass = pass_share * options.tolerance;
     const JudgeOptions judging{enough, let_be_share * options.tolerance, pass};
     Lifted out{std::move(contact)};
     const SurfaceTable table(out.contact);
-    StripIndex strip(table, view, quads);
+    StripCut cut{table.cells(), quads_plain};
+    StripIndex strip(table, view, cut.quads());
     const NearScene near = near_scene(scene, view, strip, options.skip_back_faces);
 
     int looks = 0;
-    const auto look = [&](const std::vector<char>& where) {
-        std::vector<SceneSample> rays =
-            seen_behind(table, where, looks, view, scene, options.skip_back_faces);
+    const auto look = [&](const std::vector<char>& where, int where_steep) {
+        std::vector<SceneSample> rays = seen_behind(table, cut, where, where_steep, looks, view,
+                                                    scene, options.skip_back_faces);
         const std::vector<Gap> at = gaps(table, view, rays);
         Judgement found{{}, most_behind(at, enough)};
         for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -174,24 +140,34 @@ Lifted lifted(Surface<glm::dvec3> contact, const Camera& camera, const RayScene&
     };
 
     StripJudge judge(table, view, near, judging);
-    std::vector<char> changed(static_cast<std::size_t>((quads.x + 1) * (quads.y + 1)), 1);
+    std::vector<char> changed(cut.corners(), 1);
     double let_be = 0; // what was found behind and needs no lift
     for (int judgement = 0;; ++judgement) {
+        const bool fine = cut.quads_a_cell == quads_folded;
         Judgement found = judge.judge(strip);
-        found.add(look(changed));
+        found.add(look(changed, fine ? rays_in_last_look : rays_where_steep));
         out.penetration = std::max(found.worst, let_be);
-        if (out.penetration <= pass || judgement == most_judgements) return out;
+        if (judgement == most_judgements) return out;
+        if (out.penetration <= pass) {
+            if (fine) return out;
+            // Once more where the strip may fold in the picture, and its layers hide one another.
+            cut.quads_a_cell = quads_folded;
+            changed = steep_corners(table, cut, std::vector<char>(cut.corners(), 1), view, folding);
+            if (std::find(changed.begin(), changed.end(), 1) == changed.end()) return out;
+            strip = StripIndex(table, view, cut.quads(), changed);
+            continue;
+        }
         let_be = std::max(let_be, std::min(found.worst, judging.let_be));
 
         if (!rise(std::move(found.behind))) return out;
         // What is left soon is little and seen edge-on, where rays find more in less time: they
         // look again until they find nothing, and only then all that has moved is judged again.
         for (int again = 0; judgement > 0 && again < most_looks_again; ++again)
-            if (!rise(look(table.touched(quads, moved)).behind)) break;
-        changed = table.touched(quads, moved);
+            if (!rise(look(table.touched(cut.quads(), moved), rays_where_steep).behind)) break;
+        changed = table.touched(cut.quads(), moved);
         std::fill(moved.begin(), moved.end(), 0);
         // In perspective a lift moves the strip a little in the picture.
-        strip = StripIndex(table, view, quads);
+        strip = StripIndex(table, view, cut.quads(), fine ? changed : std::vector<char>());
         strip.mark_changed(changed);
     }
 }

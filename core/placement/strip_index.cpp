@@ -98,7 +98,8 @@ struct StripIndex::Seen {
     }
 };
 
-StripIndex::StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2 steps)
+StripIndex::StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2 steps,
+                       const std::vector<char>& asked)
     : steps_(steps),
       lo_(1e300),
       hi_(-1e300)
@@ -108,22 +109,33 @@ StripIndex::StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2
     for (const glm::dvec3& corner : corners) corners_px_.push_back(view.project(corner).p_px);
     const std::vector<glm::dvec2> seen_px = corners_px_;
     widen_rim();
-    for (const glm::dvec2& p : corners_px_) {
-        lo_ = glm::min(lo_, p);
-        hi_ = glm::max(hi_, p);
-    }
-    const glm::dvec2 size = glm::max(hi_ - lo_, glm::dvec2(1e-9));
-    double area = 0;
+    const auto quad = [&](int i, int j) {
+        const int a = i * (steps.y + 1) + j;
+        return std::array{a, a + 1, a + steps.y + 1, a + steps.y + 2};
+    };
+    const auto wanted = [&](int i, int j) {
+        const std::array<int, 4> corner = quad(i, j);
+        return asked.empty() || std::all_of(corner.begin(), corner.end(), [&](int k) {
+                   return asked[static_cast<std::size_t>(k)];
+               });
+    };
+    double area = 0, count = 0;
     for (int i = 0; i < steps.x; ++i)
         for (int j = 0; j < steps.y; ++j) {
+            if (!wanted(i, j)) continue;
+            ++count;
+            for (const int k : quad(i, j)) {
+                lo_ = glm::min(lo_, corners_px_[static_cast<std::size_t>(k)]);
+                hi_ = glm::max(hi_, corners_px_[static_cast<std::size_t>(k)]);
+            }
             const glm::dvec2* corner = corners_px_.data() + i * (steps.y + 1) + j;
             area +=
                 std::abs(cross(corner[steps.y + 2] - corner[0], corner[steps.y + 1] - corner[1])) /
                 2;
         }
     // In a strip that is seen edge-on quads have no area but still a size.
-    const double quads = static_cast<double>(steps.x) * steps.y;
-    quad_px_ = std::max(std::sqrt(area / quads), 0.01 * glm::length(size) / std::sqrt(quads));
+    const glm::dvec2 size = glm::max(hi_ - lo_, glm::dvec2(1e-9));
+    quad_px_ = std::max(std::sqrt(area / count), 0.01 * glm::length(size) / std::sqrt(count));
     buckets_ =
         glm::clamp(glm::ivec2(buckets_a_quad * size / quad_px_), glm::ivec2(1), glm::ivec2(1024));
     buckets_per_px_ = glm::dvec2(buckets_) / size;
@@ -132,9 +144,9 @@ StripIndex::StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2
     const auto each = [&](const auto& visit) {
         for (int i = 0; i < steps.x; ++i)
             for (int j = 0; j < steps.y; ++j) {
+                if (!wanted(i, j)) continue;
                 glm::dvec2 lo(1e300), hi(-1e300);
-                const int a = i * (steps.y + 1) + j;
-                for (const int k : {a, a + 1, a + steps.y + 1, a + steps.y + 2}) {
+                for (const int k : quad(i, j)) {
                     lo = glm::min(lo, corners_px_[static_cast<std::size_t>(k)]);
                     hi = glm::max(hi, corners_px_[static_cast<std::size_t>(k)]);
                 }
@@ -145,7 +157,7 @@ StripIndex::StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2
                     glm::clamp(glm::ivec2((hi - lo_) * buckets_per_px_), glm::ivec2(0), most);
                 for (int y = from.y; y <= to.y; ++y)
                     for (int x = from.x; x <= to.x; ++x)
-                        visit(static_cast<std::size_t>(y * buckets_.x + x), a);
+                        visit(static_cast<std::size_t>(y * buckets_.x + x), quad(i, j)[0]);
             }
     };
     begin_.assign(static_cast<std::size_t>(buckets_.x * buckets_.y) + 1, 0);
@@ -158,10 +170,9 @@ StripIndex::StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2
     bend_.resize(corners.size());
     for (int i = 0; i < steps.x; ++i)
         for (int j = 0; j < steps.y; ++j) {
-            const int a = i * (steps.y + 1) + j;
-            Bend& most = bend_[static_cast<std::size_t>(a)];
-            for (const int k : {a, a + 1, a + steps.y + 1, a + steps.y + 2})
-                most.add(at_corners[static_cast<std::size_t>(k)]);
+            if (!wanted(i, j)) continue;
+            Bend& most = bend_[static_cast<std::size_t>(quad(i, j)[0])];
+            for (const int k : quad(i, j)) most.add(at_corners[static_cast<std::size_t>(k)]);
             most_bend_.add(most);
         }
     std::vector<Seen> seen(corners_px_.size());

@@ -13,7 +13,10 @@ namespace trivar {
 // The surface is cut into steps x steps quads, which a grid of buckets finds.
 class StripIndex {
 public:
-    StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2 steps);
+    // Of part of the strip: of those quads alone the four corners of which are asked for, (steps.x
+    // + 1) x (steps.y + 1) of them, v fastest. None are all.
+    StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2 steps,
+               const std::vector<char>& asked = {});
 
     // False where the strip certainly is not; for a rectangle, where it meets no bucket of it.
     bool may_cover(glm::dvec2 p_px) const;

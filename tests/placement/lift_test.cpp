@@ -50,16 +50,20 @@ TEST(Lift, NothingPenetratesMeasuredByOtherRays)
         if (!field) entries.push_back({floor, glm::dmat4(1), 2});
         const RayScene scene(entries);
         for (const Camera& camera : {from_above(3), from_the_side(), from_the_side({-3, -3, 2})})
-            for (const bool springs : {true, false})
+            for (const double stiffness : {0.0, 0.1, 0.25, 1.0})
                 for (const double offset : {0.0, 1.0}) {
+                    PlacementParameters asked;
+                    asked.offset = offset;
+                    asked.springs = stiffness > 0;
+                    if (asked.springs) asked.stiffness = stiffness;
                     Timings timings;
                     const Placement out =
-                        place(stroke_over(camera, {{-1, -0.2, 0}, {0, 0.1, 0.2}, {1, 0, 0}}),
-                              {.offset = offset, .springs = springs}, snake_box(), scene, timings);
+                        place(stroke_over(camera, {{-1, -0.2, 0}, {0, 0.1, 0.2}, {1, 0, 0}}), asked,
+                              snake_box(), scene, timings);
                     const double h = out.report.height_world;
                     EXPECT_LE(out.report.penetration, 1e-3) << c.name;
                     EXPECT_LE(penetration(out.contact, camera, scene, 201), 1e-3 * h)
-                        << c.name << " springs " << springs << " offset " << offset
+                        << c.name << " stiffness " << stiffness << " offset " << offset
                         << " perspective " << camera.perspective << " " << camera.eye.x;
                 }
     }
