@@ -237,6 +237,24 @@ Edit type_number(const Theme& theme, const Memory& memory, double& value, const 
     return Edit::changed;
 }
 
+// By the right button: the value to other fields, and from them.
+Edit value_menu(double& value, const NumberStyle& style)
+{
+    if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) ImGui::OpenPopup("value menu");
+    if (!ImGui::BeginPopup("value menu")) return Edit::none;
+    Edit edit = Edit::none;
+    if (ImGui::MenuItem("Copy value")) ImGui::SetClipboardText(typed_text(value).c_str());
+    const char* text = ImGui::GetClipboardText();
+    const auto pasted = evaluate_expression(text ? text : "", measure_of(style), value);
+    const bool fits = pasted && limit_words(*pasted, style).empty();
+    if (ImGui::MenuItem("Paste value", nullptr, false, fits) && *pasted != value) {
+        value = *pasted;
+        edit = Edit::changed;
+    }
+    ImGui::EndPopup();
+    return edit;
+}
+
 } // namespace
 
 void type_next_number()
@@ -313,6 +331,7 @@ Edit number_field(const Theme& theme, const std::string& id, double& value,
     } else {
         memory.set_mode(Memory::resting);
     }
+    if (const Edit by_menu = value_menu(value, style); by_menu != Edit::none) edit = by_menu;
     paint_number(theme, rect, value, style, hot);
     if (memory.dropped() != Memory::nothing) {
         say_under(theme, rect, dropped_words(memory.dropped(), value, style));

@@ -6,6 +6,7 @@
 #include "ui/keys.h"
 #include "ui/widgets.h"
 
+#include <array>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <imgui.h>
@@ -111,6 +112,38 @@ TEST(NumberField, ChangesNothingByWhatCannotBeRead)
 TEST(NumberField, KeepsEveryDigitOfAValueThatIsLookedAt)
 {
     EXPECT_EQ(typed(1.3399999999999999, {""}), 1.3399999999999999);
+}
+
+TEST(NumberField, GivesItsValueToOthersByTheRightButton)
+{
+    Typist hand;
+    std::array<double, 2> values{2.5, 7};
+    hand.body = [&](Frame& frame) {
+        ImGui::SetNextWindowPos({0, 0});
+        ImGui::SetNextWindowSize({360, 180});
+        ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration);
+        for (const std::size_t i : {0u, 1u}) {
+            ImGui::SetCursorScreenPos({20, 20 + 40 * static_cast<float>(i)});
+            number_field(frame.theme, i == 0 ? "one" : "two", values[i], {.lo = 0, .hi = 10}, 160);
+        }
+        ImGui::End();
+    };
+    const auto choose = [&](glm::vec2 field, int entry) {
+        hand.screen.input().push(move_to(field));
+        hand.screen.input().push(press(Button::right));
+        hand.screen.input().push(press(Button::right, false));
+        hand.screen.frames(6, hand.body);
+        const float row = ImGui::GetTextLineHeightWithSpacing();
+        hand.click(field + glm::vec2(20, row * (0.8f + static_cast<float>(entry))));
+    };
+    hand.screen.frames(2, hand.body);
+    choose({60, 30}, 0);
+    choose({60, 70}, 1);
+    EXPECT_EQ(values[1], 2.5);
+    EXPECT_EQ(values[0], 2.5);
+    ImGui::SetClipboardText("12"); // beyond its limits: the entry is off
+    choose({60, 70}, 1);
+    EXPECT_EQ(values[1], 2.5);
 }
 
 TEST(FileDialog, EnterAloneReplacesNoFile)
