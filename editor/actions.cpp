@@ -138,6 +138,8 @@ void run_keys(Editor& editor)
         if (escape()) ImGui::ClosePopupToLevel(0, true);
         return;
     }
+    // A menu may have closed itself by this very Esc, as the frame began.
+    if (escape() && (ImGui::GetIO().ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0) return;
     if (ImGui::IsAnyItemActive()) return; // a field is being dragged
     if (escape()) {
         if (editor.session.committing())

@@ -65,6 +65,19 @@ TEST(MenuBar, EnterRunsTheFirstEntryAtOnce)
     EXPECT_EQ(rig.editor.session.camera.eye, Camera{}.eye);
 }
 
+TEST(MenuBar, EscapeClosesItAndLeavesTheToolInTheHand)
+{
+    Rig rig({1024, 700});
+    rig.two_objects();
+    rig.key({'D'});
+    const std::string tool = rig.editor.active_tool().name();
+    ASSERT_EQ(tool, "Place");
+    rig.key({.key = 'E', .alt = true});
+    rig.key({ui::key_escape});
+    EXPECT_EQ(rig.editor.menu.open, "");
+    EXPECT_EQ(rig.editor.active_tool().name(), tool);
+}
+
 TEST(MenuBar, LeavesKeysWithAltToTheActionsThatHaveThem)
 {
     Rig rig({1024, 700});
