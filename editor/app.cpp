@@ -43,8 +43,9 @@ int run_editor(const EditorOptions& options)
         editor.sample_pictures = options.sample_pictures;
         editor.start_card.lacks_samples = options.samples.empty();
         add_tutorials(editor, options.tutorials);
-        use_keys(editor.actions, editor.preferences.keys);
         editor.files.samples = options.samples;
+        add_samples(editor);
+        use_keys(editor.actions, editor.preferences.keys);
         if (options.files.empty())
             editor.session.take_up_left_scene();
         else

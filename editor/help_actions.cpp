@@ -3,6 +3,7 @@
 
 #include "editor/hints.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/welcome.h"
 
 #include <algorithm>
 
@@ -79,6 +80,14 @@ void add_tutorials(Editor& editor, const std::vector<std::string>& paths)
                                                       });
                                                   }}));
     }
+}
+
+void add_samples(Editor& editor)
+{
+    for (const Sample& each : samples_of(editor.files))
+        editor.actions.push_back({"Samples", each.title, {}, [path = each.path](Editor& e) {
+                                      e.files.open_scene(path);
+                                  }});
 }
 
 bool has_tour(const Editor& editor)

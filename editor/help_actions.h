@@ -15,6 +15,8 @@ inline constexpr const char* show_hints_action = "Show hints again";
 
 // Each of these scenes can be begun as a tutorial from now on.
 void add_tutorials(Editor& editor, const std::vector<std::string>& paths);
+// Each of the samples can be opened by its name from now on.
+void add_samples(Editor& editor);
 bool has_tour(const Editor& editor);
 void begin_tour(Editor& editor); // the first of them
 

@@ -31,6 +31,7 @@ std::string sample_title(const std::string& path)
         {"crocodile_on_horse", "Crocodile on a horse"},
     }};
     const std::filesystem::path file(path);
+    if (file.parent_path().filename() == "tutorials") return scene_title(path);
     if (file.parent_path().filename() != "scenes") return {};
     for (const auto& [stem, title] : titles)
         if (file.stem() == stem) return std::string(title);

@@ -222,11 +222,13 @@ std::optional<std::string> FileDialog::draw(const Theme& theme)
     move_focus();
     if (just_opened_) ImGui::SetKeyboardFocusHere();
     just_opened_ = false;
+    ImGui::PushAllowKeyboardFocus(focus_ == Focus::field); // else Tab lights it once more
     if (text_field(theme, "path", typed_, request_.saving ? "Name" : "Type or paste a path", width,
                    icon::file) == Edit::changed) {
         problem_.clear();
         selected_ = -1;
     }
+    ImGui::PopAllowKeyboardFocus();
     y += theme.px(32);
     paint_text(theme.font.small, {{left, y}, {rect.hi.x - pad, y + theme.px(20)}}, theme.color.warn,
                problem_);

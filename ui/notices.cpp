@@ -177,8 +177,8 @@ void Notices::draw(Frame& frame, const Rect& in)
     if (act) act();
 }
 
-bool draw_progress(const Theme& theme, const Rect& in, const std::string& what,
-                   const std::string& stage, double fraction)
+ProgressCard draw_progress(const Theme& theme, const Rect& in, const std::string& what,
+                           const std::string& stage, double fraction)
 {
     const float width = std::min(theme.px(440), in.width() - theme.px(32));
     const glm::vec2 size{width, theme.px(76)};
@@ -204,7 +204,7 @@ bool draw_progress(const Theme& theme, const Rect& in, const std::string& what,
     ImGui::SetCursorScreenPos({inside.hi.x - button, inside.lo.y + theme.px(6)});
     const bool cancel = ui::button(theme, "Cancel", ButtonKind::plain, {button, theme.px(32)});
     ImGui::End();
-    return cancel;
+    return {r, cancel};
 }
 
 } // namespace trivar::ui

@@ -53,9 +53,13 @@ private:
 // With a capital, unless it begins with a file's name, and a full stop.
 std::string sentence(std::string text);
 
-// A card at the lower middle of the rectangle that says how far long work is; whether Cancel was
-// pressed. `fraction` below 0: unknown.
-bool draw_progress(const Theme& theme, const Rect& in, const std::string& what,
-                   const std::string& stage, double fraction);
+// A card at the lower middle of the rectangle that says how far long work is. `fraction` below 0:
+// unknown.
+struct ProgressCard {
+    Rect rect;
+    bool cancelled = false;
+};
+ProgressCard draw_progress(const Theme& theme, const Rect& in, const std::string& what,
+                           const std::string& stage, double fraction);
 
 } // namespace trivar::ui

@@ -74,10 +74,11 @@ void recent_scenes(Editor& editor)
 
 void menu_items(Editor& editor, const ui::Theme& theme, const std::string& menu);
 
-void tutorials(Editor& editor, const ui::Theme& theme)
+void menu_beside(Editor& editor, const ui::Theme& theme, const char* menu)
 {
-    if (!ImGui::BeginMenu("Tutorials")) return;
-    menu_items(editor, theme, "Tutorials");
+    if (std::ranges::find(editor.actions, menu, &Action::menu) == editor.actions.end()) return;
+    if (!ImGui::BeginMenu(menu)) return;
+    menu_items(editor, theme, menu);
     ImGui::EndMenu();
 }
 
@@ -161,7 +162,8 @@ void menus(Editor& editor, const ui::Theme& theme)
             open = menu;
             menu_items(editor, theme, menu);
             if (menu == "View") bookmarks(editor);
-            if (menu == "Help") tutorials(editor, theme);
+            if (menu == "Help")
+                for (const char* each : {"Samples", "Tutorials"}) menu_beside(editor, theme, each);
             go_to_neighbour(editor, i);
             editor.menu.beside = GImGui->OpenPopupStack.Size > GImGui->BeginPopupStack.Size;
             ImGui::EndMenu();

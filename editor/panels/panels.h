@@ -53,7 +53,8 @@ bool shows_welcome(const Editor& editor);
 void draw_welcome(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
 void draw_adjustment(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
 void draw_hint_card(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
-void draw_tutorial(Editor& editor, ui::Frame& frame, const ui::Rect& view);
+// Returns where its card lies.
+ui::Rect draw_tutorial(Editor& editor, ui::Frame& frame, const ui::Rect& view);
 
 // A picture of a file, cut to the shape of its place; the place alone till it has been read.
 void paint_picture(Editor& editor, const ui::Theme& theme, const ui::Rect& r,

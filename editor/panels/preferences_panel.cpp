@@ -5,6 +5,7 @@
 #include "ui/icons.h"
 #include "ui/widgets.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <imgui.h>
@@ -36,6 +37,17 @@ void draw_page_names(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
         const float y = r.lo.y + theme.px(12) + theme.px(34) * static_cast<float>(i);
         return ui::Rect{{r.lo.x + theme.px(12), y}, {r.hi.x - theme.px(12), y + theme.px(32)}};
     };
+    const auto turn = [&](int page) {
+        dialog = {};
+        dialog.open = true;
+        dialog.page = page;
+    };
+    const bool list_open = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId);
+    if (dialog.asking.empty() && !dialog.seeking && !list_open && !ImGui::IsAnyItemActive()) {
+        if (ui::struck({ui::key_up}, true)) turn(std::max(dialog.page - 1, 0));
+        if (ui::struck({ui::key_down}, true))
+            turn(std::min(dialog.page + 1, dialog.page_count - 1));
+    }
     int hovered = -1;
     for (int i = 0; i < std::ssize(pages); ++i) {
         const ui::Rect row = place(i);
@@ -43,10 +55,7 @@ void draw_page_names(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
         const bool clicked = ImGui::InvisibleButton(pages[static_cast<std::size_t>(i)].name,
                                                     {row.width(), row.height()});
         if (ImGui::IsItemHovered()) hovered = i;
-        if (!clicked) continue;
-        dialog = {};
-        dialog.open = true;
-        dialog.page = i;
+        if (clicked) turn(i);
     }
     for (int i = 0; i < std::ssize(pages); ++i) {
         const ui::Rect row = place(i);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 namespace trivar {
 namespace {
@@ -87,6 +88,7 @@ std::vector<Hint> hints_here(Editor& editor, const Layout& layout)
 {
     const std::vector<Hint> of_tool = editor.active_tool().hints(editor.session);
     if (editor.active_tool().busy()) return of_tool;
+    if (ImGui::GetTopMostPopupModal()) return {}; // a dialog says its own
     if (editor.timeline.hovered) return timeline_hints(editor.preferences.timeline_open);
     const ImGuiIO& io = ImGui::GetIO();
     if (io.WantTextInput)

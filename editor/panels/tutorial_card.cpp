@@ -67,7 +67,7 @@ void paint_stroke(const Editor& editor, const ui::Theme& theme, const ui::Rect& 
 
 } // namespace
 
-void draw_tutorial(Editor& editor, ui::Frame& frame, const ui::Rect& view)
+ui::Rect draw_tutorial(Editor& editor, ui::Frame& frame, const ui::Rect& view)
 {
     const ui::Theme& theme = frame.theme;
     const ui::Palette& c = theme.color;
@@ -117,6 +117,7 @@ void draw_tutorial(Editor& editor, ui::Frame& frame, const ui::Rect& view)
                 last ? "Done" : "Next", ui::ButtonKind::primary);
     card_button(editor, theme, corner, tutorial_back, "Back", ui::ButtonKind::plain);
     if (closes) action(editor, tutorial_close).run(editor);
+    return r;
 }
 
 } // namespace trivar

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <imgui.h>
+#include <optional>
 
 namespace trivar {
 namespace {
@@ -40,10 +41,12 @@ std::string aside_words(const Editor& editor)
     for (const auto& [id, each] : session.evaluated().objects)
         if (!each->parts.empty() && !std::ranges::binary_search(session.aside, id))
             shown.push_back(id);
+    const std::string key = key_text(action(editor, isolate_action));
+    const std::string back = "  ·  " + (key.empty() ? "Isolate" : key) + " brings the others back";
+    if (shown.empty()) return "What was isolated is hidden" + back;
     const std::string what = shown.size() == 1 ? name_of(session.document(), shown.front())
                                                : std::to_string(shown.size()) + " objects";
-    const std::string key = key_text(action(editor, isolate_action));
-    return "Only " + what + "  ·  " + (key.empty() ? "Isolate" : key) + " brings the others back";
+    return "Only " + what + back;
 }
 
 void labels(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
@@ -79,30 +82,34 @@ void labels(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
         editor.timing, key_text(action(editor, "Timing")));
 }
 
-// Long work is said after a moment, so that quick work does not flicker.
-void progress(Editor& editor, ui::Frame& frame, const ui::Rect& view)
+// Long work is said after a moment, so that quick work does not flicker. Where, if it is.
+std::optional<ui::Rect> progress(Editor& editor, ui::Frame& frame, const ui::Rect& view)
 {
     constexpr double patience_s = 0.25, bar_s = 0.6;
     editor.picture_to_file.advance(editor.session, frame);
     if (editor.picture_to_file.running()) {
         const std::string name = file_name(editor.picture_to_file.path());
-        if (ui::draw_progress(frame.theme, view, "Rendering " + name, {}, -1))
-            editor.picture_to_file.stop();
-        return;
+        const ui::ProgressCard card =
+            ui::draw_progress(frame.theme, view, "Rendering " + name, {}, -1);
+        if (card.cancelled) editor.picture_to_file.stop();
+        return card.rect;
     }
     if (const auto job = editor.session.jobs().status()) {
         frame.again_in(patience_s);
-        if (job->seconds > patience_s &&
-            ui::draw_progress(frame.theme, view, job->what, job->stage, job->fraction))
-            editor.session.jobs().cancel();
-        return;
+        if (job->seconds <= patience_s) return {};
+        const ui::ProgressCard card =
+            ui::draw_progress(frame.theme, view, job->what, job->stage, job->fraction);
+        if (card.cancelled) editor.session.jobs().cancel();
+        return card.rect;
     }
     const BackgroundEvaluator::Status status = editor.session.evaluator().status();
-    if (!status.busy) return;
+    if (!status.busy) return {};
     frame.again_in(patience_s);
-    if (status.seconds > bar_s && !editor.active_tool().busy() &&
-        ui::draw_progress(frame.theme, view, "Working on the scene", status.stage, status.fraction))
-        editor.session.evaluator().cancel();
+    if (status.seconds <= bar_s || editor.active_tool().busy()) return {};
+    const ui::ProgressCard card =
+        ui::draw_progress(frame.theme, view, "Working on the scene", status.stage, status.fraction);
+    if (card.cancelled) editor.session.evaluator().cancel();
+    return card.rect;
 }
 
 constexpr const char* viewport_menu = "viewport menu";
@@ -180,16 +187,22 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     if (!welcome) labels(editor, theme, view);
     if (session.document().render->color_by == ColorBy::stretch) draw_legend(theme, view);
     if (editor.preferences.show_axes) draw_navigation(editor, theme, view);
-    if (editor.tutorial.runs(session))
-        draw_tutorial(editor, frame, view);
-    else if (welcome)
+    ui::Rect above = view, for_notices = view; // nothing covers the buttons of a card
+    const auto keep_free = [&](const ui::Rect& card) {
+        if (ui::Notices::left_of(theme, view) < card.hi.x) for_notices.hi.y = card.lo.y;
+    };
+    if (editor.tutorial.runs(session)) {
+        const ui::Rect card = draw_tutorial(editor, frame, view);
+        above.hi.y = card.lo.y;
+        keep_free(card);
+    } else if (welcome)
         draw_welcome(editor, theme, view);
     else
         draw_hint_card(editor, theme, view);
     draw_adjustment(editor, theme, view);
     ImGui::End();
-    progress(editor, frame, view);
-    session.notices.draw(frame, view);
+    if (const auto card = progress(editor, frame, above)) keep_free(*card);
+    session.notices.draw(frame, for_notices);
 }
 
 } // namespace trivar

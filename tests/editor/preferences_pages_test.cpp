@@ -86,6 +86,23 @@ TEST(PreferencesPages, OpenByTheirNamesInThePalette)
     EXPECT_EQ(rig.editor.preferences_dialog.page, Editor::PreferencesDialog::of_about);
 }
 
+TEST(PreferencesPages, AreGoneThroughByTheArrows)
+{
+    Rig rig({1024, 700});
+    auto& dialog = rig.editor.preferences_dialog;
+    dialog.open = true;
+    rig.frames();
+    rig.key({ui::key_up});
+    EXPECT_EQ(dialog.page, dialog.of_general) << "the first";
+    for (int page = 1; page < dialog.page_count; ++page) {
+        rig.key({ui::key_down});
+        EXPECT_EQ(dialog.page, page);
+    }
+    rig.key({ui::key_down});
+    EXPECT_EQ(dialog.page, dialog.of_about) << "the last";
+    EXPECT_TRUE(dialog.open);
+}
+
 TEST(PreferencesPages, SwitchByTheirNamesInThePalette)
 {
     Rig rig;

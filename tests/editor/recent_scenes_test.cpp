@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/recent_scenes.h"
 
+#include "core/document/log.h"
+#include "editor/help_actions.h"
 #include "tests/editor/rig.h"
 #include "tests/support/fixtures.h"
 
@@ -61,6 +63,21 @@ TEST(StartCard, LeavesAtTheFirstActionAndComesBackByHelp)
     EXPECT_TRUE(shows_welcome(rig.editor));
     rig.key({ui::key_escape});
     EXPECT_FALSE(shows_welcome(rig.editor));
+}
+
+TEST(StartCard, ItsSamplesOpenByTheirNamesToo)
+{
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder.file("scenes"));
+    const std::string path = folder.file("scenes/stacked.trivar");
+    std::ofstream(path) << log_header() << command_line(AddBox{});
+    Rig rig;
+    rig.editor.files.samples = {path};
+    add_samples(rig.editor);
+    action(rig.editor, "Snakes on a crocodile").run(rig.editor);
+    rig.wait();
+    EXPECT_EQ(title_of(rig.editor.session.scene()), "Snakes on a crocodile");
+    EXPECT_EQ(sample_title("/share/tutorials/first_stroke.trivar"), "First stroke");
 }
 
 TEST(StartCard, IsNotThereOverANewScene)

@@ -102,6 +102,17 @@ TEST(Tutorial, GoesForthAndBackByKeysAndDoesNothingToItsScene)
     EXPECT_EQ(read_text_file(path), text);
 }
 
+TEST(Tutorial, ItsButtonsAreCoveredByNoNotice)
+{
+    const TemporaryFolder folder;
+    Lesson lesson(small_tutorial(folder));
+    lesson.editor.session.notices.say(ui::NoticeKind::warning, "There is nothing to place it on");
+    lesson.frames();
+    const ui::Rect view = lesson.layout().view; // the card is nearly as wide
+    lesson.click(view.hi - glm::vec2(50, 48));
+    EXPECT_EQ(lesson.editor.tutorial.step(lesson.editor.session), 2u);
+}
+
 TEST(Tutorial, ShowsAGestureOnItsWayUnlessMotionIsReduced)
 {
     const TemporaryFolder folder;
