@@ -61,6 +61,8 @@ std::optional<HintCard> hint_card(const Editor& editor)
                         "gap."};
     }
     if (editor.tools[editor.tool]->busy()) return {};
+    const BackgroundEvaluator::Status work = session.evaluator().status();
+    if (work.busy && work.seconds > progress_shown_s) return {}; // its bar is there
     std::size_t shapes = 0, placed = 0;
     for (const auto& [id, each] : session.document().objects) {
         shapes += std::holds_alternative<GroupShape>(each->source) ? 0 : 1;

@@ -12,6 +12,8 @@
 
 namespace trivar {
 
+inline constexpr double progress_shown_s = 0.6; // after which working on the scene shows a bar
+
 // Long work that is done once: reading a model, writing a file. Jobs run one after another on a
 // thread of their own; what a job returns is called on the frame thread when it is done.
 class Jobs {

@@ -85,7 +85,7 @@ void labels(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
 // Long work is said after a moment, so that quick work does not flicker. Where, if it is.
 std::optional<ui::Rect> progress(Editor& editor, ui::Frame& frame, const ui::Rect& view)
 {
-    constexpr double patience_s = 0.25, bar_s = 0.6;
+    constexpr double patience_s = 0.25;
     editor.picture_to_file.advance(editor.session, frame);
     if (editor.picture_to_file.running()) {
         const std::string name = file_name(editor.picture_to_file.path());
@@ -105,7 +105,7 @@ std::optional<ui::Rect> progress(Editor& editor, ui::Frame& frame, const ui::Rec
     const BackgroundEvaluator::Status status = editor.session.evaluator().status();
     if (!status.busy) return {};
     frame.again_in(patience_s);
-    if (status.seconds <= bar_s || editor.active_tool().busy()) return {};
+    if (status.seconds <= progress_shown_s || editor.active_tool().busy()) return {};
     const ui::ProgressCard card =
         ui::draw_progress(frame.theme, view, "Working on the scene", status.stage, status.fraction);
     if (card.cancelled) editor.session.evaluator().cancel();

@@ -157,8 +157,9 @@ void PlaceTool::begin(Session& session, const ViewportInput& input)
         return;
     }
     if (session.document().objects.size() < 2) {
-        session.notices.say(ui::NoticeKind::warning, "There is nothing to place it on",
-                            "Drop a scene into the window, or add a primitive, then draw on it.",
+        session.notices.say(ui::NoticeKind::warning, "One object alone lies on nothing",
+                            "Drop a second one into the window, or add one: of the two, one is "
+                            "laid on the other.",
                             of_a_step);
         return;
     }
