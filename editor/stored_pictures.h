@@ -22,6 +22,7 @@ public:
     double shape(const std::string& path, int width_px);
     void forget_gpu() { pictures_.clear(); } // before the context goes
     void poll() { jobs_.poll(); }            // once a frame
+    bool reading() const { return jobs_.status().has_value(); }
 
 private:
     std::map<std::pair<std::string, int>, std::optional<gpu::Texture2D>> pictures_;

@@ -82,7 +82,7 @@ void buttons(Editor& editor, Transport& line)
 struct Room {
     bool title = true, rate = true, range = true;
 };
-constexpr float title_width = 72, rate_width = 72, range_width = 124, rest_width = 292,
+constexpr float title_width = 72, rate_width = 72, range_width = 146, rest_width = 292,
                 least_ruler = 140;
 Room room_in(const ui::Theme& theme, float width, bool with_ruler)
 {
@@ -130,6 +130,7 @@ void numbers(Editor& editor, Transport& line, const Room& room)
                                    width));
             tip("First frame", "first_frame");
         });
+        line.words("to");
         line.field(48, [&](float width) {
             take(ui::integer_field(theme, "last", t.last_frame,
                                    {.lo = static_cast<double>(t.first_frame), .hi = 999999},

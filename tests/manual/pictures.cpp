@@ -26,6 +26,7 @@ struct Window : testing::Rig {
         for (const auto& each : std::filesystem::directory_iterator(checkout + "/assets/scenes"))
             editor.files.samples.push_back(each.path());
         std::ranges::sort(editor.files.samples);
+        editor.sample_pictures = checkout + "/docs/gallery";
         add_tutorials(editor, {checkout + "/assets/tutorials/first_stroke.trivar"});
         frames();
     }
@@ -56,7 +57,9 @@ struct Window : testing::Rig {
     {
         for (int i = 0; i < 6000; ++i) {
             work();
-            if (editor.session.up_to_date() && !editor.session.jobs().status()) break;
+            if (editor.session.up_to_date() && !editor.session.jobs().status() &&
+                !editor.stored_pictures.reading())
+                break;
         }
         editor.adjustment = {};
         editor.session.notices.clear();
