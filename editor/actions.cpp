@@ -131,6 +131,7 @@ void run_keys(Editor& editor)
             tool.cancel(editor.session);
         else
             tool.take_keys(editor.session);
+        ui::swallow_keys();
         return;
     }
     if (editor.files.asking()) return;

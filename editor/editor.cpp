@@ -42,7 +42,6 @@ void apply_preferences(Editor& editor)
     editor.files.scenes_folder = p.scenes_folder;
     editor.files.models_folder = p.models_folder;
     editor.viewport.set_manners(p.mouse);
-    ImGui::GetIO().MouseDoubleClickTime = static_cast<float>(p.mouse.double_click_s);
     const int threads = static_cast<int>(p.threads);
     if (threads == editor.in_force.threads) return;
     editor.in_force = {threads, threads > 0 ? std::make_unique<ThreadLimit>(threads) : nullptr};

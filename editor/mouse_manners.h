@@ -13,7 +13,6 @@ struct MouseManners {
     bool zoom_to_cursor = true;         // else to the middle of the picture
     bool reversed_zoom = false;
     double orbit = 1, pan = 1, zoom = 1; // speeds, times the usual
-    double double_click_s = 0.3;         // two clicks within it are a double click
     bool operator==(const MouseManners&) const = default;
 };
 

@@ -147,7 +147,7 @@ void each_preference(auto& p, const auto& field)
     field("orbit_speed", p.mouse.orbit, 0.1, 10.0);
     field("pan_speed", p.mouse.pan, 0.1, 10.0);
     field("zoom_speed", p.mouse.zoom, 0.1, 10.0);
-    field("double_click_s", p.mouse.double_click_s, 0.1, 2.0);
+    field("double_click_s", p.look.double_click_s, 0.1, 2.0);
     field("keys", p.keys);
     field("discarded_days", p.discarded_days, 1.0, 3650.0);
     field("most_recent", p.most_recent, 0.0, static_cast<double>(most_remembered));

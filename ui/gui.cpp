@@ -136,7 +136,7 @@ Frame Gui::frame(glm::ivec2 size_px, double time_s, bool close_asked, const Draw
     last_time_s_ = time_s;
 
     by_key_ = by_key(by_key_, input_.events()); // what opened since
-    input_.begin_frame(time_s);
+    input_.begin_frame(time_s, theme_.look.double_click_s);
     Contexts::use_gpu();
     let_menus_have_the_keyboard();
     ImGui_ImplOpenGL3_NewFrame();

@@ -8,9 +8,7 @@
 namespace trivar::ui {
 namespace {
 
-// Between the two presses of a double click; and what makes ImGui take a press for a second one,
-// if it is in the same place, or never.
-constexpr double double_click_s = 0.3;
+// What makes ImGui take a press for a second one, if it is in the same place, or never.
 constexpr float always_s = 1e9f, never_s = -1;
 
 bool is_modifier(const Event& event)
@@ -63,7 +61,7 @@ Event drop_files(std::vector<std::string> paths)
     return {.kind = Event::Kind::drop, .paths = std::move(paths)};
 }
 
-void Input::begin_frame(double time_s)
+void Input::begin_frame(double time_s, double double_click_s)
 {
     ImGui::GetIO().MouseDoubleClickTime = never_s;
     taken_.clear();
@@ -75,13 +73,13 @@ void Input::begin_frame(double time_s)
         if (pressed && (press || next.kind == Event::Kind::move)) break;
         // Modifiers going down belong to the press that follows them.
         if (press && !(is_modifier(next) && next.down)) pressed = true;
-        tell(next, time_s);
+        tell(next, time_s, double_click_s);
         taken_.push_back(std::move(waiting_.front()));
         waiting_.pop_front();
     }
 }
 
-void Input::tell(const Event& event, double time_s)
+void Input::tell(const Event& event, double time_s, double double_click_s)
 {
     ImGuiIO& io = ImGui::GetIO();
     switch (event.kind) {

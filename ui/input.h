@@ -38,11 +38,11 @@ public:
 
     // Takes the events of one frame and tells the current ImGui context. Two presses are a double
     // click by when they were made, however long the frames between them took.
-    void begin_frame(double time_s);
+    void begin_frame(double time_s, double double_click_s = 0.3);
     const std::vector<Event>& events() const { return taken_; } // of this frame, in order
 
 private:
-    void tell(const Event& event, double time_s);
+    void tell(const Event& event, double time_s, double double_click_s);
 
     std::deque<Event> waiting_;
     std::vector<Event> taken_;

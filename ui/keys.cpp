@@ -95,6 +95,12 @@ bool is_down(int key)
     return ImGui::IsKeyDown(key);
 }
 
+void swallow_keys()
+{
+    for (float& held_s : ImGui::GetIO().KeysDownDuration)
+        if (held_s == 0) held_s = 1e-6f;
+}
+
 bool struck(const Chord& chord, bool again)
 {
     return !ImGui::GetIO().WantTextInput && pressed(chord, again);

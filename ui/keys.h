@@ -67,6 +67,8 @@ bool struck(const Chord& chord, bool again = false);
 // The same while somebody types, of chords that are no letter.
 bool struck_while_typing(const Chord& chord);
 bool is_down(int key);
+// Who asks later in this frame hears of no key that was struck in it.
+void swallow_keys();
 // Whichever was struck in this frame: a key that is not only held beside others.
 std::optional<Chord> struck_chord();
 

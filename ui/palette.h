@@ -47,10 +47,11 @@ Palette light_palette();
 
 // What a person chose. High contrast: no text is quieter than another, and overlays are wider.
 // Other hues: overlays that differ from each other for eyes of every kind. Lines on the picture are
-// so many times wider; a mouse that rests gets a tooltip after so long.
+// so many times wider; a mouse that rests gets a tooltip after so long, and two clicks within so
+// long are a double click.
 struct Look {
     bool light = false, high_contrast = false, other_hues = false;
-    double lines = 1, tooltip_s = 0.5;
+    double lines = 1, tooltip_s = 0.5, double_click_s = 0.3;
     bool operator==(const Look&) const = default;
 };
 Palette palette_of(const Look& look);

@@ -108,7 +108,8 @@ void draw_mouse_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
     speed_row(theme, "Orbit speed", m.orbit);
     speed_row(theme, "Pan speed", m.pan);
     speed_row(theme, "Zoom speed", m.zoom);
-    choice_row(theme, "Double click", m.double_click_s, was.double_click_s,
+    choice_row(theme, "Double click", editor.preferences.look.double_click_s,
+               usual_preferences().look.double_click_s,
                {{0.2, "Quick"}, {0.3, "Usual"}, {0.5, "Slow"}, {0.8, "Slower"}});
     foot_note(
         theme, r,

@@ -117,7 +117,10 @@ void reset_preferences_page(Editor& editor)
         p.show_axes = usual.show_axes;
         p.show_timing = usual.show_timing;
         break;
-    case dialog.of_mouse: p.mouse = usual.mouse; break;
+    case dialog.of_mouse:
+        p.mouse = usual.mouse;
+        p.look.double_click_s = usual.look.double_click_s;
+        break;
     case dialog.of_keys:
         p.keys.clear();
         use_keys(editor.actions, p.keys);
@@ -136,10 +139,11 @@ void reset_preferences_page(Editor& editor)
         p.threads = usual.threads;
         break;
     case dialog.of_accessibility: {
-        const bool light = p.look.light;
+        const ui::Look was = p.look;
         p.scale = usual.scale;
         p.look = usual.look;
-        p.look.light = light;
+        p.look.light = was.light;
+        p.look.double_click_s = was.double_click_s;
         p.reduced_motion = usual.reduced_motion;
         break;
     }

@@ -71,6 +71,8 @@ const char* why_no_stroke(const Session& session, Id model)
 {
     if (model == 0) return "There is no model to lay";
     if (session.document().objects.size() < 2) return "There is nothing to lie on";
+    if (!session.aside.empty() && bases_of(session, model).empty())
+        return "What it could lie on is set aside";
     return "";
 }
 
@@ -161,6 +163,11 @@ void PlaceTool::begin(Session& session, const ViewportInput& input)
                             "Drop a second one into the window, or add one: of the two, one is "
                             "laid on the other.",
                             of_a_step);
+        return;
+    }
+    if (!session.aside.empty() && bases_of(session, model_).empty()) {
+        session.notices.say(ui::NoticeKind::warning, "What it could lie on is set aside",
+                            "Bring the other objects back, then draw the stroke again.", of_a_step);
         return;
     }
     drawing_ = true;

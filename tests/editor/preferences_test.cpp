@@ -28,12 +28,12 @@ TEST(Preferences, ComeBackFromTheirText)
     p.ask_to_keep = p.grid = p.show_axes = p.show_timing = false;
     p.pace = "30";
     p.threads = 3;
-    p.mouse = {"trackpad", "super", "origin", false, true, 0.5, 2, 3, 0.8};
+    p.mouse = {"trackpad", "super", "origin", false, true, 0.5, 2, 3};
     p.discarded_days = 90;
     p.most_recent = 4;
     p.scenes_folder = "~/scenes";
     p.models_folder = "/models";
-    p.look = {.high_contrast = true, .lines = 1.5, .tooltip_s = 2};
+    p.look = {.high_contrast = true, .lines = 1.5, .tooltip_s = 2, .double_click_s = 0.8};
     p.keys = {{"Undo", {{.key = 'U', .ctrl = true}}}, {"Redo", {}}};
     EXPECT_EQ(preferences_from(text_of(p)), p);
 }

@@ -13,12 +13,14 @@ struct Clicks {
     double apart_s = 0.2, doubt_s = 0;
     int frames_between = 1;
     float moved_px = 0;
+    double asked_s = 0.3;
 
     int doubles() const
     {
         HeadlessFrames screen{{320, 120}};
         int count = 0;
-        const DrawFrame body = [&](Frame&) {
+        const DrawFrame body = [&](Frame& frame) {
+            frame.look.double_click_s = asked_s;
             count += ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) ? 1 : 0;
         };
         screen.frames(2, body);
@@ -47,9 +49,33 @@ TEST(DoubleClick, IsNoneWhereThePressesWereTooFarApart)
     EXPECT_EQ((Clicks{.moved_px = 20}.doubles()), 0);
 }
 
+TEST(DoubleClick, IsAsSlowAsAPersonAskedFor)
+{
+    EXPECT_EQ((Clicks{.apart_s = 0.5, .asked_s = 0.8}.doubles()), 1);
+    EXPECT_EQ((Clicks{.apart_s = 0.25, .asked_s = 0.2}.doubles()), 0);
+}
+
 TEST(DoubleClick, IsOneWhereTheSecondPressMayHaveBeenMadeInTime)
 {
     EXPECT_EQ((Clicks{.apart_s = 0.5, .doubt_s = 0.3}.doubles()), 1);
+}
+
+TEST(Keys, AreHeardOfByNobodyAfterTheyWereSwallowed)
+{
+    HeadlessFrames screen{{320, 120}};
+    int before = 0, after = 0;
+    const DrawFrame body = [&](Frame&) {
+        before += struck({key_backspace}) ? 1 : 0;
+        swallow_keys();
+        after += struck({key_backspace}) ? 1 : 0;
+    };
+    for (int i = 0; i < 2; ++i) {
+        screen.input().push(press_key(key_backspace));
+        screen.input().push(press_key(key_backspace, false));
+        screen.frames(4, body);
+    }
+    EXPECT_EQ(before, 2);
+    EXPECT_EQ(after, 0);
 }
 
 TEST(Keys, RepeatWhileTheyAreHeldWhereThatIsWanted)

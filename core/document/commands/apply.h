@@ -70,6 +70,7 @@ std::set<Id> with_contents(const Document& document, std::set<Id> ids);
 
 // Throws Rejected where groups nest too deep below it.
 void check_depth(const Document& document, Id group);
+void check_own_depth(const Document& document, Id id); // of that one alone
 
 void check_transform(const Transform& transform);
 // Rotation, scale and translation of an affine matrix; what shear it has is lost.

@@ -55,11 +55,15 @@ std::vector<Id> outermost(const Document& document, const std::vector<Id>& ids)
 
 } // namespace
 
+void check_own_depth(const Document& document, Id id)
+{
+    if (depth(document, id) > deepest)
+        throw Rejected(fmt::format("groups nest at most {} deep", deepest));
+}
+
 void check_depth(const Document& document, Id group)
 {
-    for (const Id id : with_contents(document, {group}))
-        if (depth(document, id) > deepest)
-            throw Rejected(fmt::format("groups nest at most {} deep", deepest));
+    for (const Id id : with_contents(document, {group})) check_own_depth(document, id);
 }
 
 Document applied(Document document, const Group& command)

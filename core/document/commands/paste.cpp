@@ -149,9 +149,7 @@ Document applied(Document document, const Paste& command)
             throw Rejected(fmt::format("field \"copies\" has object {} twice", copy.object));
         document = with_added(std::move(document), std::move(pasted));
     }
-    for (const auto& [copied_id, id] : made)
-        if (std::holds_alternative<GroupShape>(object(document, id).source))
-            check_depth(document, id);
+    for (const auto& [copied_id, id] : made) check_own_depth(document, id);
     // First what lies on something known: what is laid over all that is there keeps off from below.
     for (const bool known : {true, false})
         for (const CopiedObject& copy : command.copies) {
