@@ -11,13 +11,36 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 namespace trivar {
 
+namespace {
+
+std::string free_path(const Session& session)
+{
+    return numbered_name(
+        std::filesystem::absolute(session.scene().path()).replace_extension(".png").string());
+}
+
+} // namespace
+
 void PictureToFile::begin(const Session& session, int width_px)
 {
-    path_ = numbered_name(
-        std::filesystem::absolute(session.scene().path()).replace_extension(".png").string());
+    path_ = free_path(session);
+    wanted_px_ = width_px;
+}
+
+void PictureToFile::stop()
+{
+    renderer_.reset();
+    wanted_px_ = 0;
+}
+
+void PictureToFile::draw(const Session& session)
+{
+    path_ = free_path(session); // something may have been written meanwhile
+    const int width_px = std::exchange(wanted_px_, 0);
     const glm::dvec2 view = session.camera.size_px;
     const glm::ivec2 size_px(
         width_px,
@@ -33,6 +56,11 @@ void PictureToFile::begin(const Session& session, int width_px)
 void PictureToFile::advance(Session& session, ui::Frame& frame)
 {
     constexpr double budget_ms = 40; // as for the window's own picture
+    if (wanted_px_ > 0) {
+        frame.again_in(0.05);
+        if (!session.up_to_date() || session.jobs().status()) return;
+        draw(session);
+    }
     if (!renderer_) return;
     frame.again_in(0);
     if (!renderer_->advance(budget_ms)) return;

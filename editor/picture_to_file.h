@@ -15,16 +15,20 @@ namespace trivar {
 // file under the next free number. It is drawn a piece a frame, so the window goes on.
 class PictureToFile {
 public:
-    bool running() const { return renderer_ != nullptr; }
+    bool running() const { return wanted_px_ > 0 || renderer_; }
     const std::string& path() const { return path_; }
-    // `width_px` wide, in the shape of the viewport. Needs the scene's file, for its folder.
+    // `width_px` wide, in the shape of the viewport, as soon as the scene is evaluated and nothing
+    // else is being read or written. Needs the scene's file, for its folder.
     void begin(const Session& session, int width_px);
     void advance(Session& session, ui::Frame& frame); // once a frame, in the window's context
-    void stop() { renderer_.reset(); }
+    void stop();
 
 private:
+    void draw(const Session& session);
+
     std::unique_ptr<gpu::Renderer> renderer_;
     std::string path_;
+    int wanted_px_ = 0; // till it begins
     Stretches stretches_;
 };
 
