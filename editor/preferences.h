@@ -39,9 +39,9 @@ struct Preferences {
     bool operator==(const Preferences&) const = default;
 };
 
-// Text of JSON. What is of another type, or no JSON at all, is as if it were not there, and a number
-// out of its range is the nearest in it, for a program must start whatever its settings say; `odd`
-// names both, "the whole file" where it is none at all. Lists are cut at their longest.
+// Text of JSON. What is of another type, or no JSON at all, is as if it were not there, and a
+// number out of its range is the nearest in it, for a program must start whatever its settings say;
+// `odd` names both, "the whole file" where it is none at all. Lists are cut at their longest.
 struct ReadPreferences {
     Preferences preferences;
     std::vector<std::string> odd;
