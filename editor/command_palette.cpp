@@ -58,6 +58,7 @@ Command about_selection(const Command& command, const Editor& editor)
     if (auto* c = std::get_if<Place>(&ready)) { // in the present view
         c->sketch.camera = session.camera;
         c->object = model_to_place(session, 0);
+        c->onto = bases_for_stroke(session, c->object);
     }
     if (auto* c = std::get_if<SaveCamera>(&ready)) *c = {"View", session.camera};
     if (auto* c = std::get_if<DeleteCamera>(&ready); c && !document.bookmarks.empty())

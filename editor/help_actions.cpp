@@ -3,7 +3,7 @@
 
 #include "editor/hints.h"
 #include "editor/panels/panels.h"
-#include "editor/panels/welcome.h"
+#include "editor/samples.h"
 
 #include <algorithm>
 
@@ -84,7 +84,7 @@ void add_tutorials(Editor& editor, const std::vector<std::string>& paths)
 
 void add_samples(Editor& editor)
 {
-    for (const Sample& each : samples_of(editor.files))
+    for (const Sample& each : samples_among(editor.files.samples))
         editor.actions.push_back({"Samples", each.title, {}, [path = each.path](Editor& e) {
                                       e.files.open_scene(path);
                                   }});

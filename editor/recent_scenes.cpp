@@ -22,22 +22,6 @@ std::string scene_title(const std::string& path)
     return name;
 }
 
-std::string sample_title(const std::string& path)
-{
-    constexpr std::array<std::array<std::string_view, 2>, 4> titles{{
-        {"first_placement", "Snake on a landscape"},
-        {"stacked", "Snakes on a crocodile"},
-        {"snake_bridge", "Snake over jars"},
-        {"crocodile_on_horse", "Crocodile on a horse"},
-    }};
-    const std::filesystem::path file(path);
-    if (file.parent_path().filename() == "tutorials") return scene_title(path);
-    if (file.parent_path().filename() != "scenes") return {};
-    for (const auto& [stem, title] : titles)
-        if (file.stem() == stem) return std::string(title);
-    return {};
-}
-
 std::string day_words(std::time_t then, std::time_t now)
 {
     constexpr std::array<const char*, 12> months{"January",   "February", "March",    "April",

@@ -17,10 +17,6 @@ struct RecentScene {
 // The name of a file as the title of what is in it: first_placement.trivar is First placement.
 std::string scene_title(const std::string& path);
 
-// What a sample or a tutorial is called, by its file; empty: it is none that has a title of its
-// own.
-std::string sample_title(const std::string& path);
-
 // "Today, 14:20", "Yesterday", "12 March", "12 March 2023": as one would say it now, local time.
 std::string day_words(std::time_t then, std::time_t now);
 

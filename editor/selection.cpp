@@ -3,6 +3,7 @@
 
 #include "editor/picture.h"
 #include "editor/recent_scenes.h"
+#include "editor/samples.h"
 #include "editor/session.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "editor/time_actions.h"
 
 #include "editor/editor.h"
-#include "editor/panels/timeline.h"
+#include "editor/travel_time.h"
 
 namespace trivar {
 namespace {

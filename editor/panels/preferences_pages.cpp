@@ -132,12 +132,12 @@ void draw_files_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
     if (!dialog.discarded)
         dialog.discarded = SceneFile::set_aside_in(editor.session.unnamed_folder()).size();
     const std::size_t count = *dialog.discarded;
-    const float x = ui::label_row(theme, "").width > 0 ? ImGui::GetCursorScreenPos().x : r.lo.x;
-    const float y = ImGui::GetCursorScreenPos().y;
+    ui::label_row(theme, "");
     if (count == 0) {
+        const ImVec2 at = ImGui::GetCursorScreenPos();
         ImGui::Dummy({1, theme.size.row});
-        ui::paint_text(theme.font.body, {{x, y}, {r.hi.x, y + theme.size.row}}, theme.color.text_3,
-                       "There are none");
+        ui::paint_text(theme.font.body, {{at.x, at.y}, {r.hi.x, at.y + theme.size.row}},
+                       theme.color.text_3, "There are none");
     } else if (ui::button(theme,
                           fmt::format("Show the {}...", count == 1
                                                             ? "one there is"

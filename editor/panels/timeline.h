@@ -2,6 +2,7 @@
 #pragma once
 
 #include "editor/panels/panels.h"
+#include "editor/travel_time.h"
 
 namespace trivar {
 
@@ -24,18 +25,6 @@ FrameScale track_scale(const ui::Theme& theme, const ui::Rect& timeline, const E
 // so many sideways: not less than ten, not more than all.
 glm::dvec2 zoomed_frames(glm::dvec2 shown, const Time& time, double frame, double notches);
 glm::dvec2 rolled_frames(glm::dvec2 shown, const Time& time, double notches);
-
-// When an object moves, in frames; `endless`: `end` is past the last frame.
-struct TravelBar {
-    double begin = 0, end = 0;
-    bool endless = false;
-};
-// Nothing where it was not evaluated, being hidden.
-std::optional<TravelBar> bar_of(const Session& session, Id id);
-
-// The frames of the scene with as many whole seconds more as let everything that comes to an end
-// come there; nothing where it does already.
-std::optional<Time> time_with_room(const Session& session);
 
 // A row for each object that travels, with its bar to drag.
 void draw_tracks(Editor& editor, const ui::Theme& theme, const ui::Rect& names,

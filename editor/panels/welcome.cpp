@@ -181,7 +181,7 @@ bool shows_welcome(const Editor& editor)
 void draw_welcome(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
 {
     const float pad = theme.px(30), drop = theme.px(56), below = theme.px(16);
-    const std::vector<Sample> samples = samples_of(editor.files);
+    const std::vector<Sample> samples = samples_among(editor.files.samples);
     const bool two_columns = !samples.empty() && view.width() >= theme.px(544);
     const glm::vec2 wanted{theme.px(two_columns ? 832 : 360), theme.px(two_columns ? 478 : 440)};
     const bool roomy = view.height() > theme.px(440);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "editor/editor.h"
+#include "editor/samples.h"
 #include "ui/paint.h"
 
 #include <string>
@@ -11,10 +12,6 @@
 
 namespace trivar {
 
-struct Sample {
-    std::string path, title, words;
-};
-std::vector<Sample> samples_of(const Files& files); // those to be shown
 // Two in a row, with the way to the tour above them.
 void draw_samples(Editor& editor, const ui::Theme& theme, const ui::Rect& column,
                   const std::vector<Sample>& samples);

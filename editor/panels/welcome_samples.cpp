@@ -12,19 +12,6 @@
 namespace trivar {
 namespace {
 
-constexpr std::size_t most_samples = 4;
-
-// The samples that are shown first.
-struct SampleWords {
-    const char *file, *words;
-};
-constexpr std::array<SampleWords, 4> known_samples{{
-    {"first_placement", "One stroke"},
-    {"stacked", "One on another"},
-    {"snake_bridge", "Springs bridge gaps"},
-    {"crocodile_on_horse", "Laid on a body"},
-}};
-
 // Drawn by the program; a test compares it with what the program draws.
 std::string picture_of_sample(const Editor& editor, const std::string& path)
 {
@@ -52,25 +39,6 @@ void draw_sample(Editor& editor, const ui::Theme& theme, const ui::Rect& r, floa
 }
 
 } // namespace
-
-std::vector<Sample> samples_of(const Files& files)
-{
-    std::vector<Sample> samples;
-    const auto stem = [](const std::string& path) {
-        return std::filesystem::path(path).stem().string();
-    };
-    for (const SampleWords& each : known_samples)
-        for (const std::string& path : files.samples)
-            if (stem(path) == each.file) {
-                const std::string title = sample_title(path);
-                samples.push_back({path, title.empty() ? scene_title(path) : title, each.words});
-            }
-    for (const std::string& path : files.samples)
-        if (!std::ranges::count(samples, path, &Sample::path))
-            samples.push_back({path, scene_title(path), {}});
-    if (samples.size() > most_samples) samples.resize(most_samples);
-    return samples;
-}
 
 float draw_caption(const ui::Theme& theme, const ui::Rect& column, float y, const char* words)
 {

@@ -57,23 +57,23 @@ bool carries(const EvaluatedObject& furniture, const Evaluated& evaluated)
     });
 }
 
-// What its strokes fall on; none: whatever is visible. What is left aside is not meant.
-std::vector<Id> bases_of(const Session& session, Id model)
+// Why no stroke can begin anywhere, and what would help; nothing: it can.
+struct Refusal {
+    const char *what, *remedy;
+};
+std::optional<Refusal> refusal(const Session& session, Id model)
 {
-    if (session.aside.empty()) return {};
-    std::vector<Id> bases = possible_bases(session.committed(), model);
-    std::erase_if(bases, [&](Id id) { return std::ranges::binary_search(session.aside, id); });
-    return bases;
-}
-
-// Why no stroke can begin anywhere; empty: it can.
-const char* why_no_stroke(const Session& session, Id model)
-{
-    if (model == 0) return "There is no model to lay";
-    if (session.document().objects.size() < 2) return "There is nothing to lie on";
-    if (!session.aside.empty() && bases_of(session, model).empty())
-        return "What it could lie on is set aside";
-    return "";
+    if (model == 0)
+        return Refusal{"There is no model to lay",
+                       "Drop a model into the window, then draw the stroke again."};
+    if (session.document().objects.size() < 2)
+        return Refusal{"One object alone lies on nothing",
+                       "Drop a second one into the window, or add one: of the two, one is laid on "
+                       "the other."};
+    if (!session.aside.empty() && bases_for_stroke(session, model).empty())
+        return Refusal{"What it could lie on is set aside",
+                       "Bring the other objects back, then draw the stroke again."};
+    return {};
 }
 
 // Nothing can be done here: a ring with a bar across.
@@ -90,6 +90,14 @@ void paint_no(const ui::Theme& theme, glm::vec2 at)
 }
 
 } // namespace
+
+std::vector<Id> bases_for_stroke(const Session& session, Id model)
+{
+    if (session.aside.empty()) return {};
+    std::vector<Id> bases = possible_bases(session.committed(), model);
+    std::erase_if(bases, [&](Id id) { return std::ranges::binary_search(session.aside, id); });
+    return bases;
+}
 
 Id model_to_place(const Session& session, Id chosen)
 {
@@ -130,10 +138,11 @@ Command PlaceTool::command(const Session& session) const
         PlacementParameters parameters = parameters_;
         if (width_ > 0) parameters.width = width_;
         parameters.width_profile = brush_profile(drawn.samples, brush_);
-        return Place{model_, drawn, std::move(parameters), bases_of(session, model_)};
+        return Place{model_, drawn, std::move(parameters), bases_for_stroke(session, model_)};
     }
     // A new stroke for what was placed before keeps how it lies.
-    EditPlacement edit{model_, model.placement->parameters, drawn, bases_of(session, model_)};
+    EditPlacement edit{model_, model.placement->parameters, drawn,
+                       bases_for_stroke(session, model_)};
     if (width_ > 0) edit.parameters.width = width_;
     if (!redrawing_) {
         if (brush_ != Brush::even)
@@ -153,21 +162,8 @@ void PlaceTool::begin(Session& session, const ViewportInput& input)
 {
     redrawing_ = on_line_;
     model_ = redrawing_ ? session.selected : model_to_place(session, chosen_);
-    if (model_ == 0) {
-        session.notices.say(ui::NoticeKind::warning, "There is no model to place",
-                            "Drop a model into the window, then draw the stroke again.", of_a_step);
-        return;
-    }
-    if (session.document().objects.size() < 2) {
-        session.notices.say(ui::NoticeKind::warning, "One object alone lies on nothing",
-                            "Drop a second one into the window, or add one: of the two, one is "
-                            "laid on the other.",
-                            of_a_step);
-        return;
-    }
-    if (!session.aside.empty() && bases_of(session, model_).empty()) {
-        session.notices.say(ui::NoticeKind::warning, "What it could lie on is set aside",
-                            "Bring the other objects back, then draw the stroke again.", of_a_step);
+    if (const auto no = refusal(session, model_)) {
+        session.notices.say(ui::NoticeKind::warning, no->what, no->remedy, of_a_step);
         return;
     }
     drawing_ = true;
@@ -190,9 +186,13 @@ void PlaceTool::use(Session& session, const ViewportInput& input)
                    nearest_on_line(*laid->placement, session.camera, input.mouse).distance_px <
                        near_line_px * input.scale;
         const Id model = on_line_ ? 0 : model_to_place(session, chosen_);
-        why_not_ = on_line_ || !input.hovered ? "" : why_no_stroke(session, model);
-        if (!on_line_ && input.hovered && why_not_.empty() && input.seen_at(input.mouse) == 0)
-            why_not_ = "Nothing to lie on is under the mouse";
+        why_not_.clear();
+        if (!on_line_ && input.hovered) {
+            if (const auto no = refusal(session, model))
+                why_not_ = no->what;
+            else if (input.seen_at(input.mouse) == 0)
+                why_not_ = "Nothing to lie on is under the mouse";
+        }
         if (input.pressed && !session.committing()) begin(session, input);
     }
     if (!drawing_) return;

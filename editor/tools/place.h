@@ -49,7 +49,7 @@ private:
     Id model_ = 0;  // of the stroke that is being drawn
     bool drawing_ = false, redrawing_ = false;
     bool on_line_ = false; // the mouse is where a stroke would redraw the old one
-    std::string why_not_;  // no stroke can begin where the mouse is
+    std::string why_not_;  // what speaks against a stroke that begins at the mouse
     StrokeDrawing stroke_;
     Brush brush_ = Brush::even;
     double pressure_ = 0.5;          // of a hand without a pen: what the wheel makes of it
@@ -63,5 +63,8 @@ private:
 // What a stroke would lay down: the chosen object, else the selected one unless it is the oldest,
 // else the newest one that is not placed yet; 0 where there is none. Groups cannot be laid.
 Id model_to_place(const Session& session, Id chosen);
+
+// What its strokes fall on; none: whatever is visible. What is left aside is not meant.
+std::vector<Id> bases_for_stroke(const Session& session, Id model);
 
 } // namespace trivar

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/recent_scenes.h"
+#include "editor/samples.h"
 
 #include "core/document/log.h"
 #include "editor/help_actions.h"

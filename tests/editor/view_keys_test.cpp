@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What keys change of the window's picture alone.
 #include "editor/actions.h"
+#include "editor/command_palette.h"
 #include "tests/editor/boxes.h"
 #include "tests/support/fixtures.h"
 
@@ -78,6 +79,10 @@ TEST(Isolate, LeavesWhatIsNotShownOutOfStrokes)
     rig.editor.session.selected.set({1, 2});
     rig.key({ui::key_slash});
     rig.editor.session.selected = 2;
+    for (const PaletteEntry& each : palette_commands(rig.editor))
+        if (each.name == "Place") {
+            EXPECT_THAT(std::get<Place>(*each.fill).onto, ElementsAre(1));
+        }
     rig.key({'P'});
     rig.draw(rig.stroke());
     rig.wait();

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <imgui.h>
+#include <span>
 
 namespace trivar::ui {
 namespace {
@@ -40,18 +41,27 @@ struct Typist {
     }
 };
 
+// Numbers from 0 to 10, one under the other.
+DrawFrame fields(std::span<double> values)
+{
+    return [values](Frame& frame) {
+        ImGui::SetNextWindowPos({0, 0});
+        ImGui::SetNextWindowSize({360, 180});
+        ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            ImGui::SetCursorScreenPos({20, 20 + 40 * static_cast<float>(i)});
+            number_field(frame.theme, "number " + std::to_string(i), values[i], {.lo = 0, .hi = 10},
+                         120);
+        }
+        ImGui::End();
+    };
+}
+
 // A number from 0 to 10 that is being typed; its value at the end.
 double typed(double value, const std::vector<std::string>& tries)
 {
     Typist hand;
-    hand.body = [&](Frame& frame) {
-        ImGui::SetNextWindowPos({0, 0});
-        ImGui::SetNextWindowSize({360, 180});
-        ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration);
-        ImGui::SetCursorScreenPos({20, 20});
-        number_field(frame.theme, "number", value, {.lo = 0, .hi = 10}, 120);
-        ImGui::End();
-    };
+    hand.body = fields({&value, 1});
     hand.screen.frames(2, hand.body);
     hand.click({60, 30});
     for (const std::string& text : tries) {
@@ -79,14 +89,7 @@ TEST(NumberField, SaysThatWhatIsLeftWasNotTaken)
 {
     Typist hand;
     double value = 2;
-    hand.body = [&](Frame& frame) {
-        ImGui::SetNextWindowPos({0, 0});
-        ImGui::SetNextWindowSize({360, 180});
-        ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration);
-        ImGui::SetCursorScreenPos({20, 20});
-        number_field(frame.theme, "number", value, {.lo = 0, .hi = 10}, 120);
-        ImGui::End();
-    };
+    hand.body = fields({&value, 1});
     hand.screen.frames(2, hand.body);
     const auto resting = hand.screen.picture().rgba;
     hand.click({60, 30});
@@ -118,16 +121,7 @@ TEST(NumberField, GivesItsValueToOthersByTheRightButton)
 {
     Typist hand;
     std::array<double, 2> values{2.5, 7};
-    hand.body = [&](Frame& frame) {
-        ImGui::SetNextWindowPos({0, 0});
-        ImGui::SetNextWindowSize({360, 180});
-        ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration);
-        for (const std::size_t i : {0u, 1u}) {
-            ImGui::SetCursorScreenPos({20, 20 + 40 * static_cast<float>(i)});
-            number_field(frame.theme, i == 0 ? "one" : "two", values[i], {.lo = 0, .hi = 10}, 160);
-        }
-        ImGui::End();
-    };
+    hand.body = fields(values);
     const auto choose = [&](glm::vec2 field, int entry) {
         hand.screen.input().push(move_to(field));
         hand.screen.input().push(press(Button::right));

@@ -37,7 +37,7 @@ template <class T> std::string type_name()
     else if constexpr (std::is_same_v<T, CopiedPlacement>)
         return "[placement](#placement)";
     else if constexpr (std::is_same_v<T, KnownObject>)
-        return "known object";
+        return "[base](#base)";
     else if constexpr (std::is_same_v<T, Surfacing>)
         return "values of [set_material](#set_material)";
     else if constexpr (std::is_same_v<T, Travel>)
@@ -168,6 +168,7 @@ std::string commands_markdown()
     text += "## sketch\n\nA stroke and the view it was drawn in.\n\n" + field_table(Sketch{});
     text += "## object\n\nAn object as it is copied.\n\n" + field_table(CopiedObject{});
     text += "## placement\n\nHow a copied object lies.\n\n" + field_table(CopiedPlacement{});
+    text += "## base\n\nWhat a copied object lay on.\n\n" + field_table(KnownObject{});
     text.pop_back();
     return text;
 }

@@ -14,8 +14,7 @@ template <> struct FieldsOf<Travel> {
               between(-1e6, 1e6));
         field("ends", t.ends,
               "what it does where its stroke ends: it stops, is not shown any more, goes straight "
-              "on, "
-              "goes on from the other end, or turns back");
+              "on, goes on from the other end, or turns back");
         field("ease_in", t.ease_in, "seconds from rest to that speed", between(0, 1e6));
         field("ease_out", t.ease_out, "seconds from that speed to rest, where it stops or turns",
               between(0, 1e6));
