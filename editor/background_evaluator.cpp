@@ -26,10 +26,10 @@ BackgroundEvaluator::~BackgroundEvaluator()
     thread_.join();
 }
 
-long BackgroundEvaluator::submit(Document document, double frame)
+long BackgroundEvaluator::submit(Document document, double frame, bool deform_parts)
 {
     const std::lock_guard lock(mutex_);
-    waiting_ = Asked{std::move(document), frame};
+    waiting_ = Asked{std::move(document), frame, deform_parts};
     something_new_.notify_one();
     return ++submitted_;
 }
@@ -81,6 +81,7 @@ void BackgroundEvaluator::work(const std::stop_token& stop)
         };
         try {
             result.evaluated = evaluator_(asked.document, asked.frame, progress);
+            if (asked.deform_parts) deform_parts(result.evaluated);
         } catch (const Cancelled&) {
             result.problem = "The evaluation was stopped.";
         } catch (const std::exception& trouble) {

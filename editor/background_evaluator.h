@@ -22,7 +22,8 @@ public:
     BackgroundEvaluator(const BackgroundEvaluator&) = delete;
     BackgroundEvaluator& operator=(const BackgroundEvaluator&) = delete;
 
-    long submit(Document document, double frame); // its ticket: 1, 2, ...
+    // Its ticket: 1, 2, ... Parts are deformed here where that is wanted, else by who asks them.
+    long submit(Document document, double frame, bool deform_parts = true);
 
     struct Result {
         long ticket = 0;
@@ -50,6 +51,7 @@ private:
     struct Asked {
         Document document;
         double frame;
+        bool deform_parts;
     };
     std::optional<Asked> waiting_;
     std::optional<Result> finished_;

@@ -17,16 +17,17 @@ gpu::Picture picture_of(const Evaluated& evaluated, const Document& document, co
     for (const auto& [id, ref] : evaluated.objects)
         for (const Part& part : ref->parts) {
             gpu::Instance instance;
-            instance.mesh = part.mesh;
             instance.to_world = part.to_world;
             instance.materials = ref->materials;
             instance.id = id;
-            if (part.rest) instance.rest = part.rest->mesh;
-            if (by != gpu::DeformBy::processor && part.rest && ref->volume) {
-                instance.mesh = part.rest->mesh;
-                instance.stages = {{ref->volume, part.rest->embedding}};
+            if (part.bent && by != gpu::DeformBy::processor) {
+                instance.mesh = part.bent->rest;
+                instance.stages = {{part.bent->volume, part.bent->embedding}};
+            } else {
+                instance.mesh = part.mesh();
+                if (part.bent) instance.rest = part.bent->rest;
             }
-            if (stretch) instance.values = stretches.of(part, *ref);
+            if (stretch) instance.values = stretches.of(part);
             picture.instances.push_back(std::move(instance));
         }
     return picture;
@@ -35,7 +36,7 @@ gpu::Picture picture_of(const Evaluated& evaluated, const Document& document, co
 void add_points(std::vector<glm::dvec3>& points, const EvaluatedObject& object)
 {
     for (const Part& part : object.parts)
-        for (const glm::vec3& p : part.mesh->positions)
+        for (const glm::vec3& p : part.mesh()->positions)
             points.emplace_back(part.to_world * glm::dvec4(p, 1));
 }
 

@@ -27,7 +27,7 @@ struct Preferences {
     bool show_timing = true;              // how long pictures take, in a corner of it
     std::string quality = "automatic";    // of the viewport; or a level of the renderer
     std::string pace = "automatic";       // pictures a second while something moves; or a number
-    std::string deform = "processor";     // where the viewport's meshes are: gpu::deform_names
+    std::string deform = "automatic";     // where the viewport's meshes are, or gpu::deform_names
     double threads = 0;                   // that evaluate at the same time; 0: all there are
     MouseManners mouse;
     KeyMap keys;

@@ -81,8 +81,7 @@ Box bounds_of(const Session& session, Id id)
 {
     Box box;
     for (const auto& [each, object] : session.evaluated().objects)
-        if (belongs_to(session.document(), each, id) && !object->bounds.empty())
-            box.add(object->bounds);
+        if (belongs_to(session.document(), each, id)) box.add(*object->bounds);
     return box;
 }
 
@@ -91,7 +90,7 @@ Box bounds_of(const Session& session, const std::vector<Id>& ids)
     const Members members(session.document(), ids);
     Box box;
     for (const auto& [id, object] : session.evaluated().objects)
-        if (!object->bounds.empty() && members.contain(id)) box.add(object->bounds);
+        if (members.contain(id)) box.add(*object->bounds);
     return box;
 }
 

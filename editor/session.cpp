@@ -51,7 +51,7 @@ void Session::refresh()
 long Session::submit(const Document& document)
 {
     frame_ = std::clamp(frame_, document.time.first_frame, document.time.last_frame);
-    return evaluator_->submit(document, frame_);
+    return evaluator_->submit(document, frame_, deform_on_processor);
 }
 
 void Session::show_frame(int frame)

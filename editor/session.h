@@ -107,6 +107,7 @@ public:
     std::vector<Id> aside;     // ascending: left out of the picture while others are worked on
     void select_new(Id first); // all from that id up, but not what is in groups among them
     Camera camera;
+    bool deform_on_processor = true; // else who draws does it: parts are left to be asked for
     bool frame_all_when_evaluated = false;
     std::optional<Camera> go_to; // a kept view, taken up by the next frame, which knows its size
     ui::Notices notices;

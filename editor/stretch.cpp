@@ -8,15 +8,15 @@
 
 namespace trivar {
 
-Ref<std::vector<float>> Stretches::of(const Part& part, const EvaluatedObject& object)
+Ref<std::vector<float>> Stretches::of(const Part& part)
 {
-    if (!part.rest || !object.volume) return nullptr;
-    if (const auto found = known_.find(part.mesh.get());
-        found != known_.end() && found->second.alive.lock() == part.mesh)
+    if (!part.bent) return nullptr;
+    if (const auto found = known_.find(part.bent.get());
+        found != known_.end() && found->second.alive.lock() == part.bent)
         return found->second.values;
     std::erase_if(known_, [](const auto& known) { return known.second.alive.expired(); });
     std::vector<float> factors =
-        volume_change(*part.rest->mesh, part.rest->embedding, *object.volume);
+        volume_change(*part.bent->rest, part.bent->embedding, *part.bent->volume);
     std::vector<float> sizes(factors.size());
     std::ranges::transform(factors, sizes.begin(), [](float f) { return std::abs(f); });
     const auto middle = sizes.begin() + std::ssize(sizes) / 2;
@@ -24,7 +24,7 @@ Ref<std::vector<float>> Stretches::of(const Part& part, const EvaluatedObject& o
     if (middle != sizes.end() && *middle > 0)
         for (float& f : factors) f /= *middle;
     const auto values = make_ref(std::move(factors));
-    known_[part.mesh.get()] = {part.mesh, values};
+    known_[part.bent.get()] = {part.bent, values};
     return values;
 }
 

@@ -11,9 +11,9 @@
 namespace trivar {
 namespace {
 
-glm::dvec3 world(const Part& part, std::uint32_t vertex)
+glm::dvec3 world(const Part& part, const Mesh& mesh, std::uint32_t vertex)
 {
-    return glm::dvec3(part.to_world * glm::dvec4(part.mesh->positions[vertex], 1));
+    return glm::dvec3(part.to_world * glm::dvec4(mesh.positions[vertex], 1));
 }
 
 // Distance along the ray to the triangle, or nothing (Moeller and Trumbore 1997, both sides).
@@ -41,13 +41,13 @@ std::optional<glm::dvec3> first_hit(const EvaluatedObject& object, const Ray& ra
 {
     double nearest = 1e300;
     for (const Part& part : object.parts) {
-        const Mesh& mesh = *part.mesh;
+        const Mesh& mesh = *part.mesh();
         for (std::size_t f = 0; f < mesh.face_count(); ++f) {
             const std::uint32_t begin = mesh.face_begin[f], end = mesh.face_begin[f + 1];
-            const glm::dvec3 a = world(part, mesh.corners[begin]);
+            const glm::dvec3 a = world(part, mesh, mesh.corners[begin]);
             for (std::uint32_t c = begin + 1; c + 1 < end; ++c) // a fan is near enough here
-                if (const auto t = meet(ray, a, world(part, mesh.corners[c]),
-                                        world(part, mesh.corners[c + 1])))
+                if (const auto t = meet(ray, a, world(part, mesh, mesh.corners[c]),
+                                        world(part, mesh, mesh.corners[c + 1])))
                     nearest = std::min(nearest, *t);
         }
     }

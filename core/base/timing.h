@@ -34,7 +34,7 @@ struct Timings {
 };
 
 // Runs body() and adds what it took to timings under the name; returns what body returns.
-template <class Body> auto timed(Timings& timings, std::string name, Body&& body)
+template <class Body> decltype(auto) timed(Timings& timings, std::string name, Body&& body)
 {
     struct Watch {
         Timings& timings;

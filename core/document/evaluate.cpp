@@ -77,7 +77,6 @@ EvaluatedObject evaluated_object(Id id, const Causes& causes)
         result.placement = causes.laid->placement;
         result.lies_on = causes.laid->scene;
         result.parts = causes.laid->parts;
-        result.volume = causes.laid->volume;
         result.journey = causes.laid->journey;
         if (result.journey && !result.journey->has_room())
             result.notices.emplace_back(
@@ -93,8 +92,11 @@ EvaluatedObject evaluated_object(Id id, const Causes& causes)
     }
     result.materials = causes.surfacing ? surfaced(*causes.shape->materials, *causes.surfacing)
                                         : causes.shape->materials;
-    for (const Part& part : result.parts)
-        result.bounds.add(bounding_box(*part.mesh, part.to_world));
+    result.bounds = Lazy<Box>([parts = result.parts] {
+        Box box;
+        for (const Part& part : parts) box.add(bounding_box(*part.mesh(), part.to_world));
+        return box;
+    });
     return result;
 }
 
@@ -125,7 +127,7 @@ bool travels_through(const Supports& supports, const Laid& without, const Camera
 {
     return !without.placement ||
            std::ranges::any_of(supports.travelling, [&](const Ref<EvaluatedObject>& each) {
-               return in_the_way(each->bounds, *without.placement, camera);
+               return in_the_way(*each->bounds, *without.placement, camera);
            });
 }
 
@@ -191,8 +193,8 @@ Evaluated Evaluator::operator()(const Document& document, double frame, const Pr
             }
             const double seconds =
                 (frame - ref->travel.start_frame) / document.time.frames_per_second;
-            causes.laid = kept.laying.travelled(
-                causes.laid, ref->travel, ref->placement->parameters, seconds, result.timings);
+            causes.laid = kept.laying.travelled(causes.laid, ref->travel,
+                                                ref->placement->parameters, seconds);
         }
         auto& results = kept.results;
         const auto found =
@@ -212,6 +214,12 @@ Evaluated Evaluator::operator()(const Document& document, double frame, const Pr
     return result;
 }
 
+void deform_parts(Evaluated& evaluated)
+{
+    for (const auto& [id, object] : evaluated.objects)
+        for (const Part& part : object->parts) mesh_of(part, evaluated.timings);
+}
+
 std::string digest(const Evaluated& evaluated)
 {
     Digest digest;
@@ -219,10 +227,10 @@ std::string digest(const Evaluated& evaluated)
         digest.add(id);
         for (const Part& part : ref->parts) {
             digest.add(part.to_world);
-            digest.add(std::span<const glm::vec3>(part.mesh->positions));
-            digest.add(std::span<const glm::vec3>(part.mesh->normals));
-            digest.add(std::span<const std::uint32_t>(part.mesh->corners));
-            digest.add(std::span<const std::uint32_t>(part.mesh->face_begin));
+            digest.add(std::span<const glm::vec3>(part.mesh()->positions));
+            digest.add(std::span<const glm::vec3>(part.mesh()->normals));
+            digest.add(std::span<const std::uint32_t>(part.mesh()->corners));
+            digest.add(std::span<const std::uint32_t>(part.mesh()->face_begin));
         }
     }
     return digest.hex();

@@ -2,38 +2,23 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/base/timing.h"
 #include "core/document/asset_store.h"
 #include "core/document/document.h"
+#include "core/document/part.h"
 
 #include <memory>
 
 namespace trivar {
-
-// What was deformed, and how it lay in its volume.
-struct Rest {
-    Ref<Mesh> mesh;
-    Embedding embedding;
-};
-
-// One mesh as it stands in the world.
-struct Part {
-    Ref<Mesh> mesh;
-    glm::dmat4 to_world{1}; // identity where the mesh was deformed into the world
-    Ref<Rest> rest = {};    // null where it was not
-    bool operator==(const Part&) const = default;
-};
 
 struct EvaluatedObject {
     Id id = 0;
     std::vector<Part> parts;
     Ref<std::vector<Material>> materials; // what face_material indexes
     Ref<Placement> placement;             // null where nothing was placed
-    Ref<Lattice> volume; // the rest of the parts lies in it: the placement's, or that one prolonged
-    Ref<Journey> journey;             // null where it does not travel
-    Ref<RayScene> lies_on;            // what its stroke falls on; null where there is none
-    Box bounds;                       // world
-    std::vector<std::string> notices; // a missing file, a stroke that misses now
+    Ref<Journey> journey;                 // null where it does not travel
+    Ref<RayScene> lies_on;                // what its stroke falls on; null where there is none
+    Lazy<Box> bounds;                     // world; asking for it deforms the parts
+    std::vector<std::string> notices;     // a missing file, a stroke that misses now
     // Why the stroke gave nothing, as a sentence for the user; the object then stands undeformed
     // where its transform says. A tool shows it and does not commit. Empty: it lies, or has none.
     std::string rejected;
@@ -42,14 +27,17 @@ struct EvaluatedObject {
 // The effects of a document. Objects that did not change keep their pointer.
 struct Evaluated {
     std::map<Id, Ref<EvaluatedObject>> objects; // visible ones
-    Timings timings; // of this evaluation: import, subdivide, rays, springs, lift, volume, deform
+    // Of this evaluation: import, subdivide, rays, springs, lift, volume, and deform, as far as the
+    // parts were deformed for it.
+    Timings timings;
 };
 
 // Evaluates documents one after another and keeps what is still true: results are cached by the
 // identity of what they came from, so a drag recomputes only what it touches, and the last few
 // states of each object are kept for undo. What is placed comes after what it lies on and sees it
 // deformed. Hidden objects are not in the result but still carry what lies on them: hiding a
-// table does not drop the snake. Not thread-safe; may live on a thread of its own. Throws
+// table does not drop the snake. Deforms nothing but what others lie on: who needs the meshes asks
+// the parts. Not thread-safe; may live on a thread of its own. Throws
 // Cancelled; trouble with single objects is in their notices.
 class Evaluator {
 public:
@@ -67,6 +55,9 @@ private:
     struct Cache;
     std::unique_ptr<Cache> cache_;
 };
+
+// Deforms, by the processor, all parts that were not yet; what that took is added to the timings.
+void deform_parts(Evaluated& evaluated);
 
 // Digest of every deformed position, normal and index, in the order of ids.
 std::string digest(const Evaluated& evaluated);

@@ -34,15 +34,27 @@ Box box_of(const Shape& shape, const glm::dmat3& turned)
     return box;
 }
 
-// The part further along its volume, sorted into it anew.
-Part shifted(const Part& part, const Lattice& volume, double shift_u)
+Lazy<Deformer> sorted_into(const Lattice& volume, const Ref<Mesh>& mesh, const Embedding& embedding)
 {
-    Embedding embedding = part.rest->embedding;
+    return Lazy<Deformer>(
+        [=, axes = volume.displacement.axes] { return Deformer(mesh, embedding, axes); });
+}
+
+Part in_volume(const Ref<Mesh>& mesh, const Embedding& embedding, const Ref<Lattice>& volume,
+               const Lazy<Deformer>& deformer)
+{
+    const Lazy<Ref<Mesh>> out([=] { return make_ref((*deformer)(*volume)); });
+    return {nullptr, glm::dmat4(1), make_ref(Bent{mesh, embedding, volume, out})};
+}
+
+// The part further along its volume, sorted into it anew.
+Part shifted(const Part& part, const Ref<Lattice>& volume, double shift_u)
+{
+    Embedding embedding = part.bent->embedding;
     embedding.to_uvw = glm::translate(glm::dmat4(1), {shift_u, 0, 0}) * embedding.to_uvw;
-    embedding.to_rest = volume.rest * embedding.to_uvw;
-    const Ref<Mesh>& mesh = part.rest->mesh;
-    return {make_ref(Deformer(mesh, embedding, volume.displacement.axes)(volume)), glm::dmat4(1),
-            make_ref(Rest{mesh, embedding})};
+    embedding.to_rest = volume->rest * embedding.to_uvw;
+    const Ref<Mesh>& mesh = part.bent->rest;
+    return in_volume(mesh, embedding, volume, sorted_into(*volume, mesh, embedding));
 }
 
 } // namespace
@@ -103,14 +115,12 @@ Ref<Laid> Laying::operator()(const Ref<Shape>& shape, const glm::dmat3& turned,
                            "stands free any more; place it anew or unplace it");
         const Box box = box_of(*shape, turned);
         if (step.round)
-            laid = bent(
-                *shape, turned,
-                timed(timings, "volume", [&] { return place_round(*band, step.parameters, box); }),
-                timings);
+            laid = bent(*shape, turned, timed(timings, "volume", [&] {
+                return place_round(*band, step.parameters, box);
+            }));
         else {
             const Ref<RayScene> scene = scene_of(supports, ray_meshes, timings);
-            laid = bent(*shape, turned, place(step.sketch, step.parameters, box, *scene, timings),
-                        timings);
+            laid = bent(*shape, turned, place(step.sketch, step.parameters, box, *scene, timings));
             laid.scene = scene;
         }
     } catch (const Rejected& error) {
@@ -128,18 +138,20 @@ Ref<RayScene> Laying::scene_of(const std::vector<Support>& supports, RayMeshes& 
     std::vector<RayScene::Entry> entries;
     entries.reserve(supports.size());
     for (const Support& support : supports)
-        entries.push_back(
-            {ray_meshes(support.part.mesh, timings), support.part.to_world, support.id});
+        entries.push_back({ray_meshes(mesh_of(support.part, timings), timings),
+                           support.part.to_world, support.id});
     scene_ = timed(timings, "rays",
                    [&] { return std::make_shared<const RayScene>(std::move(entries)); });
     scene_supports_ = supports;
     return scene_;
 }
 
-Laid Laying::bent(const Shape& shape, const glm::dmat3& turned, Placement placement,
-                  Timings& timings)
+Laid Laying::bent(const Shape& shape, const glm::dmat3& turned, Placement placement)
 {
     Laid laid;
+    laid.placement = make_ref(std::move(placement));
+    const Embedding& embedding = laid.placement->embedding;
+    const Ref<Lattice> volume(laid.placement, &laid.placement->volume);
     std::vector<Sorted> used;
     for (const Shape::Hung& hung : shape.meshes) {
         glm::dmat4 to_box = glm::dmat4(turned) * hung.to_model;
@@ -148,34 +160,28 @@ Laid Laying::bent(const Shape& shape, const glm::dmat3& turned, Placement placem
             mesh = make_ref(transformed(*mesh, to_box));
             to_box = glm::dmat4(1);
         }
-        const Embedding embedding{placement.embedding.to_uvw * to_box,
-                                  placement.embedding.to_rest * to_box};
-        laid.parts.push_back(timed(
-            timings, "deform", [&] { return deformed(mesh, embedding, placement.volume, used); }));
-        timings.add("deform", 0, mesh->vertex_count());
+        laid.parts.push_back(
+            deformed(mesh, {embedding.to_uvw * to_box, embedding.to_rest * to_box}, volume, used));
     }
     sorted_ = std::move(used);
-    laid.placement = make_ref(std::move(placement));
-    laid.volume = Ref<Lattice>(laid.placement, &laid.placement->volume);
     return laid;
 }
 
-Part Laying::deformed(const Ref<Mesh>& mesh, const Embedding& embedding, const Lattice& volume,
+Part Laying::deformed(const Ref<Mesh>& mesh, const Embedding& embedding, const Ref<Lattice>& volume,
                       std::vector<Sorted>& used) const
 {
-    const std::array<Knots, 3>& axes = volume.displacement.axes;
+    const std::array<Knots, 3>& axes = volume->displacement.axes;
     const auto found = std::ranges::find_if(sorted_, [&](const Sorted& s) {
-        return s.rest->mesh == mesh && s.rest->embedding == embedding && s.axes == axes;
+        return s.mesh == mesh && s.embedding == embedding && s.axes == axes;
     });
     used.push_back(found != sorted_.end()
                        ? *found
-                       : Sorted{make_ref(Rest{mesh, embedding}), axes,
-                                std::make_shared<const Deformer>(mesh, embedding, axes)});
-    return {make_ref((*used.back().deformer)(volume)), glm::dmat4(1), used.back().rest};
+                       : Sorted{mesh, embedding, axes, sorted_into(*volume, mesh, embedding)});
+    return in_volume(mesh, embedding, volume, used.back().deformer);
 }
 
 Ref<Laid> Laying::travelled(const Ref<Laid>& at_rest, const Travel& travel,
-                            const PlacementParameters& parameters, double seconds, Timings& timings)
+                            const PlacementParameters& parameters, double seconds)
 {
     if (!at_rest->placement || travel.speed == 0) return at_rest;
     const auto last = std::ranges::find_if(moved_, [&](const Moved& m) {
@@ -196,11 +202,12 @@ Ref<Laid> Laying::travelled(const Ref<Laid>& at_rest, const Travel& travel,
     laid.journey = journey;
     if (place.hidden)
         laid.parts.clear();
-    else if (place.shift_u != 0)
-        timed(timings, "deform", [&] {
-            laid.volume = reaching(at_rest->volume, *journey, parameters, place.shift_u);
-            for (Part& part : laid.parts) part = shifted(part, *laid.volume, place.shift_u);
-        });
+    else if (place.shift_u != 0) {
+        const Ref<Lattice> volume =
+            reaching(Ref<Lattice>(at_rest->placement, &at_rest->placement->volume), *journey,
+                     parameters, place.shift_u);
+        for (Part& part : laid.parts) part = shifted(part, volume, place.shift_u);
+    }
     moved_.insert(moved_.begin(), {at_rest, journey, place, make_ref(std::move(laid))});
     if (moved_.size() > kept_results) moved_.pop_back();
     return moved_.front().laid;
@@ -209,7 +216,7 @@ Ref<Laid> Laying::travelled(const Ref<Laid>& at_rest, const Travel& travel,
 void Laying::add_meshes(std::set<Ref<Mesh>>& meshes) const
 {
     for (const Known& known : known_)
-        for (const Support& support : known.supports) meshes.insert(support.part.mesh);
+        for (const Support& support : known.supports) meshes.insert(support.part.mesh());
 }
 
 } // namespace trivar

@@ -21,7 +21,6 @@ struct Laid {
     Ref<Placement> placement; // null: rejected
     Ref<RayScene> scene;      // that the stroke fell on
     std::vector<Part> parts;  // in the world
-    Ref<Lattice> volume;      // that they were deformed by
     Ref<Journey> journey;     // null: it does not travel
     std::string rejected;
 };
@@ -44,15 +43,16 @@ private:
 // the last few results, the scene for rays, and how the meshes are sorted into the volume.
 class Laying {
 public:
-    // `turned` is the object's own turn and size, before it is laid. Stages: rays, springs, lift,
-    // volume (as place() names them) and deform. `band`: what it goes round, where it does.
+    // `turned` is the object's own turn and size, before it is laid. Stages: rays, springs, lift
+    // and volume, as place() names them, and deform for what it lies on. `band`: what it goes
+    // round, where it does.
     Ref<Laid> operator()(const Ref<Shape>& shape, const glm::dmat3& turned,
                          const PlacementStep& step, const std::optional<Band>& band,
                          const std::vector<Support>& supports, RayMeshes& ray_meshes,
                          Timings& timings);
-    // The same some seconds after it set out; what rests is as it was. Stage: deform.
+    // The same some seconds after it set out; what rests is as it was.
     Ref<Laid> travelled(const Ref<Laid>& at_rest, const Travel& travel,
-                        const PlacementParameters& parameters, double seconds, Timings& timings);
+                        const PlacementParameters& parameters, double seconds);
     void add_meshes(std::set<Ref<Mesh>>& meshes) const; // that the kept results fell on
 
 private:
@@ -64,9 +64,10 @@ private:
         Ref<Laid> laid;
     };
     struct Sorted {
-        Ref<Rest> rest;
+        Ref<Mesh> mesh;
+        Embedding embedding;
         std::array<Knots, 3> axes;
-        std::shared_ptr<const Deformer> deformer;
+        Lazy<Deformer> deformer;
     };
     Ref<RayScene> scene_of(const std::vector<Support>& supports, RayMeshes& ray_meshes,
                            Timings& timings);
@@ -76,8 +77,8 @@ private:
         Journey::Place place;
         Ref<Laid> laid;
     };
-    Laid bent(const Shape& shape, const glm::dmat3& turned, Placement placement, Timings& timings);
-    Part deformed(const Ref<Mesh>& mesh, const Embedding& embedding, const Lattice& volume,
+    Laid bent(const Shape& shape, const glm::dmat3& turned, Placement placement);
+    Part deformed(const Ref<Mesh>& mesh, const Embedding& embedding, const Ref<Lattice>& volume,
                   std::vector<Sorted>& used) const;
 
     std::vector<Known> known_; // the latest first

@@ -46,7 +46,7 @@ Model model_of(const Evaluated& evaluated, const Document& document)
                                    .parent = parent,
                                    .to_parent = part.to_world,
                                    .mesh = static_cast<int>(model.meshes.size())});
-            model.meshes.push_back(with_materials_from(part.mesh, first->second));
+            model.meshes.push_back(with_materials_from(part.mesh(), first->second));
         }
     }
     if (model.materials.empty()) model.materials.emplace_back();

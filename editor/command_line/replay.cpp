@@ -172,6 +172,7 @@ Replayed replay(const ReplayOptions& options, const Streams& streams)
     check_relinked(options, result.document);
     result.evaluated =
         evaluator(result.document, frame_of(options, result.document), shown_progress(streams));
+    if (deform_of(options.deform) == gpu::DeformBy::processor) deform_parts(result.evaluated);
     if (streams.terminal) streams.talk << "\r\x1b[K";
     result.timings.add(result.evaluated.timings);
     for (const auto& [id, ref] : result.evaluated.objects)

@@ -119,8 +119,8 @@ void facts(Editor& editor, const ui::Theme& theme, const Object& each, Id id)
     for (const auto& [each_id, effects] : session.evaluated().objects) {
         if (!belongs_to(session.document(), each_id, id)) continue;
         for (const Part& part : effects->parts) {
-            faces += part.mesh->face_count();
-            vertices += part.mesh->vertex_count();
+            faces += part.rest()->face_count();
+            vertices += part.rest()->vertex_count();
         }
     }
     if (std::holds_alternative<GroupShape>(each.source)) {

@@ -127,8 +127,8 @@ void facts(Editor& editor, const ui::Theme& theme)
     for (const auto& [id, effects] : session.evaluated().objects) {
         if (!members.contain(id)) continue;
         for (const Part& part : effects->parts) {
-            faces += part.mesh->face_count();
-            vertices += part.mesh->vertex_count();
+            faces += part.rest()->face_count();
+            vertices += part.rest()->vertex_count();
         }
     }
     const glm::dvec3 size = bounds_of(session, session.selected.ids()).size();

@@ -186,7 +186,7 @@ void draw_performance_page(Editor& editor, const ui::Theme& theme, const ui::Rec
                 {"high", "High"}});
     choice_row(theme, "While it moves", p.pace, usual.pace,
                {{"automatic", "Automatic"}, {"60", "60 / s"}, {"30", "30 / s"}, {"15", "15 / s"}});
-    std::vector<NamedText> places;
+    std::vector<NamedText> places{{"automatic", "Automatic"}};
     constexpr std::array names{"Processor", "One phase", "Two phases"};
     for (std::size_t i = 0; i < names.size(); ++i)
         places.push_back({std::string(gpu::deform_names[i]), names[i]});
@@ -198,12 +198,12 @@ void draw_performance_page(Editor& editor, const ui::Theme& theme, const ui::Rec
         theme, "threads", p.threads,
         {.lo = 0, .hi = 1024, .bar_hi = all, .step = 1, .zero = fmt::format("all {}", all)},
         theme.px(160));
-    foot_note(
-        theme, r,
-        "Quality is that of the picture at rest. What moves is drawn as well as it keeps up "
-        "with so many pictures a second, but no better. Placed objects are deformed by the "
-        "processor, or by the graphics card: in one phase as they are drawn, in two phases "
-        "once before. Fewer threads leave the others to other programs; results are the same.");
+    foot_note(theme, r,
+              "Quality is that of the picture at rest. What moves is drawn as well as it keeps up "
+              "with so many pictures a second, but no better. Placed objects are deformed by the "
+              "processor, or by the graphics card: in one phase as they are drawn, in two phases "
+              "once before. Automatic: in two phases where there is a card. Fewer threads leave "
+              "the others to other programs; results are the same.");
 }
 
 void draw_accessibility_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r)

@@ -162,8 +162,8 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     const ui::Theme over = theme_over_picture(theme, *session.document().render, as_in_pictures);
     ViewportStyle style = viewport_style(over, as_in_pictures);
     style.level = gpu::level_named(editor.preferences.quality).value_or(gpu::Level::standard);
-    style.deform_by =
-        gpu::deform_named(editor.preferences.deform).value_or(gpu::DeformBy::processor);
+    style.deform_by = gpu::deform_named(editor.preferences.deform).value_or(gpu::usual_deform_by());
+    session.deform_on_processor = style.deform_by == gpu::DeformBy::processor;
     style.grid = editor.preferences.grid;
     const std::optional<double> pace = parse_number(editor.preferences.pace); // pictures a second
     style.draft_ms = pace ? 1000 / *pace : 0;

@@ -47,12 +47,13 @@ void measure_chips(const ui::Theme& theme, glm::vec2 at, const Placement* placem
 // it was never placed itself.
 bool carries(const EvaluatedObject& furniture, const Evaluated& evaluated)
 {
-    const double slack = 0.01 * glm::length(furniture.bounds.size());
+    const Box& bounds = *furniture.bounds;
+    const double slack = 0.01 * glm::length(bounds.size());
     return std::ranges::any_of(evaluated.objects, [&](const auto& entry) {
         return entry.second->placement &&
                std::ranges::any_of(entry.second->placement->nodes, [&](const StripNode& node) {
                    return node.contact == Contact::touches &&
-                          furniture.bounds.distance(node.p_world) <= slack;
+                          bounds.distance(node.p_world) <= slack;
                });
     });
 }

@@ -2,6 +2,7 @@
 #include "gpu/ffd/deformed_meshes.h"
 
 #include "core/base/rejected.h"
+#include "gpu/context.h"
 
 namespace trivar::gpu {
 namespace {
@@ -61,6 +62,11 @@ std::optional<DeformBy> deform_named(std::string_view name)
     for (std::size_t i = 0; i < deform_names.size(); ++i)
         if (deform_names[i] == name) return static_cast<DeformBy>(i);
     return std::nullopt;
+}
+
+DeformBy usual_deform_by()
+{
+    return is_software() ? DeformBy::processor : DeformBy::two_phases;
 }
 
 bool DeformedMeshes::current(const Entry& entry, const Instance& instance, const Picture& picture)

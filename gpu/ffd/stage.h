@@ -22,5 +22,6 @@ enum class DeformBy { processor, one_phase, two_phases };
 inline constexpr std::array<std::string_view, 3> deform_names{"processor", "one_phase",
                                                               "two_phases"};
 std::optional<DeformBy> deform_named(std::string_view name);
+DeformBy usual_deform_by(); // the fastest of the current context: cards take two phases
 
 } // namespace trivar::gpu

@@ -108,7 +108,7 @@ TEST(Evaluator, SubdividesImportedCages)
     Evaluator evaluate(std::make_shared<const AssetStore>(folder.path().string()));
     const Evaluated result = evaluate(after({}, import));
     ASSERT_EQ(result.objects.at(1)->parts.size(), 1u);
-    EXPECT_EQ(result.objects.at(1)->parts.front().mesh->face_count(), 16u);
+    EXPECT_EQ(result.objects.at(1)->parts.front().mesh()->face_count(), 16u);
 }
 
 } // namespace

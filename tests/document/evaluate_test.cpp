@@ -40,9 +40,9 @@ TEST(Evaluator, LaysWhatIsPlacedIntoTheWorldAndLeavesTheRestWhereItIs)
     ASSERT_THAT(pot.rejected, IsEmpty());
     ASSERT_TRUE(pot.placement);
     EXPECT_EQ(pot.parts.front().to_world, glm::dmat4(1));
-    EXPECT_GT(pot.bounds.hi.z, 0.2); // on the table, whose top is at 0.25
+    EXPECT_GT(pot.bounds->hi.z, 0.2); // on the table, whose top is at 0.25
     EXPECT_EQ(result.objects.at(2)->parts.front().to_world, glm::dmat4(1));
-    EXPECT_NEAR(result.objects.at(1)->bounds.hi.z, 0.25, 1e-6);
+    EXPECT_NEAR(result.objects.at(1)->bounds->hi.z, 0.25, 1e-6);
 }
 
 TEST(Evaluator, KeepsThePointersOfWhatDidNotChange)
@@ -81,7 +81,7 @@ TEST(Evaluator, LaysTheUpperOneAgainWhenTheLowerOneChanges)
     flatter.height = 0.4;
     const Evaluated result = evaluate(after(document, EditPlacement{3, flatter, {}, {}}));
     ASSERT_THAT(result.objects.at(5)->rejected, IsEmpty());
-    EXPECT_LT(result.objects.at(5)->bounds.hi.z, first.objects.at(5)->bounds.hi.z - 0.05);
+    EXPECT_LT(result.objects.at(5)->bounds->hi.z, first.objects.at(5)->bounds->hi.z - 0.05);
     EXPECT_EQ(result.objects.at(2), first.objects.at(2));
 }
 
@@ -95,8 +95,31 @@ TEST(Evaluator, DoesNotTouchWhatLiesBelowWhenTheUpperOneChanges)
     const Evaluated result = evaluate(after(document, EditPlacement{5, other, {}, {}}));
     EXPECT_EQ(result.objects.at(3), first.objects.at(3));
     EXPECT_NE(result.objects.at(5), first.objects.at(5));
-    EXPECT_TRUE(has_stage(result, "deform"));
+    EXPECT_TRUE(has_stage(result, "volume"));
     EXPECT_FALSE(has_stage(result, "import"));
+    EXPECT_FALSE(has_stage(result, "deform"));
+}
+
+TEST(Evaluator, DeformsWhatOthersLieOnAndTheRestWhenItIsAskedFor)
+{
+    Evaluator evaluate = new_evaluator();
+    Evaluated result = evaluate(stacked_document());
+    const auto is_deformed = [&](Id id) {
+        return result.objects.at(id)->parts.front().bent->mesh.ready();
+    };
+    EXPECT_TRUE(is_deformed(3));
+    EXPECT_FALSE(is_deformed(5));
+    const Box box = *result.objects.at(5)->bounds;
+    EXPECT_TRUE(is_deformed(5));
+    EXPECT_FALSE(box.empty());
+
+    result = new_evaluator()(stacked_document());
+    EXPECT_FALSE(is_deformed(5));
+    result.timings = {};
+    deform_parts(result);
+    EXPECT_TRUE(is_deformed(5));
+    EXPECT_TRUE(has_stage(result, "deform"));
+    EXPECT_EQ(result.objects.at(5)->bounds->lo, box.lo);
 }
 
 TEST(Evaluator, HidesTheTableWithoutDroppingThePot)
@@ -108,8 +131,8 @@ TEST(Evaluator, HidesTheTableWithoutDroppingThePot)
     EXPECT_FALSE(result.objects.contains(1));
     EXPECT_EQ(result.objects.at(3), first.objects.at(3));
     Evaluator fresh = new_evaluator();
-    EXPECT_EQ(fresh(after(document, Hide{{4}})).objects.at(3)->bounds.hi,
-              first.objects.at(3)->bounds.hi);
+    EXPECT_EQ(fresh(after(document, Hide{{4}})).objects.at(3)->bounds->hi,
+              first.objects.at(3)->bounds->hi);
 }
 
 TEST(Evaluator, SaysWhenAStrokeGivesNothingAndStandsTheObjectStraight)
@@ -148,9 +171,9 @@ TEST(Evaluator, ScalesAndMirrorsBeforeItLaysDown)
     const EvaluatedObject& pot = *mirrored.objects.at(3);
     ASSERT_THAT(pot.rejected, IsEmpty());
     // Still turned inside in: the faces' volume is positive.
-    const Mesh& mesh = *pot.parts.front().mesh;
+    const Mesh& mesh = *pot.parts.front().mesh();
     double volume = 0;
-    const glm::dvec3 middle = pot.bounds.center();
+    const glm::dvec3 middle = pot.bounds->center();
     for (const glm::uvec3& t : triangles(mesh))
         volume += glm::dot(glm::dvec3(mesh.positions[t.x]) - middle,
                            glm::cross(glm::dvec3(mesh.positions[t.y]) - middle,
@@ -164,14 +187,14 @@ TEST(Evaluator, TurnsAModelBeforeItLaysItDown)
     Evaluator evaluate = new_evaluator();
     const Document document = small_document();
     const Evaluated first = evaluate(document);
-    const auto& straight = first.objects.at(3)->parts.front().mesh->positions;
+    const auto& straight = first.objects.at(3)->parts.front().mesh()->positions;
     Transform half = object(document, 3).transform;
     half.rotation_deg.z += 180;
     const Evaluated second = evaluate(after(document, SetTransform{3, half}));
-    const auto& turned = second.objects.at(3)->parts.front().mesh->positions;
+    const auto& turned = second.objects.at(3)->parts.front().mesh()->positions;
     ASSERT_EQ(turned.size(), straight.size());
     EXPECT_NE(turned, straight);
-    EXPECT_GT(second.objects.at(3)->bounds.hi.z, 0.2); // still on the table
+    EXPECT_GT(second.objects.at(3)->bounds->hi.z, 0.2); // still on the table
 }
 
 TEST(Evaluator, CoversAnObjectWithOnePlainMaterial)

@@ -150,7 +150,7 @@ TEST(PlaceRound, GoesRoundAndRoundAndMovesWithWhatItLiesOn)
     Transform aside = object(document, 2).transform;
     aside.translation.x += 5;
     const Evaluated moved = evaluate(after(document, SetTransform{2, aside}), 1);
-    EXPECT_NEAR(moved.objects.at(3)->bounds.lo.x, a.objects.at(3)->bounds.lo.x + 5, 1e-5);
+    EXPECT_NEAR(moved.objects.at(3)->bounds->lo.x, a.objects.at(3)->bounds->lo.x + 5, 1e-5);
 }
 
 TEST(PlaceRound, SaysWhatItNeeds)

@@ -92,7 +92,7 @@ TEST(Relink, ReadsAFileAnewThatHasChanged)
     EXPECT_EQ(rig.steps(), 4u);
     const EvaluatedObject& object = *rig.editor.session.evaluated().objects.at(2);
     EXPECT_THAT(object.notices, IsEmpty());
-    EXPECT_EQ(object.parts.at(0).mesh->positions.at(1).x, 5);
+    EXPECT_EQ(object.parts.at(0).mesh()->positions.at(1).x, 5);
 }
 
 } // namespace

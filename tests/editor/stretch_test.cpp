@@ -19,16 +19,16 @@ TEST(Stretch, IsToldBesideTheMedianOfWhatWasPlacedAndKeptAsLongAsTheMesh)
     const EvaluatedObject& placed = *rig.editor.session.evaluated().objects.at(2);
     ASSERT_TRUE(placed.placement);
     Stretches stretches;
-    const auto values = stretches.of(placed.parts[0], placed);
+    const auto values = stretches.of(placed.parts[0]);
     ASSERT_TRUE(values);
-    ASSERT_EQ(values->size(), placed.parts[0].mesh->vertex_count());
-    EXPECT_EQ(stretches.of(placed.parts[0], placed), values);
+    ASSERT_EQ(values->size(), placed.parts[0].mesh()->vertex_count());
+    EXPECT_EQ(stretches.of(placed.parts[0]), values);
     std::vector<float> sorted = *values;
     std::ranges::sort(sorted);
     EXPECT_EQ(sorted[sorted.size() / 2], 1);
     EXPECT_LT(sorted.front(), sorted.back());
     const EvaluatedObject& plane = *rig.editor.session.evaluated().objects.at(1);
-    EXPECT_FALSE(stretches.of(plane.parts[0], plane));
+    EXPECT_FALSE(stretches.of(plane.parts[0]));
 }
 
 TEST(Stretch, IsShownWhereTheSceneSaysSo)
