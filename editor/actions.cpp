@@ -6,6 +6,7 @@
 #include "editor/file_actions.h"
 #include "editor/help_actions.h"
 #include "editor/new_material.h"
+#include "editor/panels/panels.h"
 #include "editor/reset_actions.h"
 #include "editor/selection_actions.h"
 #include "editor/time_actions.h"
@@ -117,10 +118,27 @@ void return_lent_tool(Editor& editor)
     }
 }
 
+// Where Space makes the left button the middle one, what else it does waits till it is let go:
+// whether it was, and nothing else happened meanwhile.
+bool space_was_tapped(Editor& editor)
+{
+    Editor::HeldSpace& space = editor.held_space;
+    if (ui::struck({ui::key_space})) space = {.down = true};
+    if (!space.down) return false;
+    const ImGuiIO& io = ImGui::GetIO();
+    space.used = space.used || editor.active_tool().busy() || editor.files.asking() ||
+                 std::ranges::count(io.MouseDown, true) > 0 || ImGui::IsAnyItemActive() ||
+                 ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId);
+    space.down = ui::is_down(ui::key_space);
+    return !space.down && !space.used;
+}
+
 } // namespace
 
 void run_keys(Editor& editor)
 {
+    const bool space_waits = editor.preferences.mouse.emulation == "space";
+    const bool space_tapped = space_was_tapped(editor);
     return_lent_tool(editor);
     const auto escape = [] { return ui::struck({ui::key_escape}); };
     Tool& tool = editor.active_tool();
@@ -155,11 +173,12 @@ void run_keys(Editor& editor)
     }
     const bool in_list = editor.panel == Editor::Panel::outliner;
     const KeysIn here = editor.tutorial.runs(editor.session) ? KeysIn::tutorial
-                        : in_list                            ? KeysIn::anywhere
+                        : in_list || shows_welcome(editor)   ? KeysIn::anywhere
                                                              : KeysIn::picture;
     for (const Action& each : editor.actions) {
         if (each.keys_in != KeysIn::anywhere && each.keys_in != here) continue;
         const auto chord = std::ranges::find_if(each.keys, [&](const ui::Chord& one) {
+            if (space_waits && one == ui::Chord{ui::key_space}) return space_tapped;
             return ui::struck(one, each.repeats) && !tool.awaits(one);
         });
         if (chord == each.keys.end() || !is_enabled(editor, each)) continue;

@@ -189,6 +189,8 @@ std::vector<PaletteEntry> palette_preferences(const Editor& editor)
     add("Hints", p.hints, [](Preferences& q) { q.hints = !q.hints; });
     add("Reduced motion", p.reduced_motion,
         [](Preferences& q) { q.reduced_motion = !q.reduced_motion; });
+    add("A click begins a drag, another ends it", p.look.click_holds,
+        [](Preferences& q) { q.look.click_holds = !q.look.click_holds; });
     add("Backdrop as in pictures", p.backdrop_as_in_pictures,
         [](Preferences& q) { q.backdrop_as_in_pictures = !q.backdrop_as_in_pictures; });
     add("Grid", p.grid, [](Preferences& q) { q.grid = !q.grid; });

@@ -4,6 +4,7 @@
 #include "editor/chords.h"
 #include "editor/clipboard.h"
 #include "editor/editor.h"
+#include "editor/panels/panels.h"
 
 #include <algorithm>
 #include <imgui.h>
@@ -45,12 +46,6 @@ void cut_objects(Editor& e)
     e.session.run(Delete{ids});
 }
 
-// Lines that are selected in the log are what is copied, by the log.
-bool log_has_the_keys(const Editor& e)
-{
-    return e.log_lines.from && e.tab == Editor::Tab::log && e.preferences.show_dock && !e.only_view;
-}
-
 void add_clipboard_actions(std::vector<Action>& a)
 {
     a.push_back({"Edit", "Cut", {ctrl('X')}, cut_objects, something_selected(), true});
@@ -58,9 +53,10 @@ void add_clipboard_actions(std::vector<Action>& a)
                  "Copy",
                  {ctrl('C')},
                  [](Editor& e) {
-                     if (!log_has_the_keys(e)) copy_objects(e, chosen(e), "copied");
+                     if (!copy_log_lines(e)) copy_objects(e, chosen(e), "copied");
                  },
-                 something_selected()});
+                 {[](const Editor& e) { return e.session.selected != 0 || log_lines_chosen(e); },
+                  "select an object first"}});
     a.push_back({"Edit", "Paste", {ctrl('V')}, [](Editor& e) {
                      const char* text = ImGui::GetClipboardText();
                      paste_text(e.session, text ? text : "");

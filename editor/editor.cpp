@@ -133,8 +133,9 @@ void draw_editor(Editor& editor, ui::Frame& frame)
     for (const ui::Event& event : frame.events) {
         if (event.kind == ui::Event::Kind::drop) editor.files.take_dropped(event.paths);
         // Somewhere else has the keyboard now: a gesture would go on without its end.
-        if (event.kind == ui::Event::Kind::focus && !event.down)
-            editor.active_tool().cancel(editor.session);
+        if (event.kind != ui::Event::Kind::focus || event.down) continue;
+        editor.active_tool().cancel(editor.session);
+        editor.held_space = {};
     }
     if (frame.close_asked) editor.files.ask_close();
     // Its Enter is not the outliner's.

@@ -85,7 +85,9 @@ struct Editor {
     struct StartCard {   // numbers of the session's scenes, for each of which it begins anew
         long asked = -1; // over whatever is there, by Help
         long left = -1;  // it was left by New scene
-        bool lacks_samples = false; // they were not where they come with the program
+        bool lacks_samples = false;         // they were not where they come with the program
+        std::vector<ui::Rect> entries = {}; // as they were drawn last, in their order
+        int at = -1;                        // the one that the keyboard is at; -1: none yet
     } start_card;
     StoredPictures stored_pictures;
     Tutorial tutorial;
@@ -94,6 +96,9 @@ struct Editor {
         std::size_t before = 0; // the tool that comes back
         bool used = false;      // by the mouse
     } lent_tool;
+    struct HeldSpace {                   // the key
+        bool down = false, used = false; // for something else than what it does alone
+    } held_space;
     struct PreferencesDialog {
         enum Page { // in the order of their names
             of_general,

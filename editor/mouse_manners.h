@@ -7,8 +7,8 @@ namespace trivar {
 
 // How a person's mouse or trackpad moves the camera.
 struct MouseManners {
-    std::string device = "automatic";   // what turns the wheel: "mouse", "trackpad"
-    std::string emulation = "alt";      // makes the left button the middle one: "super", "none"
+    std::string device = "automatic"; // what turns the wheel: "mouse", "trackpad"
+    std::string emulation = "alt"; // makes the left button the middle one: "super", "space", "none"
     std::string orbit_about = "cursor"; // what it turns about: "selection", "origin"
     bool zoom_to_cursor = true;         // else to the middle of the picture
     bool reversed_zoom = false;

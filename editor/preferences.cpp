@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace trivar {
 namespace {
@@ -18,7 +19,7 @@ using Json = nlohmann::json;
 
 constexpr const char* whole_file = "the whole file";
 constexpr std::size_t longest_list = most_remembered, longest_text = 4096,
-                      largest_file = std::size_t{1} << 20, most_keys = 1000;
+                      largest_file = std::size_t{1} << 20, most_keys = 1000, longest_name = 60;
 
 using OneOf = std::initializer_list<std::string_view>;
 
@@ -72,25 +73,36 @@ struct Reading {
     {
         const Json* found = value_of(name, &Json::is_array);
         if (!found) return;
+        bool all = found->size() <= longest_list;
         for (const Json& each : *found) {
-            if (value.size() == longest_list) return;
-            if (!each.is_string()) continue;
-            const auto& text = each.get_ref<const std::string&>();
-            if (text.size() <= longest_text && !text.empty()) value.push_back(text);
+            if (value.size() == longest_list) break;
+            const auto* text = each.get_ptr<const std::string*>();
+            if (text && text->size() <= longest_text && !text->empty())
+                value.push_back(*text);
+            else
+                all = false;
         }
+        if (!all) odd.emplace_back(name);
     }
     void operator()(const char* name, KeyMap& value) const
     {
         const Json* found = value_of(name, &Json::is_object);
         if (!found) return;
-        for (const auto& [action, keys] : found->items()) {
-            if (!keys.is_array() || value.size() == most_keys) continue;
-            std::vector<ui::Chord>& chords = value[action];
-            for (const Json& each : keys)
-                if (each.is_string() && chords.size() < longest_list)
-                    if (const auto chord = ui::chord_from(each.get_ref<const std::string&>()))
-                        chords.push_back(*chord);
+        for (const auto& [action, keys] : found->items())
+            if (value.size() == most_keys || !read_chords(keys, value, action))
+                odd.push_back(std::string(name) + ", " + action.substr(0, longest_name));
+    }
+    // Whether all keys of an action could be read; what is no list leaves it its usual ones.
+    static bool read_chords(const Json& keys, KeyMap& value, const std::string& action)
+    {
+        if (!keys.is_array()) return false;
+        std::vector<ui::Chord>& chords = value[action];
+        for (const Json& each : keys) {
+            const auto* text = each.get_ptr<const std::string*>();
+            const auto chord = text ? ui::chord_from(*text) : std::nullopt;
+            if (chord && chords.size() < longest_list) chords.push_back(*chord);
         }
+        return chords.size() == keys.size();
     }
 };
 Json written(const auto& value)
@@ -126,6 +138,7 @@ void each_preference(auto& p, const auto& field)
     field("lines", p.look.lines, 1.0, 3.0);
     field("tooltip_s", p.look.tooltip_s, 0.0, 5.0);
     field("other_hues", p.look.other_hues);
+    field("click_holds", p.look.click_holds);
     field("show_dock", p.show_dock);
     field("hints", p.hints);
     field("at_start", p.at_start, OneOf{"card", "last", "empty"});
@@ -140,7 +153,7 @@ void each_preference(auto& p, const auto& field)
     field("deform", p.deform, OneOf{"automatic", "processor", "one_phase", "two_phases"});
     field("threads", p.threads, 0.0, 1024.0);
     field("mouse_device", p.mouse.device, OneOf{"automatic", "mouse", "trackpad"});
-    field("mouse_emulation", p.mouse.emulation, OneOf{"alt", "super", "none"});
+    field("mouse_emulation", p.mouse.emulation, OneOf{"alt", "super", "space", "none"});
     field("orbit_about", p.mouse.orbit_about, OneOf{"cursor", "selection", "origin"});
     field("zoom_to_cursor", p.mouse.zoom_to_cursor);
     field("reversed_zoom", p.mouse.reversed_zoom);
@@ -158,27 +171,41 @@ void each_preference(auto& p, const auto& field)
     field("closed_hints", p.closed_hints);
 }
 
-std::string read_small_file(const std::string& path)
+// Empty where it is none that could be one; nothing where it cannot be read, as a folder cannot.
+std::optional<std::string> read_small_file(const std::string& path)
 {
-    std::error_code ignored;
-    if (!fs::exists(path, ignored)) return text_of(Preferences());
-    if (!fs::is_regular_file(path, ignored) || fs::file_size(path, ignored) > largest_file)
-        return {};
+    std::error_code why;
+    const fs::file_status there = fs::status(path, why);
+    if (there.type() == fs::file_type::not_found) return text_of(Preferences());
+    if (!fs::is_regular_file(there)) return std::nullopt;
+    if (fs::file_size(path, why) > largest_file || why) return std::string();
     try {
         return read_text_file(path);
     } catch (const Rejected&) {
-        return {};
+        return std::nullopt;
     }
+}
+
+// The first name with .odd after it that no other file has.
+std::string odd_name(const std::string& path)
+{
+    constexpr int most = 1000;
+    std::error_code ignored;
+    std::string name = path + ".odd";
+    for (int i = 2; i < most && fs::exists(fs::symlink_status(name, ignored)); ++i)
+        name = path + ".odd" + std::to_string(i);
+    return name;
 }
 
 std::string words_of_odd(const std::string& path, const std::vector<std::string>& odd)
 {
     if (odd.empty()) return {};
     if (odd.front() == whole_file) {
+        const std::string kept = odd_name(path);
         std::error_code trouble;
-        fs::rename(path, path + ".odd", trouble);
+        fs::rename(path, kept, trouble);
         return path + " cannot be understood, so the usual preferences are used." +
-               (trouble ? "" : " It is kept with .odd after its name.");
+               (trouble ? "" : " It is kept as " + fs::path(kept).filename().string() + ".");
     }
     const std::string more =
         odd.size() > 1 ? " and " + std::to_string(odd.size() - 1) + " more" : "";
@@ -237,7 +264,14 @@ double next_scale(double scale, int direction)
 PreferencesFile::PreferencesFile(std::string path) : path_(std::move(path))
 {
     if (path_.empty()) return;
-    ReadPreferences read = read_preferences(read_small_file(path_));
+    const std::optional<std::string> text = read_small_file(path_);
+    if (!text) {
+        trouble_ = path_ + " cannot be read, so the usual preferences are used. It stays as it is; "
+                           "what you arrange now is gone when the window closes.";
+        path_.clear(); // in memory
+        return;
+    }
+    ReadPreferences read = read_preferences(*text);
     kept_ = std::move(read.preferences);
     trouble_ = words_of_odd(path_, read.odd);
 }

@@ -41,7 +41,8 @@ struct Preferences {
 
 // Text of JSON. What is of another type, or no JSON at all, is as if it were not there, and a
 // number out of its range is the nearest in it, for a program must start whatever its settings say;
-// `odd` names both, "the whole file" where it is none at all. Lists are cut at their longest.
+// `odd` names both, "the whole file" where it is none at all. Lists are cut at their longest, and
+// what is odd in one is left out of it: `odd` names the list, of keys "keys, Undo".
 struct ReadPreferences {
     Preferences preferences;
     std::vector<std::string> odd;
@@ -71,7 +72,8 @@ public:
     explicit PreferencesFile(std::string path);
     const Preferences& read() const { return kept_; } // as they were when it was opened
     const std::string& path() const { return path_; }
-    // What is odd in it, in a sentence; empty: nothing. No JSON at all is kept beside it.
+    // What is odd in it, in a sentence; empty: nothing. No JSON at all is kept beside it, and what
+    // cannot be read stays as it is: then these are in memory.
     const std::string& trouble() const { return trouble_; }
     // Why they could not be written, once; else nothing.
     std::string keep(const Preferences& preferences);

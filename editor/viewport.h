@@ -55,6 +55,7 @@ public:
     ViewportInput take_input(Session& session, const ui::Frame& frame, const ui::Rect& rect,
                              const Tool& tool);
     void set_manners(const MouseManners& manners) { manners_ = manners; }
+    bool moves_camera() const { return move_ != Move::none; } // by a button that is held
 
     // The scene's picture as a texture, drawn anew only if it would differ. While things move it
     // is a draft; a moment after they rest it is drawn in full, a piece a frame, for which it asks

@@ -81,7 +81,8 @@ bool Viewport::emulates_middle() const
 {
     const ImGuiIO& io = ImGui::GetIO();
     return (manners_.emulation == "alt" && io.KeyAlt) ||
-           (manners_.emulation == "super" && io.KeySuper);
+           (manners_.emulation == "super" && io.KeySuper) ||
+           (manners_.emulation == "space" && ui::is_down(ui::key_space));
 }
 
 void Viewport::zoom(Session& session, glm::dvec2 mouse_px, double factor)

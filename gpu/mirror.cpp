@@ -136,6 +136,7 @@ const MirroredEdges& Mirror::edges(const Ref<Mesh>& mesh, const Ref<Mesh>& faces
         MirroredEdges& out = *found.edges;
         out.indices = edge_indices(faces);
         out.vertices.attribute(0, found.mirrored.buffers.front(), 3, sizeof(glm::vec3));
+        out.vertices.attribute(1, *found.mirrored.attribute(1), 3, sizeof(glm::vec3));
         out.vertices.indices(out.indices->buffer);
     }
     return *found.edges;

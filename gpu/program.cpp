@@ -23,6 +23,7 @@ GLuint compiled(const ShaderStage& stage, const std::vector<std::string>& define
     const std::string source = shader_source(stage.file, defines);
     const char* text = source.c_str();
     const GLuint shader = glCreateShader(stage.kind == "vert"   ? GL_VERTEX_SHADER
+                                         : stage.kind == "geom" ? GL_GEOMETRY_SHADER
                                          : stage.kind == "frag" ? GL_FRAGMENT_SHADER
                                                                 : GL_COMPUTE_SHADER);
     glShaderSource(shader, 1, &text, nullptr);

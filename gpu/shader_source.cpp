@@ -32,6 +32,7 @@ std::vector<ShaderStage> stages(const ProgramName& name)
         if (!base.empty()) out.push_back({kind, base + '.' + kind + ".glsl"});
     };
     add(name.vertex, "vert");
+    add(name.geometry, "geom");
     add(name.fragment, "frag");
     add(name.compute, "comp");
     return out;

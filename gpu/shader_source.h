@@ -7,17 +7,19 @@
 
 namespace trivar::gpu {
 
-// One program: files gpu/shaders/VERTEX.vert.glsl, FRAGMENT.frag.glsl or COMPUTE.comp.glsl, those
-// that are named, and the names its variant defines, each "NAME" or "NAME VALUE".
+// One program: files gpu/shaders/VERTEX.vert.glsl, GEOMETRY.geom.glsl, FRAGMENT.frag.glsl or
+// COMPUTE.comp.glsl, those that are named, and the names its variant defines, each "NAME" or "NAME
+// VALUE".
 struct ProgramName {
     std::string vertex, fragment;
     std::vector<std::string> defines;
     std::string compute = {};
     std::vector<std::string> captured = {}; // outputs of the vertex shader to write to buffers
+    std::string geometry = {};
     auto operator<=>(const ProgramName&) const = default;
 };
 
-// The stages of a program: "vert", "frag" or "comp", and the file.
+// The stages of a program: "vert", "geom", "frag" or "comp", and the file.
 struct ShaderStage {
     std::string kind, file;
 };

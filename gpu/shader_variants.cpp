@@ -3,6 +3,7 @@
 
 #include "gpu/ffd/device_deformer.h"
 #include "gpu/passes/sample.h"
+#include "gpu/passes/wire.h"
 
 #include <fmt/format.h>
 
@@ -77,7 +78,7 @@ std::vector<ProgramName> every_program()
     out.push_back({"line", "line", {}});
     for (const Defines& more : {Defines{}, Defines{"LAYER_DEPTHS"}})
         out.push_back({"veil", "veil", more});
-    out.push_back({"wire", "wire", {}});
+    out.push_back(wire_program());
     out.push_back({"", "", {}, "arithmetic"});
     out.push_back(bounds_program({}));
     for (const std::array<int, 3>& orders :

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/curve_field.h"
 
+#include "ui/input.h"
 #include "ui/keys.h"
 
 #include <algorithm>
@@ -187,6 +188,7 @@ Edit curve_field(const Theme& theme, const std::string& id, std::vector<glm::dve
         drag_point(points, static_cast<std::size_t>(chosen), to, style);
         if (points != before) edit = Edit::changed;
     }
+    if (active && chosen >= 0) hands().may_hold_on();
     if (active && ImGui::IsKeyPressed(key_escape, false)) {
         ImGui::ClearActiveID();
         edit = Edit::cancelled;

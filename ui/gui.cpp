@@ -109,10 +109,20 @@ Gui::Gui(const ThemeOptions& options)
     : contexts_(std::make_unique<Contexts>()),
       theme_(apply_theme(options))
 {
-    ImGui::GetIO().UserData = &tooltips_;
+    ImGui::GetIO().UserData = this;
 }
 
 Gui::~Gui() = default;
+
+Input& hands()
+{
+    return static_cast<Gui*>(ImGui::GetIO().UserData)->input_;
+}
+
+Tooltips& tooltips()
+{
+    return static_cast<Gui*>(ImGui::GetIO().UserData)->tooltips_;
+}
 
 void Gui::set_theme(const ThemeOptions& options)
 {
@@ -136,7 +146,7 @@ Frame Gui::frame(glm::ivec2 size_px, double time_s, bool close_asked, const Draw
     last_time_s_ = time_s;
 
     by_key_ = by_key(by_key_, input_.events()); // what opened since
-    input_.begin_frame(time_s, theme_.look.double_click_s);
+    input_.begin_frame(time_s, {theme_.look.double_click_s, theme_.look.click_holds});
     Contexts::use_gpu();
     let_menus_have_the_keyboard();
     ImGui_ImplOpenGL3_NewFrame();

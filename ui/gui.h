@@ -33,6 +33,8 @@ private:
     Theme theme_;
     Input input_;
     Tooltips tooltips_;
+    friend Input& hands();
+    friend Tooltips& tooltips();
     double last_time_s_ = -1;
     std::vector<unsigned> popups_; // that were open at the last frame
     bool by_key_ = false;          // the last thing that hands did was to press a key

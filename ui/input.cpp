@@ -4,12 +4,15 @@
 #include "ui/keys.h"
 
 #include <imgui.h>
+#include <utility>
 
 namespace trivar::ui {
 namespace {
 
 // What makes ImGui take a press for a second one, if it is in the same place, or never.
 constexpr float always_s = 1e9f, never_s = -1;
+// A mouse so far to the left has left the window.
+constexpr float outside_px = 1e5f;
 
 bool is_modifier(const Event& event)
 {
@@ -61,10 +64,51 @@ Event drop_files(std::vector<std::string> paths)
     return {.kind = Event::Kind::drop, .paths = std::move(paths)};
 }
 
-void Input::begin_frame(double time_s, double double_click_s)
+bool Input::hears(Event& event, double time_s, double double_click_s, bool holds)
+{
+    switch (event.kind) {
+    case Event::Kind::focus:
+        if (!event.down) hold_ = {};
+        return true;
+    case Event::Kind::move:
+        // A hand that holds nothing down in truth may leave the window.
+        if (hold_.on && event.at.x < -outside_px) return false;
+        if (glm::distance(event.at, hold_.at) > ImGui::GetIO().MouseDragThreshold)
+            hold_.strayed = true;
+        return true;
+    case Event::Kind::button: break;
+    default: return true;
+    }
+    if (!event.down) {
+        if (event.code != hold_.button) return true;
+        hold_.on = hold_.on || (holds && !hold_.strayed && !hold_.twice);
+        if (!hold_.on) hold_ = {};
+        return !hold_.on;
+    }
+    const double at_s = event.time_s < 0 ? time_s : event.time_s;
+    if (hold_.on && event.code != static_cast<int>(Button::right)) { // which may cancel
+        const bool twice = event.code == hold_.button && !hold_.strayed &&
+                           at_s - event.doubt_s - hold_.pressed_s < double_click_s;
+        if (twice) waiting_.push_front(event); // once what it follows was a click
+        event = press(static_cast<Button>(hold_.button), false, event.time_s);
+        hold_ = {.twice = twice};
+        return true;
+    }
+    const ImVec2 p = ImGui::GetIO().MousePos;
+    if (!hold_.on)
+        hold_ = {.button = event.code, .twice = hold_.twice, .at = {p.x, p.y}, .pressed_s = at_s};
+    return true;
+}
+
+void Input::begin_frame(double time_s, const ClickManners& manners)
 {
     ImGui::GetIO().MouseDoubleClickTime = never_s;
     taken_.clear();
+    const bool dragged = std::exchange(drags_, false);
+    if (hold_.on && !dragged) { // it was cancelled
+        ImGui::GetIO().MouseDown[hold_.button] = false;
+        hold_ = {};
+    }
     bool pressed = false; // a press or release was taken: what follows it must wait a frame
     while (!waiting_.empty()) {
         const Event& next = waiting_.front();
@@ -73,9 +117,11 @@ void Input::begin_frame(double time_s, double double_click_s)
         if (pressed && (press || next.kind == Event::Kind::move)) break;
         // Modifiers going down belong to the press that follows them.
         if (press && !(is_modifier(next) && next.down)) pressed = true;
-        tell(next, time_s, double_click_s);
-        taken_.push_back(std::move(waiting_.front()));
+        Event event = std::move(waiting_.front());
         waiting_.pop_front();
+        if (!hears(event, time_s, manners.double_click_s, manners.hold && dragged)) continue;
+        tell(event, time_s, manners.double_click_s);
+        taken_.push_back(std::move(event));
     }
 }
 

@@ -29,6 +29,13 @@ Event type_text(unsigned code_point);
 Event turn_wheel(float steps_up);
 Event drop_files(std::vector<std::string> paths);
 
+// What a person has arranged about buttons.
+struct ClickManners {
+    double double_click_s = 0.3; // between the presses of a double click
+    bool hold =
+        false; // a click begins what is else dragged with a button held; a second one ends it
+};
+
 // Events wait here until a frame takes them. A frame sees at most one press or release, so that a
 // click shorter than a frame is still a click, and every move is kept for tools that draw.
 class Input {
@@ -38,16 +45,32 @@ public:
 
     // Takes the events of one frame and tells the current ImGui context. Two presses are a double
     // click by when they were made, however long the frames between them took.
-    void begin_frame(double time_s, double double_click_s = 0.3);
+    void begin_frame(double time_s, const ClickManners& manners = {});
+    // What is being dragged asks in every frame that its button may be held on by a click.
+    void may_hold_on() { drags_ = true; }
     const std::vector<Event>& events() const { return taken_; } // of this frame, in order
 
 private:
     void tell(const Event& event, double time_s, double double_click_s);
+    // Whether ImGui hears of the event, which may become another one: with `holds` a click holds
+    // what is dragged.
+    bool hears(Event& event, double time_s, double double_click_s, bool holds);
 
+    struct Hold {
+        int button = -1;         // that is down for ImGui; -1: none
+        bool on = false;         // by a click: in truth it is up
+        bool strayed = false;    // the hand moved since it was pressed
+        bool twice = false;      // pressed, or to be pressed, for the second time
+        glm::vec2 at{0};         // where it was pressed
+        double pressed_s = -1e9; // and when
+    } hold_;
+    bool drags_ = false; // something is being dragged, as of the last frame
     std::deque<Event> waiting_;
     std::vector<Event> taken_;
     std::array<double, 5> pressed_s_{-1e9, -1e9, -1e9, -1e9, -1e9}; // by button, the last time
 };
+
+Input& hands(); // of the current ImGui context, which a Gui made
 
 // Gives ImGui's names of the keys our codes. Called once a context.
 void map_keys();

@@ -2,6 +2,7 @@
 #include "core/base/expression.h"
 #include "core/base/rounded.h"
 #include "core/base/text.h"
+#include "ui/input.h"
 #include "ui/keys.h"
 #include "ui/widgets.h"
 
@@ -240,6 +241,7 @@ Edit type_number(const Theme& theme, const Memory& memory, double& value, const 
 // By the right button: the value to other fields, and from them.
 Edit value_menu(double& value, const NumberStyle& style)
 {
+    const bool commands = offers_commands();
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) ImGui::OpenPopup("value menu");
     if (!ImGui::BeginPopup("value menu")) return Edit::none;
     Edit edit = Edit::none;
@@ -251,6 +253,7 @@ Edit value_menu(double& value, const NumberStyle& style)
         value = *pasted;
         edit = Edit::changed;
     }
+    if (commands && ImGui::MenuItem(copy_command_words)) edit = Edit::copied;
     ImGui::EndPopup();
     return edit;
 }
@@ -309,6 +312,7 @@ Edit number_field(const Theme& theme, const std::string& id, double& value,
     }
     if (ImGui::IsItemActive()) {
         const ImGuiIO& io = ImGui::GetIO();
+        hands().may_hold_on();
         if (ImGui::IsMouseDragging(ImGuiMouseButton_Left)) memory.set_mode(Memory::dragging);
         if (memory.mode() == Memory::dragging) {
             memory.set_travel(memory.travel() + io.MouseDelta.x * (io.KeyShift ? 0.1f : 1.0f));

@@ -123,6 +123,8 @@ Palette light_palette()
     c.fold = rgb(0x43000E);
     c.path = rgb(0x646A44);
     c.contact = rgb(0x005043);
+    c.cpu = rgb(0x2F6FDE);
+    c.gpu = rgb(0xB86A00);
     c.grid = rgb(0x000000, 0.07f);
     c.grid_major = rgb(0x000000, 0.14f);
     return c;

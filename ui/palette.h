@@ -52,6 +52,7 @@ Palette light_palette();
 struct Look {
     bool light = false, high_contrast = false, other_hues = false;
     double lines = 1, tooltip_s = 0.5, double_click_s = 0.3;
+    bool click_holds = false; // a click begins a drag, a second one ends it
     bool operator==(const Look&) const = default;
 };
 Palette palette_of(const Look& look);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/splitter.h"
 
+#include "ui/input.h"
+
 #include <imgui.h>
 #include <imgui_internal.h>
 
@@ -30,6 +32,7 @@ Splitter splitter(Frame& frame, const char* name, const Rect& line)
     Splitter result;
     const bool active = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
     if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) result.restored = true;
+    if (active && !result.restored) hands().may_hold_on();
     if (active && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 0) && !result.restored) {
         const ImVec2 mouse = ImGui::GetIO().MousePos;
         result.dragged = true;

@@ -83,11 +83,6 @@ void paint(const Theme& theme, const Tooltips::Offer& offer, glm::vec2 window_px
 
 } // namespace
 
-Tooltips& tooltips()
-{
-    return *static_cast<Tooltips*>(ImGui::GetIO().UserData);
-}
-
 void tooltip(Tip tip, Side side)
 {
     if (!may_offer() || !ImGui::IsItemHovered()) return;

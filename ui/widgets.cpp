@@ -33,6 +33,26 @@ Pressed press_area(const std::string& id, glm::vec2 size)
     return p;
 }
 
+ImGuiID command_key()
+{
+    return ImHashStr("fields set commands");
+}
+
+// By the right button on the last item, where its window offers commands.
+Edit command_menu(const std::string& id)
+{
+    if (!offers_commands()) return Edit::none;
+    ImGui::PushID(id.c_str());
+    if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) ImGui::OpenPopup("field menu");
+    Edit edit = Edit::none;
+    if (ImGui::BeginPopup("field menu")) {
+        if (ImGui::MenuItem(copy_command_words)) edit = Edit::copied;
+        ImGui::EndPopup();
+    }
+    ImGui::PopID();
+    return edit;
+}
+
 float to_srgb(float c)
 {
     return c <= 0.0031308f ? 12.92f * c : 1.055f * std::pow(c, 1 / 2.4f) - 0.055f;
@@ -43,6 +63,16 @@ float to_linear(float c)
 }
 
 } // namespace
+
+void offer_commands()
+{
+    ImGui::GetStateStorage()->SetBool(command_key(), true);
+}
+
+bool offers_commands()
+{
+    return ImGui::GetStateStorage()->GetBool(command_key());
+}
 
 Edit check_box(const Theme& theme, const std::string& id, bool& value, const std::string& effect)
 {
@@ -61,7 +91,7 @@ Edit check_box(const Theme& theme, const std::string& id, bool& value, const std
         paint_path({at(4, 8), at(7, 11), at(12, 5)}, c.on_accent, 1.8f * theme.scale);
     }
     paint_text(theme.font.body, {{box.hi.x + theme.px(8), p.rect.lo.y}, p.rect.hi}, c.text, effect);
-    if (!p.clicked) return Edit::none;
+    if (!p.clicked) return command_menu(id);
     value = !value;
     return Edit::changed;
 }
@@ -88,7 +118,7 @@ Edit segments(const Theme& theme, const std::string& id, int& chosen,
                    names[i], Align::center);
     }
     const int last = static_cast<int>(names.size()) - 1;
-    if (!p.clicked || std::clamp(under, 0, last) == chosen) return Edit::none;
+    if (!p.clicked || std::clamp(under, 0, last) == chosen) return command_menu(id);
     chosen = std::clamp(under, 0, last);
     return Edit::changed;
 }
@@ -107,11 +137,11 @@ Edit choice(const Theme& theme, const std::string& id, int& chosen,
     const std::string shown = known ? names[static_cast<std::size_t>(chosen)] : "";
     const std::string fits = elided(theme.font.body, shown, text.width());
     paint_text(theme.font.body, text, c.text, fits);
+    Edit edit = command_menu("command");
     if (fits != shown) tooltip({shown});
     if (p.clicked) ImGui::OpenPopup("list");
     ImGui::SetNextWindowPos({p.rect.lo.x, p.rect.hi.y + theme.px(4)});
     ImGui::SetNextWindowSize({width, 0});
-    Edit edit = Edit::none;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.px(4), theme.px(4)});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     if (ImGui::BeginPopup("list")) {
@@ -149,7 +179,7 @@ Edit color_field(const Theme& theme, const std::string& id, glm::vec4& linear, f
                               ImGuiColorEditFlags_NoOptions);
     ImGui::PopStyleVar();
     ImGui::PopID();
-    if (!changed) return Edit::none;
+    if (!changed) return command_menu(id);
     for (int i = 0; i < 3; ++i) linear[i] = std::clamp(to_linear(shown[i]), 0.0f, 1.0f);
     return Edit::changed;
 }

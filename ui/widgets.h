@@ -10,7 +10,14 @@
 
 namespace trivar::ui {
 
-enum class Edit { none, changed, cancelled }; // cancelled: the value is as it was before the drag
+// cancelled: the value is as it was before the drag; copied: the command that would set the value
+// is asked for, the value is as it was.
+enum class Edit { none, changed, cancelled, copied };
+
+// What the fields of the current window set is a command: their menus then copy it as well.
+void offer_commands();
+bool offers_commands(); // the current window
+inline constexpr const char* copy_command_words = "Copy as command";
 
 // A number that is dragged sideways (1 % of the range, or of the value, each 4 px; Shift a tenth,
 // Ctrl in round steps) or clicked and typed; Tab goes to the next one. Drags end at the limits;

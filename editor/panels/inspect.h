@@ -14,6 +14,9 @@ namespace trivar {
 // Proposes the command if the edit changed something, or cancels what was proposed before.
 void propose_edit(Editor& editor, ui::Edit edit, const std::function<Command()>& command);
 
+// The line of the log that sets what the scene has now, to the clipboard.
+void copy_command(Editor& editor, const Command& command);
+
 // Three fields beside each other, X, Y and Z, in a row of that width, pixels.
 using AxisField = std::function<ui::Edit(int axis, const ui::NumberStyle& style, float width)>;
 ui::Edit axis_fields(const ui::Theme& theme, float width, ui::NumberStyle style,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/inspect.h"
 
+#include "core/document/log.h"
+#include "editor/clipboard.h"
 #include "editor/field_words.h"
 #include "editor/new_material.h"
 #include "editor/panels/panels.h"
@@ -166,8 +168,16 @@ ui::Edit axis_fields(const ui::Theme& theme, float width, ui::NumberStyle style,
     return edit;
 }
 
+void copy_command(Editor& editor, const Command& command)
+{
+    ImGui::SetClipboardText(command_line(command).c_str());
+    editor.session.notices.say(ui::NoticeKind::good, "The command was copied",
+                               "Paste it into the field of the log to run it.", of_clipboard);
+}
+
 void propose_edit(Editor& editor, ui::Edit edit, const std::function<Command()>& command)
 {
+    if (edit == ui::Edit::copied) return copy_command(editor, command());
     if (edit == ui::Edit::none || editor.session.committing()) return;
     if (edit == ui::Edit::cancelled) {
         editor.session.cancel();
@@ -234,7 +244,10 @@ void draw_material(Editor& editor, const ui::Theme& theme, Id id)
     if (!ui::section(theme, "Material")) return;
     bool own = !each.surfacing.has_value();
     ui::label_row(theme, "Use", false, material_help);
-    if (ui::check_box(theme, "own", own, "the model's own") == ui::Edit::changed) {
+    const ui::Edit use = ui::check_box(theme, "own", own, "the model's own");
+    if (use == ui::Edit::copied && own) copy_command(editor, ClearMaterial{{id}});
+    if (use == ui::Edit::copied && !own) copy_command(editor, SetMaterial{{id}, *each.surfacing});
+    if (use == ui::Edit::changed) {
         if (own)
             editor.session.run(ClearMaterial{{id}});
         else
@@ -326,6 +339,7 @@ void draw_inspector(Editor& editor, const ui::Theme& theme, const Layout& layout
     if (effects != editor.session.evaluated().objects.end())
         fields.hi.y -= draw_notices(theme, layout.inspector, effects->second->notices);
     begin_panel("inspector", fields, theme.color.panel, true);
+    ui::offer_commands();
     if (editor.panel == Editor::Panel::dock && editor.show_focus && !ImGui::IsAnyItemActive() &&
         ImGui::IsKeyPressed(ui::key_tab, false))
         ui::type_next_number();

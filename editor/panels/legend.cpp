@@ -42,6 +42,10 @@ void draw_legend(const ui::Theme& theme, const ui::Rect& view)
         ui::paint_box({{std::round(left + a * width), top}, {std::round(left + b * width), bottom}},
                       screen_color(gpu::diverging_color(a + b - 1)));
     }
+    const auto rim = [&](float from, float to) { // white and pale ones stand on a white card
+        ui::paint_rim({{from, top}, {to, bottom}}, theme.color.text_3, 0, theme.size.hairline);
+    };
+    rim(left, std::round(left + width));
     words(left, 46, width, "half");
     words(left + width / 2 - ui::text_width(theme.font.small, "usual") / 2, 46, width, "usual");
     words(left + width - ui::text_width(theme.font.small, "double"), 46, width, "double");
@@ -53,6 +57,7 @@ void draw_legend(const ui::Theme& theme, const ui::Rect& view)
         list.AddLine({at, top}, {at - (bottom - top), bottom},
                      screen_color(gpu::folded_color(true)), period * 0.35f);
     list.PopClipRect();
+    rim(x, right);
     words(x, 46, theme.px(52), "folded");
 }
 

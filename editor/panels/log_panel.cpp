@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/clipboard.h"
 #include "editor/panels/panels.h"
 #include "editor/run_lines.h"
 #include "editor/typed_command.h"
@@ -132,23 +133,15 @@ void draw_entry(const ui::Theme& theme, const Entry& entry, const ui::Rect& row,
         ImGui::SetClipboardText(std::string(entry.line).c_str());
 }
 
-// A press takes a line, a drag those between; the clipboard gets them as they stand.
+// A press takes a line, a drag those between.
 void select_lines(Editor& editor, const std::vector<Entry>& entries, std::size_t under)
 {
     Editor::LogLines& lines = editor.log_lines;
     const bool over = under < entries.size() && ImGui::IsWindowHovered();
-    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
-        lines = {};
-        if (over) lines = {.from = under, .to = under, .dragging = true};
-    }
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && over)
+        lines = {.from = under, .to = under, .dragging = true};
     if (lines.dragging && under < entries.size()) lines.to = under;
     if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) lines.dragging = false;
-    if (!lines.from || !ui::struck({.key = 'C', .ctrl = true})) return;
-    const auto [first, last] = std::minmax(*lines.from, lines.to);
-    std::string text;
-    for (std::size_t i = first; i <= last && i < entries.size(); ++i)
-        text += std::string(entries[i].line) + "\n";
-    ImGui::SetClipboardText(text.c_str());
 }
 
 void draw_entries(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
@@ -307,9 +300,39 @@ void draw_field(Editor& editor, const ui::Theme& theme, const ui::Rect& r,
 
 } // namespace
 
+bool log_lines_chosen(const Editor& editor)
+{
+    return editor.log_lines.from && editor.tab == Editor::Tab::log &&
+           editor.preferences.show_dock && !editor.only_view;
+}
+
+bool copy_log_lines(Editor& editor)
+{
+    if (!log_lines_chosen(editor)) return false;
+    const std::vector<Entry> entries = entries_of(editor.session);
+    const auto [first, last] = std::minmax(*editor.log_lines.from, editor.log_lines.to);
+    std::string text;
+    std::size_t count = 0;
+    for (std::size_t i = first; i <= last && i < entries.size(); ++i, ++count)
+        text += std::string(entries[i].line) + "\n";
+    ImGui::SetClipboardText(text.c_str());
+    editor.session.notices.say(ui::NoticeKind::good,
+                               count == 1 ? "A line was copied"
+                                          : std::to_string(count) + " lines were copied",
+                               {}, of_clipboard);
+    return true;
+}
+
 void draw_log(Editor& editor, const ui::Theme& theme, const Layout& layout)
 {
     const ui::Rect& r = layout.inspector;
+    // Objects are what is copied once the hand went to them.
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const bool elsewhere =
+        layout.view.contains({mouse.x, mouse.y}) || layout.outliner.contains({mouse.x, mouse.y});
+    if (elsewhere && ImGui::IsMouseClicked(ImGuiMouseButton_Left) &&
+        !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId))
+        editor.log_lines = {};
     begin_panel("log", r, theme.color.panel);
     const auto told = told_by_field(editor, theme, r.width() - 2 * theme.size.padding);
     const float foot = theme.px(40) + (told.empty() ? 0 : theme.px(4)) +

@@ -49,6 +49,8 @@ void drag_splitters(Editor& editor, ui::Frame& frame, const Layout& layout);
 // Parts of the viewport, drawn inside its window.
 void draw_legend(const ui::Theme& theme, const ui::Rect& view); // of the colours of stretch
 void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
+bool log_lines_chosen(const Editor& editor); // in the log, which is shown
+bool copy_log_lines(Editor& editor);         // to the clipboard, as they stand; whether there were
 bool shows_welcome(const Editor& editor);
 void draw_welcome(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
 void draw_adjustment(Editor& editor, const ui::Theme& theme, const ui::Rect& view);

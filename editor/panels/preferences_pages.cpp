@@ -98,7 +98,10 @@ void draw_mouse_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
     choice_row(theme, "Scrolling", m.device, was.device,
                {{"automatic", "Automatic"}, {"mouse", "Mouse"}, {"trackpad", "Trackpad"}});
     choice_row(theme, "Middle button", m.emulation, was.emulation,
-               {{"alt", "Alt + left"}, {"super", "Super + left"}, {"none", "Only itself"}});
+               {{"alt", "Alt + left"},
+                {"super", "Super + left"},
+                {"space", "Space + left"},
+                {"none", "Only itself"}});
     choice_row(theme, "Orbit about", m.orbit_about, was.orbit_about,
                {{"cursor", "Under the mouse"}, {"selection", "Selection"}, {"origin", "Origin"}});
     flag_row(theme, "Zoom", m.zoom_to_cursor, was.zoom_to_cursor,
@@ -219,6 +222,8 @@ void draw_accessibility_page(Editor& editor, const ui::Theme& theme, const ui::R
                {{1, "Usual"}, {1.5, "Wide"}, {2, "Wider"}, {3, "Widest"}});
     flag_row(theme, "Motion", p.reduced_motion, usual.reduced_motion,
              "reduced: what would move is there at once");
+    flag_row(theme, "Dragging", p.look.click_holds, usual.look.click_holds,
+             "a click begins it, another ends it: no button is held");
     choice_row(theme, "Tooltips after", p.look.tooltip_s, usual.look.tooltip_s,
                {{0.15, "0.15 s"}, {0.5, "0.5 s"}, {1, "1 s"}, {2, "2 s"}});
     const std::string key = key_text(action(editor, palette_action));

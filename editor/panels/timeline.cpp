@@ -186,6 +186,7 @@ void scrub(Editor& editor, const ui::Rect& r, const FrameScale& scale)
     ImGui::SetCursorScreenPos({r.lo.x, r.lo.y});
     ImGui::InvisibleButton("ruler", {std::max(1.0f, r.width()), std::max(1.0f, r.height())});
     if (!ImGui::IsItemActive()) return;
+    ui::hands().may_hold_on();
     editor.playback.pause();
     const double frame = std::clamp(scale.frame_at(ImGui::GetIO().MousePos.x), -1e6, 1e6);
     editor.session.show_frame(static_cast<int>(std::lround(frame)));

@@ -75,6 +75,7 @@ void drag(Editor& editor, const Journey& journey, double frame)
         ImGui::ClearActiveID();
         return;
     }
+    ui::hands().may_hold_on();
     const int frames = static_cast<int>(std::lround(std::clamp(frame - t.grabbed, -1e6, 1e6)));
     const Travel wanted =
         frames == 0 ? t.travel

@@ -153,6 +153,7 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     Tool& tool = editor.active_tool();
     const ViewportInput input = editor.viewport.take_input(session, frame, view, tool);
     if (!editor.files.asking()) tool.use(session, input);
+    if ((input.down && tool.busy()) || editor.viewport.moves_camera()) ui::hands().may_hold_on();
     if (input.hovered && tool.crosshair()) ImGui::SetMouseCursor(ImGuiMouseCursor_NotAllowed);
     // A small window's picture must not jump: the picture is drawn after the camera moved.
     const bool moving = tool.busy() || editor.inspecting || !session.up_to_date() ||

@@ -18,7 +18,8 @@ constexpr std::size_t most_recent = 4;
 constexpr float row_height = 44;
 
 // A scene of the list; whether it was clicked. One that is gone is dim.
-bool recent_row(const ui::Theme& theme, const ui::Rect& row, const RecentScene& scene)
+bool recent_row(Editor& editor, const ui::Theme& theme, const ui::Rect& row,
+                const RecentScene& scene)
 {
     const ui::Palette& c = theme.color;
     ImGui::SetCursorScreenPos({row.lo.x, row.lo.y});
@@ -43,7 +44,7 @@ bool recent_row(const ui::Theme& theme, const ui::Rect& row, const RecentScene& 
     ui::paint_text(theme.font.small, {{x, second.lo.y}, second.hi},
                    scene.there ? quiet : c.text_off,
                    ui::elided(theme.font.small, scene.folder, end - x));
-    return clicked;
+    return is_chosen(editor, theme, row, clicked);
 }
 
 // What was worked on last, as many as there is room for; returns where it ends.
@@ -58,7 +59,8 @@ float draw_recent(Editor& editor, const ui::Theme& theme, const ui::Rect& column
     for (std::size_t i = 0; i < std::min(most_recent, recent.size()) && y + row <= column.hi.y;
          ++i) {
         ImGui::PushID(static_cast<int>(i));
-        if (recent_row(theme, ui::rect_at({column.lo.x, y}, {column.width(), row}), recent[i])) {
+        if (recent_row(editor, theme, ui::rect_at({column.lo.x, y}, {column.width(), row}),
+                       recent[i])) {
             if (recent[i].there)
                 open = recent[i].path;
             else
@@ -111,8 +113,9 @@ void draw_beginnings(Editor& editor, const ui::Theme& theme, const ui::Rect& col
         if (y + theme.px(36) > upper.hi.y) return;
         ImGui::SetCursorScreenPos({column.lo.x, y});
         const Action& each = action(editor, what);
-        if (ui::button(theme, words, kind, {column.width(), theme.px(36)}, icon, key_text(each)))
-            each.run(editor);
+        const ui::Rect r = ui::rect_at({column.lo.x, y}, {column.width(), theme.px(36)});
+        const bool clicked = ui::button(theme, words, kind, r.size(), icon, key_text(each));
+        if (is_chosen(editor, theme, r, clicked)) each.run(editor);
         y += theme.px(44);
     };
     line("New scene", ui::icon::file, "New scene", ui::ButtonKind::primary);
@@ -125,7 +128,7 @@ void draw_beginnings(Editor& editor, const ui::Theme& theme, const ui::Rect& col
     const auto foot_link = [&](const std::string& words) {
         const ui::Rect row = {{column.lo.x, y}, {column.hi.x, y + theme.px(28)}};
         y = row.hi.y;
-        return text_link(theme, row, words);
+        return text_link(editor, theme, row, words);
     };
     std::string when = left ? day_words(left->when, std::time(nullptr)) : "";
     for (const std::string_view day : {"Today", "Yesterday"}) // a month keeps its capital
@@ -192,6 +195,7 @@ void draw_welcome(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
     if (roomy) at.y = std::round(at.y - (drop + below) / 2);
     const ui::Rect r = ui::rect_at(at, size);
     ui::paint_card(theme, r);
+    move_keyboard(editor);
     ImGui::SetCursorScreenPos({r.lo.x, r.lo.y}); // what lies below takes no clicks through it
     ImGui::SetItemAllowOverlap();
     ImGui::InvisibleButton("start card", {r.width(), r.height()});
@@ -210,10 +214,12 @@ void draw_welcome(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
     }
     if (roomy) draw_drop_target(theme, {{r.lo.x, r.hi.y + below}, {r.hi.x, r.hi.y + below + drop}});
     if (editor.start_card.asked != editor.session.scenes()) return;
-    ImGui::SetCursorScreenPos({r.hi.x - theme.px(28), r.lo.y + theme.px(4)});
-    if (ui::icon_button(theme, "close", ui::icon::close, glm::vec2(theme.size.icon_button),
-                        {"Close", "Esc"}))
-        editor.start_card.asked = -1;
+    const ui::Rect corner = ui::rect_at({r.hi.x - theme.px(28), r.lo.y + theme.px(4)},
+                                        glm::vec2(theme.size.icon_button));
+    ImGui::SetCursorScreenPos({corner.lo.x, corner.lo.y});
+    const bool clicked =
+        ui::icon_button(theme, "close", ui::icon::close, corner.size(), {"Close", "Esc"});
+    if (is_chosen(editor, theme, corner, clicked)) editor.start_card.asked = -1;
 }
 
 } // namespace trivar

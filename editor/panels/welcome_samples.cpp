@@ -35,7 +35,7 @@ void draw_sample(Editor& editor, const ui::Theme& theme, const ui::Rect& r, floa
                    ui::elided(theme.font.strong, sample.title, r.width()));
     ui::paint_text(theme.font.small, {{r.lo.x, y + theme.px(19)}, {r.hi.x, y + theme.px(37)}},
                    c.text_3, ui::elided(theme.font.small, sample.words, r.width()));
-    if (clicked) editor.files.open_scene(sample.path);
+    if (is_chosen(editor, theme, picture, clicked)) editor.files.open_scene(sample.path);
 }
 
 } // namespace
@@ -47,8 +47,8 @@ float draw_caption(const ui::Theme& theme, const ui::Rect& column, float y, cons
     return y + theme.px(28);
 }
 
-bool text_link(const ui::Theme& theme, const ui::Rect& row, const std::string& words,
-               ui::Align align)
+bool text_link(Editor& editor, const ui::Theme& theme, const ui::Rect& row,
+               const std::string& words, ui::Align align)
 {
     const ImFont* font = theme.font.body;
     const float width = std::min(row.width(), ui::text_width(font, words));
@@ -63,7 +63,7 @@ bool text_link(const ui::Theme& theme, const ui::Rect& row, const std::string& w
                        theme.size.hairline);
     }
     ui::paint_text(font, r, theme.color.accent_text, ui::elided(font, words, row.width()));
-    return clicked;
+    return is_chosen(editor, theme, r.grown(theme.px(1)), clicked);
 }
 
 void draw_samples(Editor& editor, const ui::Theme& theme, const ui::Rect& column,
@@ -72,7 +72,8 @@ void draw_samples(Editor& editor, const ui::Theme& theme, const ui::Rect& column
     const float y = draw_caption(theme, column, column.lo.y + theme.px(4), "SAMPLE SCENES");
     const ui::Rect head = {{column.lo.x + theme.px(120), column.lo.y},
                            {column.hi.x, column.lo.y + theme.px(28)}};
-    if (has_tour(editor) && text_link(theme, head, "Take the one-minute tour", ui::Align::right))
+    if (has_tour(editor) &&
+        text_link(editor, theme, head, "Take the one-minute tour", ui::Align::right))
         begin_tour(editor);
     const float gap = theme.px(16), wide = std::floor((column.width() - gap) / 2);
     const float pitch = std::floor((column.hi.y - y) / 2);

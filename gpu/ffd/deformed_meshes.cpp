@@ -150,6 +150,7 @@ void DeformedMeshes::deform(Entry& entry, const Instance& instance, Mirror& mirr
     if (!entry.wire) return;
     drawn.edges.indices = mirror.edge_indices(instance.mesh);
     drawn.edges.vertices.attribute(0, entry.vertices.positions, 3, sizeof(glm::vec3));
+    drawn.edges.vertices.attribute(1, entry.vertices.normals, 3, sizeof(glm::vec3));
     drawn.edges.vertices.indices(drawn.edges.indices->buffer);
 }
 

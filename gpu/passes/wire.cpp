@@ -20,21 +20,30 @@ float edge_px(const SceneItem& item, const Frame& frame)
 
 } // namespace
 
+ProgramName wire_program()
+{
+    return {.vertex = "wire", .fragment = "wire", .defines = {}, .geometry = "wire"};
+}
+
 void draw_wire(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
                const EdgeStyle& style)
 {
     targets.to_color.bind();
     set_state({.depth = DepthTest::less_equal, .blend = true});
-    const Program& program = tools.use({"wire", "wire", {}});
+    const Program& program = tools.use(wire_program());
     program.set("scene_to_clip", frame.view_clip);
+    program.set("half_size_px", glm::vec2(frame.size_px) * 0.5f);
+    program.set("formed", style.alone ? 1.0f : 0.0f);
+    const glm::mat3 to_view(frame.view);
     for (const SceneItem& item : scene.items) {
         if (!item.edges || item.edges->indices->count == 0) continue;
         program.set("to_scene", item.to_scene);
-        const float room = glm::smoothstep(1.5f, 6.0f, edge_px(item, frame));
+        program.set("normal_to_view", to_view * item.normal_to_scene);
         // Edges alone lie over one another, and need no more to be seen.
-        const float opacity =
-            style.alone ? glm::mix(0.04f, 0.4f, room) : item.opacity * glm::mix(0.12f, 0.7f, room);
-        program.set("color", glm::vec4(style.color, opacity));
+        const float room = glm::smoothstep(1.5f, 6.0f, edge_px(item, frame));
+        const float most = style.alone ? glm::mix(0.07f, 0.4f, room) : glm::mix(0.12f, 0.7f, room);
+        program.set("strength", glm::vec2(most, 0.1f));
+        program.set("color", glm::vec4(style.color, style.alone ? 1 : item.opacity));
         item.edges->vertices.bind();
         glDrawElements(GL_LINES, item.edges->indices->count, GL_UNSIGNED_INT, nullptr);
     }

@@ -7,8 +7,10 @@
 
 namespace trivar::gpu {
 
+ProgramName wire_program();
+
 // The edges of the scene's faces over the lit surfaces, for items that have them; fainter where
-// they lie so close that they would cover everything.
+// they are so many, or so short in the picture, that they would cover everything.
 void draw_wire(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
                const EdgeStyle& style);
 

@@ -168,5 +168,22 @@ TEST(NewObjects, AreOfAMiddleGreyWhereverTheyAreAdded)
     EXPECT_FALSE(object(after(Document{}, AddSphere{}), 1).surfacing); // old scenes stay white
 }
 
+TEST(Clipboard, LinesOfTheLogAreCopiedByTheMenuAsByTheKey)
+{
+    Boxes rig;
+    rig.editor.tab = Editor::Tab::log;
+    rig.editor.session.selected = 0;
+    rig.frames();
+    rig.editor.log_lines = {.from = 1, .to = 2};
+    ASSERT_TRUE(is_enabled(rig.editor, action(rig.editor, "Copy")));
+    rig.key({.key = 'E', .alt = true}); // as a menu does, which is opened by a click as well
+    rig.key({ui::key_escape});
+    action(rig.editor, "Copy").run(rig.editor);
+    EXPECT_THAT(ImGui::GetClipboardText(), StartsWith("{\"do\":\"add_box\""));
+    EXPECT_EQ(said_last(rig).title, "2 lines were copied");
+    rig.click(rig.away()); // into the picture
+    EXPECT_FALSE(is_enabled(rig.editor, action(rig.editor, "Copy")));
+}
+
 } // namespace
 } // namespace trivar

@@ -336,5 +336,23 @@ TEST(EditorWindow, ARestingPictureIsFinishedInPiecesAndThenNothingIsDrawn)
     EXPECT_FALSE(rig.editor.viewport.full_timings().stages.empty());
 }
 
+TEST(EditorWindow, AFieldsMenuCopiesTheCommandThatSetsItsValue)
+{
+    Rig rig;
+    rig.two_objects();
+    const auto field = find_field(rig);
+    ASSERT_TRUE(field);
+    rig.screen.input().push(ui::press(Button::right));
+    rig.screen.input().push(ui::press(Button::right, false));
+    rig.frames(6);
+    const float row = ImGui::GetTextLineHeightWithSpacing();
+    rig.click(*field + glm::vec2(20, row * 2.8f));
+    const std::string line = ImGui::GetClipboardText();
+    EXPECT_EQ(line.substr(0, line.find('\n')),
+              to_json_line(SetTransform{2, object(rig.editor.session.committed(), 2).transform}));
+    EXPECT_EQ(rig.steps(), 2u);
+    EXPECT_FALSE(rig.editor.session.proposing());
+}
+
 } // namespace
 } // namespace trivar

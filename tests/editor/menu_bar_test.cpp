@@ -2,6 +2,7 @@
 #include "editor/actions.h"
 #include "editor/menu_letters.h"
 #include "tests/editor/rig.h"
+#include "tests/support/fixtures.h"
 
 #include <gmock/gmock.h>
 #include <imgui_internal.h>
@@ -85,6 +86,34 @@ TEST(MenuBar, LeavesKeysWithAltToTheActionsThatHaveThem)
     rig.key({.key = 'A', .alt = true}); // nothing selected, not the menu Add
     EXPECT_EQ(rig.editor.menu.open, "");
     EXPECT_EQ(rig.editor.session.selected, 0u);
+}
+
+TEST(MenuBar, TheRightKeyOpensAMenuBesideAtItsFirstEntryAndTheLeftClosesIt)
+{
+    const testing::TemporaryFolder folder;
+    Rig rig({1024, 700});
+    for (const char* name : {"b.trivar", "a.trivar"}) {
+        testing::write_file(folder.file(name), " ");
+        rig.editor.preferences.recent_scenes.push_back(folder.file(name));
+    }
+    rig.frames();
+    rig.key({.key = 'F', .alt = true});
+    rig.key({ui::key_down});
+    rig.key({ui::key_down}); // Open recent
+    const unsigned entry = GImGui->NavId;
+    rig.key({ui::key_right});
+    EXPECT_EQ(GImGui->OpenPopupStack.Size, 2);
+    EXPECT_NE(GImGui->NavId, entry);
+    EXPECT_NE(GImGui->NavId, 0u);
+    EXPECT_FALSE(GImGui->NavDisableHighlight);
+    EXPECT_EQ(GImGui->NavWindow, GImGui->OpenPopupStack[1].Window);
+    rig.key({ui::key_left});
+    EXPECT_EQ(GImGui->OpenPopupStack.Size, 1);
+    EXPECT_EQ(GImGui->NavId, entry);
+    EXPECT_EQ(rig.editor.menu.open, "File");
+    rig.key({ui::key_right});
+    rig.key({ui::key_enter});
+    EXPECT_EQ(GImGui->OpenPopupStack.Size, 0) << "the first entry was chosen";
 }
 
 } // namespace

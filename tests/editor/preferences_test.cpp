@@ -28,12 +28,16 @@ TEST(Preferences, ComeBackFromTheirText)
     p.ask_to_keep = p.grid = p.show_axes = p.show_timing = false;
     p.pace = "30";
     p.threads = 3;
-    p.mouse = {"trackpad", "super", "origin", false, true, 0.5, 2, 3};
+    p.mouse = {"trackpad", "space", "origin", false, true, 0.5, 2, 3};
     p.discarded_days = 90;
     p.most_recent = 4;
     p.scenes_folder = "~/scenes";
     p.models_folder = "/models";
-    p.look = {.high_contrast = true, .lines = 1.5, .tooltip_s = 2, .double_click_s = 0.8};
+    p.look = {.high_contrast = true,
+              .lines = 1.5,
+              .tooltip_s = 2,
+              .double_click_s = 0.8,
+              .click_holds = true};
     p.keys = {{"Undo", {{.key = 'U', .ctrl = true}}}, {"Redo", {}}};
     EXPECT_EQ(preferences_from(text_of(p)), p);
 }
@@ -63,6 +67,33 @@ TEST(Preferences, AreReadWithTheNamesOfWhatIsOdd)
     EXPECT_THAT(read_preferences("no JSON").odd, ElementsAre("the whole file"));
 }
 
+TEST(Preferences, NameTheListsInWhichSomethingIsOdd)
+{
+    using ::testing::ElementsAre;
+    const ReadPreferences read = read_preferences(
+        R"({"keys":{"Undo":["Ctrl+U","Hyper+U"],"Redo":"R","Copy":["Ctrl+C"],"Cut":[]},
+            "recent_scenes":["a",7,"b"],"closed_hints":["x"]})");
+    EXPECT_THAT(read.odd, ElementsAre("keys, Redo", "keys, Undo", "recent_scenes"));
+    EXPECT_THAT(read.preferences.recent_scenes, ElementsAre("a", "b"));
+    EXPECT_EQ(read.preferences.keys.at("Undo").size(), 1u);
+    EXPECT_EQ(read.preferences.keys.count("Redo"), 0u) << "its usual keys";
+}
+
+TEST(Preferences, ThatCannotBeReadStayAsTheyAre)
+{
+    const testing::TemporaryFolder folder; // a folder cannot be read as a file, by nobody
+    const std::string path = folder.file("preferences.json");
+    std::filesystem::create_directory(path);
+    PreferencesFile file(path);
+    EXPECT_EQ(file.read(), Preferences());
+    EXPECT_THAT(file.trouble(), ::testing::HasSubstr("cannot be read"));
+    Preferences p;
+    p.dock = 300;
+    EXPECT_EQ(file.keep(p), "");
+    EXPECT_TRUE(std::filesystem::is_directory(path));
+    EXPECT_FALSE(std::filesystem::exists(path + ".odd"));
+}
+
 TEST(Preferences, OfAFileThatIsNoneAreTheUsualOnesAndTheFileIsKept)
 {
     const testing::TemporaryFolder folder;
@@ -72,6 +103,10 @@ TEST(Preferences, OfAFileThatIsNoneAreTheUsualOnesAndTheFileIsKept)
     EXPECT_EQ(file.read(), Preferences());
     EXPECT_THAT(file.trouble(), ::testing::HasSubstr("cannot be understood"));
     EXPECT_EQ(read_text_file(path + ".odd"), "{ torn");
+    testing::write_file(path, "{ torn again");
+    EXPECT_THAT(PreferencesFile(path).trouble(), ::testing::HasSubstr("preferences.json.odd2"));
+    EXPECT_EQ(read_text_file(path + ".odd"), "{ torn");
+    EXPECT_EQ(read_text_file(path + ".odd2"), "{ torn again");
     testing::write_file(path, R"({"orbit_speed":1e9,"zoom_speed":"x"})");
     EXPECT_THAT(PreferencesFile(path).trouble(), ::testing::HasSubstr("orbit_speed and 1 more"));
     EXPECT_EQ(PreferencesFile(folder.file("none")).trouble(), "");

@@ -4,6 +4,7 @@
 
 #include "core/document/log.h"
 #include "editor/help_actions.h"
+#include "editor/panels/welcome.h"
 #include "tests/editor/rig.h"
 #include "tests/support/fixtures.h"
 
@@ -87,6 +88,48 @@ TEST(StartCard, IsNotThereOverANewScene)
     rig.frames();
     rig.key({.key = 'N', .ctrl = true});
     EXPECT_FALSE(shows_welcome(rig.editor));
+}
+
+TEST(StartCard, ItsEntriesAreReachedAndChosenByKeys)
+{
+    Rig rig({1024, 700});
+    rig.frames();
+    auto& card = rig.editor.start_card;
+    EXPECT_EQ(card.at, -1);
+    const int frame = rig.editor.session.frame();
+    for (const int at : {0, 1, 2}) {
+        rig.key({ui::key_tab});
+        EXPECT_EQ(card.at, at);
+    }
+    rig.key({ui::key_up});
+    EXPECT_EQ(card.at, 1);
+    rig.key({.key = ui::key_tab, .shift = true});
+    EXPECT_EQ(card.at, 0);
+    rig.key({ui::key_right});
+    EXPECT_EQ(rig.editor.session.frame(), frame) << "the arrows are the card's";
+    rig.key({ui::key_down});
+    rig.key({ui::key_enter}); // Open...
+    EXPECT_TRUE(rig.editor.files.asking());
+    rig.key({ui::key_escape});
+    EXPECT_FALSE(rig.editor.files.asking());
+    rig.key({.key = ui::key_tab, .shift = true});
+    rig.key({ui::key_enter}); // New scene
+    EXPECT_FALSE(shows_welcome(rig.editor));
+}
+
+TEST(StartCard, ArrowsGoToWhatIsNearestThatWay)
+{
+    // Two wide rows, and beside them two columns.
+    const std::vector<ui::Rect> entries{
+        ui::rect_at({0, 0}, {100, 30}), ui::rect_at({0, 40}, {100, 30}),
+        ui::rect_at({120, 0}, {50, 60}), ui::rect_at({180, 0}, {50, 60}),
+        ui::rect_at({120, 80}, {50, 60})};
+    EXPECT_EQ(next_entry(entries, 0, {0, 1}), 1);
+    EXPECT_EQ(next_entry(entries, 1, {1, 0}), 2);
+    EXPECT_EQ(next_entry(entries, 2, {1, 0}), 3);
+    EXPECT_EQ(next_entry(entries, 2, {0, 1}), 4);
+    EXPECT_EQ(next_entry(entries, 4, {-1, 0}), 1);
+    EXPECT_EQ(next_entry(entries, 3, {1, 0}), 3) << "there is none";
 }
 
 } // namespace

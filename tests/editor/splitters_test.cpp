@@ -41,5 +41,19 @@ TEST(Splitters, HideTheDockAtTheEdgeAndBringItBack)
     EXPECT_TRUE(rig.editor.preferences.show_dock);
 }
 
+TEST(Splitters, FollowTheHandBetweenTwoClicksWhereThatIsPreferred)
+{
+    Rig rig;
+    rig.editor.preferences.look.click_holds = true;
+    rig.frames();
+    const glm::vec2 dock{rig.layout().outliner.lo.x - 1, 400};
+    rig.move(dock);
+    rig.click(dock);
+    rig.move(dock - glm::vec2(60, 0));
+    rig.click(dock - glm::vec2(60, 0));
+    rig.move(dock);
+    EXPECT_NEAR(rig.editor.preferences.dock, 720 - dock.x + 60, 2);
+}
+
 } // namespace
 } // namespace trivar

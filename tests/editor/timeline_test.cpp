@@ -284,5 +284,25 @@ TEST(Timeline, OpensAndClosesByItsUpperLine)
     EXPECT_EQ(rig.layout().timeline.height(), 40);
 }
 
+TEST(Playing, SpaceMayTurnTheViewAndThenPlaysWhereItIsOnlyTapped)
+{
+    Rig rig;
+    rig.two_objects();
+    rig.editor.preferences.mouse.emulation = "space";
+    rig.frames();
+    const auto eye = [&] { return rig.editor.session.camera.eye; };
+    const glm::dvec3 before = eye();
+    const glm::vec2 c = rig.layout().view.center();
+    rig.hold(ui::key_space);
+    rig.draw({c, c + glm::vec2(50, 0)});
+    rig.hold(ui::key_space, false);
+    EXPECT_NE(eye(), before);
+    EXPECT_FALSE(rig.editor.playback.playing());
+    rig.hold(ui::key_space);
+    EXPECT_FALSE(rig.editor.playback.playing());
+    rig.hold(ui::key_space, false);
+    EXPECT_TRUE(rig.editor.playback.playing());
+}
+
 } // namespace
 } // namespace trivar

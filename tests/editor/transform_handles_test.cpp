@@ -2,6 +2,8 @@
 #include "editor/tools/gesture.h"
 #include "tests/editor/boxes.h"
 
+#include <imgui.h>
+
 namespace trivar {
 namespace {
 
@@ -68,6 +70,55 @@ TEST(TransformByHandle, ARingTurnsAboutItsAxisAndAClickBesideSelects)
     rig.click(rig.seen_at({1.5, -0.5, 0}));
     EXPECT_EQ(rig.editor.session.selected, 2);
     EXPECT_EQ(rig.steps(), 3u);
+}
+
+TEST(TransformByHandle, AClickHoldsItTillASecondOneWhereThatIsPreferred)
+{
+    Boxes rig;
+    rig.editor.preferences.look.click_holds = true;
+    rig.editor.choose_tool(1);
+    rig.frames();
+    const glm::vec2 arrow = handle_of(rig, MotionKind::move, {Grip::axis, 0});
+    rig.click(arrow);
+    rig.move(arrow + glm::vec2(60, 25));
+    rig.wait();
+    EXPECT_TRUE(rig.editor.active_tool().busy());
+    EXPECT_EQ(rig.steps(), 2u);
+    rig.click(arrow + glm::vec2(60, 25));
+    rig.wait();
+    EXPECT_EQ(rig.steps(), 3u);
+    const Transform moved = rig.of(1);
+    EXPECT_GT(moved.translation.x, -1.4);
+    rig.click(handle_of(rig, MotionKind::move, {Grip::axis, 0}));
+    rig.move(arrow + glm::vec2(-30, 0));
+    rig.screen.input().push(ui::press(ui::Button::right)); // leaves no trace
+    rig.screen.input().push(ui::press(ui::Button::right, false));
+    rig.wait();
+    EXPECT_FALSE(rig.editor.active_tool().busy());
+    EXPECT_EQ(rig.of(1).translation, moved.translation);
+    EXPECT_FALSE(ImGui::IsMouseDown(ImGuiMouseButton_Left));
+    EXPECT_EQ(rig.steps(), 3u);
+}
+
+TEST(Camera, IsTurnedBetweenTwoClicksWhereThatIsPreferred)
+{
+    Boxes rig;
+    rig.editor.preferences.look.click_holds = true;
+    rig.frames();
+    const auto middle_click = [&] {
+        rig.screen.input().push(ui::press(ui::Button::middle));
+        rig.screen.input().push(ui::press(ui::Button::middle, false));
+        rig.frames(4);
+    };
+    const auto eye = [&] { return rig.editor.session.camera.eye; };
+    const glm::dvec3 before = eye();
+    middle_click();
+    rig.move(rig.away() + glm::vec2(50, 0));
+    const glm::dvec3 turned = eye();
+    EXPECT_NE(turned, before);
+    middle_click();
+    rig.move(rig.away());
+    EXPECT_EQ(eye(), turned);
 }
 
 } // namespace

@@ -29,8 +29,8 @@ TEST_F(Shaders, AreAllPartOfSomeProgram)
     const auto folder = std::filesystem::path(TRIVAR_SOURCE_DIR) / "gpu" / "shaders";
     for (const auto& file : std::filesystem::directory_iterator(folder)) {
         const std::string name = file.path().filename().string();
-        const bool stage = name.ends_with(".vert.glsl") || name.ends_with(".frag.glsl") ||
-                           name.ends_with(".comp.glsl");
+        const bool stage = name.ends_with(".vert.glsl") || name.ends_with(".geom.glsl") ||
+                           name.ends_with(".frag.glsl") || name.ends_with(".comp.glsl");
         EXPECT_TRUE(!stage || used.count(name)) << name;
         std::ifstream in(file.path());
         const std::string text{std::istreambuf_iterator<char>(in), {}};

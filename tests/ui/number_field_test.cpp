@@ -162,5 +162,74 @@ TEST(FileDialog, EnterAloneReplacesNoFile)
     EXPECT_EQ(chosen.value_or(""), folder.file("a.txt"));
 }
 
+// One number that clicks hold, and a hand on it.
+struct Holder : Typist {
+    double value = 5;
+    Holder()
+    {
+        body = [this](Frame& frame) {
+            frame.look.click_holds = true;
+            ImGui::SetNextWindowPos({0, 0});
+            ImGui::SetNextWindowSize({360, 180});
+            ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoDecoration);
+            ImGui::SetCursorScreenPos({20, 20});
+            number_field(frame.theme, "number", value, {.lo = 0, .hi = 10, .bar_hi = 10}, 160);
+            ImGui::End();
+        };
+        screen.frames(2, body);
+    }
+    void move(glm::vec2 at)
+    {
+        screen.input().push(move_to(at));
+        screen.frames(2, body);
+    }
+};
+
+TEST(HeldByAClick, ANumberFollowsTheHandTillASecondClick)
+{
+    Holder hand;
+    hand.click({60, 30});
+    hand.move({80, 30});
+    const double while_held = hand.value;
+    EXPECT_GT(while_held, 5);
+    hand.move({-1e6f, 0}); // out of the window and back
+    hand.move({100, 60});
+    EXPECT_GT(hand.value, while_held);
+    hand.click({100, 60});
+    const double at_end = hand.value;
+    hand.move({60, 60});
+    EXPECT_EQ(hand.value, at_end);
+    EXPECT_FALSE(ImGui::IsAnyItemActive());
+}
+
+TEST(HeldByAClick, ADragWithTheButtonHeldEndsWhereItIsLetGo)
+{
+    Holder hand;
+    hand.move({60, 30});
+    hand.screen.input().push(press(Button::left));
+    hand.move({90, 30});
+    hand.screen.input().push(press(Button::left, false));
+    hand.move({120, 30});
+    EXPECT_GT(hand.value, 5);
+    EXPECT_FALSE(ImGui::IsAnyItemActive());
+}
+
+TEST(HeldByAClick, EscapeRestoresAndADoubleClickTypes)
+{
+    Holder hand;
+    hand.click({60, 30});
+    hand.move({80, 30});
+    hand.key(key_escape);
+    hand.move({120, 30});
+    EXPECT_EQ(hand.value, 5);
+    hand.move({60, 30});
+    for (const bool down : {true, false, true, false})
+        hand.screen.input().push(press(Button::left, down));
+    hand.screen.frames(8, hand.body);
+    hand.type("7.5");
+    hand.key(key_enter);
+    EXPECT_EQ(hand.value, 7.5);
+}
+
 } // namespace
 } // namespace trivar::ui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/palette.h"
 
+#include <algorithm>
 #include <gmock/gmock.h>
 
 namespace trivar::ui {
@@ -49,6 +50,19 @@ TEST(Palette, WithHighContrastNoTextIsQuieterThanAnother)
         for (const Color ground : {c.base, c.panel, c.header, c.raised, c.field, c.row_selected})
             for (const Color text : {c.text, c.text_2, c.text_3})
                 EXPECT_GE(contrast(text, ground), 7.8);
+    }
+}
+
+TEST(Palette, DotsAndBarsReadOnWhatTheyLieOn)
+{
+    constexpr double least = 3; // WCAG 2.1, of what is no text
+    for (const Palette& c : {dark_palette(), light_palette()}) {
+        EXPECT_GE(contrast(c.chip_text, c.chip), least); // the rim of a chip's dot
+        for (const Color dot : {c.good, c.warn, c.bad})
+            EXPECT_GE(std::max(contrast(dot, c.chip), contrast(dot, c.chip_text)), least)
+                << std::hex << dot;
+        for (const Color bar : {c.cpu, c.gpu}) EXPECT_GE(contrast(bar, c.field), least);
+        EXPECT_GE(contrast(c.text_3, c.raised), least); // the rim of the legend's colours
     }
 }
 
