@@ -107,7 +107,7 @@ namespace {
 // A tool with which something was done while its key was held goes with the key.
 void return_lent_tool(Editor& editor)
 {
-    Editor::LentTool& lent = editor.lent_tool;
+    LentTool& lent = editor.lent_tool;
     const bool busy = editor.active_tool().busy();
     if (lent.key == 0) return;
     if (ui::is_down(lent.key)) {
@@ -122,7 +122,7 @@ void return_lent_tool(Editor& editor)
 // whether it was, and nothing else happened meanwhile.
 bool space_was_tapped(Editor& editor)
 {
-    Editor::HeldSpace& space = editor.held_space;
+    HeldSpace& space = editor.held_space;
     if (ui::struck({ui::key_space})) space = {.down = true};
     if (!space.down) return false;
     const ImGuiIO& io = ImGui::GetIO();

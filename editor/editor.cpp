@@ -104,7 +104,7 @@ Editor::Editor(std::function<void()> wake, std::string unnamed_folder)
 void Editor::lose_context()
 {
     viewport.forget_gpu();
-    picture_to_file.stop();
+    picture_to_file.forget_gpu();
     stored_pictures.forget_gpu();
     session.notices.say(ui::NoticeKind::warning, "The graphics card was reset",
                         "The picture is drawn anew. Nothing of the scene is lost.");

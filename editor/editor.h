@@ -6,6 +6,7 @@
 #include "editor/command_field.h"
 #include "editor/command_palette.h"
 #include "editor/files.h"
+#include "editor/held_keys.h"
 #include "editor/hints.h"
 #include "editor/manual.h"
 #include "editor/outline.h"
@@ -91,14 +92,8 @@ struct Editor {
     } start_card;
     StoredPictures stored_pictures;
     Tutorial tutorial;
-    struct LentTool { // by a key that is held
-        int key = 0;
-        std::size_t before = 0; // the tool that comes back
-        bool used = false;      // by the mouse
-    } lent_tool;
-    struct HeldSpace {                   // the key
-        bool down = false, used = false; // for something else than what it does alone
-    } held_space;
+    LentTool lent_tool;
+    HeldSpace held_space;
     struct PreferencesDialog {
         enum Page { // in the order of their names
             of_general,
@@ -119,6 +114,7 @@ struct Editor {
         std::string given;                    // the action that got one last ...
         std::vector<std::string> losers;      // ... and those that lost it
         bool show_asking = false;             // scroll to it
+        bool resetting = false;               // the rows of the page, as they are drawn next
         bool seeking = false;                 // a key is waited for, to show whose it is
         std::optional<ui::Chord> sought;      // that key
         std::optional<std::size_t> discarded; // scenes; counted when they are first shown

@@ -28,7 +28,13 @@ std::string free_path(const Session& session)
 void PictureToFile::begin(const Session& session, int width_px)
 {
     path_ = free_path(session);
-    wanted_px_ = width_px;
+    wanted_px_ = width_px_ = width_px;
+}
+
+void PictureToFile::forget_gpu()
+{
+    if (renderer_) wanted_px_ = width_px_;
+    renderer_.reset();
 }
 
 void PictureToFile::stop()

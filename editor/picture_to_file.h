@@ -22,12 +22,14 @@ public:
     void begin(const Session& session, int width_px);
     void advance(Session& session, ui::Frame& frame); // once a frame, in the window's context
     void stop();
+    void forget_gpu(); // before the context goes; what is being drawn then begins anew
 
 private:
     void draw(const Session& session);
 
     std::unique_ptr<gpu::Renderer> renderer_;
     std::string path_;
+    int width_px_ = 0;
     int wanted_px_ = 0; // till it begins
     Stretches stretches_;
 };

@@ -128,9 +128,8 @@ private:
     void refuse(const Command& command, const std::string& why);
 
     std::function<void()> wake_;
-    std::string unnamed_folder_;
+    std::string unnamed_folder_, told_trouble_;
     SceneFile scene_;
-    std::string told_trouble_;
     double next_try_s_ = 0, next_look_s_ = 0;
     std::vector<Refused> refused_;
     bool opened_ = false; // and not evaluated yet

@@ -177,13 +177,16 @@ void Notices::draw(Frame& frame, const Rect& in)
     if (act) act();
 }
 
+Rect progress_place(const Theme& theme, const Rect& in)
+{
+    const glm::vec2 size{std::min(theme.px(440), in.width() - theme.px(32)), theme.px(76)};
+    return rect_at({std::round(in.center().x - size.x / 2), in.hi.y - size.y - theme.px(16)}, size);
+}
+
 ProgressCard draw_progress(const Theme& theme, const Rect& in, const std::string& what,
                            const std::string& stage, double fraction)
 {
-    const float width = std::min(theme.px(440), in.width() - theme.px(32));
-    const glm::vec2 size{width, theme.px(76)};
-    const Rect r =
-        rect_at({std::round(in.center().x - width / 2), in.hi.y - size.y - theme.px(16)}, size);
+    const Rect r = progress_place(theme, in);
     begin_card(theme, "progress", r);
     const Rect inside = r.grown(-theme.px(16));
     const Rect line{inside.lo, {inside.hi.x, inside.lo.y + theme.px(20)}};

@@ -59,6 +59,7 @@ struct ProgressCard {
     Rect rect;
     bool cancelled = false;
 };
+Rect progress_place(const Theme& theme, const Rect& in); // where it will lie
 ProgressCard draw_progress(const Theme& theme, const Rect& in, const std::string& what,
                            const std::string& stage, double fraction);
 

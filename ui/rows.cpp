@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 namespace trivar::ui {
 namespace {
@@ -18,7 +19,17 @@ Rect row_rect(float height)
     return rect_at({left, at.y}, {ImGui::GetWindowWidth(), height});
 }
 
+ImGuiID reset_key()
+{
+    return ImHashStr("the frame in which rows are reset");
+}
+
 } // namespace
+
+void reset_rows()
+{
+    ImGui::GetStateStorage()->SetInt(reset_key(), ImGui::GetFrameCount());
+}
 
 bool section(const Theme& theme, const std::string& title, bool open_at_first,
              const std::string& note, Color note_color)
@@ -58,8 +69,9 @@ Row label_row(const Theme& theme, const std::string& label, bool changed, const 
         tooltip({"Reset to the default", "Backspace"});
         const bool over = ImGui::IsWindowHovered() &&
                           ImGui::IsMouseHoveringRect({r.lo.x, r.lo.y}, {r.hi.x, r.hi.y});
-        row.reset =
-            row.reset || (over && !ImGui::IsAnyItemActive() && struck({.key = key_backspace}));
+        row.reset = row.reset ||
+                    (over && !ImGui::IsAnyItemActive() && struck({.key = key_backspace})) ||
+                    ImGui::GetStateStorage()->GetInt(reset_key(), -1) == ImGui::GetFrameCount();
     }
     const float room = theme.size.label - theme.px(8);
     const std::string shown = elided(theme.font.body, label, room);

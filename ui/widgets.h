@@ -75,6 +75,7 @@ struct Row {
 };
 Row label_row(const Theme& theme, const std::string& label, bool changed = false,
               const std::string& help = {}); // the sentence of the row's tooltip
+void reset_rows(); // those of the current window, in this frame, as by their dots
 // A row that only tells.
 void fact_row(const Theme& theme, const std::string& label, const std::string& value,
               Color color = 0, const std::string& help = {});

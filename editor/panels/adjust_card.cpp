@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/step_title.h"
 #include "editor/field_words.h"
-#include "editor/hints.h"
+#include "editor/panels/foot_cards.h"
 #include "editor/panels/panels.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
@@ -79,7 +79,7 @@ private:
 
 } // namespace
 
-void draw_adjustment(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
+void draw_adjustment(Editor& editor, const ui::Theme& theme, const FootCards& foot)
 {
     Adjustment& a = editor.adjustment;
     Session& session = editor.session;
@@ -92,13 +92,14 @@ void draw_adjustment(Editor& editor, const ui::Theme& theme, const ui::Rect& vie
     Command command = session.proposing() && a.running ? history.proposal()->command : step.command;
     const StepTitle title = step_title(step.command, before, step.result);
     const float pad = theme.px(12), head = theme.px(32);
+    ui::Rect view = foot.view();
     const float end = session.notices.all().empty() ? view.hi.x : ui::Notices::left_of(theme, view);
     const float width = std::min(theme.px(a.open ? 300 : 260), end - pad - (view.lo.x + pad));
     if (width < theme.px(160)) return;
     const float body = a.open ? std::max(a.height_px, theme.px(28)) + theme.px(8) : 0;
-    const float up = hint_card(editor) ? theme.px(108) : pad; // over the hint's card
+    view = foot.above(view.lo.x + pad, view.lo.x + pad + width);
     const ui::Rect card =
-        ui::rect_at({view.lo.x + pad, view.hi.y - up - head - body}, {width, head + body});
+        ui::rect_at({view.lo.x + pad, view.hi.y - pad - head - body}, {width, head + body});
     if (card.lo.y < view.lo.y + theme.px(80)) return;
     ui::paint_card(theme, card);
     const std::string key = key_text(action(editor, "Adjust last"));

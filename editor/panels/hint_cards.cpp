@@ -11,10 +11,10 @@
 
 namespace trivar {
 
-void draw_hint_card(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
+std::optional<ui::Rect> draw_hint_card(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
 {
     const auto card = hint_card(editor);
-    if (!card) return;
+    if (!card) return {};
     const ui::Palette& c = theme.color;
     const float left = theme.px(58), right = theme.px(16), line = theme.px(18), top = theme.px(10);
     const std::string count = card->number > 0 ? fmt::format("{} of 3", card->number) : "";
@@ -28,7 +28,7 @@ void draw_hint_card(Editor& editor, const ui::Theme& theme, const ui::Rect& view
     float x = std::round(view.center().x - width / 2);
     if (!editor.session.notices.all().empty()) { // beside them, or not at all
         x = std::min(x, ui::Notices::left_of(theme, view) - theme.px(12) - width);
-        if (x < view.lo.x + theme.px(12)) return;
+        if (x < view.lo.x + theme.px(12)) return {};
     }
     const ui::Rect r = ui::rect_at({x, view.hi.y - size.y - theme.px(16)}, size);
     ui::paint_card(theme, r);
@@ -48,6 +48,7 @@ void draw_hint_card(Editor& editor, const ui::Theme& theme, const ui::Rect& view
     if (ui::icon_button(theme, "close hint", ui::icon::close, glm::vec2(theme.size.icon_button),
                         {"Close this hint", {}, "Help brings it back."}))
         close_hint(editor, card->name);
+    return r;
 }
 
 } // namespace trivar

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/panels/foot_cards.h"
 #include "editor/panels/panels.h"
 #include "gpu/color_map.h"
 
@@ -19,10 +20,12 @@ ui::Color screen_color(const glm::vec3& linear)
 
 } // namespace
 
-void draw_legend(const ui::Theme& theme, const ui::Rect& view)
+std::optional<ui::Rect> draw_legend(const ui::Theme& theme, const FootCards& foot)
 {
     const glm::vec2 size(theme.px(292), theme.px(72));
-    if (view.width() < size.x + theme.px(24)) return;
+    const float left_of_all = foot.view().lo.x + theme.px(12);
+    const ui::Rect view = foot.above(left_of_all, left_of_all + size.x);
+    if (view.width() < size.x + theme.px(24)) return {};
     const ui::Rect card =
         ui::rect_at({view.lo.x + theme.px(12), view.hi.y - size.y - theme.px(12)}, size);
     ui::paint_card(theme, card);
@@ -59,6 +62,7 @@ void draw_legend(const ui::Theme& theme, const ui::Rect& view)
     list.PopClipRect();
     rim(x, right);
     words(x, 46, theme.px(52), "folded");
+    return card;
 }
 
 } // namespace trivar

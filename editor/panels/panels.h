@@ -47,15 +47,17 @@ void draw_preferences(Editor& editor, const ui::Theme& theme);
 void drag_splitters(Editor& editor, ui::Frame& frame, const Layout& layout);
 
 // Parts of the viewport, drawn inside its window.
-void draw_legend(const ui::Theme& theme, const ui::Rect& view); // of the colours of stretch
+class FootCards;
+// Of the colours of stretch. Cards at the foot return where they lie, if they do.
+std::optional<ui::Rect> draw_legend(const ui::Theme& theme, const FootCards& foot);
 void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
 bool log_lines_chosen(const Editor& editor); // in the log, which is shown
 bool copy_log_lines(Editor& editor);         // to the clipboard, as they stand; whether there were
 bool shows_welcome(const Editor& editor);
 void draw_welcome(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
-void draw_adjustment(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
-void draw_hint_card(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
-// Returns where its card lies.
+void draw_adjustment(Editor& editor, const ui::Theme& theme, const FootCards& foot);
+std::optional<ui::Rect> draw_hint_card(Editor& editor, const ui::Theme& theme,
+                                       const ui::Rect& view);
 ui::Rect draw_tutorial(Editor& editor, ui::Frame& frame, const ui::Rect& view);
 
 // A picture of a file, cut to the shape of its place; the place alone till it has been read.

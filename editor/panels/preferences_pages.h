@@ -21,7 +21,7 @@ void draw_performance_page(Editor& editor, const ui::Theme& theme, const ui::Rec
 void draw_accessibility_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r);
 void draw_about_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r);
 void copy_about();                           // as text, to the clipboard
-void reset_preferences_page(Editor& editor); // the one that is shown
+void reset_preferences_page(Editor& editor); // the one that is shown, as it is drawn next
 
 const char* preferences_page_name(int page);
 const Preferences& usual_preferences(); // as they are at first

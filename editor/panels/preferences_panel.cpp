@@ -79,7 +79,9 @@ void draw_rows_of_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r
     roomy.size.label = theme.px(140);
     ImGui::SetCursorScreenPos({r.lo.x, r.lo.y + theme.px(12)});
     ImGui::BeginChild(page.name, {r.width(), r.height() - theme.px(12)});
+    if (dialog.resetting) ui::reset_rows();
     page.draw(editor, roomy, r);
+    dialog.resetting = false;
     ImGui::EndChild();
 }
 
@@ -93,62 +95,19 @@ const char* preferences_page_name(int page)
 void reset_preferences_page(Editor& editor)
 {
     Preferences& p = editor.preferences;
-    const Preferences& usual = usual_preferences();
     auto& dialog = editor.preferences_dialog;
-    switch (dialog.page) {
-    case dialog.of_general:
-        p.at_start = usual.at_start;
-        p.ask_to_keep = usual.ask_to_keep;
-        p.hints = usual.hints;
-        p.loop = usual.loop;
-        break;
-    case dialog.of_interface:
-        p.scale = usual.scale;
+    dialog.resetting = dialog.page != dialog.of_keys; // the rows
+    if (dialog.page == dialog.of_interface) { // what is dragged has no rows
+        const Preferences& usual = usual_preferences();
         p.dock = usual.dock;
         p.outliner = usual.outliner;
         p.timeline = usual.timeline;
-        p.show_dock = usual.show_dock;
-        p.timeline_open = usual.timeline_open;
-        p.look.light = usual.look.light;
-        break;
-    case dialog.of_viewport:
-        p.backdrop_as_in_pictures = usual.backdrop_as_in_pictures;
-        p.grid = usual.grid;
-        p.show_axes = usual.show_axes;
-        p.show_timing = usual.show_timing;
-        break;
-    case dialog.of_mouse:
-        p.mouse = usual.mouse;
-        p.look.double_click_s = usual.look.double_click_s;
-        break;
-    case dialog.of_keys:
-        p.keys.clear();
-        use_keys(editor.actions, p.keys);
-        dialog.asking.clear();
-        dialog.given.clear();
-        break;
-    case dialog.of_files:
-        p.discarded_days = usual.discarded_days;
-        p.most_recent = usual.most_recent;
-        p.scenes_folder = p.models_folder = "";
-        break;
-    case dialog.of_performance:
-        p.quality = usual.quality;
-        p.pace = usual.pace;
-        p.deform = usual.deform;
-        p.threads = usual.threads;
-        break;
-    case dialog.of_accessibility: {
-        const ui::Look was = p.look;
-        p.scale = usual.scale;
-        p.look = usual.look;
-        p.look.light = was.light;
-        p.look.double_click_s = was.double_click_s;
-        p.reduced_motion = usual.reduced_motion;
-        break;
     }
-    default: break;
-    }
+    if (dialog.page != dialog.of_keys) return;
+    p.keys.clear();
+    use_keys(editor.actions, p.keys);
+    dialog.asking.clear();
+    dialog.given.clear();
 }
 
 void draw_preferences(Editor& editor, const ui::Theme& theme)

@@ -4,6 +4,7 @@
 #include "core/base/memory.h"
 #include "core/base/text.h"
 #include "editor/file_words.h"
+#include "editor/panels/foot_cards.h"
 #include "ui/icons.h"
 #include "ui/timing_overlay.h"
 #include "ui/widgets.h"
@@ -83,22 +84,25 @@ void labels(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
 }
 
 // Long work is said after a moment, so that quick work does not flicker. Where, if it is.
-std::optional<ui::Rect> progress(Editor& editor, ui::Frame& frame, const ui::Rect& view)
+std::optional<ui::Rect> progress(Editor& editor, ui::Frame& frame, const FootCards& foot)
 {
     constexpr double patience_s = 0.25;
+    const auto draw = [&](const std::string& what, const std::string& stage, double fraction) {
+        const ui::Rect across = ui::progress_place(frame.theme, foot.view());
+        const ui::Rect room = foot.above(across.lo.x, across.hi.x);
+        return ui::draw_progress(frame.theme, room, what, stage, fraction);
+    };
     editor.picture_to_file.advance(editor.session, frame);
     if (editor.picture_to_file.running()) {
         const std::string name = file_name(editor.picture_to_file.path());
-        const ui::ProgressCard card =
-            ui::draw_progress(frame.theme, view, "Rendering " + name, {}, -1);
+        const ui::ProgressCard card = draw("Rendering " + name, {}, -1);
         if (card.cancelled) editor.picture_to_file.stop();
         return card.rect;
     }
     if (const auto job = editor.session.jobs().status()) {
         frame.again_in(patience_s);
         if (job->seconds <= patience_s) return {};
-        const ui::ProgressCard card =
-            ui::draw_progress(frame.theme, view, job->what, job->stage, job->fraction);
+        const ui::ProgressCard card = draw(job->what, job->stage, job->fraction);
         if (card.cancelled) editor.session.jobs().cancel();
         return card.rect;
     }
@@ -106,8 +110,7 @@ std::optional<ui::Rect> progress(Editor& editor, ui::Frame& frame, const ui::Rec
     if (!status.busy) return {};
     frame.again_in(patience_s);
     if (status.seconds <= progress_shown_s || editor.active_tool().busy()) return {};
-    const ui::ProgressCard card =
-        ui::draw_progress(frame.theme, view, "Working on the scene", status.stage, status.fraction);
+    const ui::ProgressCard card = draw("Working on the scene", status.stage, status.fraction);
     if (card.cancelled) editor.session.evaluator().cancel();
     return card.rect;
 }
@@ -186,24 +189,20 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     draw_add_menu(editor, theme);
     const bool welcome = !editor.tutorial.runs(session) && shows_welcome(editor);
     if (!welcome) labels(editor, theme, view);
-    if (session.document().render->color_by == ColorBy::stretch) draw_legend(theme, view);
     if (editor.preferences.show_axes) draw_navigation(editor, theme, view);
-    ui::Rect above = view, for_notices = view; // nothing covers the buttons of a card
-    const auto keep_free = [&](const ui::Rect& card) {
-        if (ui::Notices::left_of(theme, view) < card.hi.x) for_notices.hi.y = card.lo.y;
-    };
-    if (editor.tutorial.runs(session)) {
-        const ui::Rect card = draw_tutorial(editor, frame, view);
-        above.hi.y = card.lo.y;
-        keep_free(card);
-    } else if (welcome)
+    FootCards foot(view);
+    if (editor.tutorial.runs(session))
+        foot.add(draw_tutorial(editor, frame, view));
+    else if (welcome)
         draw_welcome(editor, theme, view);
     else
-        draw_hint_card(editor, theme, view);
-    draw_adjustment(editor, theme, view);
+        foot.add(draw_hint_card(editor, theme, view));
+    foot.add(progress(editor, frame, foot));
+    if (session.document().render->color_by == ColorBy::stretch) foot.add(draw_legend(theme, foot));
+    draw_adjustment(editor, theme, foot);
     ImGui::End();
-    if (const auto card = progress(editor, frame, above)) keep_free(*card);
-    session.notices.draw(frame, for_notices);
+    const float notices = ui::Notices::left_of(theme, view); // cover no card's buttons
+    session.notices.draw(frame, foot.above(notices, view.hi.x));
 }
 
 } // namespace trivar

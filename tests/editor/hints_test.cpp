@@ -2,6 +2,7 @@
 #include "editor/hints.h"
 
 #include "editor/help_actions.h"
+#include "editor/panels/foot_cards.h"
 #include "tests/editor/rig.h"
 
 #include <gmock/gmock.h>
@@ -76,6 +77,19 @@ TEST(Hints, AreClosedOneByOneByTheirCross)
     EXPECT_THAT(rig.editor.preferences.closed_hints, UnorderedElementsAre("draw"));
     EXPECT_TRUE(rig.editor.preferences.hints);
     EXPECT_TRUE(is_enabled(rig.editor, action(rig.editor, show_hints_action)));
+}
+
+TEST(FootCards, StandOnTheCardsBelowThemAndBesideTheOthers)
+{
+    FootCards foot({{100, 0}, {900, 600}});
+    foot.add({{{400, 540}, {600, 584}}});
+    foot.add(std::nullopt);
+    EXPECT_EQ(foot.above(112, 380).hi.y, 600);
+    EXPECT_EQ(foot.above(112, 412).hi.y, 540);
+    EXPECT_EQ(foot.above(600, 800).hi.y, 600) << "they touch";
+    foot.add({{{112, 480}, {412, 528}}});
+    EXPECT_EQ(foot.above(112, 412).hi.y, 480);
+    EXPECT_EQ(foot.above(500, 520).hi.y, 540);
 }
 
 } // namespace

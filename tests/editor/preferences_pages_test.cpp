@@ -45,14 +45,17 @@ TEST(PreferencesPages, ResetWhatTheyShow)
         "show_axes":false,"show_timing":false,"quality":"high","pace":"30","deform":"one_phase",
         "threads":1,"mouse_device":"mouse","mouse_emulation":"none","orbit_about":"origin",
         "zoom_to_cursor":false,"reversed_zoom":true,"orbit_speed":2,"pan_speed":2,"zoom_speed":2,
-        "double_click_s":1,"keys":{"Undo":["U"]},"discarded_days":7,"most_recent":4,
+        "double_click_s":1,"click_holds":true,"keys":{"Undo":["U"]},"discarded_days":7,"most_recent":4,
         "scenes_folder":"/a","models_folder":"/b"})";
     const ReadPreferences read = read_preferences(odd);
     ASSERT_TRUE(read.odd.empty()) << read.odd.front();
     rig.editor.preferences = read.preferences;
     auto& dialog = rig.editor.preferences_dialog;
-    for (dialog.page = 0; dialog.page < dialog.page_count; ++dialog.page)
+    dialog.open = true;
+    for (dialog.page = 0; dialog.page < dialog.page_count; ++dialog.page) {
         reset_preferences_page(rig.editor);
+        rig.frames();
+    }
     EXPECT_EQ(text_of(rig.editor.preferences), text_of({}));
 }
 

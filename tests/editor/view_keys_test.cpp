@@ -113,5 +113,19 @@ TEST(RenderPicture, IsWrittenBesideTheSceneUnderAFreeNumber)
     EXPECT_EQ(rig.editor.session.notices.all().back().title, "a_001.png was written");
 }
 
+TEST(RenderPicture, IsDrawnAnewWhereTheGraphicsCardIsResetMeanwhile)
+{
+    const TemporaryFolder disk;
+    Boxes rig;
+    rig.editor.session.save_as(disk.file("a.trivar"));
+    rig.wait();
+    rig.editor.picture_to_file.begin(rig.editor.session, 64);
+    for (int i = 0; i < 3; ++i) rig.frames(1);
+    rig.screen.lose_context([&] { rig.editor.lose_context(); });
+    for (int i = 0; i < 1000 && rig.editor.picture_to_file.running(); ++i) rig.frames(1);
+    rig.wait();
+    EXPECT_TRUE(std::filesystem::exists(disk.file("a_001.png")));
+}
+
 } // namespace
 } // namespace trivar

@@ -223,4 +223,44 @@ TEST_F(TheRenderer, KeepsTheGridWhereItIsWhenTheSceneGrows)
     }
 }
 
+// The edges of a ball alone, white on black, as they are shown in place of its surface.
+Picture edges_of_a_ball(int segments)
+{
+    Picture picture;
+    picture.camera = looking_at_origin(5);
+    picture.settings.wire = true;
+    picture.settings.ground = false;
+    picture.backdrop = Backdrop{};
+    picture.edges = {glm::vec3(1), true};
+    picture.instances = {instance_of(sphere_mesh(1, segments, segments / 2))};
+    picture.instances[0].opacity = 0.003f;
+    return picture;
+}
+
+// Bytes a pixel of that square that the ball adds to the picture.
+double added(const Image& with, const Image& without, glm::ivec2 middle, int half)
+{
+    double sum = 0;
+    for (int y = -half; y < half; ++y)
+        for (int x = -half; x < half; ++x) {
+            const glm::ivec2 p = middle + glm::ivec2(x, y);
+            sum += rgb_at(with, p).g - rgb_at(without, p).g;
+        }
+    return sum / (4.0 * half * half);
+}
+
+TEST_F(TheRenderer, ShowsTheFormOfADenseBallByItsEdgesAlone)
+{
+    const glm::ivec2 size(160, 160), middle = size / 2;
+    Picture picture = edges_of_a_ball(400);
+    const Image ball = renderer.render(picture, size);
+    picture.instances.clear();
+    const Image nothing = renderer.render(picture, size);
+    const double lit = added(ball, nothing, middle + glm::ivec2(-18, -18), 8);
+    const double dark = added(ball, nothing, middle + glm::ivec2(24, 24), 8);
+    EXPECT_GT(lit, 1.3 * dark);
+    EXPECT_GT(dark, 2);
+    EXPECT_LT(lit, 180) << "it is no white disc";
+}
+
 } // namespace trivar::gpu::testing
