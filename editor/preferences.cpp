@@ -150,7 +150,9 @@ void each_preference(auto& p, const auto& field)
     field("show_timing", p.show_timing);
     field("quality", p.quality, OneOf{"automatic", "draft", "standard", "high"});
     field("pace", p.pace, OneOf{"automatic", "60", "30", "15"});
-    field("deform", p.deform, OneOf{"automatic", "processor", "one_phase", "two_phases"});
+    field("deform", p.deform,
+          OneOf{"automatic", "processor", "one_phase", "two_phases", "differences", "raised",
+                "filtered"});
     field("threads", p.threads, 0.0, 1024.0);
     field("mouse_device", p.mouse.device, OneOf{"automatic", "mouse", "trackpad"});
     field("mouse_emulation", p.mouse.emulation, OneOf{"alt", "super", "space", "none"});

@@ -118,6 +118,7 @@ ViewportInput Viewport::take_input(Session& session, const ui::Frame& frame, con
 void Viewport::forget_gpu()
 {
     renderer_.reset();
+    ways_.forget_gpu();
     pace_.reset();
     shown_.reset();
     begun_.reset();

@@ -5,6 +5,7 @@
 #include "editor/mouse_manners.h"
 #include "editor/stretch.h"
 #include "editor/tools/tool.h"
+#include "editor/way_comparison.h"
 #include "gpu/renderer.h"
 #include "ui/timing_history.h"
 
@@ -65,6 +66,7 @@ public:
     void forget_gpu(); // before the context goes; the next frame makes all of it again
     void set_style(const ViewportStyle& style);
     unsigned texture() const { return renderer_ ? renderer_->texture() : 0; } // what shows
+    WayComparison& ways() { return ways_; }
     const ui::TimingHistory& drafts() const { return drafts_; }
     const Timings& full_timings() const { return full_timings_; } // of the last one
     std::size_t uploaded_bytes() const { return renderer_ ? renderer_->uploaded_bytes() : 0; }
@@ -96,6 +98,7 @@ private:
 
     ViewportStyle style_;
     Stretches stretches_;
+    WayComparison ways_;
     std::unique_ptr<gpu::Renderer> renderer_; // made at the first picture
     std::optional<DraftPace> pace_;           // as well
     std::optional<Shown> shown_;

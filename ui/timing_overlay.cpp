@@ -73,6 +73,40 @@ float height_of(const Theme& theme, const Group& group)
     return theme.px(row_px) * static_cast<float>(lines) + theme.px(gap_px);
 }
 
+// A row for each way, to be chosen, with what it takes.
+void draw_ways(const std::vector<TimedWay>& ways, Rows& rows, TimingView& view)
+{
+    const Theme& theme = rows.theme;
+    const Palette& c = theme.color;
+    const Rect head = rows.next();
+    paint_text(theme.font.strong, head, c.text, "Deformed by");
+    ImGui::SetCursorScreenPos({head.hi.x - button_width(theme, "Measure"), head.lo.y});
+    if (button(theme, "Measure", ButtonKind::quiet, {0, head.height()})) view.measure_ways = true;
+    tooltip({"Measure", {}, "Deforms what is placed in every way and tells what each takes."});
+    for (const TimedWay& way : ways) {
+        const Rect r = rows.next();
+        ImGui::SetCursorScreenPos({r.lo.x, r.lo.y});
+        if (ImGui::InvisibleButton(way.name.c_str(), {r.width(), r.height()}) && !way.used)
+            view.other_way = static_cast<std::size_t>(&way - ways.data());
+        tooltip({way.name, {}, way.sentence});
+        if (ImGui::IsItemHovered()) paint_box(r, c.row_hover, theme.size.rounding);
+        const glm::vec2 dot(r.lo.x + theme.px(6), r.center().y);
+        paint_dot(dot, theme.px(4), way.used ? c.focus : c.field, c.text_3, theme.size.hairline);
+        const Rect words{{r.lo.x + theme.px(18), r.lo.y}, r.hi};
+        paint_text(theme.font.small, words, way.used ? c.text : c.text_2, way.name);
+        const auto cell = [&](float right_px, const std::string& text, Color color) {
+            paint_text(theme.font.small, {r.lo, {r.hi.x - theme.px(right_px), r.hi.y}}, color, text,
+                       Align::right);
+        };
+        cell(4, way.off, c.text_2);
+        if (!way.time_ms) continue;
+        cell(134, milliseconds(*way.time_ms), c.text);
+        cell(56, fmt::format("{:.1f} M/s", static_cast<double>(way.vertices) / *way.time_ms / 1000),
+             c.text_2);
+    }
+    rows.y += theme.px(gap_px);
+}
+
 void draw_card(const Theme& theme, glm::vec2 at, float max_height, const TimingSources& s,
                TimingView& view)
 {
@@ -103,8 +137,10 @@ void draw_card(const Theme& theme, glm::vec2 at, float max_height, const TimingS
             add("Picture while moving", s.history.pictures().back().passes, c.gpu);
         add("Picture at rest", s.at_rest, c.gpu);
     }
+    const float ways_height =
+        s.ways.empty() ? 0 : theme.px(row_px) * static_cast<float>(s.ways.size() + 1);
     const auto height = [&] {
-        float sum = graph_height + foot_height + theme.px(2 * margin_px);
+        float sum = ways_height + graph_height + foot_height + theme.px(2 * margin_px);
         for (const Group& group : groups) sum += height_of(theme, group);
         return sum;
     };
@@ -113,6 +149,7 @@ void draw_card(const Theme& theme, glm::vec2 at, float max_height, const TimingS
     const Rect card = rect_at(at, {theme.px(width_px), std::min(height(), max_height)});
     paint_box(card, faded(c.raised, 0.94f), theme.size.rounding_card);
     paint_rim(card, c.raised_rim, theme.size.rounding_card, theme.size.hairline);
+    lower_area("card", card);
     ImGui::PushClipRect({card.lo.x, card.lo.y}, {card.hi.x, card.hi.y}, true);
     Rows rows{theme, card.lo.y + theme.px(margin_px - 4), graph.lo.x, graph.hi.x};
     const Rect head = rows.next();
@@ -125,6 +162,7 @@ void draw_card(const Theme& theme, glm::vec2 at, float max_height, const TimingS
     draw_timing_graph(theme, s.history, graph, chosen);
     rows.y = graph.hi.y + theme.px(gap_px);
     for (const Group& group : groups) draw_group(group, rows);
+    if (!s.ways.empty()) draw_ways(s.ways, rows, view);
 
     const Rect foot{{rows.left, card.hi.y - foot_height - theme.px(margin_px - 4)},
                     {rows.right, card.hi.y - theme.px(margin_px - 4)}};
@@ -147,6 +185,8 @@ void draw_card(const Theme& theme, glm::vec2 at, float max_height, const TimingS
 void draw_timing(const Theme& theme, glm::vec2 at, float max_height, const TimingSources& sources,
                  TimingView& view, const std::string& key)
 {
+    view.other_way.reset();
+    view.measure_ways = false;
     const double median = sources.history.median_ms();
     ImGui::SetCursorScreenPos({at.x, at.y});
     ImGui::PushID("timing");

@@ -261,6 +261,16 @@ bool icon_button(const Theme& theme, const std::string& id, const char* icon, gl
     return p.clicked && state.enabled;
 }
 
+bool lower_area(const char* id, const Rect& area, int buttons)
+{
+    ImGui::SetCursorScreenPos({area.lo.x, area.lo.y});
+    ImGui::SetItemAllowOverlap();
+    const bool pressed = ImGui::InvisibleButton(id, {area.width(), area.height()},
+                                                buttons | ImGuiButtonFlags_AllowItemOverlap);
+    ImGui::SetItemAllowOverlap();
+    return pressed;
+}
+
 void name_text(const ImFont* font, const Rect& in, Color color, const std::string& name)
 {
     const std::string shown = elided(font, name, in.width());

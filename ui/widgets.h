@@ -60,6 +60,10 @@ struct IconState {
 bool icon_button(const Theme& theme, const std::string& id, const char* icon, glm::vec2 size,
                  const Tip& tip, IconState state = {});
 
+// An area that takes the mouse where nothing that is drawn upon it later does: what lies below a
+// card takes no clicks through it, nor does a picture where a card's buttons are. As an ImGui item.
+bool lower_area(const char* id, const Rect& area, int buttons = 1); // ImGuiButtonFlags of the mouse
+
 // Something that a person named: shortened where it is too long, and then whole in its tooltip.
 void name_text(const ImFont* font, const Rect& in, Color color, const std::string& name);
 

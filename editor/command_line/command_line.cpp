@@ -62,7 +62,8 @@ CLI::App* add_replay(CLI::App& app, ReplayOptions& o)
     replay
         ->add_option("--deform", o.deform,
                      "where the picture's placed objects are deformed: processor, one_phase or\n"
-                     "two_phases of the graphics card; processor if left out")
+                     "two_phases of the graphics card, or there as the thesis has it:\n"
+                     "differences, raised or filtered; processor if left out")
         ->type_name("WHERE");
     replay
         ->add_option("--camera", o.camera,

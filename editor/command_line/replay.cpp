@@ -47,7 +47,8 @@ gpu::Level level_of(const std::string& text)
 gpu::DeformBy deform_of(const std::string& text)
 {
     if (const auto by = gpu::deform_named(text)) return *by;
-    throw WrongUsage("--deform " + text + ": must be processor, one_phase or two_phases");
+    throw WrongUsage("--deform " + text +
+                     ": must be processor, one_phase, two_phases, differences, raised or filtered");
 }
 
 std::map<std::string, std::string> relinked_files(const std::vector<std::string>& settings)

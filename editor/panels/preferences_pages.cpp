@@ -190,9 +190,8 @@ void draw_performance_page(Editor& editor, const ui::Theme& theme, const ui::Rec
     choice_row(theme, "While it moves", p.pace, usual.pace,
                {{"automatic", "Automatic"}, {"60", "60 / s"}, {"30", "30 / s"}, {"15", "15 / s"}});
     std::vector<NamedText> places{{"automatic", "Automatic"}};
-    constexpr std::array names{"Processor", "One phase", "Two phases"};
-    for (std::size_t i = 0; i < names.size(); ++i)
-        places.push_back({std::string(gpu::deform_names[i]), names[i]});
+    for (std::size_t i = 0; i < deform_words.size(); ++i)
+        places.push_back({std::string(gpu::deform_names[i]), deform_words[i].name});
     choice_row(theme, "Deform", p.deform, usual.deform, places);
     const ui::Row row = ui::label_row(theme, "Threads", p.threads != 0);
     if (row.reset) p.threads = 0;

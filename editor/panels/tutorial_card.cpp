@@ -88,10 +88,7 @@ ui::Rect draw_tutorial(Editor& editor, ui::Frame& frame, const ui::Rect& view)
     const ui::Rect r =
         ui::rect_at({left, std::round(view.hi.y - height - theme.px(16))}, {width, height});
     ui::paint_card(theme, r);
-    ImGui::SetCursorScreenPos({r.lo.x, r.lo.y}); // what lies below takes no clicks through it
-    ImGui::SetItemAllowOverlap();
-    ImGui::InvisibleButton("card", {r.width(), r.height()});
-    ImGui::SetItemAllowOverlap();
+    ui::lower_area("card", r);
     ImGui::PushClipRect({r.lo.x, r.lo.y}, {r.hi.x, r.hi.y}, true);
     const ui::Rect line = {{r.lo.x + pad, r.lo.y + theme.px(10)}, {r.hi.x - pad, r.lo.y + head}};
     const ui::Rect caption = {line.lo, {line.hi.x, line.lo.y + theme.px(24)}};

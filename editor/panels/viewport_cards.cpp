@@ -29,6 +29,7 @@ void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& vie
     const glm::vec2 middle{view.hi.x - theme.px(56), view.lo.y + theme.px(56)};
     const float reach = theme.px(32);
     ui::paint_dot(middle, theme.px(44), ui::rgb(0x0E0F11, 0.22f));
+    ui::lower_area("axes", {middle - theme.px(44), middle + theme.px(44)});
     std::array<Axis, 6> axes{{{{1, 0, 0}, c.axis_x, "X", "Right"},
                               {{0, 1, 0}, c.axis_y, "Y", "Back"},
                               {{0, 0, 1}, c.axis_z, "Z", "Top"},
@@ -70,6 +71,7 @@ void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& vie
     ui::Rect bar =
         ui::rect_at({middle.x - square.x / 2, middle.y + theme.px(56)}, {square.x, 2 * square.y});
     ui::paint_box(bar, c.chip, theme.size.rounding_card);
+    ui::lower_area("bar", bar);
     ui::Theme on_chip = theme; // which is dark whatever the panels are
     on_chip.color.text = on_chip.color.text_2 = c.chip_text;
     on_chip.color.text_off = ui::faded(c.chip_text, 0.4f);

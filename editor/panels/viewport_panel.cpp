@@ -50,7 +50,12 @@ std::string aside_words(const Editor& editor)
     return "Only " + what + back;
 }
 
-void labels(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
+gpu::DeformBy deform_by(const Preferences& preferences)
+{
+    return gpu::deform_named(preferences.deform).value_or(gpu::usual_deform_by());
+}
+
+void labels(Editor& editor, const ui::Theme& theme, ui::Frame& frame, const ui::Rect& view)
 {
     const Session& session = editor.session;
     const std::string name = name_of(session.document(), session.selected);
@@ -73,14 +78,22 @@ void labels(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
         ui::paint_chip(theme, at, {ui::elided(theme.font.small, words, room)});
         at.y += theme.px(28);
     }
-    const Viewport& shown = editor.viewport;
+    Viewport& shown = editor.viewport;
     if (shown.drafts().count() == 0) return;
     if (!editor.preferences.show_timing && !editor.timing.open) return;
-    const std::size_t bytes = editor.timing.open ? resident_bytes() : 0;
-    ui::draw_timing(
-        theme, at, view.hi.y - at.y - theme.px(40),
-        {shown.drafts(), session.timings(), shown.full_timings(), bytes, shown.uploaded_bytes()},
-        editor.timing, key_text(action(editor, "Timing")));
+    ui::TimingSources sources{shown.drafts(), session.timings(), shown.full_timings()};
+    sources.uploaded_bytes = shown.uploaded_bytes();
+    if (editor.timing.open) {
+        sources.program_bytes = resident_bytes();
+        sources.ways = shown.ways().rows(session.evaluated(), deform_by(editor.preferences));
+    }
+    ui::draw_timing(theme, at, view.hi.y - at.y - theme.px(40), sources, editor.timing,
+                    key_text(action(editor, "Timing")));
+    if (editor.timing.other_way)
+        editor.preferences.deform = gpu::deform_names[*editor.timing.other_way];
+    if (editor.timing.measure_ways) shown.ways().begin();
+    shown.ways().advance(session.evaluated(), session.document());
+    if (shown.ways().running() || editor.timing.measure_ways) frame.again_in(0);
 }
 
 // Long work is said after a moment, so that quick work does not flicker. Where, if it is.
@@ -146,12 +159,9 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     const glm::ivec2 size_px = glm::max(glm::ivec2(view.size()), 1);
     const ImVec2 lo{view.lo.x, view.lo.y}, hi{view.hi.x, view.hi.y};
 
-    ImGui::SetCursorScreenPos(lo);
-    ImGui::SetItemAllowOverlap();
-    ImGui::InvisibleButton("picture", {view.width(), view.height()},
-                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
-                               ImGuiButtonFlags_MouseButtonRight);
-    ImGui::SetItemAllowOverlap();
+    ui::lower_area("picture", view,
+                   ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
+                       ImGuiButtonFlags_MouseButtonRight);
     show_tutorial(editor, frame);
     Tool& tool = editor.active_tool();
     const ViewportInput input = editor.viewport.take_input(session, frame, view, tool);
@@ -166,7 +176,7 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     const ui::Theme over = theme_over_picture(theme, *session.document().render, as_in_pictures);
     ViewportStyle style = viewport_style(over, as_in_pictures);
     style.level = gpu::level_named(editor.preferences.quality).value_or(gpu::Level::standard);
-    style.deform_by = gpu::deform_named(editor.preferences.deform).value_or(gpu::usual_deform_by());
+    style.deform_by = deform_by(editor.preferences);
     session.deform_on_processor = style.deform_by == gpu::DeformBy::processor;
     style.grid = editor.preferences.grid;
     const std::optional<double> pace = parse_number(editor.preferences.pace); // pictures a second
@@ -188,7 +198,7 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     draw_object_menu(editor, theme, viewport_menu);
     draw_add_menu(editor, theme);
     const bool welcome = !editor.tutorial.runs(session) && shows_welcome(editor);
-    if (!welcome) labels(editor, theme, view);
+    if (!welcome) labels(editor, theme, frame, view);
     if (editor.preferences.show_axes) draw_navigation(editor, theme, view);
     FootCards foot(view);
     if (editor.tutorial.runs(session))

@@ -196,10 +196,7 @@ void draw_welcome(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
     const ui::Rect r = ui::rect_at(at, size);
     ui::paint_card(theme, r);
     move_keyboard(editor);
-    ImGui::SetCursorScreenPos({r.lo.x, r.lo.y}); // what lies below takes no clicks through it
-    ImGui::SetItemAllowOverlap();
-    ImGui::InvisibleButton("start card", {r.width(), r.height()});
-    ImGui::SetItemAllowOverlap();
+    ui::lower_area("start card", r);
     const float inner = r.width() - 2 * pad;
     const float column = two_columns ? std::max(std::round(inner * 0.366f), theme.px(232)) : inner;
     draw_beginnings(editor, theme, {r.lo + pad, {r.lo.x + pad + column, r.hi.y - pad}},

@@ -3,9 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "gpu/context.h"
-#include "gpu/framebuffer.h"
-#include "gpu/pass_clock.h"
-#include "gpu/vertex_array.h"
+#include "gpu/ffd/deform_timer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,43 +44,6 @@ Lattice wavy_lattice(int order, int count)
     return lattice;
 }
 
-// The least time of some runs, milliseconds; the first run is not counted, for it compiles.
-template <class Run> double least_ms(Run&& run)
-{
-    constexpr double enough_ms = 250;
-    constexpr int most_runs = 12;
-    run();
-    double least = run(), sum = least;
-    for (int i = 1; i < most_runs && sum < enough_ms; ++i) {
-        const double time_ms = run();
-        least = std::min(least, time_ms);
-        sum += time_ms;
-    }
-    return least;
-}
-
-struct Errors {
-    double position = 0, normal_deg = 0;
-};
-
-Errors errors_of(const Deformed& a, const Deformed& exact)
-{
-    Box box;
-    for (const glm::vec3& p : exact.positions) box.add(p);
-    Errors out;
-    for (std::size_t i = 0; i < exact.positions.size(); ++i)
-        out.position =
-            std::max(out.position, double{glm::distance(a.positions[i], exact.positions[i])});
-    out.position /= glm::length(box.size());
-    for (std::size_t i = 0; i < exact.normals.size() && i < a.normals.size(); ++i) {
-        const glm::dvec3 n(a.normals[i]), m(exact.normals[i]);
-        out.normal_deg =
-            std::max(out.normal_deg,
-                     glm::degrees(std::atan2(glm::length(glm::cross(n, m)), glm::dot(n, m))));
-    }
-    return out;
-}
-
 class Measuring {
 public:
     DeviceFigures device()
@@ -93,14 +54,13 @@ public:
         Buffer from, to;
         from.reserve(bytes);
         to.reserve(bytes);
-        const double copy_ms = least_ms([&] {
-            return timed_ms([&] {
-                glBindBuffer(GL_COPY_READ_BUFFER, from.name());
-                glBindBuffer(GL_COPY_WRITE_BUFFER, to.name());
-                glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0,
-                                    static_cast<GLsizeiptr>(bytes));
-            });
-        });
+        const auto copy = [&] {
+            glBindBuffer(GL_COPY_READ_BUFFER, from.name());
+            glBindBuffer(GL_COPY_WRITE_BUFFER, to.name());
+            glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0,
+                                static_cast<GLsizeiptr>(bytes));
+        };
+        const double copy_ms = least_ms([&] { return timer_.timed_ms(copy); }, enough_ms);
         out.copy_bytes_per_s = 2e3 * static_cast<double>(bytes) / copy_ms;
 
         const unsigned groups = is_software() ? 256 : 16384;
@@ -108,105 +68,38 @@ public:
         const Program& program = programs_.use({"", "", {}, "arithmetic"});
         program.set("factor", glm::vec4(1e-3f, 2e-3f, 3e-3f, 4e-3f));
         glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, to.name());
-        const double sum_ms =
-            least_ms([&] { return timed_ms([&] { glDispatchCompute(groups, 1, 1); }); });
+        const auto sum = [&] { glDispatchCompute(groups, 1, 1); };
+        const double sum_ms = least_ms([&] { return timer_.timed_ms(sum); }, enough_ms);
         out.multiply_adds_per_s = 1e3 * groups * work / sum_ms;
         return out;
     }
 
     DeformRate rate(const DeformCase& what)
     {
-        prepare(what.vertices);
+        constexpr std::size_t compared = 200000; // reading back takes its time
+        if (!mesh_ || mesh_->vertex_count() != what.vertices)
+            mesh_ = make_ref(sphere_points(what.vertices));
+        timer_.take(mesh_);
         DeformRate out{what};
         const Stage stage{make_ref(wavy_lattice(what.order, what.lattice)), {}};
-        out.time_ms = what.way == Way::processor   ? processor_ms(what, stage)
-                      : what.way == Way::one_phase ? one_phase_ms(what, stage)
-                                                   : two_phases_ms(what, stage, out);
+        out.time_ms = what.way == Way::processor   ? timer_.processor_ms(stage, what.method)
+                      : what.way == Way::one_phase ? timer_.one_phase_ms(stage, what.method)
+                                                   : timer_.two_phases_ms(stage, what.method);
         out.vertices_per_s = 1e3 * static_cast<double>(what.vertices) / out.time_ms;
-        deformer_.lattices().drop_dead();
+        if (what.way == Way::two_phases && what.vertices <= compared) {
+            const DeformErrors off = timer_.errors(stage, what.method);
+            out.position_error = off.position;
+            if (what.method.normals != NormalsBy::nothing) out.normal_error_deg = off.normal_deg;
+        }
+        timer_.drop_dead();
         return out;
     }
 
 private:
-    template <class Body> double timed_ms(Body&& body)
-    {
-        clock_.start_picture();
-        clock_.pass("deform", body);
-        return clock_.timings().stages.front().time_ms;
-    }
-
-    void prepare(std::size_t vertices)
-    {
-        if (mesh_ && mesh_->vertex_count() == vertices) return;
-        mesh_ = make_ref(sphere_points(vertices));
-        from_ = uploaded_vertices(*mesh_);
-        to_ = {};
-    }
-
-    // The mesh with what the method reads.
-    Ref<Mesh> mesh(const Method& method) const
-    {
-        if (method.normals != NormalsBy::nothing) return mesh_;
-        Mesh plain;
-        plain.positions = mesh_->positions;
-        return make_ref(std::move(plain));
-    }
-
-    double processor_ms(const DeformCase& what, const Stage& stage) const
-    {
-        const Deformer deformer(mesh(what.method), stage.embedding,
-                                stage.lattice->displacement.axes);
-        Deformed out;
-        return least_ms([&] {
-            Timings timings;
-            out = timed(timings, "deform",
-                        [&] { return deformer.arrays(*stage.lattice, std::move(out)); });
-            return timings.stages.front().time_ms;
-        });
-    }
-
-    double one_phase_ms(const DeformCase& what, const Stage& stage)
-    {
-        deformer_.bind(stage, from_.bounds, glm::dvec3(0));
-        VertexArray vertices;
-        vertices.attribute(0, from_.positions, 3, sizeof(glm::vec3));
-        if (what.method.normals != NormalsBy::nothing)
-            vertices.attribute(1, from_.normals, 3, sizeof(glm::vec3));
-        vertices.bind();
-        nowhere_.bind();
-        programs_.use(deform_program({{what.order, what.order, what.order},
-                                      what.method,
-                                      false,
-                                      deformer_.reads_texels(),
-                                      false}));
-        const double least = least_ms([&] {
-            return timed_ms([&] { glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(from_.count)); });
-        });
-        glBindFramebuffer(GL_FRAMEBUFFER, 0);
-        return least;
-    }
-
-    double two_phases_ms(const DeformCase& what, const Stage& stage, DeformRate& rate)
-    {
-        const double least = least_ms([&] {
-            return timed_ms(
-                [&] { deformer_.deform(from_, to_, std::span(&stage, 1), what.method); });
-        });
-        constexpr std::size_t compared = 200000; // reading back takes its time
-        if (what.vertices > compared) return least;
-        const Deformer exact(mesh(what.method), stage.embedding, stage.lattice->displacement.axes);
-        const Errors off = errors_of(read_back(to_), exact.arrays(*stage.lattice));
-        rate.position_error = off.position;
-        if (what.method.normals != NormalsBy::nothing) rate.normal_error_deg = off.normal_deg;
-        return least;
-    }
-
-    PassClock clock_;
-    DeviceDeformer deformer_;
+    static constexpr double enough_ms = 250;
+    DeformTimer timer_{enough_ms};
     Programs programs_;
-    Framebuffer nowhere_{{}, nullptr};
     Ref<Mesh> mesh_;
-    DeviceVertices from_, to_;
 };
 
 bool same_kind(const DeformCase& a, const DeformCase& b)

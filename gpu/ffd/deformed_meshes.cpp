@@ -166,7 +166,7 @@ void DeformedMeshes::deform_on_device(Entry& entry, const Instance& instance, Mi
     const bool one_phase = entry.by == DeformBy::one_phase && !entry.wire;
     const std::span<const Stage> first = one_phase ? stages.first(stages.size() - 1) : stages;
     if (!first.empty())
-        device().deform(from, entry.vertices, first, {},
+        device().deform(from, entry.vertices, first, method_of(entry.by),
                         one_phase ? glm::dvec3(0) : drawn.origin_world);
     if (!one_phase) {
         drawn.box = device().box_of(entry.vertices);

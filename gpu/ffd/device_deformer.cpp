@@ -94,6 +94,16 @@ DeviceLimits device_limits()
     return out;
 }
 
+Method method_of(DeformBy by)
+{
+    switch (by) {
+    case DeformBy::differences: return {Sum::nested, NormalsBy::differences};
+    case DeformBy::raised: return {Sum::raised, NormalsBy::differences};
+    case DeformBy::filtered: return {Sum::filtered, NormalsBy::differences};
+    default: return {};
+    }
+}
+
 std::vector<std::string> volume_defines(const std::array<int, 3>& orders, bool texels)
 {
     std::vector<std::string> out{fmt::format("ORDER_U {}", orders[0]),

@@ -17,6 +17,7 @@ struct Method {
     NormalsBy normals = NormalsBy::cofactors;
     bool operator==(const Method&) const = default;
 };
+Method method_of(DeformBy by);
 
 // Vertices on the device: three floats a position and a normal, four a tangent, as attributes and
 // storage alike. What a mesh has none of is an empty buffer.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of meshes that the renderer deforms, beside those of meshes that were deformed before.
+#include "gpu/ffd/way_times.h"
 #include "tests/gpu/support.h"
 #include "tests/support/splines.h"
 
@@ -84,6 +85,18 @@ TEST_F(DeformedPictures, AreTheSameWhereverTheyAreDeformed)
     }
 }
 
+// The lerps of the shader lose a few digits, the steps of normals some more.
+TEST_F(DeformedPictures, AreNearlyTheSameByTheFormulasOfTheThesis)
+{
+    const std::vector<Stage> stages{volume_stage(3, 0.2, in_a_box())};
+    const Image expected = renderer.render(expected_of(torus, stages), picture_px);
+    for (const DeformBy by : {DeformBy::differences, DeformBy::raised, DeformBy::filtered}) {
+        const Image got = renderer.render(picture_with(torus, stages, by), picture_px);
+        EXPECT_LE(different_pixels(got, expected), 200) << static_cast<int>(by);
+        EXPECT_EQ(renderer.notice(), "");
+    }
+}
+
 TEST_F(DeformedPictures, ComposeStacksAndShowTheirEdges)
 {
     const std::vector<Stage> stages{volume_stage(3, 0.2, in_a_box()),
@@ -124,6 +137,29 @@ TEST_F(DeformedPictures, FallToTheProcessorWhereTheDeviceCannotAndSayWhy)
     for (int i = 0; i < 2; ++i) {
         EXPECT_LE(different_pixels(renderer.render(picture, picture_px), expected), 8);
         EXPECT_THAT(renderer.notice(), ::testing::HasSubstr("order 5"));
+    }
+}
+
+TEST_F(DeformedPictures, TellWhatEveryWayTakes)
+{
+    for (const int order : {3, 5}) {
+        const Picture picture =
+            picture_with(torus, {volume_stage(order, 0.2, in_a_box())}, DeformBy::two_phases);
+        WayTimer time;
+        for (std::size_t i = 0; i < deform_names.size(); ++i) {
+            const auto by = static_cast<DeformBy>(i);
+            const WayTime way = time(picture, by);
+            EXPECT_EQ(way.by, by);
+            if (order == 5 && by != DeformBy::processor) {
+                EXPECT_THAT(way.why_not, ::testing::HasSubstr("order 5"));
+                continue;
+            }
+            EXPECT_EQ(way.why_not, "");
+            EXPECT_EQ(way.vertices, torus->vertex_count());
+            EXPECT_GT(way.time_ms, 0);
+            EXPECT_LT(way.off.position, 1e-5) << deform_names[i];
+            EXPECT_LT(way.off.normal_deg, i < 3 ? 0.05 : 3) << deform_names[i];
+        }
     }
 }
 

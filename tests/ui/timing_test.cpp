@@ -7,7 +7,7 @@
 namespace trivar::ui {
 namespace {
 
-using ::testing::HasSubstr;
+using ::testing::HasSubstr, ::testing::Not;
 
 TimingHistory pictures_of(int count)
 {
@@ -51,9 +51,13 @@ TEST(TimingText, NamesEveryStageAndItsThroughput)
     const TimingHistory history = pictures_of(2);
     Timings evaluation;
     evaluation.add("deform", 2, 100'000);
-    const std::string text = timing_text({history, evaluation, {}, 3 << 20, 2 << 20});
-    for (const char* part : {"Median", "deform", "100000 vertices, 50.0 million a second",
-                             "surfaces", "light", "3.0 MB", "2.0 MB"})
+    const std::vector<TimedWay> ways{{"Processor", "", true, 2.0, 100'000, "0.00°"},
+                                     {"One phase", "", false, {}, 0, ""}};
+    const std::string text = timing_text({history, evaluation, {}, 3 << 20, 2 << 20, ways});
+    EXPECT_THAT(text, Not(HasSubstr("One phase")));
+    for (const char* part :
+         {"Median", "deform", "100000 vertices, 50.0 million a second", "Deformed by Processor",
+          "off by 0.00°", "surfaces", "light", "3.0 MB", "2.0 MB"})
         EXPECT_THAT(text, HasSubstr(part));
 }
 

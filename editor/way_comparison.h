@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/evaluate.h"
+#include "gpu/ffd/way_times.h"
+#include "ui/timing_overlay.h"
+
+#include <array>
+
+namespace trivar {
+
+// The ways to deform as people read them, in the order of gpu::DeformBy.
+struct DeformWords {
+    const char *name, *sentence;
+};
+inline constexpr std::array<DeformWords, gpu::deform_names.size()> deform_words{{
+    {"Processor", "All processors at once, before anything is drawn."},
+    {"One phase", "By the graphics card as it draws, in every pass anew."},
+    {"Two phases", "By the graphics card, once for all passes."},
+    {"Differences", "Two phases, with normals by differences (thesis, 4.3)."},
+    {"Raised orders", "Two phases, by lerps between control points (thesis, 4.4)."},
+    {"Filtered", "The same lerps by the card's filter: a preview, for its fractions are coarse."},
+}};
+
+// Measures each way on what a scene deforms now, one a frame, so that the window stays awake.
+class WayComparison {
+public:
+    void begin() { next_ = 0; }
+    bool running() const { return next_ < deform_words.size(); }
+    void advance(const Evaluated& evaluated, const Document& document); // in the window's context
+    void forget_gpu();
+    // To be shown: all of them, with times where they were measured; none where nothing is
+    // deformed.
+    std::vector<ui::TimedWay> rows(const Evaluated& evaluated, gpu::DeformBy used) const;
+
+private:
+    std::unique_ptr<gpu::WayTimer> timer_;
+    std::array<std::optional<gpu::WayTime>, deform_words.size()> times_;
+    std::size_t next_ = deform_words.size();
+};
+
+} // namespace trivar

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gpu/ffd/device_deformer.h"
+#include "gpu/framebuffer.h"
+#include "gpu/pass_clock.h"
+
+#include <algorithm>
+
+namespace trivar::gpu {
+
+// The least time of some runs, milliseconds; the first run is not counted, for it compiles.
+template <class Run> double least_ms(Run&& run, double enough_ms)
+{
+    constexpr int most_runs = 12;
+    run();
+    double least = run(), sum = least;
+    for (int i = 1; i < most_runs && sum < enough_ms; ++i) {
+        const double time_ms = run();
+        least = std::min(least, time_ms);
+        sum += time_ms;
+    }
+    return least;
+}
+
+struct DeformErrors {
+    double position = 0;   // the largest distance, as a share of the box's diagonal
+    double normal_deg = 0; // the largest angle
+};
+// What the processor's evaluator says is taken for true.
+DeformErrors errors_of(const Deformed& found, const Deformed& exact);
+
+// Deforms one mesh again and again by a volume, three times at least and until `enough_ms` are
+// spent: by timer queries, or fences on software GL. Throws Rejected where the device lacks what
+// it takes.
+class DeformTimer {
+public:
+    explicit DeformTimer(double enough_ms) : enough_ms_(enough_ms) {}
+    void take(const Ref<Mesh>& mesh); // what is deformed from now on; uploads it
+    double processor_ms(const Stage& stage, const Method& method) const;
+    double one_phase_ms(const Stage& stage, const Method& method);
+    double two_phases_ms(const Stage& stage, const Method& method);
+    // Of the last call of two_phases_ms(); reads the vertices back.
+    DeformErrors errors(const Stage& stage, const Method& method) const;
+    void drop_dead(); // of the lattices on the device
+
+    template <class Body> double timed_ms(Body&& body)
+    {
+        clock_.start_picture();
+        clock_.pass("deform", body);
+        return clock_.timings().stages.front().time_ms;
+    }
+
+private:
+    Ref<Mesh> mesh(const Method& method) const;
+    DeviceDeformer& device();
+    double enough_ms_;
+    PassClock clock_;
+    std::unique_ptr<DeviceDeformer> device_;
+    Programs programs_;
+    Framebuffer nowhere_{{}, nullptr};
+    Ref<Mesh> mesh_;
+    DeviceVertices from_, to_;
+};
+
+} // namespace trivar::gpu

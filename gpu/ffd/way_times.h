@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gpu/ffd/deform_timer.h"
+#include "gpu/picture.h"
+
+namespace trivar::gpu {
+
+// What one way of deforming all that a picture's volumes deform takes.
+struct WayTime {
+    DeformBy by = DeformBy::processor;
+    std::size_t vertices = 0;
+    double time_ms = 0;
+    DeformErrors off;    // from what the processor finds; the largest of all meshes
+    std::string why_not; // a sentence, where the device cannot
+};
+
+// Times the ways in the current context, one a call: the first volume of each instance. What was
+// bound is left unbound.
+class WayTimer {
+public:
+    WayTime operator()(const Picture& picture, DeformBy by);
+
+private:
+    std::unique_ptr<DeformTimer> timer_;
+};
+
+} // namespace trivar::gpu
