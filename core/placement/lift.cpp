@@ -14,10 +14,8 @@ namespace {
 
 constexpr double folding = 0.1; // cosine to the ray below which the strip may fold in the picture
 // Rays along each axis of a cell seen edge-on: in each look, and in the last.
-constexpr int rays_where_steep = 6, rays_in_last_look = 16;
-// Quads of the index a cell, along each axis: where the strip may fold, finer ones tell its layers
-// apart.
-constexpr int quads_plain = 2, quads_folded = 4;
+constexpr int rays_where_steep = 6, rays_in_last_look = 24;
+constexpr int quads_a_cell = 2; // of the index, along each axis
 constexpr int most_rounds = 12; // of lifting; lines of sight that are parallel need one
 constexpr int most_judgements = 12;
 constexpr int most_looks_again = 5; // with rays, for one judgement
@@ -103,24 +101,8 @@ Lifted lifted(Surface<glm::dvec3> contact, const Camera& camera, const RayScene&
     const JudgeOptions judging{enough, let_be_share * options.tolerance, pass};
     Lifted out{std::move(contact)};
     const SurfaceTable table(out.contact);
-    StripCut cut{table.cells(), quads_plain};
-    StripIndex strip(table, view, cut.quads());
-    const NearScene near = near_scene(scene, view, strip, options.skip_back_faces);
+    const StripCut cut{table.cells(), quads_a_cell};
 
-    int looks = 0;
-    const auto look = [&](const std::vector<char>& where, int where_steep) {
-        std::vector<SceneSample> rays = seen_behind(table, cut, where, where_steep, looks, view,
-                                                    scene, options.skip_back_faces);
-        const std::vector<Gap> at = gaps(table, view, rays);
-        Judgement found{{}, most_behind(at, enough)};
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            if (looks == 0) out.largest_gap = std::max(out.largest_gap, at[i].gap);
-            if (at[i].inside && at[i].gap < enough - judging.let_be)
-                found.behind.push_back(rays[i]);
-        }
-        ++looks;
-        return found;
-    };
     // Lifts what is behind of the samples and marks the control points; false if there is nothing
     // left that a lift could do. What is in front stays in front, so only these ask for one.
     std::vector<char> moved(out.contact.points.size(), 0);
@@ -138,36 +120,64 @@ Lifted lifted(Surface<glm::dvec3> contact, const Camera& camera, const RayScene&
             moved[k] = moved[k] || before[k] != out.contact.points[k];
         return out.rounds > rounds_before;
     };
-
-    StripJudge judge(table, view, near, judging);
-    std::vector<char> changed(cut.corners(), 1);
+    const auto take_moved = [&] {
+        std::vector<char> corners = table.touched(cut.quads(), moved);
+        std::fill(moved.begin(), moved.end(), 0);
+        return corners;
+    };
     double let_be = 0; // what was found behind and needs no lift
+    RayLook look{.skip_back_faces = options.skip_back_faces};
+    // Rays find most in the least time: they look until they find nothing that a lift could mend.
+    // Returns what is left then, and marks what has moved as changed.
+    std::vector<char> changed;
+    const auto look_and_rise = [&](std::vector<char> where, int many_rays) {
+        look.where_steep = many_rays;
+        for (int again = 0;; ++again) {
+            Judgement found = seen_behind(table, cut, where, look, view, scene, judging).found;
+            ++look.turn;
+            let_be = std::max(let_be, std::min(found.worst, judging.let_be));
+            if (again == most_looks_again || !rise(found.behind)) return found;
+            where = take_moved();
+            for (std::size_t k = 0; k < where.size(); ++k) changed[k] = changed[k] || where[k];
+        }
+    };
+
+    const std::vector<char> everywhere(cut.corners(), 1), nowhere(cut.corners(), 0);
+    look.beyond = true;
+    SeenBehind first = seen_behind(table, cut, everywhere, look, view, scene, judging);
+    out.largest_gap = first.largest_gap;
+    look.beyond = false;
+    rise(std::move(first.found.behind));
+    take_moved();
+    changed = everywhere;
+    Judgement found = look_and_rise(everywhere, rays_where_steep);
+    StripIndex strip(table, view, cut.quads());
+    const NearScene near = near_scene(scene, view, strip, options.skip_back_faces);
+    StripJudge judge(table, view, near, judging);
+    int rays = rays_where_steep;
     for (int judgement = 0;; ++judgement) {
-        const bool fine = cut.quads_a_cell == quads_folded;
-        Judgement found = judge.judge(strip);
-        found.add(look(changed, fine ? rays_in_last_look : rays_where_steep));
+        found.add(judge.judge(strip));
         out.penetration = std::max(found.worst, let_be);
         if (judgement == most_judgements) return out;
-        if (out.penetration <= pass) {
-            if (fine) return out;
-            // Once more where the strip may fold in the picture, and its layers hide one another.
-            cut.quads_a_cell = quads_folded;
-            changed = steep_corners(table, cut, std::vector<char>(cut.corners(), 1), view, folding);
-            if (std::find(changed.begin(), changed.end(), 1) == changed.end()) return out;
-            strip = StripIndex(table, view, cut.quads(), changed);
-            continue;
+        if (out.penetration > pass) {
+            let_be = std::max(let_be, std::min(found.worst, judging.let_be));
+            if (!rise(std::move(found.behind))) return out;
+            changed = take_moved();
+            found = look_and_rise(changed, rays);
+        } else {
+            // Once more and closely where the strip may fold in the picture, for its layers hide
+            // one another from the index.
+            if (rays == rays_in_last_look) return out;
+            rays = rays_in_last_look;
+            changed = nowhere;
+            found = look_and_rise(steep_corners(table, cut, everywhere, view, folding), rays);
+            if (changed == nowhere) {
+                out.penetration = std::max(out.penetration, found.worst);
+                return out;
+            }
         }
-        let_be = std::max(let_be, std::min(found.worst, judging.let_be));
-
-        if (!rise(std::move(found.behind))) return out;
-        // What is left soon is little and seen edge-on, where rays find more in less time: they
-        // look again until they find nothing, and only then all that has moved is judged again.
-        for (int again = 0; judgement > 0 && again < most_looks_again; ++again)
-            if (!rise(look(table.touched(cut.quads(), moved), rays_where_steep).behind)) break;
-        changed = table.touched(cut.quads(), moved);
-        std::fill(moved.begin(), moved.end(), 0);
         // In perspective a lift moves the strip a little in the picture.
-        strip = StripIndex(table, view, cut.quads(), fine ? changed : std::vector<char>());
+        strip = StripIndex(table, view, cut.quads());
         strip.mark_changed(changed);
     }
 }

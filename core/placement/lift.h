@@ -25,8 +25,8 @@ struct Lifted {
 // sees, within the tolerance. judge() finds the points of the scene that are not; their control
 // points move outward, each point's by the shortest step that satisfies it (Kaczmarz 1937), the
 // deepest first; and it is judged again. One that never overshoots can be satisfied too: with all
-// its control points level with the sample, so is the surface. Rays, one a cell, check that
-// independently.
+// its control points level with the sample, so is the surface. Rays do most of it before in less
+// time, and check it independently.
 Lifted lifted(Surface<glm::dvec3> contact, const Camera& camera, const RayScene& scene,
               const LiftOptions& options);
 

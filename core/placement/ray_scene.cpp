@@ -339,9 +339,10 @@ std::optional<Hit> RayScene::hit(const Ray& ray, double from, double to, bool sk
                            found.hit.v);
 }
 
-std::vector<std::optional<Hit>> RayScene::hits(std::span<const Ray> rays,
-                                               bool skip_back_faces) const
+std::vector<std::optional<Hit>> RayScene::hits(std::span<const Ray> rays, bool skip_back_faces,
+                                               std::span<const double> to) const
 {
+    const auto until = [&](std::size_t i) { return to.empty() ? 1e300 : to[i]; };
     constexpr std::size_t wide = 8;
     std::vector<std::optional<Hit>> out(rays.size());
     parallel_blocks(rays.size(), 16 * wide, [&](std::size_t begin, std::size_t end) {
@@ -350,7 +351,7 @@ std::vector<std::optional<Hit>> RayScene::hits(std::span<const Ray> rays,
             RTCRayHit8 packet{};
             alignas(32) std::array<int, wide> valid{};
             for (std::size_t i = 0; i < count; ++i) {
-                const RTCRayHit one = embree_ray(rays[first + i], 0, 1e300);
+                const RTCRayHit one = embree_ray(rays[first + i], 0, until(first + i));
                 set_lane(packet, i, one);
                 valid[i] = -1;
             }
@@ -363,7 +364,7 @@ std::vector<std::optional<Hit>> RayScene::hits(std::span<const Ray> rays,
             for (std::size_t i = 0; i < count; ++i) {
                 if (packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
                 out[first + i] = state_->resolve(
-                    rays[first + i], 0, 1e300, skip_back_faces,
+                    rays[first + i], 0, until(first + i), skip_back_faces,
                     {packet.hit.instID[0][i], packet.hit.primID[i], packet.ray.tfar[i]},
                     packet.hit.u[i], packet.hit.v[i]);
             }

@@ -22,14 +22,11 @@ double cross(glm::dvec2 a, glm::dvec2 b)
 std::optional<glm::dvec2> shares(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 q)
 {
     constexpr double slack = 1e-6; // a pixel on the line between two triangles is in both
-    double area = cross(b - a, c - a), of_b = cross(q - a, c - a), of_c = cross(b - a, q - a);
-    if (area < 0) {
-        area = -area;
-        of_b = -of_b;
-        of_c = -of_c;
-    }
-    const double out = -slack * area;
-    if (area == 0 || of_b < out || of_c < out || area - of_b - of_c < out) return {};
+    const glm::dvec2 ab = b - a, ac = c - a, aq = q - a;
+    const double area = cross(ab, ac), of_b = cross(aq, ac), of_c = cross(ab, aq);
+    const double least = area < 0 ? -std::max({of_b, of_c, area - of_b - of_c})
+                                  : std::min({of_b, of_c, area - of_b - of_c});
+    if (area == 0 || least < -slack * std::abs(area)) return {};
     return glm::dvec2(of_b, of_c) / area;
 }
 
@@ -57,18 +54,21 @@ std::vector<StripIndex::Bend> bends(const std::vector<glm::dvec3>& points,
                     const double facing =
                         along < 0 ? std::min(along, -least) : std::max(along, least);
                     if (facing == 0) continue;
-                    // Over a step a parabola is off its chord by a quarter of this; twice that is
-                    // for what is no parabola, and for chords across.
-                    const auto sag = [&](std::size_t step) {
+                    const auto along_axis = [&](std::size_t step) {
                         const glm::dvec3 off =
-                            (points[k - step] + points[k + step]) / 2.0 - points[k];
-                        return std::max(0.0, glm::dot(off, n) / facing) / 2;
+                            points[k - step] + points[k + step] - 2.0 * points[k];
+                        return glm::dot(off, n) / facing;
                     };
+                    const glm::dvec3 twist = points[k + columns + 1] - points[k + columns - 1] -
+                                             points[k - columns + 1] + points[k - columns - 1];
+                    const double mixed = glm::dot(twist, n) / facing / 4;
                     const auto px2 = [&](std::size_t step) {
                         const glm::dvec2 d = (points_px[k + step] - points_px[k - step]) / 2.0;
                         return std::max(glm::dot(d, d), shortest);
                     };
-                    out[i * columns + j] = {{sag(columns), sag(1)}, {px2(columns), px2(1)}};
+                    out[i * columns + j] = {{along_axis(columns), along_axis(1)},
+                                            {mixed, mixed},
+                                            {px2(columns), px2(1)}};
                 }
         });
     return out;
@@ -98,8 +98,7 @@ struct StripIndex::Seen {
     }
 };
 
-StripIndex::StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2 steps,
-                       const std::vector<char>& asked)
+StripIndex::StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2 steps)
     : steps_(steps),
       lo_(1e300),
       hi_(-1e300)
@@ -113,17 +112,9 @@ StripIndex::StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2
         const int a = i * (steps.y + 1) + j;
         return std::array{a, a + 1, a + steps.y + 1, a + steps.y + 2};
     };
-    const auto wanted = [&](int i, int j) {
-        const std::array<int, 4> corner = quad(i, j);
-        return asked.empty() || std::all_of(corner.begin(), corner.end(), [&](int k) {
-                   return asked[static_cast<std::size_t>(k)];
-               });
-    };
-    double area = 0, count = 0;
+    double area = 0;
     for (int i = 0; i < steps.x; ++i)
         for (int j = 0; j < steps.y; ++j) {
-            if (!wanted(i, j)) continue;
-            ++count;
             for (const int k : quad(i, j)) {
                 lo_ = glm::min(lo_, corners_px_[static_cast<std::size_t>(k)]);
                 hi_ = glm::max(hi_, corners_px_[static_cast<std::size_t>(k)]);
@@ -133,6 +124,7 @@ StripIndex::StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2
                 std::abs(cross(corner[steps.y + 2] - corner[0], corner[steps.y + 1] - corner[1])) /
                 2;
         }
+    const double count = static_cast<double>(steps.x) * steps.y;
     // In a strip that is seen edge-on quads have no area but still a size.
     const glm::dvec2 size = glm::max(hi_ - lo_, glm::dvec2(1e-9));
     quad_px_ = std::max(std::sqrt(area / count), 0.01 * glm::length(size) / std::sqrt(count));
@@ -144,7 +136,6 @@ StripIndex::StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2
     const auto each = [&](const auto& visit) {
         for (int i = 0; i < steps.x; ++i)
             for (int j = 0; j < steps.y; ++j) {
-                if (!wanted(i, j)) continue;
                 glm::dvec2 lo(1e300), hi(-1e300);
                 for (const int k : quad(i, j)) {
                     lo = glm::min(lo, corners_px_[static_cast<std::size_t>(k)]);
@@ -170,7 +161,6 @@ StripIndex::StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2
     bend_.resize(corners.size());
     for (int i = 0; i < steps.x; ++i)
         for (int j = 0; j < steps.y; ++j) {
-            if (!wanted(i, j)) continue;
             Bend& most = bend_[static_cast<std::size_t>(quad(i, j)[0])];
             for (const int k : quad(i, j)) most.add(at_corners[static_cast<std::size_t>(k)]);
             most_bend_.add(most);
@@ -322,11 +312,18 @@ void StripIndex::mark_changed(const std::vector<char>& corners)
         for (int j = 0; j < steps_.y; ++j)
             quad[static_cast<std::size_t>(i * columns + j)] = near_change(i, j);
     changed_.assign(begin_.size(), 0);
+    changed_lo_ = glm::dvec2(1e300);
+    changed_hi_ = glm::dvec2(-1e300);
     for (std::size_t b = 0; b + 1 < begin_.size(); ++b) {
         bool any = false;
         for (int e = begin_[b]; e < begin_[b + 1]; ++e)
             any = any || quad[static_cast<std::size_t>(quads_[static_cast<std::size_t>(e)])];
         changed_[b + 1] = changed_[b] + any;
+        if (!any) continue;
+        const auto x = static_cast<int>(b) % buckets_.x, y = static_cast<int>(b) / buckets_.x;
+        // A bucket more: none is missed for rounding.
+        changed_lo_ = glm::min(changed_lo_, lo_ + glm::dvec2(x - 1, y - 1) / buckets_per_px_);
+        changed_hi_ = glm::max(changed_hi_, lo_ + glm::dvec2(x + 2, y + 2) / buckets_per_px_);
     }
 }
 
@@ -352,6 +349,10 @@ std::optional<glm::dvec2> StripIndex::in_quad(int first_corner, glm::dvec2 p_px)
 {
     const glm::dvec2* corner = corners_px_.data() + first_corner;
     const glm::dvec2* next = corner + steps_.y + 1;
+    // Most quads of a bucket are told apart by their boxes.
+    const glm::dvec2 lo = glm::min(glm::min(corner[0], corner[1]), glm::min(next[0], next[1]));
+    const glm::dvec2 hi = glm::max(glm::max(corner[0], corner[1]), glm::max(next[0], next[1]));
+    if (p_px.x < lo.x || p_px.y < lo.y || p_px.x > hi.x || p_px.y > hi.y) return {};
     auto s = shares(corner[0], next[0], corner[1], p_px);
     if (!s) {
         s = shares(next[1], corner[1], next[0], p_px);

@@ -13,10 +13,7 @@ namespace trivar {
 // The surface is cut into steps x steps quads, which a grid of buckets finds.
 class StripIndex {
 public:
-    // Of part of the strip: of those quads alone the four corners of which are asked for, (steps.x
-    // + 1) x (steps.y + 1) of them, v fastest. None are all.
-    StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2 steps,
-               const std::vector<char>& asked = {});
+    StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2 steps);
 
     // False where the strip certainly is not; for a rectangle, where it meets no bucket of it.
     bool may_cover(glm::dvec2 p_px) const;
@@ -40,19 +37,32 @@ public:
     void mark_changed(const std::vector<char>& corners);
     bool changed(glm::dvec2 lo_px, glm::dvec2 hi_px) const
     {
-        return meets(changed_.empty() ? begin_ : changed_, lo_px, hi_px);
+        if (changed_.empty()) return may_touch(lo_px, hi_px);
+        // Mostly little has changed, and all of it in one place.
+        return lo_px.x <= changed_hi_.x && lo_px.y <= changed_hi_.y && hi_px.x >= changed_lo_.x &&
+               hi_px.y >= changed_lo_.y && meets(changed_, lo_px, hi_px);
     }
 
-    // How far the surface between the parameters may sag behind chords of it: metres along the
-    // line of sight for each square of the chord's length, along u and along v. Lengths are in
-    // quads; `quad_px2` is how long the shortest is in the picture, squared.
+    // How much the surface bends between the parameters: the largest second derivatives of how far
+    // it lies in front, metres along the line of sight, by quads along u and along v; of the mixed
+    // one the least and the largest. `quad_px2` is how long the shortest quad is in the picture,
+    // squared.
     struct Bend {
-        glm::dvec2 sag{0}, quad_px2{1e300};
+        glm::dvec2 along{-1e300}, mixed{1e300, -1e300}, quad_px2{1e300};
 
         void add(const Bend& other)
         {
-            sag = glm::max(sag, other.sag);
+            along = glm::max(along, other.along);
+            mixed = {std::min(mixed.x, other.mixed.x), std::max(mixed.y, other.mixed.y)};
             quad_px2 = glm::min(quad_px2, other.quad_px2);
+        }
+        // Along a chord, which is given in quads: at its middle the surface is behind it by an
+        // eighth of that.
+        double across(glm::dvec2 chord) const
+        {
+            const double twist = chord.x * chord.y;
+            return along.x * chord.x * chord.x + along.y * chord.y * chord.y +
+                   2 * twist * (twist > 0 ? mixed.y : mixed.x);
         }
     };
     Bend bend(glm::dvec2 lo, glm::dvec2 hi) const;
@@ -93,8 +103,9 @@ private:
     glm::dvec2 buckets_per_px_{1};
     std::vector<int> begin_, quads_; // of each bucket: the first corners of quads
     std::vector<int> changed_;       // how many buckets are before each
-    std::vector<Bend> bend_;         // the largest of each quad, by its first corner
-    Bend most_bend_;                 // of all
+    glm::dvec2 changed_lo_{1e300}, changed_hi_{-1e300}; // round all of them
+    std::vector<Bend> bend_; // the largest of each quad, by its first corner
+    Bend most_bend_;         // of all
     // Of each bucket in which a few neighbouring quads lie side by side: the first corner of the
     // one nearest to its middle. -1 of others.
     std::vector<int> plain_;

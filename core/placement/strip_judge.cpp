@@ -34,16 +34,8 @@ public:
         Corner c{p_world, at.p_px, at.depth_world};
         strip_.find(at.p_px, [&](const glm::dvec2& uv) {
             const Gap g = gap_at(surface_, view_, {p_world, uv});
-            if (!g.inside) return;
-            c.covered = true;
-            if (g.gap - options_.clearance < c.gap) {
-                c.gap = g.gap - options_.clearance;
-                c.uv = g.uv;
-            }
-            if (g.gap - options_.clearance < -options_.let_be)
-                out.behind.push_back({p_world, g.uv});
+            if (g.inside) cover(c, g, out);
         });
-        out.worst = std::max(out.worst, -c.gap);
         return c;
     }
 
@@ -81,6 +73,8 @@ private:
     // surface the corners' parameters tell, or, where one is beside the strip, the picture.
     double sag(const Corner& a, const Corner& b, const Corner& c, double longest) const
     {
+        // Twice what a parabola would: the surface is none.
+        constexpr double share = 2 / 8.0;
         glm::dvec2 lo(1), hi(0);
         for (const Corner* corner : {&a, &b, &c}) {
             if (!corner->covered) continue;
@@ -88,9 +82,27 @@ private:
             hi = glm::max(hi, corner->uv);
         }
         const StripIndex::Bend bend = strip_.bend(lo, hi);
-        const glm::dvec2 size = (hi - lo) * glm::dvec2(strip_.steps());
-        const bool inside = a.covered && b.covered && c.covered;
-        return glm::dot(bend.sag, inside ? size * size : longest / bend.quad_px2);
+        if (a.covered && b.covered && c.covered) {
+            const glm::dvec2 quads(strip_.steps());
+            return share * std::max({0.0, bend.across((b.uv - a.uv) * quads),
+                                     bend.across((c.uv - b.uv) * quads),
+                                     bend.across((a.uv - c.uv) * quads)});
+        }
+        const glm::dvec2 size = glm::sqrt(longest / bend.quad_px2);
+        return share * std::max({0.0, bend.across(size), bend.across({size.x, -size.y}),
+                                 bend.along.x * size.x * size.x, bend.along.y * size.y * size.y});
+    }
+
+    void cover(Corner& c, const Gap& by, Judgement& out) const
+    {
+        const double gap = by.gap - options_.clearance;
+        c.covered = true;
+        if (gap < c.gap) {
+            c.gap = gap;
+            c.uv = by.uv;
+        }
+        if (gap < -options_.let_be) out.behind.push_back({c.p_world, by.uv});
+        out.worst = std::max(out.worst, -gap);
     }
 
     static double squared(const Corner& a, const Corner& b)
@@ -131,6 +143,11 @@ private:
                 const double from = inside.uv[k], to = g.uv[k];
                 if (to > 1) cut = std::min(cut, (1 - from) / (to - from));
                 if (to < 0) cut = std::min(cut, from / (from - to));
+            }
+            if (cut == 1) {
+                // The strip goes on here, beside the part of it that is looked at.
+                cover(tried, g, out);
+                return tried.gap;
             }
             share *= std::max(0.0, cut - rim_share);
             tried = between(inside, outside, share, out);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/placement/strip_rays.h"
 
+#include "core/base/parallel.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +10,12 @@ namespace trivar {
 namespace {
 
 constexpr double steep = 0.3; // cosine to the ray below which a cell gets more rays
+constexpr std::size_t rays_a_block = 512;
+
+struct Cell {
+    glm::ivec2 at;
+    int rays; // along each axis
+};
 
 // The cosine between the surface and the line of sight.
 double facing(const SurfaceTable& s, glm::dvec2 uv, const View& view)
@@ -16,6 +24,16 @@ double facing(const SurfaceTable& s, glm::dvec2 uv, const View& view)
     const glm::dvec3 n = glm::cross(jet.u, jet.v);
     const double length = glm::length(n);
     return length > 0 ? glm::dot(n, view.toward_eye(jet.value)) / length : 0;
+}
+
+// Where so many rays go through a cell along an axis. Of cells at the rim the rim belongs to it.
+std::vector<double> along(int cell, int cells, int rays, double shift)
+{
+    std::vector<double> out;
+    if (cell == 0 && rays > 1) out.push_back(0);
+    for (int k = 0; k < rays; ++k) out.push_back((cell + (k + shift) / rays) / cells);
+    if (cell + 1 == cells && rays > 1) out.push_back(1);
+    return out;
 }
 
 } // namespace
@@ -38,31 +56,64 @@ std::vector<char> steep_corners(const SurfaceTable& s, const StripCut& cut,
     return out;
 }
 
-std::vector<SceneSample> seen_behind(const SurfaceTable& s, const StripCut& cut,
-                                     const std::vector<char>& changed, int many, int look,
-                                     const View& view, const RayScene& scene, bool skip_back_faces)
+SeenBehind seen_behind(const SurfaceTable& s, const StripCut& cut, const std::vector<char>& marked,
+                       const RayLook& look, const View& view, const RayScene& scene,
+                       const JudgeOptions& options)
 {
-    const double shift = std::fmod(0.37 + 0.19 * look, 1);
-    const std::vector<char> edge_on = steep_corners(s, cut, changed, view, steep);
-    std::vector<glm::dvec2> uv;
+    const double shift = std::fmod(0.37 + 0.19 * look.turn, 1);
+    const std::vector<char> edge_on = look.where_steep > 1
+                                          ? steep_corners(s, cut, marked, view, steep)
+                                          : std::vector<char>(marked.size(), 0);
+    // Blocks of cells with about as many rays each.
+    std::vector<Cell> cells;
+    std::vector<std::size_t> blocks{0};
+    std::size_t rays = 0;
     for (int i = 0; i < cut.cells.x; ++i)
         for (int j = 0; j < cut.cells.y; ++j) {
-            if (!changed[cut.middle_of_cell(i, j)]) continue;
-            const int rays = edge_on[cut.middle_of_cell(i, j)] ? many : 1;
-            for (int a = 0; a < rays; ++a)
-                for (int b = 0; b < rays; ++b)
-                    uv.push_back(
-                        (glm::dvec2(i, j) + (glm::dvec2(a, b) + glm::dvec2(shift, 1 - shift)) /
-                                                static_cast<double>(rays)) /
-                        s.cells());
+            const std::size_t middle = cut.middle_of_cell(i, j);
+            if (!marked[middle]) continue;
+            const bool rim = i == 0 || j == 0 || i + 1 == cut.cells.x || j + 1 == cut.cells.y;
+            cells.push_back({{i, j}, edge_on[middle] || rim ? look.where_steep : 1});
+            rays += static_cast<std::size_t>(cells.back().rays * cells.back().rays);
+            if (rays < rays_a_block) continue;
+            blocks.push_back(cells.size());
+            rays = 0;
         }
-    std::vector<Ray> rays;
-    rays.reserve(uv.size());
-    for (const glm::dvec2& at : uv) rays.push_back(view.ray(view.project(s.jet(at).value).p_px));
-    const auto hits = scene.hits(rays, skip_back_faces);
-    std::vector<SceneSample> out;
-    for (std::size_t k = 0; k < uv.size(); ++k)
-        if (hits[k]) out.push_back({hits[k]->p_world, uv[k]});
+    if (blocks.back() < cells.size()) blocks.push_back(cells.size());
+
+    std::vector<SeenBehind> seen(blocks.size() - 1);
+    parallel_blocks(seen.size(), 1, [&](std::size_t block, std::size_t) {
+        std::vector<glm::dvec2> uv;
+        std::vector<double> until;
+        std::vector<Ray> through;
+        for (std::size_t c = blocks[block]; c < blocks[block + 1]; ++c) {
+            const Cell& cell = cells[c];
+            const std::vector<double> u = along(cell.at.x, cut.cells.x, cell.rays, shift);
+            const std::vector<double> v = along(cell.at.y, cut.cells.y, cell.rays, 1 - shift);
+            for (const double a : u)
+                for (const double b : v) uv.emplace_back(a, b);
+            for (const glm::dvec3& p : s.grid(u, v)) {
+                through.push_back(view.ray_to(p));
+                until.push_back(glm::dot(p - through.back().origin, through.back().direction) +
+                                options.clearance);
+            }
+        }
+        const auto hits = look.beyond ? scene.hits(through, look.skip_back_faces)
+                                      : scene.hits(through, look.skip_back_faces, until);
+        for (std::size_t k = 0; k < hits.size(); ++k) {
+            if (!hits[k]) continue;
+            const double behind = until[k] - hits[k]->distance;
+            Judgement& found = seen[block].found;
+            found.worst = std::max(found.worst, behind);
+            seen[block].largest_gap = std::max(seen[block].largest_gap, options.clearance - behind);
+            if (behind > options.let_be) found.behind.push_back({hits[k]->p_world, uv[k]});
+        }
+    });
+    SeenBehind out;
+    for (const SeenBehind& part : seen) {
+        out.found.add(part.found);
+        out.largest_gap = std::max(out.largest_gap, part.largest_gap);
+    }
     return out;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/placement/gap.h"
+#include "core/placement/judgement.h"
 #include "core/placement/ray_scene.h"
 
 #include <vector>
@@ -34,12 +34,24 @@ struct StripCut {
 std::vector<char> steep_corners(const SurfaceTable& s, const StripCut& cut,
                                 const std::vector<char>& changed, const View& view, double limit);
 
-// What the camera sees behind the surface, one ray a cell, each `look` elsewhere in it: a second
-// one at the same places would find nothing. Many rays, along each axis, where the surface is seen
-// edge-on: there the picture hardly tells where on the surface a point of the scene belongs. Where
-// the camera sees nothing there is no sample. Only of cells that have changed. Parallel.
-std::vector<SceneSample> seen_behind(const SurfaceTable& s, const StripCut& cut,
-                                     const std::vector<char>& changed, int many, int look,
-                                     const View& view, const RayScene& scene, bool skip_back_faces);
+// How to look along rays: one a cell, and many along each axis of it at the rim and where the
+// surface is seen edge-on, for there the picture hardly tells where on the surface a point of the
+// scene belongs.
+struct RayLook {
+    int where_steep = 1;
+    int turn = 0;        // each elsewhere in the cells: a second one there would find nothing
+    bool beyond = false; // looks for what is in front of the surface alone, or behind it, too
+    bool skip_back_faces = false;
+};
+
+struct SeenBehind {
+    Judgement found;
+    double largest_gap = 0; // metres between surface and scene; where asked to look beyond
+};
+
+// What the camera sees behind the surface, of cells whose middle is marked. Parallel.
+SeenBehind seen_behind(const SurfaceTable& s, const StripCut& cut, const std::vector<char>& marked,
+                       const RayLook& look, const View& view, const RayScene& scene,
+                       const JudgeOptions& options);
 
 } // namespace trivar

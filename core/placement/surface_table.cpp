@@ -40,14 +40,76 @@ std::array<Polynomial, max_order> span_polynomials(const std::vector<double>& t,
     return row;
 }
 
-// Orders that are known while compiling, or 0 for those given.
-template <std::size_t known_rows, std::size_t known_columns>
-SurfaceTable::Jet sum(const glm::dvec3* p, std::size_t stride, const AxisTable::Row& a,
-                      const AxisTable::Row& b, std::size_t rows, std::size_t columns)
+} // namespace
+
+AxisTable::AxisTable(const Knots& knots) : order_(knots.order()), breaks_(knots.breaks())
 {
-    if constexpr (known_rows > 0) rows = known_rows;
-    if constexpr (known_columns > 0) columns = known_columns;
-    SurfaceTable::Jet out;
+    assert(knots.closure() == Closure::open);
+    for (std::size_t k = 0; k + 1 < breaks_.size(); ++k) {
+        const int s = knots.span(breaks_[k]);
+        spans_.push_back({breaks_[k], 1 / (breaks_[k + 1] - breaks_[k]), s - order_ + 1});
+        const auto polynomials = span_polynomials(knots.values(), order_, s);
+        for (int i = 0; i < order_; ++i)
+            for (int c = 0; c < order_; ++c)
+                coefficients_.push_back(
+                    polynomials[static_cast<std::size_t>(i)][static_cast<std::size_t>(c)]);
+    }
+    spans_a_unit_ = static_cast<double>(spans_.size()) / (breaks_.back() - breaks_.front());
+}
+
+// The order, where it is known while compiling, or 0.
+template <std::size_t known_order> AxisTable::Row AxisTable::row(double t) const
+{
+    const std::size_t order = known_order > 0 ? known_order : static_cast<std::size_t>(order_);
+    const std::size_t last = spans_.size() - 1;
+    // Right at once where the knots are uniform; elsewhere a start for the search.
+    const double guess = std::max(0.0, (t - breaks_.front()) * spans_a_unit_);
+    std::size_t k = guess < static_cast<double>(last) ? static_cast<std::size_t>(guess) : last;
+    while (k > 0 && t < breaks_[k]) --k;
+    while (k < last && t >= breaks_[k + 1]) ++k;
+    const Span& span = spans_[k];
+    const double x = (t - span.begin) * span.one_over_length;
+    const double* c = coefficients_.data() + k * order * order;
+    AxisTable::Row out;
+    out.first = span.first;
+    for (std::size_t i = 0; i < order; ++i, c += order) {
+        double value = c[order - 1], slope = 0;
+        for (std::size_t p = order - 1; p > 0; --p) {
+            slope = slope * x + value;
+            value = value * x + c[p - 1];
+        }
+        out.value[i] = value;
+        out.slope[i] = slope * span.one_over_length;
+    }
+    return out;
+}
+
+AxisTable::Row AxisTable::at(double t) const
+{
+    if (order_ == 3) return row<3>(t);
+    if (order_ == 4) return row<4>(t);
+    return row<0>(t);
+}
+
+SurfaceTable::SurfaceTable(const Surface<glm::dvec3>& surface)
+    : surface_(surface),
+      axes_{AxisTable(surface.axes[0]), AxisTable(surface.axes[1])},
+      cells_(surface.axes[0].count() - 1, surface.axes[1].count() - 1)
+{
+}
+
+// The orders, where they are known while compiling, or 0.
+template <std::size_t known_rows, std::size_t known_columns>
+SurfaceTable::Jet SurfaceTable::jet_of(glm::dvec2 uv) const
+{
+    const AxisTable::Row a = axes_[0].row<known_rows>(uv.x), b = axes_[1].row<known_columns>(uv.y);
+    const auto rows =
+        known_rows > 0 ? known_rows : static_cast<std::size_t>(surface_.axes[0].order());
+    const auto columns =
+        known_columns > 0 ? known_columns : static_cast<std::size_t>(surface_.axes[1].order());
+    const glm::dvec3* p = &surface_.points[surface_.index(a.first, b.first)];
+    const auto stride = static_cast<std::size_t>(surface_.axes[1].count());
+    Jet out;
     for (std::size_t i = 0; i < rows; ++i, p += stride) {
         glm::dvec3 along(0), across(0);
         for (std::size_t j = 0; j < columns; ++j) {
@@ -61,102 +123,48 @@ SurfaceTable::Jet sum(const glm::dvec3* p, std::size_t stride, const AxisTable::
     return out;
 }
 
-template <std::size_t known_order>
-AxisTable::Row row(int first, const double* c, double x, double length, std::size_t order)
-{
-    if constexpr (known_order > 0) order = known_order;
-    AxisTable::Row out;
-    out.first = first;
-    for (std::size_t i = 0; i < order; ++i, c += order) {
-        double value = c[order - 1], slope = 0;
-        for (std::size_t p = order - 1; p > 0; --p) {
-            slope = slope * x + value;
-            value = value * x + c[p - 1];
-        }
-        out.value[i] = value;
-        out.slope[i] = slope / length;
-    }
-    return out;
-}
-
-} // namespace
-
-AxisTable::AxisTable(const Knots& knots) : order_(knots.order()), breaks_(knots.breaks())
-{
-    assert(knots.closure() == Closure::open);
-    for (std::size_t k = 0; k + 1 < breaks_.size(); ++k) {
-        const int s = knots.span(breaks_[k]);
-        first_.push_back(s - order_ + 1);
-        const auto polynomials = span_polynomials(knots.values(), order_, s);
-        for (int i = 0; i < order_; ++i)
-            for (int c = 0; c < order_; ++c)
-                coefficients_.push_back(
-                    polynomials[static_cast<std::size_t>(i)][static_cast<std::size_t>(c)]);
-    }
-}
-
-AxisTable::Row AxisTable::at(double t) const
-{
-    const double begin = breaks_.front(), end = breaks_.back();
-    const std::size_t last = first_.size() - 1;
-    // Right at once where the knots are uniform; elsewhere a start for the search.
-    const double share = std::clamp((t - begin) / (end - begin), 0.0, 1.0);
-    std::size_t k = std::min(static_cast<std::size_t>(share * static_cast<double>(last + 1)), last);
-    while (k > 0 && t < breaks_[k]) --k;
-    while (k < last && t >= breaks_[k + 1]) ++k;
-    const double length = breaks_[k + 1] - breaks_[k];
-    const double x = (t - breaks_[k]) / length;
-    const auto order = static_cast<std::size_t>(order_);
-    const double* c = coefficients_.data() + k * order * order;
-    if (order == 3) return row<3>(first_[k], c, x, length, order);
-    if (order == 4) return row<4>(first_[k], c, x, length, order);
-    return row<0>(first_[k], c, x, length, order);
-}
-
-SurfaceTable::SurfaceTable(const Surface<glm::dvec3>& surface)
-    : surface_(surface),
-      axes_{AxisTable(surface.axes[0]), AxisTable(surface.axes[1])},
-      cells_(surface.axes[0].count() - 1, surface.axes[1].count() - 1)
-{
-}
-
 SurfaceTable::Jet SurfaceTable::jet(glm::dvec2 uv) const
 {
-    const AxisTable::Row a = axes_[0].at(uv.x), b = axes_[1].at(uv.y);
-    const auto rows = static_cast<std::size_t>(surface_.axes[0].order());
-    const auto columns = static_cast<std::size_t>(surface_.axes[1].order());
-    const glm::dvec3* first = &surface_.points[surface_.index(a.first, b.first)];
-    const auto stride = static_cast<std::size_t>(surface_.axes[1].count());
+    const int rows = surface_.axes[0].order(), columns = surface_.axes[1].order();
     // The usual orders with loops the compiler can unroll: half of a lift is spent here.
-    if (rows == 3 && columns == 3) return sum<3, 3>(first, stride, a, b, rows, columns);
-    if (rows == 4 && columns == 4) return sum<4, 4>(first, stride, a, b, rows, columns);
-    return sum<0, 0>(first, stride, a, b, rows, columns);
+    if (rows == 3 && columns == 3) return jet_of<3, 3>(uv);
+    if (rows == 4 && columns == 4) return jet_of<4, 4>(uv);
+    return jet_of<0, 0>(uv);
 }
 
-std::vector<glm::dvec3> SurfaceTable::grid(glm::ivec2 steps) const
+std::vector<glm::dvec3> SurfaceTable::grid(std::span<const double> u,
+                                           std::span<const double> v) const
 {
-    const auto columns = static_cast<std::size_t>(surface_.axes[1].count());
     std::vector<AxisTable::Row> across;
-    for (int j = 0; j <= steps.y; ++j)
-        across.push_back(axes_[1].at(static_cast<double>(j) / steps.y));
-    std::vector<glm::dvec3> out, line(columns);
-    out.reserve(static_cast<std::size_t>(steps.x + 1) * across.size());
-    for (int i = 0; i <= steps.x; ++i) {
-        const AxisTable::Row a = axes_[0].at(static_cast<double>(i) / steps.x);
+    for (const double t : v) across.push_back(axes_[1].at(t));
+    const int first = across.front().first, last = across.back().first + surface_.axes[1].order();
+    std::vector<glm::dvec3> out, line(static_cast<std::size_t>(last - first));
+    out.reserve(u.size() * v.size());
+    for (const double t : u) {
+        const AxisTable::Row a = axes_[0].at(t);
         std::fill(line.begin(), line.end(), glm::dvec3(0));
-        for (int k = 0; k < surface_.axes[0].order(); ++k)
-            for (std::size_t j = 0; j < columns; ++j)
-                line[j] += a.value[static_cast<std::size_t>(k)] *
-                           surface_.points[surface_.index(a.first + k, static_cast<int>(j))];
+        for (int k = 0; k < surface_.axes[0].order(); ++k) {
+            const glm::dvec3* points = &surface_.points[surface_.index(a.first + k, first)];
+            for (std::size_t j = 0; j < line.size(); ++j)
+                line[j] += a.value[static_cast<std::size_t>(k)] * points[j];
+        }
         for (const AxisTable::Row& b : across) {
             glm::dvec3 p(0);
             for (int k = 0; k < surface_.axes[1].order(); ++k)
                 p += b.value[static_cast<std::size_t>(k)] *
-                     line[static_cast<std::size_t>(b.first + k)];
+                     line[static_cast<std::size_t>(b.first - first + k)];
             out.push_back(p);
         }
     }
     return out;
+}
+
+std::vector<glm::dvec3> SurfaceTable::grid(glm::ivec2 steps) const
+{
+    std::vector<double> u, v;
+    for (int i = 0; i <= steps.x; ++i) u.push_back(static_cast<double>(i) / steps.x);
+    for (int j = 0; j <= steps.y; ++j) v.push_back(static_cast<double>(j) / steps.y);
+    return grid(u, v);
 }
 
 std::vector<char> SurfaceTable::touched(glm::ivec2 steps, const std::vector<char>& points) const

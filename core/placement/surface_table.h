@@ -3,6 +3,7 @@
 
 #include "core/spline/surface.h"
 
+#include <span>
 #include <vector>
 
 namespace trivar {
@@ -20,9 +21,17 @@ public:
     Row at(double t) const; // beyond the domain the first and the last polynomial go on
 
 private:
+    friend class SurfaceTable;
+    template <std::size_t known_order> Row row(double t) const;
+
     int order_;
+    double spans_a_unit_;
     std::vector<double> breaks_;
-    std::vector<int> first_;
+    struct Span {
+        double begin, one_over_length;
+        int first;
+    };
+    std::vector<Span> spans_;
     std::vector<double> coefficients_; // of each span: order x order, by function, lowest first
 };
 
@@ -38,7 +47,9 @@ public:
     Jet jet(glm::dvec2 uv) const;
     const glm::dvec2& cells() const { return cells_; } // of control points, along both axes
 
-    // At (steps.x + 1) x (steps.y + 1) evenly spread parameters, v fastest: two matrix products.
+    // At every u with every v, which ascend, v fastest: two matrix products.
+    std::vector<glm::dvec3> grid(std::span<const double> u, std::span<const double> v) const;
+    // At (steps.x + 1) x (steps.y + 1) evenly spread parameters.
     std::vector<glm::dvec3> grid(glm::ivec2 steps) const;
 
     // Which of those parameters the marked control points bear on.
@@ -55,6 +66,8 @@ public:
     }
 
 private:
+    template <std::size_t known_rows, std::size_t known_columns> Jet jet_of(glm::dvec2 uv) const;
+
     const Surface<glm::dvec3>& surface_;
     std::array<AxisTable, 2> axes_;
     glm::dvec2 cells_;

@@ -34,6 +34,12 @@ public:
         if (perspective_) return {eye_, glm::normalize(forward_ + across)};
         return {eye_ + across, forward_};
     }
+    // The ray on which a point in front of the camera is seen.
+    Ray ray_to(const glm::dvec3& p_world) const
+    {
+        if (perspective_) return {eye_, glm::normalize(p_world - eye_)};
+        return {p_world + glm::dot(eye_ - p_world, forward_) * forward_, forward_};
+    }
     // The same view for points given in an object's space; only project() may be asked.
     View of_object(const glm::dmat4& to_world) const
     {

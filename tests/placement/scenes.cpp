@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/placement/scenes.h"
 
+#include "core/mesh/primitives.h"
+
 #include <cmath>
 
 namespace trivar::testing {
@@ -65,6 +67,36 @@ Sketch stroke_over(const Camera& camera, const std::vector<glm::dvec3>& corners_
     std::vector<glm::dvec2> px;
     for (const glm::dvec3& p : corners_world) px.push_back(project(camera, p).p_px);
     return stroke(camera, px);
+}
+
+std::vector<NamedScene> scenes_to_cover()
+{
+    const Ref<RayMesh> floor =
+        std::make_shared<const RayMesh>(make_ref(plane_mesh({8, 8}, {2, 2})));
+    std::vector<NamedScene> out;
+    const auto add = [&](const char* name, Mesh mesh, double z) {
+        glm::dmat4 raised(1);
+        raised[3].z = z;
+        const Ref<RayMesh> thing = std::make_shared<const RayMesh>(make_ref(std::move(mesh)));
+        out.push_back({name, RayScene({{thing, raised, 1}, {floor, glm::dmat4(1), 2}})});
+    };
+    add("sphere", sphere_mesh(0.5, 60, 40), 0);
+    add("box", box_mesh({0.8, 0.8, 0.6}, {1, 1, 1}), 0.3);
+    add("wall thinner than the grid", box_mesh({0.004, 3, 0.3}, {1, 1, 1}), 0.15);
+    add("torus", torus_mesh(0.5, 0.15, {80, 40}), 0.1);
+    add("needle", cylinder_mesh(0.002, 0.4, 6, 1), 0.2);
+    // Smooth noise of several wavelengths, the shortest about one cell of the grid.
+    out.push_back({"noise", scene_of(height_field(4, 300, [](double x, double y) {
+                       return 0.15 * sin(7 * x + 1) * sin(5 * y) +
+                              0.06 * sin(19 * x + 2 * y) * cos(23 * y) +
+                              0.02 * sin(61 * x) * sin(57 * y + 3 * x);
+                   }))});
+    return out;
+}
+
+Sketch stroke_to_cover(const Camera& camera)
+{
+    return stroke_over(camera, {{-1, -0.2, 0}, {0, 0.1, 0.2}, {1, 0, 0}});
 }
 
 Box snake_box()

@@ -4,6 +4,7 @@
 #include "core/placement/placement.h"
 
 #include <functional>
+#include <string>
 
 namespace trivar::testing {
 
@@ -21,6 +22,14 @@ Camera from_the_side(glm::dvec3 eye = {1, -4, 3});
 Sketch stroke(const Camera& camera, const std::vector<glm::dvec2>& corners_px);
 // The same, along the picture of a line in the world.
 Sketch stroke_over(const Camera& camera, const std::vector<glm::dvec3>& corners_world);
+
+// A floor and one thing on it, in the way of stroke_to_cover().
+struct NamedScene {
+    std::string name;
+    RayScene scene;
+};
+std::vector<NamedScene> scenes_to_cover();
+Sketch stroke_to_cover(const Camera& camera);
 
 Box snake_box(); // ten long, two wide, one high
 Placement placed(const Sketch& sketch, const RayScene& scene, const PlacementParameters& p = {});
