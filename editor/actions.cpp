@@ -11,7 +11,7 @@
 #include "editor/selection_actions.h"
 #include "editor/time_actions.h"
 #include "editor/view_actions.h"
-#include "ui/notices.h"
+#include "ui/sentence.h"
 
 #include <algorithm>
 #include <cassert>

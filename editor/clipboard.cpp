@@ -5,6 +5,7 @@
 #include "core/base/text.h"
 #include "core/document/log.h"
 #include "editor/run_lines.h"
+#include "ui/sentence.h"
 
 #include <algorithm>
 #include <cmath>

@@ -30,7 +30,9 @@ HintCard card_before_a_stroke(const Editor& editor, std::size_t shapes)
                 "Or add one from the Add menu."};
     if (editor.tools[editor.tool]->name() == "Place")
         return {draw_hint, 1, "Draw across the scene",
-                "Keep the left button down; let go to place the model."};
+                editor.preferences.look.click_holds
+                    ? "A click begins the stroke, another one places the model."
+                    : "Keep the left button down; let go to place the model."};
     const std::string key = key_text(action(editor, "Place"));
     return {draw_hint, 1,
             (key.empty() ? "Choose Place" : "Press " + key) + ", then draw across the scene",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/file_entries.h"
 #include "ui/theme.h"
 
 #include <filesystem>
@@ -18,22 +19,6 @@ struct FileRequest {
     bool saving = false; // a new name may be typed; the first extension is added where none is
     std::string name;    // suggested
 };
-
-struct FileEntry {
-    std::string name;
-    bool folder = false;
-    std::uintmax_t bytes = 0;
-    bool operator==(const FileEntry&) const = default;
-};
-
-// Folders first, then the files with one of the extensions, both in the order people expect
-// (model2 before model10, no difference of case). Hidden ones are left out. An unreadable folder
-// is empty.
-std::vector<FileEntry> entries_of(const std::filesystem::path& folder,
-                                  const std::vector<std::string>& extensions);
-bool natural_less(const std::string& a, const std::string& b);
-// Whatever its case; none at all: any name.
-bool has_extension(const std::string& name, const std::vector<std::string>& extensions);
 
 // Browses folders inside the window: click and double click, arrows, Enter, Backspace for the
 // folder above, or a path typed or pasted into its field. Tab goes to its buttons. Esc closes it. A

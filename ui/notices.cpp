@@ -3,6 +3,7 @@
 
 #include "core/base/text.h"
 #include "ui/icons.h"
+#include "ui/sentence.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -19,15 +20,6 @@ double lifetime_s(const Notices::Notice& notice)
 {
     if (notice.kind == NoticeKind::error) return 1e300;
     return notice.actions.empty() ? notice.kind == NoticeKind::good ? 4 : 10 : 20;
-}
-
-// As a sentence begins, unless with a file's name.
-std::string capitalised(std::string text)
-{
-    const bool name = text.substr(0, text.find(' ')).find_first_of("./_") != std::string::npos;
-    if (!name && !text.empty() && text[0] >= 'a' && text[0] <= 'z')
-        text[0] = static_cast<char>(text[0] - 'a' + 'A');
-    return text;
 }
 
 // An undecorated window over everything else, of just this place.
@@ -110,13 +102,6 @@ Drawn draw_one(const Theme& theme, const Notices::Notice& notice, glm::vec2 lowe
 }
 
 } // namespace
-
-std::string sentence(std::string text)
-{
-    if (text.empty()) return text;
-    if (text.find_last_of(".!?") != text.size() - 1) text += '.';
-    return capitalised(std::move(text));
-}
 
 void Notices::say_all(NoticeKind kind, std::string title, const std::vector<std::string>& lines,
                       std::string topic)

@@ -50,9 +50,6 @@ private:
     double last_s_ = 0;
 };
 
-// With a capital, unless it begins with a file's name, and a full stop.
-std::string sentence(std::string text);
-
 // A card at the lower middle of the rectangle that says how far long work is. `fraction` below 0:
 // unknown.
 struct ProgressCard {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tooltip.h"
 
-#include "ui/notices.h"
+#include "ui/sentence.h"
 
 #include <imgui.h>
 #include <imgui_internal.h>

@@ -4,6 +4,7 @@
 #include "editor/panels/panels.h"
 #include "ui/dialog.h"
 #include "ui/icons.h"
+#include "ui/sentence.h"
 #include "ui/widgets.h"
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 #include "editor/new_material.h"
 #include "editor/panels/panels.h"
 #include "ui/icons.h"
-#include "ui/notices.h"
+#include "ui/sentence.h"
 
 #include <algorithm>
 #include <array>

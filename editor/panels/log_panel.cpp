@@ -4,7 +4,7 @@
 #include "editor/run_lines.h"
 #include "editor/typed_command.h"
 #include "ui/icons.h"
-#include "ui/notices.h"
+#include "ui/sentence.h"
 #include "ui/widgets.h"
 
 #include <algorithm>

@@ -63,7 +63,8 @@ bool text_link(Editor& editor, const ui::Theme& theme, const ui::Rect& row,
                        theme.size.hairline);
     }
     ui::paint_text(font, r, theme.color.accent_text, ui::elided(font, words, row.width()));
-    return is_chosen(editor, theme, r.grown(theme.px(1)), clicked);
+    const glm::vec2 beside{theme.px(4), -theme.px(1)};
+    return is_chosen(editor, theme, {r.lo - beside, r.hi + beside}, clicked);
 }
 
 void draw_samples(Editor& editor, const ui::Theme& theme, const ui::Rect& column,

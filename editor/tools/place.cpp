@@ -234,8 +234,7 @@ void PlaceTool::finish(Session& session)
     if (stroke_.is_click()) {
         session.cancel();
         session.notices.say(ui::NoticeKind::warning, "Nothing was placed",
-                            "Keep the left button down and draw a line across the scene.",
-                            of_a_step);
+                            "Draw a line across the scene before you let go.", of_a_step);
         return;
     }
     if (session.propose(command(session)))

@@ -103,7 +103,7 @@ TEST(EditorWindow, AClickOrAStrokeBesideTheSceneSaysWhatToDoAndChangesNothing)
     EXPECT_EQ(rig.steps(), 2u);
     ASSERT_FALSE(rig.editor.session.notices.all().empty());
     EXPECT_EQ(rig.editor.session.notices.all().back().body,
-              "Keep the left button down and draw a line across the scene.");
+              "Draw a line across the scene before you let go.");
     rig.editor.session.notices.clear();
     const glm::vec2 corner = rig.layout().view.lo + glm::vec2(200, 8);
     rig.draw({corner, corner + glm::vec2(60, 0), corner + glm::vec2(120, 4)});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/field_words.h"
 #include "tests/editor/rig.h"
-#include "ui/notices.h"
+#include "ui/sentence.h"
 
 #include <gmock/gmock.h>
 
