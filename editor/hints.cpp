@@ -106,6 +106,9 @@ void show_hints_again(Editor& editor)
 {
     editor.preferences.hints = true;
     editor.preferences.closed_hints.clear();
+    if (!hint_card(editor))
+        editor.session.notices.say(ui::NoticeKind::good, "Hints are shown again",
+                                   "The next one comes with the next stroke.");
 }
 
 } // namespace trivar

@@ -109,17 +109,23 @@ void Input::begin_frame(double time_s, const ClickManners& manners)
         ImGui::GetIO().MouseDown[hold_.button] = false;
         hold_ = {};
     }
+    bool moved = false;   // with a button down
     bool pressed = false; // a press or release was taken: what follows it must wait a frame
     while (!waiting_.empty()) {
         const Event& next = waiting_.front();
         const bool press =
             next.kind == Event::Kind::button || (next.kind == Event::Kind::key && !is_typing(next));
         if (pressed && (press || next.kind == Event::Kind::move)) break;
+        const bool let_go = next.kind == Event::Kind::button && (!next.down || hold_.on);
+        if (moved && let_go) break; // what is dragged is seen where it is let go
         // Modifiers going down belong to the press that follows them.
         if (press && !(is_modifier(next) && next.down)) pressed = true;
         Event event = std::move(waiting_.front());
         waiting_.pop_front();
         if (!hears(event, time_s, manners.double_click_s, manners.hold && dragged)) continue;
+        const ImGuiIO& io = ImGui::GetIO();
+        moved |= event.kind == Event::Kind::move && ImGui::IsAnyMouseDown() &&
+                 event.at != glm::vec2(io.MousePos.x, io.MousePos.y);
         tell(event, time_s, manners.double_click_s);
         taken_.push_back(std::move(event));
     }

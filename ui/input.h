@@ -37,7 +37,8 @@ struct ClickManners {
 };
 
 // Events wait here until a frame takes them. A frame sees at most one press or release, so that a
-// click shorter than a frame is still a click, and every move is kept for tools that draw.
+// click shorter than a frame is still a click, and every move is kept for tools that draw. A button
+// that is let go after moves waits a frame, so that a drag shorter than a frame is still a drag.
 class Input {
 public:
     void push(Event event) { waiting_.push_back(std::move(event)); }

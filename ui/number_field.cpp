@@ -85,10 +85,11 @@ void paint_number(const Theme& theme, const Rect& r, double value, const NumberS
     }
     Rect text = {r.lo + glm::vec2(theme.px(8), 0), r.hi - glm::vec2(theme.px(6), 0)};
     if (!style.axis.empty()) {
+        text.lo.x -= theme.px(1);
         paint_text(theme.font.small_strong, text, style.axis_color ? style.axis_color : c.text_2,
                    style.axis);
-        text.lo.x += theme.px(13);
-        text.hi.x += theme.px(2);
+        text.lo.x += theme.px(12);
+        text.hi.x += theme.px(3);
     }
     const bool word = !style.words.empty() || (value == 0 && !style.zero.empty());
     const float unit_width = text_width(theme.font.small, style.unit);
@@ -102,8 +103,10 @@ void paint_number(const Theme& theme, const Rect& r, double value, const NumberS
                                 : short_number(value);
     if (word && text_width(theme.font.body, shown) > text.width()) shown = "–";
     // A narrow field says it less exactly rather than in part.
-    if (!word && std::abs(value) < 99 && text_width(theme.font.body, shown) > text.width())
-        shown = fmt::format("{:.2g}", value);
+    for (int digits = 2; digits > 0 && !word && std::abs(value) < 99 &&
+                         text_width(theme.font.body, shown) > text.width();
+         --digits)
+        shown = fmt::format("{:.{}g}", value, digits);
     paint_text(theme.font.body, text, word ? c.text_2 : c.text,
                elided(theme.font.body, shown, text.width()));
 }

@@ -21,6 +21,8 @@ bool differ_in_numbers_only(const Command& a, const Command& b)
                 return c.object == d.object;
             else if constexpr (std::is_same_v<C, Duplicate>)
                 return c.objects == d.objects;
+            else if constexpr (std::is_same_v<C, SetMaterial>)
+                return c.objects == d.objects && c.surfacing.solid == d.surfacing.solid;
             else if constexpr (std::is_same_v<C, Place> || std::is_same_v<C, EditPlacement>)
                 return c.object == d.object && c.sketch == d.sketch && c.onto == d.onto;
             else

@@ -2,7 +2,9 @@
 #include "core/document/step_title.h"
 #include "editor/field_words.h"
 #include "editor/panels/foot_cards.h"
+#include "editor/panels/inspect.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/value_rows.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
 
@@ -15,7 +17,9 @@ namespace {
 // Rows for the numbers of a command, from its list of fields.
 class CardRows {
 public:
-    explicit CardRows(const ui::Theme& theme) : theme_(theme) {}
+    CardRows(const ui::Theme& theme, const PlacementReport* report) : theme_(theme), report_(report)
+    {
+    }
     ui::Edit edit = ui::Edit::none;
 
     void operator()(std::string_view name, double& value, std::string_view help, Rule rule = {})
@@ -24,6 +28,28 @@ public:
         style.unit = unit_of_field(name, help);
         const float width = row_of(name, help);
         take(ui::number_field(theme_, std::string(name), value, style, width));
+    }
+    void operator()(std::string_view name, float& value, std::string_view help, Rule rule = {})
+    {
+        double number = value;
+        const float width = row_of(name, help);
+        take(ui::number_field(theme_, std::string(name), number,
+                              {.lo = rule.lo, .hi = rule.hi, .bar_hi = rule.hi}, width));
+        value = static_cast<float>(number);
+    }
+    void operator()(std::string_view name, glm::vec4& color, std::string_view help, Rule = {})
+    {
+        take(ui::color_field(theme_, std::string(name), color, row_of(name, help)));
+    }
+    void operator()(std::string_view name, glm::dvec3& value, std::string_view help, Rule rule = {})
+    {
+        ui::NumberStyle style{.lo = rule.lo, .hi = rule.hi};
+        style.unit = unit_of_field(name, help);
+        take(axis_fields(theme_, row_of(name, help), style,
+                         [&](int axis, const ui::NumberStyle& own, float width) {
+                             return ui::number_field(theme_, std::string(name) + own.axis,
+                                                     value[axis], own, width);
+                         }));
     }
     void operator()(std::string_view name, int& value, std::string_view help, Rule rule = {})
     {
@@ -53,10 +79,13 @@ public:
     {
         each_field(
             p, [&](std::string_view name, auto& value, std::string_view help, Rule rule = {}) {
-                if constexpr (std::is_same_v<std::remove_reference_t<decltype(value)>, double>)
-                    if (name == "width" || name == "height" || name == "offset" ||
-                        name == "start" || name == "fill" || name == "clearance")
+                if constexpr (std::is_same_v<std::remove_reference_t<decltype(value)>, double>) {
+                    if (name == "width" || name == "height")
+                        size(name, value, help);
+                    else if (name == "offset" || name == "start" || name == "fill" ||
+                             name == "clearance")
                         (*this)(name, value, help, rule);
+                }
             });
     }
     void operator()(std::string_view, Transform& t, std::string_view, Rule = {})
@@ -70,12 +99,36 @@ private:
     {
         return ui::label_row(theme_, label_of_field(name), false, std::string(help)).width;
     }
+    void size(std::string_view name, double& value, std::string_view help)
+    {
+        const double present = !report_           ? 0
+                               : name == "height" ? report_->height_world
+                                                  : report_->width_world;
+        ValueRows rows{theme_};
+        rows.size(label_of_field(name), value, present, std::string(help));
+        take(rows.edit);
+    }
     void take(ui::Edit one)
     {
         if (one != ui::Edit::none) edit = one;
     }
     const ui::Theme& theme_;
+    const PlacementReport* report_; // of what the command laid; null: of nothing
 };
+
+const PlacementReport* report_of(const Session& session, const Command& command)
+{
+    return std::visit(
+        [&]<class C>([[maybe_unused]] const C& c) -> const PlacementReport* {
+            if constexpr (std::is_same_v<C, Place> || std::is_same_v<C, EditPlacement>) {
+                const auto found = session.evaluated().objects.find(c.object);
+                if (found != session.evaluated().objects.end() && found->second->placement)
+                    return &found->second->placement->report;
+            }
+            return nullptr;
+        },
+        command);
+}
 
 } // namespace
 
@@ -94,7 +147,7 @@ void draw_adjustment(Editor& editor, const ui::Theme& theme, const FootCards& fo
     const float pad = theme.px(12), head = theme.px(32);
     ui::Rect view = foot.view();
     const float end = session.notices.all().empty() ? view.hi.x : ui::Notices::left_of(theme, view);
-    const float width = std::min(theme.px(a.open ? 300 : 260), end - pad - (view.lo.x + pad));
+    const float width = std::min(theme.px(a.open ? 320 : 260), end - pad - (view.lo.x + pad));
     if (width < theme.px(160)) return;
     const float body = a.open ? std::max(a.height_px, theme.px(28)) + theme.px(8) : 0;
     view = foot.above(view.lo.x + pad, view.lo.x + pad + width);
@@ -124,7 +177,7 @@ void draw_adjustment(Editor& editor, const ui::Theme& theme, const FootCards& fo
     ImGui::BeginChild("adjusted", {width, body}, false, ImGuiWindowFlags_NoScrollbar);
     ImGui::PopStyleVar();
     const float top = ImGui::GetCursorScreenPos().y;
-    CardRows rows(theme);
+    CardRows rows(theme, report_of(session, command));
     std::visit([&](auto& c) { each_field(c, rows); }, command);
     a.height_px = ImGui::GetCursorScreenPos().y - top;
     ImGui::EndChild();

@@ -53,28 +53,6 @@ void volume_rows(ValueRows& rows, PlacementParameters& p, bool round, const Plac
                  Editor& editor)
 {
     const PlacementParameters rest;
-    const auto size = [&](double present) {
-        return ui::NumberStyle{.lo = 0,
-                               .hi = 1e6,
-                               .unit = "m",
-                               .zero = present > 0 ? "auto, " + ui::short_number(present) : "auto"};
-    };
-    // A drag from "auto" begins at the size that stands there.
-    const auto sized = [&](const char* label, double& value, double present,
-                           const std::string& help) {
-        const double before = value;
-        double shown = value > 0 ? value : present;
-        const ui::Row at = ui::label_row(rows.theme, label, value != 0, help);
-        if (at.reset) {
-            value = 0;
-            return rows.take(ui::Edit::changed);
-        }
-        ui::NumberStyle style = size(present);
-        if (value == 0) style.words = style.zero;
-        const ui::Edit one = ui::number_field(rows.theme, label, shown, style, at.width);
-        value = one == ui::Edit::changed ? shown : before;
-        rows.take(one);
-    };
     const auto profile = [&](const std::string& of, double present, ui::Color color,
                              std::vector<glm::dvec2>& points, int& chosen) {
         rows.take(draw_profile(rows.theme,
@@ -83,9 +61,9 @@ void volume_rows(ValueRows& rows, PlacementParameters& p, bool round, const Plac
     };
     const double width = report ? report->width_world : 0;
     const double height = report ? report->height_world : 0;
-    sized("Width", p.width, width, help_of("width"));
+    rows.size("Width", p.width, width, help_of("width"));
     profile("Width", width, rows.theme.color.stroke, p.width_profile, editor.width_point);
-    sized("Height", p.height, height, help_of("height"));
+    rows.size("Height", p.height, height, help_of("height"));
     profile("Height", height, rows.theme.color.lattice, p.height_profile, editor.height_point);
     if (!round) // there is no camera to extrude toward
         rows.number("Offset", p.offset, rest.offset, {.lo = 0, .hi = 1, .bar_hi = 1},

@@ -62,6 +62,8 @@ void draw_losers(Editor& editor, const ui::Theme& theme, const ui::Rect& row)
     if (ui::button(theme, offer, ui::ButtonKind::quiet, {width, row.height() - theme.px(4)})) {
         dialog.asking = dialog.losers.front();
         dialog.show_asking = true;
+        dialog.filter.clear(); // its row may not be among those that were looked for
+        dialog.sought.reset();
     }
 }
 

@@ -149,8 +149,10 @@ void draw_status_line(Editor& editor, const ui::Theme& theme, const Layout& layo
     for (const Hint& hint : hints_here(editor, layout)) {
         const std::vector<std::string> inputs = inputs_now(editor, hint);
         if (inputs.empty() && !hint.inputs.empty()) continue;
-        // A name in it must not push the others out.
-        const std::string verb = ui::elided(theme.font.small, hint.verb, theme.px(240));
+        // A name in it must not push the others out; what the hand does now is said whole.
+        const bool tells = hint.inputs.empty();
+        const std::string verb = ui::elided(
+            theme.font.small, hint.verb, tells ? std::max(room - x, theme.px(64)) : theme.px(240));
         float width = ui::text_width(theme.font.small, verb) + theme.px(2);
         for (const std::string& input : inputs) width += input_width(theme, input) + theme.px(4);
         if (x + width > room) break; // hints drop from the right, facts never
@@ -159,7 +161,6 @@ void draw_status_line(Editor& editor, const ui::Theme& theme, const Layout& layo
             x += input_width(theme, input) + theme.px(4);
         }
         x += theme.px(2);
-        const bool tells = hint.inputs.empty(); // what the hand does now
         ui::paint_text(theme.font.small, {{x, r.lo.y}, r.hi}, tells ? c.text : c.text_2, verb);
         float verb_width = ui::text_width(theme.font.small, verb);
         // It grows in steps, so that the others do not dance with its digits.

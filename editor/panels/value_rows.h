@@ -37,6 +37,19 @@ struct ValueRows {
         row(label, value, rest, help,
             [&](float width) { return ui::number_field(theme, label, value, style, width); });
     }
+    // A length that at zero is what stands there already: a drag from "auto" begins at that.
+    void size(const std::string& label, double& value, double present, const std::string& help)
+    {
+        const std::string zero = present > 0 ? "auto, " + ui::short_number(present) : "auto";
+        const ui::NumberStyle style{
+            .lo = 0, .hi = 1e6, .unit = "m", .zero = zero, .words = value == 0 ? zero : ""};
+        row(label, value, 0.0, help, [&](float width) {
+            double shown = value > 0 ? value : present;
+            const ui::Edit one = ui::number_field(theme, label, shown, style, width);
+            if (one == ui::Edit::changed) value = shown;
+            return one;
+        });
+    }
     void integer(const std::string& label, int& value, int rest, const ui::NumberStyle& style,
                  const std::string& help)
     {

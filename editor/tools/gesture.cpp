@@ -197,6 +197,11 @@ Motion TransformGesture::by_hand() const
             const bool free = grip == Grip::none || (grip == Grip::axis) == (i == axis);
             m.offset[i] = free ? snapped(m.offset[i]) : 0;
         }
+        // Across the picture level: what is left of the height is the noise of a sum.
+        const glm::dvec3 size = glm::abs(m.offset);
+        const double least = 1e-12 * std::max({size.x, size.y, size.z});
+        for (int i = 0; i < 3; ++i)
+            if (size[i] < least) m.offset[i] = 0;
     } else if (kind_ == MotionKind::rotate) {
         m.turn_axis = glm::dvec3(0);
         m.turn_axis[about_view() ? 2 : axis] = 1;

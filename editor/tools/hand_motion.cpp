@@ -42,7 +42,11 @@ std::optional<glm::dvec3> point_in_plane(const Camera& camera, const glm::dvec3&
 glm::dmat3 view_axes(const Camera& camera)
 {
     const glm::dmat4 m = glm::transpose(view_matrix(camera)); // its rows are the directions
-    return {glm::dvec3(m[0]), glm::dvec3(m[1]), glm::dvec3(m[2])};
+    const glm::dvec3 right(m[0]), back(m[2]);
+    // A view from the top keeps a hair off the vertical (0.01); what is moved in it stays level.
+    const bool from_pole = std::abs(back.z) > std::cos(0.0101) && std::abs(right.z) < 1e-9;
+    const glm::dvec3 axis = from_pole ? glm::dvec3(0, 0, std::copysign(1, back.z)) : back;
+    return {right, from_pole ? glm::cross(axis, right) : glm::dvec3(m[1]), axis};
 }
 
 glm::dvec3 toward_eye(const Camera& camera, const glm::dvec3& p_world)

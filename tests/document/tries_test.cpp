@@ -57,6 +57,9 @@ TEST(Tries, AreOfOneKindOnOneObjectWithOneStroke)
     EXPECT_FALSE(differ_in_numbers_only(at(1), SetTransform{2, {}}));
     EXPECT_FALSE(differ_in_numbers_only(at(1), AddBox{}));
     EXPECT_FALSE(differ_in_numbers_only(Rename{1, "a"}, Rename{1, "b"})) << "names are no numbers";
+    EXPECT_TRUE(differ_in_numbers_only(SetMaterial{{1}, {.roughness = 0.1f}},
+                                       SetMaterial{{1}, {.roughness = 0.2f}}));
+    EXPECT_FALSE(differ_in_numbers_only(SetMaterial{{1}, {}}, SetMaterial{{2}, {}}));
     Place drawn{1, {}, {}, {}}, again = drawn;
     again.parameters.width = 2;
     EXPECT_TRUE(differ_in_numbers_only(drawn, again));

@@ -54,5 +54,17 @@ TEST(Gesture, GoesATenthAsFarWhileFine)
     EXPECT_LT(moved(true), 0.15 * moved(false));
 }
 
+TEST(Gesture, StaysLevelWhereTheSceneIsSeenFromTheTop)
+{
+    Camera top;
+    top.eye = {0, -0.05, 5}; // a view from the top keeps a hair off the vertical
+    top.target = {0, 0, 0};
+    TransformGesture gesture(MotionKind::move, {at(1, {0, 0, 0})}, 1, {}, top, {});
+    gesture.move_hand(top, {0, 0}, {});
+    gesture.move_hand(top, {50, 80}, {});
+    EXPECT_EQ(gesture.motion().offset.z, 0);
+    EXPECT_NE(gesture.motion().offset.y, 0);
+}
+
 } // namespace
 } // namespace trivar

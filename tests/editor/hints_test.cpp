@@ -44,6 +44,10 @@ TEST(Hints, LeadThroughAFirstStrokeAndDoNotComeBack)
                 UnorderedElementsAre("draw", "let go", "widen"));
     EXPECT_EQ(preferences_from(text_of(rig.editor.preferences)).closed_hints,
               rig.editor.preferences.closed_hints);
+    action(rig.editor, show_hints_action).run(rig.editor);
+    EXPECT_EQ(rig.editor.session.notices.all().back().title, "Hints are shown again")
+        << "there is none to show now";
+    rig.editor.preferences.closed_hints = {"draw", "let go", "widen"};
     rig.editor.session.undo();
     rig.editor.session.undo();
     rig.wait();

@@ -92,5 +92,20 @@ TEST(Keys, RepeatWhileTheyAreHeldWhereThatIsWanted)
     EXPECT_GT(again, 5);
 }
 
+TEST(Input, SeesWhereADragEndedBeforeItEnds)
+{
+    HeadlessFrames screen{{320, 120}};
+    float last_held = 0;
+    const DrawFrame body = [&](Frame&) {
+        if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) last_held = ImGui::GetIO().MousePos.x;
+    };
+    screen.frames(2, body);
+    for (const Event& each : {move_to({60, 32}), press(Button::left), move_to({80, 32}),
+                              move_to({100, 32}), press(Button::left, false)})
+        screen.input().push(each);
+    screen.frames(4, body);
+    EXPECT_EQ(last_held, 100);
+}
+
 } // namespace
 } // namespace trivar::ui
