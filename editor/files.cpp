@@ -250,10 +250,11 @@ void Files::collect()
                  session_->cancel();
                  if (!session_->run(*done.command)) return;
                  const std::size_t count = done.copied + done.reused;
+                 std::string words = std::to_string(count) + (count == 1 ? " file" : " files");
+                 if (done.reused > 0)
+                     words += ", " + std::to_string(done.reused) + " of them there already";
                  session_->notices.say(ui::NoticeKind::good, "Collected in " + file_name(folder),
-                                       std::to_string(count) + (count == 1 ? " file" : " files") +
-                                           ", " + std::to_string(done.reused) +
-                                           " of them were there already.");
+                                       words + ".");
              };
          },
          [this](const std::string& why) {

@@ -55,7 +55,8 @@ bool widens(const Command& command, const Document& before)
 std::optional<HintCard> hint_card(const Editor& editor)
 {
     const Session& session = editor.session;
-    if (!editor.preferences.hints || session.jobs().status()) return {};
+    if (!editor.preferences.hints || session.jobs().status() || session.scene().look_only())
+        return {};
     if (draws(editor)) {
         if (closed(editor, let_go_hint)) return {};
         return HintCard{let_go_hint, 2, "Keep going, then let go",

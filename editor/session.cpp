@@ -15,6 +15,8 @@
 
 namespace trivar {
 
+constexpr const char* of_missing = "what cannot be shown"; // the topic of a notice
+
 Session::Session(std::function<void()> wake, std::string unnamed_folder)
     : wake_(std::move(wake)),
       unnamed_folder_(std::move(unnamed_folder)),
@@ -347,19 +349,22 @@ void Session::save_compact(const std::string& path)
     meet_document();
 }
 
-// A scene whose models are gone opens as an empty picture: say why.
+// A scene whose models are gone opens as an empty picture: say why, until they are found.
 void Session::tell_what_is_missing()
 {
     std::vector<std::string> reasons;
     for (const auto& [id, effects] : evaluated_.objects)
         if (effects->parts.empty() && !effects->placement && !effects->notices.empty())
             reasons.push_back(name_of(document(), id) + ": " + effects->notices.front());
-    if (reasons.empty()) return;
+    const bool first = std::exchange(opened_, false); // else it was told
+    if (reasons.empty()) notices.forget(of_missing);
+    if (reasons.empty() || !first) return;
     const std::size_t count = reasons.size();
     notices.say(ui::NoticeKind::error,
                 count == 1 ? "An object cannot be shown"
                            : std::to_string(count) + " objects cannot be shown",
-                reasons.front() + (count > 1 ? "; the inspector says why of each" : ""));
+                reasons.front() + (count > 1 ? "; the inspector says why of each" : ""),
+                of_missing);
 }
 
 void Session::try_to_write(double time_s)
@@ -370,6 +375,7 @@ void Session::try_to_write(double time_s)
     scene_.write_missing();
     if (!scene_.trouble().empty()) return;
     told_trouble_.clear();
+    notices.forget(of_saving);
     notices.say(ui::NoticeKind::good, "Everything is on disk again");
 }
 
@@ -398,7 +404,7 @@ void Session::poll()
             check_.reset();
             notices.say(ui::NoticeKind::error, "The scene could not be evaluated", result->problem);
         }
-        if (up_to_date() && std::exchange(opened_, false)) tell_what_is_missing();
+        if (up_to_date()) tell_what_is_missing();
         if (frame_all_when_evaluated && up_to_date() && !evaluated_.objects.empty()) {
             frame_all_when_evaluated = false;
             camera = ui::framed(camera, points_of(*this, {}));

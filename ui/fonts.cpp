@@ -91,10 +91,10 @@ Fonts load_fonts(float scale)
     const std::string mono = font_file("DejaVu Sans Mono", FC_WEIGHT_REGULAR);
     const std::string icons = font_file("FontAwesome", FC_WEIGHT_REGULAR);
     std::string missing;
-    if (regular.empty() || medium.empty() || strong.empty()) missing += " Inter (fonts-inter)";
-    if (mono.empty()) missing += " DejaVu Sans Mono (fonts-dejavu-core)";
-    if (icons.empty()) missing += " FontAwesome 4.7 (fonts-font-awesome)";
-    if (!missing.empty()) throw Rejected("These fonts are not installed:" + missing);
+    if (regular.empty() || medium.empty() || strong.empty()) missing += ", Inter (fonts-inter)";
+    if (mono.empty()) missing += ", DejaVu Sans Mono (fonts-dejavu-core)";
+    if (icons.empty()) missing += ", FontAwesome 4.7 (fonts-font-awesome)";
+    if (!missing.empty()) throw Rejected("These fonts are not installed:" + missing.substr(1));
 
     // Latin, Greek (kappa, epsilon), punctuation, arrows, mathematics, geometric shapes.
     static const ImWchar letters[] = {0x20,   0x17F,  0x391,  0x3C9,  0x2010, 0x2044,

@@ -173,11 +173,14 @@ void draw_footer(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
     const std::size_t count = scene.history().steps().size(), now = scene.history().position();
     std::string words = now < count ? fmt::format("{} of {} steps", now, count)
                                     : fmt::format("{} step{}", count, count == 1 ? "" : "s");
-    if (!scene.path().empty() && scene.trouble().empty()) words += "  ·  in the scene file";
     const char* save = "Save compact...";
     const float width = ui::text_width(theme.font.body, save) + theme.px(24);
     const ui::Rect inside = {r.lo + glm::vec2(theme.size.padding, 0),
                              {r.hi.x - width - theme.px(8), r.hi.y}};
+    const std::string where = words + "  ·  in the scene file";
+    if (!scene.path().empty() && scene.trouble().empty() &&
+        ui::text_width(theme.font.small, where) <= inside.width())
+        words = where;
     ui::paint_box({r.lo, {r.hi.x, r.lo.y + theme.size.hairline}}, c.line);
     ui::paint_text(theme.font.small, inside, c.text_3,
                    ui::elided(theme.font.small, words, inside.width()));
