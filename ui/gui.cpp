@@ -12,13 +12,27 @@
 namespace trivar::ui {
 namespace {
 
+// Since when the mouse has been over what it is over; ImGui's own count begins anew in every frame
+// where one thing lies over another.
+double hovered_for_s(ImGuiContext& g)
+{
+    const ImGuiID thing = ImHashStr("hovered"), since = ImHashStr("hovered since");
+    ImGuiStorage& memory = g.Windows[0]->StateStorage;
+    const int hovered = static_cast<int>(g.HoveredId);
+    const auto now_s = static_cast<float>(g.Time);
+    if (memory.GetInt(thing) != hovered) memory.SetFloat(since, now_s);
+    memory.SetInt(thing, hovered);
+    return static_cast<double>(now_s - memory.GetFloat(since));
+}
+
 // Previews wait for a hovering mouse and held keys repeat: both need frames without input.
 void ask_for_what_imgui_needs(Frame& frame)
 {
-    constexpr float preview_patience_s = 0.32f, repeat_s = 0.04f;
-    const ImGuiContext& g = *ImGui::GetCurrentContext();
-    if (g.HoveredId != 0 && g.HoveredIdTimer < preview_patience_s)
-        frame.again_in(preview_patience_s - g.HoveredIdTimer);
+    constexpr double preview_patience_s = 0.32, repeat_s = 0.04;
+    ImGuiContext& g = *ImGui::GetCurrentContext();
+    const double hovered_s = hovered_for_s(g);
+    if (g.HoveredId != 0 && hovered_s < preview_patience_s)
+        frame.again_in(preview_patience_s - hovered_s + 0.01);
     // A tooltip or menu that has just opened is measured in one frame and seen in the next.
     for (const ImGuiWindow* window : g.Windows)
         if (window->Active &&

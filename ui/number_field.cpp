@@ -88,7 +88,8 @@ void paint_number(const Theme& theme, const Rect& r, double value, const NumberS
         text.lo.x -= theme.px(1);
         paint_text(theme.font.small_strong, text, style.axis_color ? style.axis_color : c.text_2,
                    style.axis);
-        text.lo.x += theme.px(12);
+        text.lo.x += std::max(theme.px(12), text_width(theme.font.small_strong, style.axis) +
+                                                theme.px(4)); // W is wide
         text.hi.x += theme.px(3);
     }
     const bool word = !style.words.empty() || (value == 0 && !style.zero.empty());

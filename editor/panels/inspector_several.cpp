@@ -6,6 +6,7 @@
 #include "editor/tools/motion.h"
 #include "ui/icons.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -130,6 +131,11 @@ void facts(Editor& editor, const ui::Theme& theme)
             faces += part.rest()->face_count();
             vertices += part.rest()->vertex_count();
         }
+    }
+    if (vertices == 0) {
+        const auto seen = [&](Id id) { return visible(session.document(), id); };
+        const bool any = std::ranges::any_of(session.selected.ids(), seen);
+        return ui::fact_row(theme, "Size", any ? "not there yet" : "hidden");
     }
     const glm::dvec3 size = bounds_of(session, session.selected.ids()).size();
     if (size.x >= 0)

@@ -133,6 +133,24 @@ TEST(NumberField, WhatCannotBeReadChangesNothing)
     EXPECT_EQ(rig.changes, 0);
 }
 
+TEST(Frames, AMouseAtRestOnOneThingOverAnotherIsIdle)
+{
+    HeadlessFrames screen{{320, 120}};
+    const DrawFrame body = [](Frame&) {
+        ImGui::SetNextWindowPos({0, 0});
+        ImGui::SetNextWindowSize({320, 120});
+        ImGui::Begin("both");
+        ImGui::SetCursorScreenPos({20, 20});
+        ImGui::InvisibleButton("below", {200, 80});
+        ImGui::SetItemAllowOverlap();
+        ImGui::SetCursorScreenPos({40, 30});
+        ImGui::InvisibleButton("above", {60, 60});
+        ImGui::End();
+    };
+    screen.input().push(move_to({60, 50}));
+    EXPECT_LT(screen.settle(body), 50);
+}
+
 TEST(Frames, AnIdleWindowDrawsNothing)
 {
     FieldRig rig;
