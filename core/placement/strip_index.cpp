@@ -132,24 +132,30 @@ StripIndex::StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2
         glm::clamp(glm::ivec2(buckets_a_quad * size / quad_px_), glm::ivec2(1), glm::ivec2(1024));
     buckets_per_px_ = glm::dvec2(buckets_) / size;
 
-    // Two passes: count the quads of each bucket, then write them behind one another.
-    const auto each = [&](const auto& visit) {
-        for (int i = 0; i < steps.x; ++i)
+    struct Touched {
+        glm::ivec2 from{0}, to{-1};
+    };
+    std::vector<Touched> touched(corners.size()); // of each quad, in buckets
+    parallel_blocks(static_cast<std::size_t>(steps.x), 16, [&](std::size_t begin, std::size_t end) {
+        const glm::ivec2 most = buckets_ - 1;
+        for (int i = static_cast<int>(begin); i < static_cast<int>(end); ++i)
             for (int j = 0; j < steps.y; ++j) {
                 glm::dvec2 lo(1e300), hi(-1e300);
                 for (const int k : quad(i, j)) {
                     lo = glm::min(lo, corners_px_[static_cast<std::size_t>(k)]);
                     hi = glm::max(hi, corners_px_[static_cast<std::size_t>(k)]);
                 }
-                const glm::ivec2 most = buckets_ - 1;
-                const glm::ivec2 from =
-                    glm::clamp(glm::ivec2((lo - lo_) * buckets_per_px_), glm::ivec2(0), most);
-                const glm::ivec2 to =
-                    glm::clamp(glm::ivec2((hi - lo_) * buckets_per_px_), glm::ivec2(0), most);
-                for (int y = from.y; y <= to.y; ++y)
-                    for (int x = from.x; x <= to.x; ++x)
-                        visit(static_cast<std::size_t>(y * buckets_.x + x), quad(i, j)[0]);
+                Touched& r = touched[static_cast<std::size_t>(quad(i, j)[0])];
+                r.from = glm::clamp(glm::ivec2((lo - lo_) * buckets_per_px_), glm::ivec2(0), most);
+                r.to = glm::clamp(glm::ivec2((hi - lo_) * buckets_per_px_), glm::ivec2(0), most);
             }
+    });
+    // Two passes: count the quads of each bucket, then write them behind one another.
+    const auto each = [&](const auto& visit) {
+        for (std::size_t k = 0; k < touched.size(); ++k)
+            for (int y = touched[k].from.y; y <= touched[k].to.y; ++y)
+                for (int x = touched[k].from.x; x <= touched[k].to.x; ++x)
+                    visit(static_cast<std::size_t>(y * buckets_.x + x), static_cast<int>(k));
     };
     begin_.assign(static_cast<std::size_t>(buckets_.x * buckets_.y) + 1, 0);
     each([&](std::size_t b, int) { ++begin_[b + 1]; });
@@ -159,14 +165,17 @@ StripIndex::StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2
     each([&](std::size_t b, int corner) { quads_[static_cast<std::size_t>(next[b]++)] = corner; });
     const std::vector<Bend> at_corners = bends(corners, seen_px, steps, quad_px_, view);
     bend_.resize(corners.size());
-    for (int i = 0; i < steps.x; ++i)
-        for (int j = 0; j < steps.y; ++j) {
-            Bend& most = bend_[static_cast<std::size_t>(quad(i, j)[0])];
-            for (const int k : quad(i, j)) most.add(at_corners[static_cast<std::size_t>(k)]);
-            most_bend_.add(most);
-        }
     std::vector<Seen> seen(corners_px_.size());
-    for (std::size_t k = 0; k < seen.size(); ++k) seen[k] = Seen(*this, k);
+    parallel_blocks(static_cast<std::size_t>(steps.x), 16, [&](std::size_t begin, std::size_t end) {
+        for (int i = static_cast<int>(begin); i < static_cast<int>(end); ++i)
+            for (int j = 0; j < steps.y; ++j) {
+                const auto first = static_cast<std::size_t>(quad(i, j)[0]);
+                for (const int k : quad(i, j))
+                    bend_[first].add(at_corners[static_cast<std::size_t>(k)]);
+                seen[first] = Seen(*this, first);
+            }
+    });
+    for (const Bend& bend : bend_) most_bend_.add(bend);
     plain_.resize(begin_.size() - 1);
     parallel_blocks(plain_.size(), 1024, [&](std::size_t from, std::size_t to) {
         for (std::size_t b = from; b < to; ++b) plain_[b] = plain_quad(b, seen);

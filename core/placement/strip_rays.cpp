@@ -41,13 +41,21 @@ std::vector<double> along(int cell, int cells, int rays, double shift)
 std::vector<char> steep_corners(const SurfaceTable& s, const StripCut& cut,
                                 const std::vector<char>& changed, const View& view, double limit)
 {
-    std::vector<char> out(changed.size(), 0);
+    std::vector<char> out(changed.size(), 0), steep_here(changed.size(), 0);
     const glm::ivec2 last = cut.quads();
-    const int q = cut.quads_a_cell;
-    for (int i = 0; i <= last.x; i += q / 2)
-        for (int j = 0; j <= last.y; j += q / 2) {
-            if (!changed[cut.corner(i, j)]) continue;
-            if (facing(s, glm::dvec2(i, j) / glm::dvec2(last), view) > limit) continue;
+    const int q = cut.quads_a_cell, step = q / 2;
+    const auto rows = static_cast<std::size_t>(last.x / step) + 1;
+    parallel_blocks(rows, 8, [&](std::size_t begin, std::size_t end) {
+        for (int i = static_cast<int>(begin) * step; i < static_cast<int>(end) * step; i += step)
+            for (int j = 0; j <= last.y; j += step) {
+                const std::size_t k = cut.corner(i, j);
+                if (changed[k])
+                    steep_here[k] = facing(s, glm::dvec2(i, j) / glm::dvec2(last), view) <= limit;
+            }
+    });
+    for (int i = 0; i <= last.x; i += step)
+        for (int j = 0; j <= last.y; j += step) {
+            if (!steep_here[cut.corner(i, j)]) continue;
             for (int a = std::max(0, (i / q - 1) * q); a <= std::min(last.x, (i / q + 2) * q); ++a)
                 for (int b = std::max(0, (j / q - 1) * q); b <= std::min(last.y, (j / q + 2) * q);
                      ++b)
