@@ -71,7 +71,7 @@ TEST_P(Gallery, LaysNothingIntoWhatItLiesOn)
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Gallery,
                          ::testing::Values("first_placement", "snake_bridge", "crocodile_on_horse",
-                                           "stacked", "f1_f2", "ants"),
+                                           "stacked", "f1_f2", "ants", "whales", "car"),
                          [](const auto& scene) { return std::string(scene.param); });
 
 } // namespace

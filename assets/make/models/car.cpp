@@ -89,7 +89,7 @@ Model car()
             d = smax(d, -wells(p), .009f);
             return Sample{d, vec3(1)};
         },
-        {0, .03f, -.23f}, {1.02f, .31f, .23f}, {.0110f, true, 10});
+        {0, .03f, -.23f}, {1.02f, .31f, .23f}, {.0063f, true, 10});
     body.colors.clear();
     B.push_back(body.mat(paint));
     const vec3 X(1, 0, 0), Y(0, 1, 0), Z(0, 0, 1);
@@ -230,7 +230,7 @@ Model car()
                                       {.066f, w},
                                       {.050f, w * .8f}},
                                      .005f, 3);
-        put(lathe(t, 36, true), tyre);
+        put(lathe(t, 72, true), tyre);
         put(lathe(fillet({{.0505f, -w * .8f},
                           {.0535f, -w * .8f},
                           {.0535f, w * .86f},
@@ -238,7 +238,7 @@ Model car()
                           {.0455f, w * .84f},
                           {.0470f, -w * .1f}},
                          .0015f, 2),
-                  36, true),
+                  72, true),
             rim);
         put(cylinder(.047f, .047f, .006f, .001f, 24).move({0, -w * .2f, 0}), trim);
         for (int k = 0; k < 5; k++) {
