@@ -155,6 +155,7 @@ void draw_adjustment(Editor& editor, const ui::Theme& theme, const FootCards& fo
         ui::rect_at({view.lo.x + pad, view.hi.y - pad - head - body}, {width, head + body});
     if (card.lo.y < view.lo.y + theme.px(80)) return;
     ui::paint_card(theme, card);
+    ui::lower_area("adjustment", card); // takes the clicks beside its fields
     const std::string key = key_text(action(editor, "Adjust last"));
     const float key_width = ui::text_width(theme.font.small, key) + theme.px(12);
     ImGui::SetCursorScreenPos({card.lo.x, card.lo.y});

@@ -32,6 +32,7 @@ std::optional<ui::Rect> draw_hint_card(Editor& editor, const ui::Theme& theme, c
     }
     const ui::Rect r = ui::rect_at({x, view.hi.y - size.y - theme.px(16)}, size);
     ui::paint_card(theme, r);
+    ui::lower_area("hint", r); // takes the clicks
     ui::paint_text(theme.font.large_icon, {r.lo + glm::vec2(theme.px(16), 0), r.hi}, c.stroke,
                    ui::icon::place);
     const ui::Rect head = {{r.lo.x + left, r.lo.y + top},

@@ -2,6 +2,7 @@
 #include "editor/panels/foot_cards.h"
 #include "editor/panels/panels.h"
 #include "gpu/color_map.h"
+#include "ui/widgets.h"
 
 #include <cmath>
 #include <imgui.h>
@@ -29,6 +30,7 @@ std::optional<ui::Rect> draw_legend(const ui::Theme& theme, const FootCards& foo
     const ui::Rect card =
         ui::rect_at({view.lo.x + theme.px(12), view.hi.y - size.y - theme.px(12)}, size);
     ui::paint_card(theme, card);
+    ui::lower_area("legend", card); // takes the clicks
     const float left = card.lo.x + theme.px(12), width = theme.px(204);
     const auto words = [&](float x, float y, float room, const char* text) {
         ui::paint_text(theme.font.small,

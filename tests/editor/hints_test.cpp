@@ -83,6 +83,20 @@ TEST(Hints, AreClosedOneByOneByTheirCross)
     EXPECT_TRUE(is_enabled(rig.editor, action(rig.editor, show_hints_action)));
 }
 
+TEST(Hints, TakeTheClicksOnTheirCard)
+{
+    Rig rig({1024, 700});
+    rig.two_objects();
+    rig.editor.session.notices.clear();
+    rig.frames();
+    ASSERT_TRUE(hint_card(rig.editor));
+    const ui::Rect view = rig.layout().view;
+    const glm::vec2 at{view.center().x, view.hi.y - 40};
+    rig.move(at);
+    rig.click(at);
+    EXPECT_EQ(rig.editor.session.selected, 2);
+}
+
 TEST(FootCards, StandOnTheCardsBelowThemAndBesideTheOthers)
 {
     FootCards foot({{100, 0}, {900, 600}});
