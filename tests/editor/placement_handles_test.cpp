@@ -14,7 +14,7 @@ using testing::Rig;
 
 // The box laid on the plane, from the left to the right.
 struct PlacedRig : Rig {
-    PlacedRig()
+    PlacedRig() : Rig({1000, 760}) // no card lies over a handle
     {
         two_objects();
         key({'P'});
@@ -57,7 +57,7 @@ TEST(PlacementHandles, ARimSetsTheWidthAndTheRoofTheHeightAStepEach)
     const glm::vec2 way = rig.seen_at(rim.p_world) - rig.seen_at(rim.base_world);
     rig.pull(rim, way); // as far again
     EXPECT_EQ(rig.steps(), before + 1);
-    EXPECT_NEAR(rig.step().parameters.width, 2 * width, 0.02 * width);
+    EXPECT_NEAR(rig.step().parameters.width, 2 * width, 0.03 * width); // pixels are coarse
     EXPECT_NEAR(rig.laid().report.width_world, 2 * width, 0.02 * width);
     const HoldPoint roof = rig.hold(HoldKind::height);
     // From where the stroke was drawn the height is seen end on: its handle is on a stalk.
