@@ -97,7 +97,7 @@ void reset_preferences_page(Editor& editor)
     Preferences& p = editor.preferences;
     auto& dialog = editor.preferences_dialog;
     dialog.resetting = dialog.page != dialog.of_keys; // the rows
-    if (dialog.page == dialog.of_interface) { // what is dragged has no rows
+    if (dialog.page == dialog.of_interface) {         // what is dragged has no rows
         const Preferences& usual = usual_preferences();
         p.dock = usual.dock;
         p.outliner = usual.outliner;
