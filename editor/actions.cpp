@@ -11,6 +11,7 @@
 #include "editor/selection_actions.h"
 #include "editor/time_actions.h"
 #include "editor/view_actions.h"
+#include "ui/input.h"
 #include "ui/sentence.h"
 
 #include <algorithm>
@@ -179,7 +180,8 @@ void run_keys(Editor& editor)
         if (each.keys_in != KeysIn::anywhere && each.keys_in != here) continue;
         const auto chord = std::ranges::find_if(each.keys, [&](const ui::Chord& one) {
             if (space_waits && one == ui::Chord{ui::key_space}) return space_tapped;
-            return ui::struck(one, each.repeats) && !tool.awaits(one);
+            return ui::struck(one, each.repeats) && !tool.awaits(one) &&
+                   !ui::hands().keeps(one.key);
         });
         if (chord == each.keys.end() || !is_enabled(editor, each)) continue;
         const std::size_t tool_before = editor.tool;

@@ -142,7 +142,8 @@ Edit curve_field(const Theme& theme, const std::string& id, std::vector<glm::dve
 {
     ImGui::PushID(id.c_str());
     ImGuiStorage& kept = *ImGui::GetStateStorage();
-    const ImGuiID top_id = ImGui::GetID("top"), x_id = ImGui::GetID("x"), y_id = ImGui::GetID("y");
+    const ImGuiID top_id = ImGui::GetID("top"), x_id = ImGui::GetID("x"), y_id = ImGui::GetID("y"),
+                  twice_id = ImGui::GetID("twice");
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const Rect box = rect_at({at.x, at.y}, {width, theme.px(height_at_1)});
     ImGui::InvisibleButton("curve", {std::max(1.0f, width), box.height()});
@@ -189,6 +190,22 @@ Edit curve_field(const Theme& theme, const std::string& id, std::vector<glm::dve
         if (points != before) edit = Edit::changed;
     }
     if (active && chosen >= 0) hands().may_hold_on();
+    if (hovered && chosen >= 0) {
+        hands().keep_key(key_delete); // an end stays: nothing else is deleted in its place
+        const bool inner = chosen > 0 && chosen + 1 < static_cast<int>(points.size());
+        if (inner && !active && struck({key_delete})) {
+            points.erase(points.begin() + chosen);
+            chosen = -1;
+            edit = Edit::changed;
+        }
+    }
+    // A double click that dragged nothing.
+    if (begun)
+        kept.SetBool(twice_id, chosen >= 0 && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left));
+    else if (edit != Edit::none)
+        kept.SetBool(twice_id, false);
+    else if (ImGui::IsItemDeactivated() && kept.GetBool(twice_id))
+        type_next_number();
     if (active && ImGui::IsKeyPressed(key_escape, false)) {
         ImGui::ClearActiveID();
         edit = Edit::cancelled;

@@ -19,8 +19,9 @@ struct CurveStyle {
 
 // A curve that is edited by its control points (place, value), which ascend from 0 to 1: drag one
 // (Shift ten times finer, Ctrl in round steps), Ctrl click adds one or takes the one under the
-// mouse away. The first and the last keep their places. `chosen` is the point in the hand, or was
-// last; -1: none. Esc restores during a drag.
+// mouse away, as Del does with the chosen one while the mouse is over the curve; a double click has
+// the next number field take what is typed. The first and the last keep their places. `chosen` is
+// the point in the hand, or was last; -1: none. Esc restores during a drag.
 Edit curve_field(const Theme& theme, const std::string& id, std::vector<glm::dvec2>& points,
                  int& chosen, const CurveStyle& style, float width);
 

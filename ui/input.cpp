@@ -3,6 +3,7 @@
 
 #include "ui/keys.h"
 
+#include <algorithm>
 #include <imgui.h>
 #include <utility>
 
@@ -100,10 +101,16 @@ bool Input::hears(Event& event, double time_s, double double_click_s, bool holds
     return true;
 }
 
+bool Input::keeps(int code) const
+{
+    return std::ranges::find(kept_, code) != kept_.end();
+}
+
 void Input::begin_frame(double time_s, const ClickManners& manners)
 {
     ImGui::GetIO().MouseDoubleClickTime = never_s;
     taken_.clear();
+    kept_ = std::exchange(keeps_, {});
     const bool dragged = std::exchange(drags_, false);
     if (hold_.on && !dragged) { // it was cancelled
         ImGui::GetIO().MouseDown[hold_.button] = false;

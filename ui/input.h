@@ -49,6 +49,9 @@ public:
     void begin_frame(double time_s, const ClickManners& manners = {});
     // What is being dragged asks in every frame that its button may be held on by a click.
     void may_hold_on() { drags_ = true; }
+    // What is under the mouse asks in every frame for a key of its own, which is then its alone.
+    void keep_key(int code) { keeps_.push_back(code); }
+    bool keeps(int code) const;                                 // as of the last frame
     const std::vector<Event>& events() const { return taken_; } // of this frame, in order
 
 private:
@@ -65,7 +68,8 @@ private:
         glm::vec2 at{0};         // where it was pressed
         double pressed_s = -1e9; // and when
     } hold_;
-    bool drags_ = false; // something is being dragged, as of the last frame
+    std::vector<int> keeps_, kept_; // asked for in this frame and in the last one
+    bool drags_ = false;            // something is being dragged, as of the last frame
     std::deque<Event> waiting_;
     std::vector<Event> taken_;
     std::array<double, 5> pressed_s_{-1e9, -1e9, -1e9, -1e9, -1e9}; // by button, the last time

@@ -50,11 +50,14 @@ std::vector<std::string> notices(const PlacementReport& r, const Extrusion& e,
         out.push_back(fmt::format("the volume would fold and is lowered to less than half in {}; "
                                   "reduce the height or the offset",
                                   some(e.lowered, "one place", "places")));
-    if (r.penetration > p.lift_tolerance)
-        out.push_back(fmt::format("{:.2g} of the height still penetrates; use more control points",
-                                  r.penetration));
-    if (!(r.smallest_jacobian > 0))
-        out.emplace_back("the volume folds; use fewer control points, a wider turn or less height");
+    // Where both go wrong the number of control points helps the one and harms the other.
+    const bool pierced = r.penetration > p.lift_tolerance, folds = !(r.smallest_jacobian > 0);
+    if (pierced)
+        out.push_back(fmt::format("{:.2g} of the height still penetrates{}", r.penetration,
+                                  folds ? "" : "; use more control points"));
+    if (folds)
+        out.push_back(fmt::format("the volume folds; use {}a wider turn or less height",
+                                  pierced ? "" : "fewer control points, "));
     return out;
 }
 

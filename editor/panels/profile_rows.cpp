@@ -93,7 +93,10 @@ ui::Edit draw_profile(const ui::Theme& theme, const ProfileRows& rows, Points& p
                                                 .color = rows.color,
                                                 .most_points = most_profile_points},
                                                at.width + theme.size.label);
-        ui::tooltip({rows.label, {}, "Drag a point; Ctrl and click adds one or takes one away."});
+        ui::tooltip({rows.label,
+                     {},
+                     "Drag a point; Ctrl and click adds one or takes one away, Del takes the "
+                     "chosen one, a double click types."});
         if (drawn != ui::Edit::none) edit = drawn;
         ui::gap(theme, 8);
         if (chosen >= 0 && chosen < static_cast<int>(points.size())) {

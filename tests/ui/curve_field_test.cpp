@@ -69,6 +69,27 @@ TEST(CurveField, APointIsDraggedBetweenItsNeighbours)
     EXPECT_EQ(rig.points[0], glm::dvec2(0, 0.1)); // an end keeps its place, a value its range
 }
 
+TEST(CurveField, DelTakesTheChosenPointAwayAndIsHeardByNobodyElse)
+{
+    CurveRig rig;
+    rig.drag(CurveRig::seen({0, 1}), CurveRig::seen({0, 1}));
+    const auto strike_del = [&] {
+        rig.screen.input().push(press_key(key_delete));
+        rig.screen.input().push(press_key(key_delete, false));
+        rig.screen.frames(3, rig.body());
+    };
+    strike_del();
+    EXPECT_EQ(rig.points.size(), 3u); // an end
+    EXPECT_TRUE(rig.screen.input().keeps(key_delete));
+    rig.drag(CurveRig::seen({0.5, 1.5}), CurveRig::seen({0.5, 1.5}));
+    strike_del();
+    EXPECT_EQ(rig.points, (std::vector<glm::dvec2>{{0, 1}, {1, 1}}));
+    EXPECT_EQ(rig.chosen, -1);
+    rig.screen.input().push(move_to({350, 170}));
+    rig.screen.frames(3, rig.body());
+    EXPECT_FALSE(rig.screen.input().keeps(key_delete));
+}
+
 TEST(CurveField, CtrlClickAddsAPointOrTakesItAway)
 {
     CurveRig rig;
