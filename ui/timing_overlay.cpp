@@ -161,8 +161,9 @@ void draw_card(const Theme& theme, glm::vec2 at, float max_height, const TimingS
                Align::right);
     draw_timing_graph(theme, s.history, graph, chosen);
     rows.y = graph.hi.y + theme.px(gap_px);
+    if (!s.ways.empty())
+        draw_ways(s.ways, rows, view); // first: what is below has more or less rows
     for (const Group& group : groups) draw_group(group, rows);
-    if (!s.ways.empty()) draw_ways(s.ways, rows, view);
 
     const Rect foot{{rows.left, card.hi.y - foot_height - theme.px(margin_px - 4)},
                     {rows.right, card.hi.y - theme.px(margin_px - 4)}};
