@@ -213,6 +213,7 @@ ViewportStyle viewport_style(const ui::Theme& theme, bool as_in_pictures)
     style.outline.width_px = theme.line(style.outline.width_px);
     style.outline.halo_px *= theme.scale;
     style.edge_color = ui::linear_light(c.chip_text);
+    style.look = theme.look;
     if (as_in_pictures) return style;
     constexpr float axis_share = 0.55f;
     gpu::Backdrop backdrop;

@@ -38,6 +38,7 @@ struct ViewportStyle {
     double draft_ms = 0; // what a picture of what moves may take; 0: as fits the graphics card
     Shading shading = {};
     glm::vec3 edge_color{1}; // of a wireframe; linear
+    ui::Look look = {};      // of what is drawn over the scene
     bool operator==(const ViewportStyle&) const = default;
 };
 // `as_in_pictures`: the backdrop of the scene's look, else the theme's own.

@@ -43,10 +43,12 @@ std::vector<ui::TimedWay> WayComparison::rows(const Evaluated& evaluated, gpu::D
             } else {
                 row.time_ms = time->time_ms;
                 row.vertices = time->vertices;
-                row.off = fmt::format("{:.2f}°", time->off.normal_deg);
-                row.sentence += fmt::format(
-                    " Off by {:.1e} of the size at most, normals by {:.2f}° at the worst vertex.",
-                    time->off.position, time->off.normal_deg);
+                if (time->off) {
+                    row.off = fmt::format("{:.2f}°", time->off->normal_deg);
+                    row.sentence += fmt::format(" Off by {:.1e} of the size at most, normals by "
+                                                "{:.2f}° at the worst vertex.",
+                                                time->off->position, time->off->normal_deg);
+                }
             }
         }
         rows.push_back(std::move(row));

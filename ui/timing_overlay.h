@@ -14,7 +14,7 @@ struct TimedWay {
     bool used = false;
     std::optional<double> time_ms = {}; // none: not measured
     std::size_t vertices = 0;
-    std::string off = {}; // from the exact result
+    std::string off = {}; // from the exact result; empty: not compared
 };
 
 struct TimingSources {

@@ -31,10 +31,10 @@ std::string timing_text(const TimingSources& s)
     text += group_text("Picture at rest", s.at_rest);
     for (const TimedWay& way : s.ways)
         if (way.time_ms)
-            text +=
-                fmt::format("{:<24}{:>10.2f} ms  {} vertices, {:.1f} million a second, off by {}\n",
-                            "Deformed by " + way.name, *way.time_ms, way.vertices,
-                            static_cast<double>(way.vertices) / *way.time_ms / 1000, way.off);
+            text += fmt::format("{:<24}{:>10.2f} ms  {} vertices, {:.1f} million a second{}\n",
+                                "Deformed by " + way.name, *way.time_ms, way.vertices,
+                                static_cast<double>(way.vertices) / *way.time_ms / 1000,
+                                way.off.empty() ? "" : ", off by " + way.off);
     constexpr double mega = 1024 * 1024;
     return text + fmt::format("{:<24}{:>10.1f} MB\n{:<24}{:>10.1f} MB\n", "Memory of the program",
                               static_cast<double>(s.program_bytes) / mega, "Meshes and textures",

@@ -11,7 +11,8 @@
 namespace trivar {
 
 // A value that is worked out when it is first asked for: once for all copies, whichever threads
-// ask. The function must be pure, so that nothing but the time tells when that was.
+// ask. The function must be pure, so that nothing but the time tells when that was, and must not
+// ask for this same value. Costs an atomic read once it is there.
 template <class T> class Lazy {
 public:
     Lazy() = default; // is not asked
@@ -26,11 +27,13 @@ public:
     {
         assert(state_);
         State& state = *state_;
-        std::call_once(state.once, [&] {
+        if (state.ready) return *state.value;
+        const std::lock_guard lock(state.mutex);
+        if (!state.ready) {
             state.value.emplace(state.compute());
             state.compute = nullptr; // and what it holds
             state.ready = true;
-        });
+        }
         return *state.value;
     }
     const T* operator->() const { return &**this; }
@@ -38,7 +41,7 @@ public:
 
 private:
     struct State {
-        std::once_flag once;
+        std::mutex mutex;
         std::function<T()> compute;
         std::optional<T> value;
         std::atomic<bool> ready = false;

@@ -8,7 +8,8 @@
 namespace trivar {
 
 // A mesh in a volume. Who draws by the graphics card needs no more than the first three; the mesh
-// as it comes out, in the world, is for the rest: worked out by the processor when it is asked for.
+// as it comes out, in the world, is for the rest: worked out by the processor when it is first
+// asked for, by whichever thread, with one deformation of its vertices (core/ffd/deform.h).
 struct Bent {
     Ref<Mesh> rest;
     Embedding embedding;

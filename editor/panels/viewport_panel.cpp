@@ -171,11 +171,7 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     // A small window's picture must not jump: the picture is drawn after the camera moved.
     const bool moving = tool.busy() || editor.inspecting || !session.up_to_date() ||
                         (editor.playback.playing() && !travelling(session.shown()).empty());
-    // What is drawn over the scene depends on these.
-    const ui::Look& look = theme.look;
-    const int colors =
-        (look.light ? 1 : 0) + (look.high_contrast ? 2 : 0) + (look.other_hues ? 4 : 0);
-    const int state = static_cast<int>(editor.tool) * 16 + colors * 2 + (tool.busy() ? 1 : 0);
+    const int state = static_cast<int>(editor.tool) * 2 + (tool.busy() ? 1 : 0);
     const bool as_in_pictures = editor.preferences.backdrop_as_in_pictures;
     const ui::Theme over = theme_over_picture(theme, *session.document().render, as_in_pictures);
     ViewportStyle style = viewport_style(over, as_in_pictures);

@@ -30,8 +30,9 @@ WayTime WayTimer::operator()(const Picture& picture, DeformBy by)
             else {
                 out.time_ms += timer_->two_phases_ms(stage, method);
                 const DeformErrors off = timer_->errors(stage, method);
-                out.off.position = std::max(out.off.position, off.position);
-                out.off.normal_deg = std::max(out.off.normal_deg, off.normal_deg);
+                const DeformErrors worst = out.off.value_or(DeformErrors{});
+                out.off = {std::max(worst.position, off.position),
+                           std::max(worst.normal_deg, off.normal_deg)};
             }
             timer_->drop_dead();
         }

@@ -4,6 +4,8 @@
 #include "gpu/ffd/deform_timer.h"
 #include "gpu/picture.h"
 
+#include <optional>
+
 namespace trivar::gpu {
 
 // What one way of deforming all that a picture's volumes deform takes.
@@ -11,7 +13,9 @@ struct WayTime {
     DeformBy by = DeformBy::processor;
     std::size_t vertices = 0;
     double time_ms = 0;
-    DeformErrors off;    // from what the processor finds; the largest of all meshes
+    // From what the processor finds, the largest of all meshes; none: it is that, or nothing is
+    // written that could be compared, as in one phase.
+    std::optional<DeformErrors> off;
     std::string why_not; // a sentence, where the device cannot
 };
 
