@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gpu/shader_variants.h"
 
-#include "gpu/ffd/device_deformer.h"
+#include "gpu/ffd/blind_draw.h"
 #include "gpu/passes/sample.h"
 #include "gpu/passes/wire.h"
 
@@ -22,16 +22,17 @@ Defines with(Defines defines, const Defines& more)
 std::vector<ProgramName> deforming_programs(const std::array<int, 3>& orders)
 {
     std::vector<ProgramName> out;
-    for (const bool texels : {true, false})
-        for (const bool compute : {true, false}) {
-            for (const bool tangents : {true, false})
-                out.push_back(deform_program({orders, {}, tangents, texels, compute}));
-            for (const Sum sum : {Sum::nested, Sum::raised, Sum::filtered})
-                for (const NormalsBy normals : {NormalsBy::nothing, NormalsBy::differences})
-                    out.push_back(deform_program({orders, {sum, normals}, false, texels, compute}));
-        }
-    for (const bool texels : {true, false})
-        out.push_back(bounds_program(volume_defines(orders, texels)));
+    for (const bool texels : {true, false}) {
+        const Defines volume = volume_defines(orders, texels);
+        for (const bool tangents : {true, false})
+            out.push_back(deform_program({orders, {}, tangents, texels}));
+        for (const Sum sum : {Sum::nested, Sum::raised, Sum::filtered})
+            for (const NormalsBy normals : {NormalsBy::nothing, NormalsBy::differences})
+                out.push_back(deform_program({orders, {sum, normals}, false, texels}));
+        for (const Wanted wanted : {Wanted::positions, Wanted::normals, Wanted::tangents})
+            out.push_back(vertex_program(volume, wanted));
+        out.push_back(bounds_program(volume));
+    }
     for (const char* own : {"PLAIN", "TEXTURES 31"})
         out.push_back({"mesh", "surfaces", with(volume_defines(orders, true), {own})});
     return out;
@@ -80,6 +81,8 @@ std::vector<ProgramName> every_program()
         out.push_back({"veil", "veil", more});
     out.push_back(wire_program());
     out.push_back({"", "", {}, "arithmetic"});
+    for (const Wanted wanted : {Wanted::positions, Wanted::normals, Wanted::tangents})
+        out.push_back(vertex_program({}, wanted));
     out.push_back(bounds_program({}));
     for (const std::array<int, 3>& orders :
          {std::array{3, 3, 3}, std::array{4, 3, 2}}) // the others are the same text

@@ -82,12 +82,10 @@ public:
         timer_.take(mesh_);
         DeformRate out{what};
         const Stage stage{make_ref(wavy_lattice(what.order, what.lattice)), {}};
-        out.time_ms = what.way == Way::processor   ? timer_.processor_ms(stage, what.method)
-                      : what.way == Way::one_phase ? timer_.one_phase_ms(stage, what.method)
-                                                   : timer_.two_phases_ms(stage, what.method);
+        out.time_ms = timer_.time_ms(stage, what.way, what.method);
         out.vertices_per_s = 1e3 * static_cast<double>(what.vertices) / out.time_ms;
-        if (what.way == Way::two_phases && what.vertices <= compared) {
-            const DeformErrors off = timer_.errors(stage, what.method);
+        if (what.way != Way::processor && what.vertices <= compared) {
+            const DeformErrors off = timer_.errors(stage, what.way, what.method);
             out.position_error = off.position;
             if (what.method.normals != NormalsBy::nothing) out.normal_error_deg = off.normal_deg;
         }

@@ -2,13 +2,11 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "gpu/ffd/device_deformer.h"
+#include "gpu/ffd/deform_timer.h"
 
 #include <optional>
 
 namespace trivar::gpu {
-
-enum class Way { processor, one_phase, two_phases };
 
 // One measurement: a sphere that fills a lattice of uniform knots, `order` and `lattice` control
 // points on every axis.

@@ -1,30 +1,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gpu/ffd/deform_timer.h"
 
-#include "gpu/vertex_array.h"
-
+#include <cassert>
 #include <cmath>
-#include <epoxy/gl.h>
+#include <limits>
 
 namespace trivar::gpu {
+namespace {
+
+double larger(double most, double found)
+{
+    return std::isnan(found) ? std::numeric_limits<double>::infinity() : std::max(most, found);
+}
+
+double between_deg(const glm::dvec3& n, const glm::dvec3& m)
+{
+    return glm::degrees(std::atan2(glm::length(glm::cross(n, m)), glm::dot(n, m)));
+}
+
+} // namespace
 
 DeformErrors errors_of(const Deformed& found, const Deformed& exact)
 {
+    assert(found.positions.size() == exact.positions.size());
     Box box;
     for (const glm::vec3& p : exact.positions) box.add(p);
+    const double diagonal = box.empty() ? 0 : glm::length(box.size());
     DeformErrors out;
     for (std::size_t i = 0; i < exact.positions.size(); ++i)
-        out.position =
-            std::max(out.position, double{glm::distance(found.positions[i], exact.positions[i])});
-    const double diagonal = glm::length(box.size());
+        out.position = larger(out.position, glm::distance(glm::dvec3(found.positions[i]),
+                                                          glm::dvec3(exact.positions[i])));
     if (diagonal > 0) out.position /= diagonal;
-    for (std::size_t i = 0; i < exact.normals.size() && i < found.normals.size(); ++i) {
-        const glm::dvec3 n(found.normals[i]), m(exact.normals[i]);
-        out.normal_deg =
-            std::max(out.normal_deg,
-                     glm::degrees(std::atan2(glm::length(glm::cross(n, m)), glm::dot(n, m))));
-    }
+    for (std::size_t i = 0; i < exact.normals.size() && i < found.normals.size(); ++i)
+        out.normal_deg = larger(out.normal_deg, between_deg(found.normals[i], exact.normals[i]));
+    for (std::size_t i = 0; i < exact.tangents.size() && i < found.tangents.size(); ++i)
+        out.tangent_deg = larger(out.tangent_deg, between_deg(glm::vec3(found.tangents[i]),
+                                                              glm::vec3(exact.tangents[i])));
     return out;
+}
+
+DeformErrors worst(const DeformErrors& a, const DeformErrors& b)
+{
+    return {std::max(a.position, b.position), std::max(a.normal_deg, b.normal_deg),
+            std::max(a.tangent_deg, b.tangent_deg)};
 }
 
 DeviceDeformer& DeformTimer::device()
@@ -55,6 +73,13 @@ Ref<Mesh> DeformTimer::mesh(const Method& method) const
     return make_ref(std::move(plain));
 }
 
+double DeformTimer::time_ms(const Stage& stage, Way way, const Method& method, int passes)
+{
+    if (way == Way::processor) return processor_ms(stage, method);
+    if (way == Way::one_phase) return one_phase_ms(stage, method, std::max(passes, 1));
+    return two_phases_ms(stage, method, passes);
+}
+
 double DeformTimer::processor_ms(const Stage& stage, const Method& method) const
 {
     const Deformer deformer(mesh(method), stage.embedding, stage.lattice->displacement.axes);
@@ -68,34 +93,49 @@ double DeformTimer::processor_ms(const Stage& stage, const Method& method) const
     return least_ms(run, enough_ms_);
 }
 
-double DeformTimer::one_phase_ms(const Stage& stage, const Method& method)
+// The volume for a vertex shader, and what tells the shader of it.
+std::vector<std::string> DeformTimer::bound(const Stage& stage)
 {
     device().bind(stage, from_.bounds, glm::dvec3(0));
-    Method possible = method;
-    if (from_.normals.bytes() == 0) possible.normals = NormalsBy::nothing;
-    VertexArray vertices;
-    vertices.attribute(0, from_.positions, 3, sizeof(glm::vec3));
-    if (possible.normals != NormalsBy::nothing)
-        vertices.attribute(1, from_.normals, 3, sizeof(glm::vec3));
-    vertices.bind();
-    nowhere_.bind();
-    const std::array<int, 3> order = device().lattices().lattice(stage.lattice).axes->packed.order;
-    programs_.use(deform_program({order, possible, false, device().reads_texels(), false}));
-    const auto draw = [&] { glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(from_.count)); };
-    const double least = least_ms([&] { return timed_ms(draw); }, enough_ms_);
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    return least;
+    return volume_defines(device().lattices().lattice(stage.lattice).axes->packed.order,
+                          device().reads_texels());
 }
 
-double DeformTimer::two_phases_ms(const Stage& stage, const Method& method)
+double DeformTimer::one_phase_ms(const Stage& stage, const Method& method, int passes)
 {
-    const auto deform = [&] { device().deform(from_, to_, std::span(&stage, 1), method); };
+    const std::vector<std::string> volume = bound(stage);
+    draw_.take(from_);
+    return least_ms([&] { return timed_ms([&] { draw(volume, method, passes); }); }, enough_ms_);
+}
+
+double DeformTimer::two_phases_ms(const Stage& stage, const Method& method, int passes)
+{
+    device().deform(from_, to_, std::span(&stage, 1), method); // so that the buffers are there
+    draw_.take(to_);
+    const auto deform = [&] {
+        device().deform(from_, to_, std::span(&stage, 1), method);
+        draw({}, method, passes);
+    };
     return least_ms([&] { return timed_ms(deform); }, enough_ms_);
 }
 
-DeformErrors DeformTimer::errors(const Stage& stage, const Method& method) const
+void DeformTimer::draw(const std::vector<std::string>& volume, const Method& method, int passes)
 {
+    const bool normals = method.normals != NormalsBy::nothing && from_.normals.bytes() > 0;
+    for (int pass = 0; pass < passes; ++pass)
+        draw_(volume, normals && pass == 0 ? Wanted::normals : Wanted::positions);
+}
+
+DeformErrors DeformTimer::errors(const Stage& stage, Way way, const Method& method)
+{
+    if (way == Way::processor) return {};
     const Deformer exact(mesh(method), stage.embedding, stage.lattice->displacement.axes);
+    if (way == Way::one_phase) {
+        const std::vector<std::string> volume = bound(stage);
+        draw_.take(from_);
+        return errors_of(draw_.captured(volume), exact.arrays(*stage.lattice));
+    }
+    device().deform(from_, to_, std::span(&stage, 1), method);
     return errors_of(read_back(to_), exact.arrays(*stage.lattice));
 }
 

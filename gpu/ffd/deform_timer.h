@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "gpu/ffd/device_deformer.h"
-#include "gpu/framebuffer.h"
+#include "gpu/ffd/blind_draw.h"
 #include "gpu/pass_clock.h"
 
 #include <algorithm>
 
 namespace trivar::gpu {
+
+enum class Way { processor, one_phase, two_phases };
 
 // The least time of some runs, milliseconds; the first run is not counted, for it compiles.
 template <class Run> double least_ms(Run&& run, double enough_ms)
@@ -23,12 +24,14 @@ template <class Run> double least_ms(Run&& run, double enough_ms)
     return least;
 }
 
+// The largest ones; infinite where something is not a number.
 struct DeformErrors {
-    double position = 0;   // the largest distance, as a share of the box's diagonal
-    double normal_deg = 0; // the largest angle
+    double position = 0; // a distance, as a share of the box's diagonal
+    double normal_deg = 0, tangent_deg = 0;
 };
 // What the processor's evaluator says is taken for true.
 DeformErrors errors_of(const Deformed& found, const Deformed& exact);
+DeformErrors worst(const DeformErrors& a, const DeformErrors& b);
 
 // Deforms one mesh again and again by a volume, three times at least and until `enough_ms` are
 // spent: by timer queries, or fences on software GL. Throws Rejected where the device lacks what
@@ -37,11 +40,12 @@ class DeformTimer {
 public:
     explicit DeformTimer(double enough_ms) : enough_ms_(enough_ms) {}
     void take(const Ref<Mesh>& mesh); // what is deformed from now on; uploads it
-    double processor_ms(const Stage& stage, const Method& method) const;
-    double one_phase_ms(const Stage& stage, const Method& method);
-    double two_phases_ms(const Stage& stage, const Method& method);
-    // Of the last call of two_phases_ms(); reads the vertices back.
-    DeformErrors errors(const Stage& stage, const Method& method) const;
+    // To deform, and to draw in so many passes: the first with normals where the method has them,
+    // the others, as a shadow's and picking, without. One phase deforms in every pass, of which it
+    // has one at least; the processor is timed without drawing.
+    double time_ms(const Stage& stage, Way way, const Method& method, int passes = 0);
+    // Of what the way writes or hands on; reads the vertices back.
+    DeformErrors errors(const Stage& stage, Way way, const Method& method);
     void drop_dead(); // of the lattices on the device
 
     template <class Body> double timed_ms(Body&& body)
@@ -52,13 +56,17 @@ public:
     }
 
 private:
+    double processor_ms(const Stage& stage, const Method& method) const;
+    double one_phase_ms(const Stage& stage, const Method& method, int passes);
+    double two_phases_ms(const Stage& stage, const Method& method, int passes);
     Ref<Mesh> mesh(const Method& method) const;
     DeviceDeformer& device();
+    std::vector<std::string> bound(const Stage& stage);
+    void draw(const std::vector<std::string>& volume, const Method& method, int passes);
     double enough_ms_;
     PassClock clock_;
     std::unique_ptr<DeviceDeformer> device_;
-    Programs programs_;
-    Framebuffer nowhere_{{}, nullptr};
+    BlindDraw draw_;
     Ref<Mesh> mesh_;
     DeviceVertices from_, to_;
 };

@@ -127,8 +127,7 @@ ProgramName deform_program(const DeformVariant& variant)
         name.defines.emplace_back("TANGENTS");
     if (method.sum != Sum::nested) name.defines.emplace_back("RAISED");
     if (method.sum == Sum::filtered) name.defines.emplace_back("FILTERED");
-    (variant.compute ? name.compute : name.vertex) = "deform";
-    if (!variant.compute) name.captured = {"to_position", "to_normal", "to_tangent"};
+    name.compute = "deform";
     return name;
 }
 

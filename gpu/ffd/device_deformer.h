@@ -49,12 +49,11 @@ struct DeviceLimits {
 };
 DeviceLimits device_limits(); // of the current context
 
-// A program "deform": a compute shader, or a vertex shader alone.
+// The compute shader "deform".
 struct DeformVariant {
     std::array<int, 3> orders{3, 3, 3};
     Method method;
     bool tangents = false, texels = false;
-    bool compute = true;
 };
 ProgramName deform_program(const DeformVariant& variant);
 ProgramName bounds_program(std::vector<std::string> volume_defines);

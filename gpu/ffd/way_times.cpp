@@ -8,12 +8,20 @@ namespace trivar::gpu {
 
 namespace {
 constexpr double soon_ms = 20; // a mesh: somebody waits
+
+Way way_of(DeformBy by)
+{
+    return by == DeformBy::processor   ? Way::processor
+           : by == DeformBy::one_phase ? Way::one_phase
+                                       : Way::two_phases;
 }
+} // namespace
 
 WayTime WayTimer::operator()(const Picture& picture, DeformBy by)
 {
     WayTime out;
     out.by = by;
+    const Way way = way_of(by);
     const Method method = method_of(by);
     const StateGuard guard;
     try {
@@ -23,17 +31,10 @@ WayTime WayTimer::operator()(const Picture& picture, DeformBy by)
             const Stage& stage = instance.stages.front();
             timer_->take(instance.mesh);
             out.vertices += instance.mesh->vertex_count();
-            if (by == DeformBy::processor)
-                out.time_ms += timer_->processor_ms(stage, method);
-            else if (by == DeformBy::one_phase)
-                out.time_ms += timer_->one_phase_ms(stage, method);
-            else {
-                out.time_ms += timer_->two_phases_ms(stage, method);
-                const DeformErrors off = timer_->errors(stage, method);
-                const DeformErrors worst = out.off.value_or(DeformErrors{});
-                out.off = {std::max(worst.position, off.position),
-                           std::max(worst.normal_deg, off.normal_deg)};
-            }
+            out.time_ms += timer_->time_ms(stage, way, method);
+            if (way != Way::processor)
+                out.off =
+                    worst(out.off.value_or(DeformErrors{}), timer_->errors(stage, way, method));
             timer_->drop_dead();
         }
     } catch (const Rejected& error) {

@@ -13,8 +13,7 @@ struct WayTime {
     DeformBy by = DeformBy::processor;
     std::size_t vertices = 0;
     double time_ms = 0;
-    // From what the processor finds, the largest of all meshes; none: it is that, or nothing is
-    // written that could be compared, as in one phase.
+    // From what the processor finds, the largest of all meshes; none of the processor itself.
     std::optional<DeformErrors> off;
     std::string why_not; // a sentence, where the device cannot
 };

@@ -22,7 +22,11 @@ layout(location = 7) in float value;
 out float at_value;
 #endif
 #ifdef ORDER_U // deforms as it draws
-#include "volume_inputs.glsl"
+#define NORMALS 1
+#ifdef TEXTURES
+#define TANGENTS
+#endif
+#include "deform_vertex.glsl"
 #endif
 uniform mat4 to_scene;
 uniform mat3 normal_to_scene;
@@ -39,12 +43,10 @@ void main()
 {
     vec3 p = position, n = normal, t = tangent.xyz;
 #ifdef ORDER_U
-    DeformedPoint there = deformed_point(position);
-    p = there.position;
-    n = deformed_normal(there.jacobian, normal);
-#ifdef TEXTURES
-    t = deformed_tangent(there.jacobian, tangent, n).xyz;
-#endif
+    DeformedVertex v = deformed_vertex(position, normal, tangent);
+    p = v.position;
+    n = v.normal;
+    t = v.tangent.xyz;
 #endif
     at_scene = (to_scene * vec4(p, 1.0)).xyz;
     at_normal = normal_to_scene * n;

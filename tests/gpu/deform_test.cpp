@@ -1,131 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// core/kernel on the device. tests/ffd/kernel_test.cpp holds the same text as C++ to the textbook.
+// core/kernel on the device. tests/ffd/kernel_test.cpp holds the same text as C++ to the textbook,
+// agreement_test.cpp the ways to each other.
 #include "core/base/rejected.h"
-#include "gpu/ffd/device_deformer.h"
-#include "gpu/framebuffer.h"
-#include "gpu/vertex_array.h"
-#include "tests/ffd/samples.h"
-#include "tests/gpu/support.h"
+#include "tests/gpu/deforming.h"
 
-#include <epoxy/gl.h>
 #include <gmock/gmock.h>
 
 namespace trivar::gpu::testing {
 namespace {
 
-using trivar::testing::angle_deg;
 using trivar::testing::random_lattice;
 using trivar::testing::scattered_points;
 using trivar::testing::some_affine_map;
 using trivar::testing::uneven_knots;
-
-Stage stage_of(const std::array<Knots, 3>& axes, double size, const Embedding& embedding = {})
-{
-    return {make_ref(random_lattice(axes, size)), embedding};
-}
-
-std::array<Knots, 3> equal_axes(int order, int count)
-{
-    const Knots knots = Knots::uniform(order, count);
-    return {knots, knots, knots};
-}
-
-// The largest difference: of positions as a share of the box, of normals and tangents in degrees.
-struct Differences {
-    double position = 0, normal_deg = 0, tangent_deg = 0;
-};
-
-Differences differences(const Deformed& a, const Deformed& b)
-{
-    Box box;
-    for (const glm::vec3& p : b.positions) box.add(p);
-    Differences out;
-    EXPECT_EQ(a.positions.size(), b.positions.size());
-    EXPECT_EQ(a.normals.size(), b.normals.size());
-    EXPECT_EQ(a.tangents.size(), b.tangents.size());
-    for (std::size_t i = 0; i < a.positions.size(); ++i)
-        out.position = std::max(
-            out.position, glm::distance(glm::dvec3(a.positions[i]), glm::dvec3(b.positions[i])) /
-                              glm::length(box.size()));
-    for (std::size_t i = 0; i < a.normals.size(); ++i)
-        out.normal_deg = std::max(out.normal_deg, angle_deg(a.normals[i], b.normals[i]));
-    for (std::size_t i = 0; i < a.tangents.size(); ++i) {
-        EXPECT_EQ(a.tangents[i].w, b.tangents[i].w);
-        out.tangent_deg = std::max(out.tangent_deg,
-                                   angle_deg(glm::vec3(a.tangents[i]), glm::vec3(b.tangents[i])));
-    }
-    return out;
-}
-
-void expect_equal(const Deformed& a, const Deformed& b)
-{
-    const Differences d = differences(a, b);
-    EXPECT_LT(d.position, 1e-6);
-    EXPECT_LT(d.normal_deg, 0.05);
-    EXPECT_LT(d.tangent_deg, 0.05);
-}
-
-class DeformedByTheDevice : public WithContext {
-protected:
-    DeviceDeformer deformer;
-
-    Deformed by_device(const Mesh& mesh, std::vector<Stage> stages, const Method& method = {})
-    {
-        const DeviceVertices from = uploaded_vertices(mesh);
-        DeviceVertices to;
-        deformer.deform(from, to, stages, method);
-        return read_back(to);
-    }
-
-    // What the vertex shader makes of it as it draws.
-    Deformed by_vertex_shader(const Mesh& mesh, const Stage& stage)
-    {
-        const DeviceVertices from = uploaded_vertices(mesh);
-        DeviceVertices to;
-        to.positions.reserve(from.positions.bytes());
-        to.normals.reserve(from.normals.bytes());
-        to.tangents.reserve(from.tangents.bytes());
-        deformer.bind(stage, from.bounds, glm::dvec3(0));
-        const PackedAxes& axes = deformer.lattices().lattice(stage.lattice).axes->packed;
-        const Program program(
-            deform_program({axes.order, {}, true, deformer.reads_texels(), false}));
-        program.use();
-        VertexArray vertices;
-        vertices.attribute(0, from.positions, 3, sizeof(glm::vec3));
-        vertices.attribute(1, from.normals, 3, sizeof(glm::vec3));
-        vertices.attribute(2, from.tangents, 4, sizeof(glm::vec4));
-        vertices.bind();
-        const Framebuffer nowhere({}, nullptr);
-        nowhere.bind();
-        glEnable(GL_RASTERIZER_DISCARD);
-        for (const auto& [at, buffer] :
-             {std::pair{0u, to.positions.name()}, std::pair{1u, to.normals.name()},
-              std::pair{2u, to.tangents.name()}})
-            glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, at, buffer);
-        glBeginTransformFeedback(GL_POINTS);
-        glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(from.count));
-        glEndTransformFeedback();
-        glDisable(GL_RASTERIZER_DISCARD);
-        glBindFramebuffer(GL_FRAMEBUFFER, 0);
-        return read_back(to);
-    }
-};
-
-Deformed by_processor(const Mesh& mesh, const std::vector<Stage>& stages)
-{
-    Mesh out = mesh;
-    for (const Stage& stage : stages) out = deform(out, stage.embedding, *stage.lattice);
-    return {out.positions, out.normals, out.tangents};
-}
-
-TEST_F(DeformedByTheDevice, AMillionPointsAreWhereTheProcessorPutsThem)
-{
-    const Mesh mesh = scattered_points(1'000'000, -0.02f, 1.02f);
-    for (const int order : {3, 4}) {
-        const std::vector<Stage> stages{stage_of(equal_axes(order, 8), 0.02)};
-        expect_equal(by_device(mesh, stages), by_processor(mesh, stages));
-    }
-}
 
 TEST_F(DeformedByTheDevice, MixedOrdersAndAllKnotsAreAsInDouble)
 {
@@ -139,32 +26,6 @@ TEST_F(DeformedByTheDevice, MixedOrdersAndAllKnotsAreAsInDouble)
     expect_double({Knots::periodic(4, 6), Knots::uniform(3, 5), uneven_knots(4)});
     expect_double({Knots::periodic(3, 6, 0, 0.5, Closure::twisted), Knots::uniform(3, 5),
                    Knots::periodic(4, 5)});
-}
-
-// With order 2 the normal jumps at knots, and a point beside one may fall on its other side.
-TEST_F(DeformedByTheDevice, OrderTwoIsAsOnTheProcessor)
-{
-    const Mesh mesh = scattered_points(20000);
-    for (const auto& axes :
-         {equal_axes(2, 5),
-          std::array{Knots::uniform(4, 5), Knots::uniform(3, 5), Knots::uniform(2, 5)}}) {
-        const std::vector<Stage> stages{stage_of(axes, 0.02)};
-        const Deformed device = by_device(mesh, stages), processor = by_processor(mesh, stages);
-        EXPECT_LT(differences(device, processor).position, 1e-6);
-        std::size_t off = 0;
-        for (std::size_t i = 0; i < mesh.vertex_count(); ++i)
-            off += angle_deg(device.normals[i], processor.normals[i]) > 0.05;
-        EXPECT_LE(off, 4u);
-    }
-}
-
-TEST_F(DeformedByTheDevice, TheVertexShaderGivesTheSame)
-{
-    const Mesh mesh = scattered_points(20000, -0.1f, 1.1f);
-    const Stage stage = stage_of(equal_axes(3, 6), 0.02, {some_affine_map(), some_affine_map()});
-    const Deformed two_phase = by_device(mesh, {stage}), one_phase = by_vertex_shader(mesh, stage);
-    expect_equal(one_phase, two_phase);
-    expect_equal(one_phase, by_processor(mesh, {stage}));
 }
 
 TEST_F(DeformedByTheDevice, AStackOfVolumesIsComposedWithoutReadBack)
@@ -239,7 +100,7 @@ TEST_F(DeformedByTheDevice, StorageAndTexelsAreReadAlike)
     const Deformed one = by_device(mesh, {stage});
     deformer = DeviceDeformer(limits);
     expect_equal(by_device(mesh, {stage}), one);
-    expect_equal(by_vertex_shader(mesh, stage), one);
+    expect_equal(by_vertex_shader(mesh, {stage}), one);
 }
 
 TEST_F(DeformedByTheDevice, MeshesLargerThanADispatchAreDeformedInSlices)
@@ -275,8 +136,8 @@ TEST_F(DeformedByTheDevice, OrderRaisingAndDifferencesComeNear)
     Deformed exact = by_processor(mesh, stages);
     exact.tangents.clear();
     for (const Sum sum : {Sum::nested, Sum::raised, Sum::filtered}) {
-        const Differences d =
-            differences(by_device(mesh, stages, {sum, NormalsBy::differences}), exact);
+        const DeformErrors d =
+            errors_of(by_device(mesh, stages, {sum, NormalsBy::differences}), exact);
         EXPECT_LT(d.position, sum == Sum::filtered ? 1e-3 : 1e-6);
         EXPECT_LT(d.normal_deg, sum == Sum::filtered ? 180 : 3);
         EXPECT_GT(d.normal_deg, 0.005);
