@@ -25,12 +25,12 @@ DeformErrors errors_of(const Deformed& found, const Deformed& exact)
     assert(found.positions.size() == exact.positions.size());
     Box box;
     for (const glm::vec3& p : exact.positions) box.add(p);
-    const double diagonal = box.empty() ? 0 : glm::length(box.size());
     DeformErrors out;
+    if (!box.empty()) out.diagonal = glm::length(box.size());
     for (std::size_t i = 0; i < exact.positions.size(); ++i)
         out.position = larger(out.position, glm::distance(glm::dvec3(found.positions[i]),
                                                           glm::dvec3(exact.positions[i])));
-    if (diagonal > 0) out.position /= diagonal;
+    if (out.diagonal > 0) out.position /= out.diagonal;
     for (std::size_t i = 0; i < exact.normals.size() && i < found.normals.size(); ++i)
         out.normal_deg = larger(out.normal_deg, between_deg(found.normals[i], exact.normals[i]));
     for (std::size_t i = 0; i < exact.tangents.size() && i < found.tangents.size(); ++i)
@@ -42,7 +42,7 @@ DeformErrors errors_of(const Deformed& found, const Deformed& exact)
 DeformErrors worst(const DeformErrors& a, const DeformErrors& b)
 {
     return {std::max(a.position, b.position), std::max(a.normal_deg, b.normal_deg),
-            std::max(a.tangent_deg, b.tangent_deg)};
+            std::max(a.tangent_deg, b.tangent_deg), std::max(a.diagonal, b.diagonal)};
 }
 
 DeviceDeformer& DeformTimer::device()
@@ -94,16 +94,16 @@ double DeformTimer::processor_ms(const Stage& stage, const Method& method) const
 }
 
 // The volume for a vertex shader, and what tells the shader of it.
-std::vector<std::string> DeformTimer::bound(const Stage& stage)
+std::vector<std::string> DeformTimer::bound(const Stage& stage, const glm::dvec3& origin_world)
 {
-    device().bind(stage, from_.bounds, glm::dvec3(0));
+    device().bind(stage, from_.bounds, origin_world);
     return volume_defines(device().lattices().lattice(stage.lattice).axes->packed.order,
                           device().reads_texels());
 }
 
 double DeformTimer::one_phase_ms(const Stage& stage, const Method& method, int passes)
 {
-    const std::vector<std::string> volume = bound(stage);
+    const std::vector<std::string> volume = bound(stage, glm::dvec3(0));
     draw_.take(from_);
     return least_ms([&] { return timed_ms([&] { draw(volume, method, passes); }); }, enough_ms_);
 }
@@ -129,14 +129,17 @@ void DeformTimer::draw(const std::vector<std::string>& volume, const Method& met
 DeformErrors DeformTimer::errors(const Stage& stage, Way way, const Method& method)
 {
     if (way == Way::processor) return {};
-    const Deformer exact(mesh(method), stage.embedding, stage.lattice->displacement.axes);
-    if (way == Way::one_phase) {
-        const std::vector<std::string> volume = bound(stage);
-        draw_.take(from_);
-        return errors_of(draw_.captured(volume), exact.arrays(*stage.lattice));
+    const glm::dvec3 origin = deformed_bounds(stage, from_.bounds).center();
+    Embedding near = stage.embedding;
+    near.to_rest[3] -= glm::dvec4(origin, 0);
+    const Deformer exact(mesh(method), near, stage.lattice->displacement.axes);
+    if (way == Way::two_phases) {
+        device().deform(from_, to_, std::span(&stage, 1), method, origin);
+        return errors_of(read_back(to_), exact.arrays(*stage.lattice));
     }
-    device().deform(from_, to_, std::span(&stage, 1), method);
-    return errors_of(read_back(to_), exact.arrays(*stage.lattice));
+    const std::vector<std::string> volume = bound(stage, origin);
+    draw_.take(from_);
+    return errors_of(draw_.captured(volume), exact.arrays(*stage.lattice));
 }
 
 } // namespace trivar::gpu

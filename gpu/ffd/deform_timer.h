@@ -28,6 +28,7 @@ template <class Run> double least_ms(Run&& run, double enough_ms)
 struct DeformErrors {
     double position = 0; // a distance, as a share of the box's diagonal
     double normal_deg = 0, tangent_deg = 0;
+    double diagonal = 0; // scene units
 };
 // What the processor's evaluator says is taken for true.
 DeformErrors errors_of(const Deformed& found, const Deformed& exact);
@@ -44,7 +45,8 @@ public:
     // the others, as a shadow's and picking, without. One phase deforms in every pass, of which it
     // has one at least; the processor is timed without drawing.
     double time_ms(const Stage& stage, Way way, const Method& method, int passes = 0);
-    // Of what the way writes or hands on; reads the vertices back.
+    // Of what the way writes or hands on, near an origin as pictures have it, so that where in the
+    // world it lies costs neither side digits. Reads the vertices back.
     DeformErrors errors(const Stage& stage, Way way, const Method& method);
     void drop_dead(); // of the lattices on the device
 
@@ -61,7 +63,7 @@ private:
     double two_phases_ms(const Stage& stage, const Method& method, int passes);
     Ref<Mesh> mesh(const Method& method) const;
     DeviceDeformer& device();
-    std::vector<std::string> bound(const Stage& stage);
+    std::vector<std::string> bound(const Stage& stage, const glm::dvec3& origin_world);
     void draw(const std::vector<std::string>& volume, const Method& method, int passes);
     double enough_ms_;
     PassClock clock_;

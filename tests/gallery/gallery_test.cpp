@@ -5,9 +5,11 @@
 #include "core/document/log.h"
 #include "editor/picture.h"
 #include "gpu/context.h"
+#include "gpu/ffd/deform_timer.h"
 #include "gpu/renderer.h"
 #include "tests/support/pictures.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <map>
@@ -32,16 +34,35 @@ std::map<std::string, std::string> models_made_here()
     return out;
 }
 
-Scene replayed(const std::string& name)
+const std::string scenes_folder = TRIVAR_SOURCE_DIR "/assets/scenes";
+
+Document document_of(const std::string& name)
 {
-    const std::string folder = TRIVAR_SOURCE_DIR "/assets/scenes";
-    const std::string path = folder + "/" + name + ".trivar";
-    const Document document = replay(read_log(read_text_file(path), path)).document();
-    Evaluator evaluator(std::make_shared<const AssetStore>(folder, models_made_here()));
-    return {document, evaluator(document)};
+    const std::string path = scenes_folder + "/" + name + ".trivar";
+    return replay(read_log(read_text_file(path), path)).document();
 }
 
-class Gallery : public ::testing::TestWithParam<const char*> {};
+Evaluator evaluator_here()
+{
+    return Evaluator(std::make_shared<const AssetStore>(scenes_folder, models_made_here()));
+}
+
+Scene replayed(const std::string& name)
+{
+    const Document document = document_of(name);
+    return {document, evaluator_here()(document)};
+}
+
+std::vector<std::string> every_scene()
+{
+    std::vector<std::string> out;
+    for (const auto& entry : std::filesystem::directory_iterator(scenes_folder))
+        if (entry.path().extension() == ".trivar") out.push_back(entry.path().stem());
+    std::ranges::sort(out);
+    return out;
+}
+
+class Gallery : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Gallery, ShowsTheSceneAsItIs)
 {
@@ -52,8 +73,7 @@ TEST_P(Gallery, ShowsTheSceneAsItIs)
     Stretches stretches;
     const Image image = renderer.render(
         picture_of(scene.evaluated, scene.document, camera, stretches), gallery_size_px);
-    EXPECT_TRUE(
-        testing::matches_picture(image, std::string("docs/gallery/") + GetParam() + ".png"));
+    EXPECT_TRUE(testing::matches_picture(image, "docs/gallery/" + GetParam() + ".png"));
 }
 
 // The thousandth of the height that the lift promises, measured by denser samples than it used.
@@ -69,10 +89,39 @@ TEST_P(Gallery, LaysNothingIntoWhatItLiesOn)
     EXPECT_GT(placed, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Gallery,
-                         ::testing::Values("first_placement", "snake_bridge", "crocodile_on_horse",
-                                           "stacked", "f1_f2", "ants", "whales", "car"),
-                         [](const auto& scene) { return std::string(scene.param); });
+// Vertex by vertex, at the first frame and in the middle of what moves; by the box of an object.
+TEST_P(Gallery, IsDeformedAlikeInEveryWay)
+{
+    const gpu::HeadlessContext context;
+    const Document document = document_of(GetParam());
+    Evaluator evaluator = evaluator_here();
+    gpu::DeformTimer device(0);
+    std::size_t vertices = 0;
+    for (const int frame :
+         {document.time.first_frame, (document.time.first_frame + document.time.last_frame) / 2}) {
+        const Evaluated evaluated = evaluator(document, frame);
+        Stretches none;
+        const gpu::Picture picture =
+            picture_of(evaluated, document, {}, none, gpu::DeformBy::two_phases);
+        for (const gpu::Instance& instance : picture.instances) {
+            if (instance.stages.empty()) continue;
+            ASSERT_EQ(instance.stages.size(), 1u);
+            const Box& object = *evaluated.objects.at(instance.id)->bounds;
+            device.take(instance.mesh);
+            vertices += instance.mesh->vertex_count();
+            for (const gpu::Way way : {gpu::Way::one_phase, gpu::Way::two_phases}) {
+                const gpu::DeformErrors off = device.errors(instance.stages.front(), way, {});
+                ASSERT_LT(off.position * off.diagonal, 1e-6 * glm::length(object.size()))
+                    << "object " << instance.id << ", frame " << frame;
+                ASSERT_LT(off.normal_deg, 0.05) << "object " << instance.id << ", frame " << frame;
+            }
+        }
+    }
+    EXPECT_GT(vertices, 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Gallery, ::testing::ValuesIn(every_scene()),
+                         [](const auto& scene) { return scene.param; });
 
 } // namespace
 } // namespace trivar
