@@ -10,14 +10,11 @@ endforeach()
 file(WRITE ${OUT} "// Generated from gpu/shaders; edit those.
 #include \"gpu/shader_source.h\"
 
-#include <cassert>
-
 namespace trivar::gpu {
 
-std::string_view shader_file(std::string_view name)
+std::optional<std::string_view> shader_file(std::string_view name)
 {
-${entries}    assert(false && \"no such shader file\");
-    return {};
+${entries}    return std::nullopt;
 }
 
 } // namespace trivar::gpu

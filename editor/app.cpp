@@ -30,6 +30,8 @@ std::string kept(const std::string& name)
 int run_editor(const EditorOptions& options)
 {
     try {
+        std::optional<gpu::ShaderFolder> shaders;
+        if (!options.shaders.empty()) shaders.emplace(options.shaders);
         ui::Window window({.scale = options.scale});
         Editor editor(window.waker(), kept("unnamed"));
         PreferencesFile preferences(kept("preferences.json"));
@@ -39,6 +41,7 @@ int run_editor(const EditorOptions& options)
             editor.session.notices.say(ui::NoticeKind::warning, preferences.trouble());
         editor.session.discarded_days = static_cast<int>(editor.preferences.discarded_days);
         editor.session.forget_discarded();
+        if (shaders) editor.viewport.follow(std::move(*shaders));
         editor.manual_folder = options.manual;
         editor.sample_pictures = options.sample_pictures;
         editor.start_card.lacks_samples = options.samples.empty();

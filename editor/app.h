@@ -11,6 +11,7 @@ struct EditorOptions {
     std::vector<std::string> samples; // scenes offered where nothing is open yet
     std::vector<std::string> tutorials;
     std::string manual, sample_pictures; // folders
+    std::string shaders;                 // a checkout whose shaders are drawn with; empty: none
     double scale = 0;                    // of the interface; 0: TRIVAR_SCALE or the monitor's
     bool light = false;
 };

@@ -43,7 +43,7 @@ void PictureToFile::stop()
     wanted_px_ = 0;
 }
 
-void PictureToFile::draw(const Session& session)
+void PictureToFile::draw(const Session& session, const Ref<gpu::ShaderTexts>& shaders)
 {
     path_ = free_path(session); // something may have been written meanwhile
     const int width_px = std::exchange(wanted_px_, 0);
@@ -55,17 +55,19 @@ void PictureToFile::draw(const Session& session)
                                       ui::reshaped(session.camera, glm::dvec2(size_px)), stretches_,
                                       gpu::DeformBy::processor);
     gpu::set_level(picture, gpu::Level::high);
+    picture.shaders = shaders;
     renderer_ = std::make_unique<gpu::Renderer>();
     renderer_->begin(picture, size_px);
 }
 
-void PictureToFile::advance(Session& session, ui::Frame& frame)
+void PictureToFile::advance(Session& session, ui::Frame& frame,
+                            const Ref<gpu::ShaderTexts>& shaders)
 {
     constexpr double budget_ms = 40; // as for the window's own picture
     if (wanted_px_ > 0) {
         frame.again_in(0.05);
         if (!session.up_to_date() || session.jobs().status()) return;
-        draw(session);
+        draw(session, shaders);
     }
     if (!renderer_) return;
     frame.again_in(0);

@@ -20,12 +20,13 @@ public:
     // `width_px` wide, in the shape of the viewport, as soon as the scene is evaluated and nothing
     // else is being read or written. Needs the scene's file, for its folder.
     void begin(const Session& session, int width_px);
-    void advance(Session& session, ui::Frame& frame); // once a frame, in the window's context
+    // Once a frame, in the window's context.
+    void advance(Session& session, ui::Frame& frame, const Ref<gpu::ShaderTexts>& shaders = {});
     void stop();
     void forget_gpu(); // before the context goes; what is being drawn then begins anew
 
 private:
-    void draw(const Session& session);
+    void draw(const Session& session, const Ref<gpu::ShaderTexts>& shaders);
 
     std::unique_ptr<gpu::Renderer> renderer_;
     std::string path_;

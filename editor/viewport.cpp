@@ -129,6 +129,10 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
 {
     constexpr double rest_s = 0.3;   // so long nothing moves before a full picture is begun
     constexpr double budget_ms = 40; // of it in one frame: the mouse must not wait
+    if (shader_folder_) {
+        shaders_ = shader_folder_->texts(frame.time_s);
+        frame.again_in(gpu::ShaderFolder::look_every_s);
+    }
     Shown wanted{session.camera,
                  session.evaluation(),
                  session.selected,
@@ -137,7 +141,8 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
                  state,
                  false,
                  session.shown().render.get(),
-                 style_};
+                 style_,
+                 shaders_};
     const bool held = moving; // what ends that makes a frame of its own
     if (shown_) {             // what was drawn as a draft is compared without that
         Shown before = *shown_;
@@ -164,6 +169,7 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
         picture.backdrop = style_.backdrop;
         picture.grid = style_.backdrop.has_value() && style_.grid;
         picture.outline = style_.outline;
+        picture.shaders = shaders_;
         Helpers shown = helpers();
         picture.lines = std::move(shown.lines);
         picture.translucent = std::move(shown.veils);
@@ -202,6 +208,13 @@ std::string Viewport::new_notice()
 {
     const std::string now = renderer_ ? renderer_->notice() : "";
     return std::exchange(said_, now) == now ? "" : now;
+}
+
+std::optional<std::string> Viewport::new_shader_trouble()
+{
+    const std::string now = renderer_ ? renderer_->shader_trouble() : "";
+    if (std::exchange(said_of_shaders_, now) == now) return std::nullopt;
+    return now;
 }
 
 ViewportStyle viewport_style(const ui::Theme& theme, bool as_in_pictures)

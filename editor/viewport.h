@@ -7,6 +7,7 @@
 #include "editor/tools/tool.h"
 #include "editor/way_comparison.h"
 #include "gpu/renderer.h"
+#include "gpu/shader_folder.h"
 #include "ui/timing_history.h"
 
 #include <memory>
@@ -66,6 +67,9 @@ public:
                   int state, const std::function<Helpers()>& helpers);
     void forget_gpu(); // before the context goes; the next frame makes all of it again
     void set_style(const ViewportStyle& style);
+    // A developer's shaders, drawn with from now on as their files are.
+    void follow(gpu::ShaderFolder folder) { shader_folder_ = std::move(folder); }
+    const Ref<gpu::ShaderTexts>& shaders() const { return shaders_; }
     unsigned texture() const { return renderer_ ? renderer_->texture() : 0; } // what shows
     WayComparison& ways() { return ways_; }
     const ui::TimingHistory& drafts() const { return drafts_; }
@@ -74,6 +78,8 @@ public:
     long pictures() const { return pictures_; } // begun so far
     // What the renderer could not do as it was asked, each time once; empty: nothing new.
     std::string new_notice();
+    // The renderer's shader_trouble(), where it is another than when it was last asked.
+    std::optional<std::string> new_shader_trouble();
 
 private:
     struct Shown { // what the present picture was drawn from
@@ -86,6 +92,7 @@ private:
         bool draft = false;
         const RenderSettings* settings = nullptr;
         ViewportStyle style;
+        Ref<gpu::ShaderTexts> shaders;
         bool operator==(const Shown&) const = default;
     };
     enum class Move { none, orbit, pan, zoom };
@@ -98,6 +105,8 @@ private:
     glm::dvec3 orbit_center(const Session& session, glm::dvec2 mouse_px);
 
     ViewportStyle style_;
+    std::optional<gpu::ShaderFolder> shader_folder_;
+    Ref<gpu::ShaderTexts> shaders_;
     Stretches stretches_;
     WayComparison ways_;
     std::unique_ptr<gpu::Renderer> renderer_; // made at the first picture
@@ -108,7 +117,7 @@ private:
     long timed_evaluation_ = 0; // the last one that is in the history
     Timings full_timings_;
     long pictures_ = 0;
-    std::string said_;
+    std::string said_, said_of_shaders_;
     double moved_s_ = -1e9;
 
     MouseManners manners_;

@@ -8,12 +8,13 @@
 
 namespace trivar {
 
-void WayComparison::advance(const Evaluated& evaluated, const Document& document)
+void WayComparison::advance(const Evaluated& evaluated, const Document& document,
+                            const Ref<gpu::ShaderTexts>& shaders)
 {
     if (!running()) return;
     Stretches none;
-    const gpu::Picture picture =
-        picture_of(evaluated, document, {}, none, gpu::DeformBy::two_phases);
+    gpu::Picture picture = picture_of(evaluated, document, {}, none, gpu::DeformBy::two_phases);
+    picture.shaders = shaders;
     if (!timer_) timer_ = std::make_unique<gpu::WayTimer>();
     times_[next_] = (*timer_)(picture, static_cast<gpu::DeformBy>(next_));
     ++next_;

@@ -27,7 +27,9 @@ class WayComparison {
 public:
     void begin() { next_ = 0; }
     bool running() const { return next_ < deform_words.size(); }
-    void advance(const Evaluated& evaluated, const Document& document); // in the window's context
+    // In the window's context.
+    void advance(const Evaluated& evaluated, const Document& document,
+                 const Ref<gpu::ShaderTexts>& shaders = {});
     void forget_gpu();
     // To be shown: all of them, with times where they were measured; none where nothing is
     // deformed.

@@ -6,6 +6,7 @@
 #include "core/document/render_settings.h"
 #include "core/mesh/model.h"
 #include "gpu/ffd/stage.h"
+#include "gpu/shader_source.h"
 
 #include <cstdint>
 #include <optional>
@@ -91,6 +92,7 @@ struct Picture {
     double scale = 1;   // of the size: a draft drawn smaller is shown enlarged
     bool grid = false;  // lines on the ground, for orientation while working
     std::optional<Backdrop> backdrop = {}; // another than that of the look
+    Ref<ShaderTexts> shaders = {};         // a developer's, in place of those embedded
 };
 
 } // namespace trivar::gpu

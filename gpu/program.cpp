@@ -3,7 +3,6 @@
 
 #include "core/base/rejected.h"
 
-#include <algorithm>
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 #include <glm/gtc/type_ptr.hpp>
@@ -12,16 +11,9 @@
 namespace trivar::gpu {
 namespace {
 
-// The first line of what a compiler has to say, in a buffer that it does not fill.
-std::string first_line(const std::string& log)
+GLuint compiled_stage(const ShaderStage& stage, const ShaderSource& source)
 {
-    return log.substr(0, std::min(log.find('\n'), log.find('\0')));
-}
-
-GLuint compiled(const ShaderStage& stage, const std::vector<std::string>& defines)
-{
-    const std::string source = shader_source(stage.file, defines);
-    const char* text = source.c_str();
+    const char* text = source.text.c_str();
     const GLuint shader = glCreateShader(stage.kind == "vert"   ? GL_VERTEX_SHADER
                                          : stage.kind == "geom" ? GL_GEOMETRY_SHADER
                                          : stage.kind == "frag" ? GL_FRAGMENT_SHADER
@@ -34,8 +26,15 @@ GLuint compiled(const ShaderStage& stage, const std::vector<std::string>& define
     std::string why(8192, '\0');
     glGetShaderInfoLog(shader, static_cast<GLsizei>(why.size()), nullptr, why.data());
     glDeleteShader(shader);
-    throw Rejected(fmt::format("The graphics driver does not compile {} ({}): {}", stage.file,
-                               fmt::join(defines, ", "), first_line(why)));
+    throw Rejected("The graphics driver does not compile " + first_error(why, source));
+}
+
+std::vector<ShaderSource> sources(const ProgramName& name, const ShaderTexts* texts)
+{
+    std::vector<ShaderSource> out;
+    for (const ShaderStage& stage : stages(name))
+        out.push_back(shader_source(stage.file, name.defines, texts));
+    return out;
 }
 
 // What the vertex shader's outputs are written to: a buffer each.
@@ -49,11 +48,12 @@ void capture(GLuint program, const std::vector<std::string>& outputs)
 
 } // namespace
 
-Program::Program(const ProgramName& name) : name_(glCreateProgram())
+Program::Program(const ProgramName& name, const ShaderTexts* texts) : name_(glCreateProgram())
 {
     try {
         for (const ShaderStage& stage : stages(name)) {
-            const GLuint shader = compiled(stage, name.defines);
+            const GLuint shader =
+                compiled_stage(stage, shader_source(stage.file, name.defines, texts));
             glAttachShader(name_, shader);
             glDeleteShader(shader); // lives on with the program
         }
@@ -65,7 +65,7 @@ Program::Program(const ProgramName& name) : name_(glCreateProgram())
         std::string why(8192, '\0');
         glGetProgramInfoLog(name_, static_cast<GLsizei>(why.size()), nullptr, why.data());
         throw Rejected(fmt::format("The graphics driver does not link {}: {}",
-                                   stages(name).front().file, first_line(why)));
+                                   stages(name).front().file, first_error(why, {})));
     } catch (const Rejected&) {
         glDeleteProgram(name_);
         throw;
@@ -139,9 +139,41 @@ void Program::set(const char* uniform, const glm::mat4& value) const
 const Program& Programs::use(const ProgramName& name)
 {
     auto found = compiled_.find(name);
-    if (found == compiled_.end()) found = compiled_.emplace(name, Program(name)).first;
-    found->second.use();
-    return found->second;
+    if (found == compiled_.end()) found = compiled_.emplace(name, compiled(name)).first;
+    found->second.program.use();
+    return found->second.program;
+}
+
+Programs::Compiled Programs::compiled(const ProgramName& name) const
+{
+    if (!texts_) return {Program(name), nullptr};
+    try {
+        return {Program(name, texts_.get()), texts_};
+    } catch (const Rejected& error) {
+        return {Program(name), nullptr, error.what()};
+    }
+}
+
+void Programs::take(const Ref<ShaderTexts>& texts)
+{
+    if (texts == texts_) return;
+    texts_ = texts;
+    for (auto& [name, made] : compiled_) {
+        made.trouble.clear();
+        try {
+            if (sources(name, made.from.get()) != sources(name, texts.get()))
+                made = {Program(name, texts.get()), texts};
+        } catch (const Rejected& error) {
+            made.trouble = error.what();
+        }
+    }
+}
+
+std::string Programs::trouble() const
+{
+    for (const auto& [name, made] : compiled_)
+        if (!made.trouble.empty()) return made.trouble;
+    return {};
 }
 
 } // namespace trivar::gpu

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/ref.h"
 #include "gpu/shader_source.h"
 
 #include <glm/glm.hpp>
@@ -13,7 +14,8 @@ namespace trivar::gpu {
 // dropped is ignored, as GL does.
 class Program {
 public:
-    explicit Program(const ProgramName& name); // throws Rejected where a driver does not take it
+    // Throws Rejected where a driver does not take it.
+    explicit Program(const ProgramName& name, const ShaderTexts* texts = nullptr);
     Program(Program&& other) noexcept;
     Program& operator=(Program&& other) noexcept;
     ~Program();
@@ -40,8 +42,21 @@ public:
     // Makes the program current and returns it.
     const Program& use(const ProgramName& name);
 
+    // Texts in place of the embedded ones; null: none. What they change is compiled anew, and what
+    // then does not compile stays as it was, or is taken from the embedded text.
+    void take(const Ref<ShaderTexts>& texts);
+    // Why something is not as the texts say, in a sentence; empty: all is.
+    std::string trouble() const;
+
 private:
-    std::map<ProgramName, Program> compiled_;
+    struct Compiled {
+        Program program;
+        Ref<ShaderTexts> from;
+        std::string trouble = {};
+    };
+    Compiled compiled(const ProgramName& name) const;
+    Ref<ShaderTexts> texts_;
+    std::map<ProgramName, Compiled> compiled_;
 };
 
 } // namespace trivar::gpu

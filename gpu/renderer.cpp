@@ -87,6 +87,10 @@ struct Renderer::State {
     {
         clock.start_picture();
         work.reset();
+        if (tools.take(picture.shaders)) { // what was drawn before was drawn by others
+            shadow_map = {};
+            contact_map = {};
+        }
         const glm::ivec2 shown_px = size_px;
         size_px = glm::max(glm::ivec2(glm::dvec2(size_px) * picture.scale + 0.5), 1);
         Camera camera = picture.camera;
@@ -294,6 +298,11 @@ std::size_t Renderer::uploaded_bytes() const
 const std::string& Renderer::notice() const
 {
     return state_->tools.deformed().notice();
+}
+
+std::string Renderer::shader_trouble() const
+{
+    return state_->tools.shader_trouble();
 }
 
 const Timings& Renderer::timings() const

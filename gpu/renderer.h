@@ -44,6 +44,9 @@ public:
     const Timings& timings() const;
     // What of the last picture was not drawn as it was asked, as a sentence; empty: nothing.
     const std::string& notice() const;
+    // Why some shader of the picture is not the one that was given with it, as a sentence with file
+    // and line; empty: all are.
+    std::string shader_trouble() const;
     std::size_t uploaded_bytes() const; // of meshes and their textures
 
 private:

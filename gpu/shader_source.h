@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,11 +27,29 @@ struct ShaderStage {
 };
 std::vector<ShaderStage> stages(const ProgramName& name);
 
-// The text of a file of gpu/shaders or core/kernel as embedded at build; asserts that there is one.
-std::string_view shader_file(std::string_view name);
+// The text of a file of gpu/shaders or core/kernel as embedded at build.
+std::optional<std::string_view> shader_file(std::string_view name);
+
+// Texts by the files' names, which take the place of those embedded.
+using ShaderTexts = std::map<std::string, std::string, std::less<>>;
 
 // What the compiler is given for a file: version, defines, and the text with every file it includes
 // pasted once, where it is first named: what two branches of an #ifdef need is included before it.
-std::string shader_source(const std::string& file, const std::vector<std::string>& defines);
+struct ShaderSource {
+    struct Place { // of a line of the text
+        std::string file;
+        int line = 0; // 1 is the first
+    };
+    std::string text;
+    std::vector<Place> places;
+    bool operator==(const ShaderSource& other) const { return text == other.text; }
+};
+// Throws Rejected where a file that is included is nowhere.
+ShaderSource shader_source(const std::string& file, const std::vector<std::string>& defines,
+                           const ShaderTexts* texts = nullptr);
+
+// A compiler's log as "FILE:LINE: what is wrong", and in what file that one is pasted: of its first
+// error, or else its first line.
+std::string first_error(const std::string& log, const ShaderSource& source);
 
 } // namespace trivar::gpu

@@ -21,11 +21,20 @@ namespace {
 
 struct Choices {
     std::vector<std::string> files;
+    std::string shaders;
     ReplayOptions replay;
     InfoOptions info;
     BenchOptions bench;
     bool commands_json = false, commands_markdown = false;
 };
+
+void add_shaders(CLI::App& app, std::string& checkout)
+{
+    app.add_option("--shaders", checkout,
+                   "draw with the shaders of a checkout of Trivar; the window follows their\n"
+                   "changes")
+        ->type_name("FOLDER");
+}
 
 CLI::App* add_replay(CLI::App& app, ReplayOptions& o)
 {
@@ -73,6 +82,7 @@ CLI::App* add_replay(CLI::App& app, ReplayOptions& o)
                      "compare with the digests in the file, and one thread with all of them");
     replay->add_flag("--digest", o.digest, "print the digests as a line to append to the scene")
         ->excludes("--frame");
+    add_shaders(*replay, o.shaders);
     replay->add_option("--timings", o.timings, "write how long each stage took, as JSON")
         ->type_name("OUT.json");
     replay->add_option("--threads", o.threads, "use at most N threads")
@@ -157,6 +167,7 @@ Status dispatch(const std::vector<std::string>& arguments, const Streams& stream
         "trivar COMMAND --help says more. Exit status: 0 done, 1 rejected, 2 wrong usage,\n"
         "3 a check failed.");
     app.add_option("FILE", choices.files, "scenes (.trivar) and models to open")->type_name("");
+    add_shaders(app, choices.shaders);
     app.set_version_flag("--version", "Trivar " + program_version(), "print the version and exit");
     app.require_subcommand(0, 1);
     const CLI::App* replay = add_replay(app, choices.replay);
@@ -174,6 +185,7 @@ Status dispatch(const std::vector<std::string>& arguments, const Streams& stream
     if (bench->parsed()) return run_bench(choices.bench, streams);
     EditorOptions options;
     options.files = choices.files;
+    options.shaders = choices.shaders;
     const Places places = places_of(this_program());
     options.samples = sample_scenes_in(places.scenes);
     options.sample_pictures = places.pictures;

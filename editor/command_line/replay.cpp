@@ -11,6 +11,7 @@
 #include "gpu/context.h"
 #include "gpu/level.h"
 #include "gpu/renderer.h"
+#include "gpu/shader_folder.h"
 #include "ui/camera_control.h"
 
 #include <charconv>
@@ -201,9 +202,13 @@ void draw(const ReplayOptions& options, Replayed& replayed, const Streams& strea
     gpu::Picture picture = picture_of(replayed.evaluated, replayed.document, camera, stretches,
                                       deform_of(options.deform));
     gpu::set_level(picture, level_of(options.quality));
+    if (!options.shaders.empty()) picture.shaders = gpu::ShaderFolder(options.shaders).texts(0);
     const Image image = renderer.render(picture, size);
     if (!renderer.notice().empty())
         streams.talk << "trivar: deformed by the processor: " << renderer.notice() << "\n";
+    if (!renderer.shader_trouble().empty())
+        streams.talk << "trivar: a shader of the program itself was taken: "
+                     << renderer.shader_trouble() << "\n";
     replayed.timings.add(renderer.timings());
     timed(replayed.timings, "write image", [&] { write_image(image, options.image); });
 }

@@ -20,7 +20,7 @@ struct ReplayOptions {
     std::vector<std::string> relinked, exports;
     std::string image, size = "1280x720", camera, quality = "standard", deform = "processor";
     bool check = false, digest = false;
-    std::string timings;
+    std::string timings, shaders;
     int threads = 0; // 0: as many as there are
 };
 

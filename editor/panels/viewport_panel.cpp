@@ -92,8 +92,21 @@ void labels(Editor& editor, const ui::Theme& theme, ui::Frame& frame, const ui::
     if (editor.timing.other_way)
         editor.preferences.deform = gpu::deform_names[*editor.timing.other_way];
     if (editor.timing.measure_ways) shown.ways().begin();
-    shown.ways().advance(session.evaluated(), session.document());
+    shown.ways().advance(session.evaluated(), session.document(), shown.shaders());
     if (shown.ways().running() || editor.timing.measure_ways) frame.again_in(0);
+}
+
+constexpr const char* of_shaders = "shaders"; // a topic of notices
+
+void tell_of_shaders(Editor& editor)
+{
+    const auto trouble = editor.viewport.new_shader_trouble();
+    if (!trouble) return;
+    ui::Notices& notices = editor.session.notices;
+    notices.forget(of_shaders);
+    if (!trouble->empty())
+        notices.say(ui::NoticeKind::error, "A shader is drawn as it was before", *trouble,
+                    of_shaders);
 }
 
 // Long work is said after a moment, so that quick work does not flicker. Where, if it is.
@@ -105,7 +118,7 @@ std::optional<ui::Rect> progress(Editor& editor, ui::Frame& frame, const FootCar
         const ui::Rect room = foot.above(across.lo.x, across.hi.x);
         return ui::draw_progress(frame.theme, room, what, stage, fraction);
     };
-    editor.picture_to_file.advance(editor.session, frame);
+    editor.picture_to_file.advance(editor.session, frame, editor.viewport.shaders());
     if (editor.picture_to_file.running()) {
         const std::string name = file_name(editor.picture_to_file.path());
         const ui::ProgressCard card = draw("Rendering " + name, {}, -1);
@@ -187,6 +200,7 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
                                                   [&] { return helpers_of(editor, over); });
     if (const std::string notice = editor.viewport.new_notice(); !notice.empty())
         session.notices.say(ui::NoticeKind::warning, "Deformed by the processor", notice);
+    tell_of_shaders(editor);
     const auto name = static_cast<std::uintptr_t>(texture);
     ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(name), lo, hi, {0, 1},
                                          {1, 0});

@@ -23,6 +23,7 @@ public:
     void operator()(const std::vector<std::string>& volume_defines, Wanted wanted);
     // The same, and what came out: positions less the origin of bind().
     Deformed captured(const std::vector<std::string>& volume_defines);
+    Programs& programs() { return programs_; }
 
 private:
     void start(const std::vector<std::string>& volume_defines, Wanted wanted);

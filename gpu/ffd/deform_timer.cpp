@@ -47,8 +47,18 @@ DeformErrors worst(const DeformErrors& a, const DeformErrors& b)
 
 DeviceDeformer& DeformTimer::device()
 {
-    if (!device_) device_ = std::make_unique<DeviceDeformer>();
+    if (!device_) {
+        device_ = std::make_unique<DeviceDeformer>();
+        device_->programs().take(texts_);
+    }
     return *device_;
+}
+
+void DeformTimer::take_shaders(const Ref<ShaderTexts>& texts)
+{
+    texts_ = texts;
+    draw_.programs().take(texts);
+    if (device_) device_->programs().take(texts);
 }
 
 void DeformTimer::drop_dead()

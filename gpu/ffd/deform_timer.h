@@ -40,7 +40,8 @@ DeformErrors worst(const DeformErrors& a, const DeformErrors& b);
 class DeformTimer {
 public:
     explicit DeformTimer(double enough_ms) : enough_ms_(enough_ms) {}
-    void take(const Ref<Mesh>& mesh); // what is deformed from now on; uploads it
+    void take(const Ref<Mesh>& mesh);                 // what is deformed from now on; uploads it
+    void take_shaders(const Ref<ShaderTexts>& texts); // see Programs
     // To deform, and to draw in so many passes: the first with normals where the method has them,
     // the others, as a shadow's and picking, without. One phase deforms in every pass, of which it
     // has one at least; the processor is timed without drawing.
@@ -69,6 +70,7 @@ private:
     PassClock clock_;
     std::unique_ptr<DeviceDeformer> device_;
     BlindDraw draw_;
+    Ref<ShaderTexts> texts_;
     Ref<Mesh> mesh_;
     DeviceVertices from_, to_;
 };

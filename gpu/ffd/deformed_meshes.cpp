@@ -125,8 +125,23 @@ void DeformedMeshes::bind(const DeformedMesh& mesh)
 
 DeviceDeformer& DeformedMeshes::device()
 {
-    if (!device_) device_ = std::make_unique<DeviceDeformer>();
+    if (!device_) {
+        device_ = std::make_unique<DeviceDeformer>();
+        device_->programs().take(texts_);
+    }
     return *device_;
+}
+
+void DeformedMeshes::take(const Ref<ShaderTexts>& texts)
+{
+    texts_ = texts;
+    if (device_) device_->programs().take(texts);
+    for (auto& [instance, entry] : entries_) entry.alive.reset();
+}
+
+std::string DeformedMeshes::shader_trouble() const
+{
+    return device_ ? device_->programs().trouble() : std::string();
 }
 
 void DeformedMeshes::deform(Entry& entry, const Instance& instance, Mirror& mirror)

@@ -34,6 +34,8 @@ public:
     // For one phase, before a draw with `defines`.
     void bind(const DeformedMesh& mesh);
     const std::string& notice() const { return notice_; } // empty: all went as it was asked
+    void take(const Ref<ShaderTexts>& texts); // for the programs that deform; all is deformed anew
+    std::string shader_trouble() const;       // see Programs
 
 private:
     struct OnProcessor { // the first stage of a stack
@@ -58,6 +60,7 @@ private:
     void deform_on_processor(Entry& entry, const Instance& instance);
     std::map<std::size_t, Entry> entries_; // by instance
     std::unique_ptr<DeviceDeformer> device_;
+    Ref<ShaderTexts> texts_;
     std::string notice_;
 };
 

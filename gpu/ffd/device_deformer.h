@@ -86,6 +86,7 @@ public:
                const glm::dvec3& origin_world = glm::dvec3(0));
 
     LatticeMirror& lattices() { return lattices_; }
+    Programs& programs() { return programs_; }
     bool reads_texels() const { return limits_.reads_texels; }
 
 private:

@@ -26,6 +26,7 @@ WayTime WayTimer::operator()(const Picture& picture, DeformBy by)
     const StateGuard guard;
     try {
         if (!timer_) timer_ = std::make_unique<DeformTimer>(soon_ms);
+        timer_->take_shaders(picture.shaders);
         for (const Instance& instance : picture.instances) {
             if (instance.stages.empty() || !instance.mesh) continue;
             const Stage& stage = instance.stages.front();

@@ -79,6 +79,21 @@ Tools::Tools()
         for (const Edge v : {Edge::clamp, Edge::repeat}) samplers_.emplace_back(u, v, true);
 }
 
+bool Tools::take(const Ref<ShaderTexts>& texts)
+{
+    if (texts == texts_) return false;
+    texts_ = texts;
+    programs_.take(texts);
+    deformed_.take(texts);
+    return true;
+}
+
+std::string Tools::shader_trouble() const
+{
+    const std::string trouble = programs_.trouble();
+    return trouble.empty() ? deformed_.shader_trouble() : trouble;
+}
+
 void Tools::set_frame(const Frame& frame)
 {
     frame_.write(std::as_bytes(std::span(&frame, 1)));

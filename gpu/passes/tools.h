@@ -36,6 +36,9 @@ class Tools {
 public:
     Tools();
     const Program& use(const ProgramName& name) { return programs_.use(name); }
+    // For all programs, those that deform too: see Programs. Whether they are others than before.
+    bool take(const Ref<ShaderTexts>& texts);
+    std::string shader_trouble() const;
     Mirror& mirror() { return mirror_; }
     DeformedMeshes& deformed() { return deformed_; }
     void set_frame(const Frame& frame);
@@ -46,6 +49,7 @@ public:
 
 private:
     Programs programs_;
+    Ref<ShaderTexts> texts_;
     Mirror mirror_;
     DeformedMeshes deformed_;
     VertexArray nothing_;

@@ -3,10 +3,11 @@
 #include "core/files/image.h"
 #include "editor/command_line/replay.h"
 #include "tests/editor/rig.h"
-#include "tests/support/fixtures.h"
+#include "tests/support/copied_shaders.h"
 
 #include <algorithm>
 #include <epoxy/gl.h>
+#include <gmock/gmock.h>
 #include <sstream>
 
 namespace trivar {
@@ -15,10 +16,10 @@ namespace {
 using testing::Rig;
 
 // The picture of the viewport, first row on top, once it is whole.
-std::vector<std::uint8_t> shown(Rig& rig, glm::ivec2 size_px)
+std::vector<std::uint8_t> shown(Rig& rig, glm::ivec2 size_px, int most_frames = 400)
 {
     rig.wait();
-    rig.screen.settle(rig.body(), 400);
+    rig.screen.settle(rig.body(), most_frames);
     std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size_px.x) * size_px.y * 4);
     glBindTexture(GL_TEXTURE_2D, rig.editor.viewport.texture());
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -71,6 +72,40 @@ TEST(ViewportPicture, IsTheSameAfterTheGraphicsCardWasResetAndOneNoticeSaysSo)
     EXPECT_EQ(rig.steps(), steps);
     EXPECT_EQ(digest(rig.editor.session.document()), document);
     EXPECT_GT(rig.screen.picture().rgba.size(), 0u);
+}
+
+TEST(ViewportPicture, FollowsADevelopersShadersAndOneNoticeSaysWhatIsWrongTillItIsMended)
+{
+    const testing::CopiedShaders copy;
+    Rig rig;
+    rig.two_objects();
+    const glm::ivec2 size_px = rig.layout().view.size();
+    const auto embedded = shown(rig, size_px);
+    rig.editor.viewport.follow(gpu::ShaderFolder(copy.folder.path().string()));
+    const auto followed = [&] { return shown(rig, size_px, 50); };
+    const auto said = [&] {
+        std::vector<std::string> out;
+        for (const ui::Notices::Notice& notice : rig.editor.session.notices.all())
+            if (notice.topic == "shaders") out.push_back(notice.body);
+        return out;
+    };
+    EXPECT_EQ(followed(), embedded);
+    const long pictures = rig.editor.viewport.pictures();
+    followed();
+    EXPECT_EQ(rig.editor.viewport.pictures(), pictures) << "the scene was drawn for nothing";
+
+    const std::string own = "return saturate(c);", blue = "return vec3(0.0, 0.0, 1.0);";
+    copy.replace("tonemap.glsl", own, blue);
+    const auto changed = followed();
+    EXPECT_NE(changed, embedded);
+    EXPECT_TRUE(said().empty());
+    copy.replace("tonemap.glsl", "    float x", "    x");
+    EXPECT_EQ(followed(), changed);
+    EXPECT_THAT(said(), ::testing::ElementsAre(::testing::HasSubstr("tonemap.glsl:7 ")));
+    copy.replace("tonemap.glsl", blue, own);
+    copy.replace("tonemap.glsl", "    x", "    float x");
+    EXPECT_EQ(followed(), embedded);
+    EXPECT_TRUE(said().empty());
 }
 
 } // namespace

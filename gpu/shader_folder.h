@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/ref.h"
+#include "gpu/shader_source.h"
+
+#include <filesystem>
+
+namespace trivar::gpu {
+
+// The shader files of a checkout, for those who work on them: gpu/shaders and core/kernel.
+class ShaderFolder {
+public:
+    explicit ShaderFolder(const std::string& checkout); // throws Rejected where it is none
+
+    // The texts as they are now: another Ref as soon as a file's time stamp or size has changed, or
+    // a file has come or gone. Asked more than four times a second, it does not look again.
+    const Ref<ShaderTexts>& texts(double time_s);
+    static constexpr double look_every_s = 0.25;
+
+private:
+    struct Stamp {
+        std::filesystem::file_time_type time;
+        std::uintmax_t bytes = 0;
+        bool operator==(const Stamp&) const = default;
+    };
+    using Stamps = std::map<std::filesystem::path, Stamp>;
+    Stamps stamps() const;
+    void look();
+    std::vector<std::filesystem::path> folders_;
+    Stamps seen_;
+    Ref<ShaderTexts> texts_;
+    double looked_s_ = -1e9;
+};
+
+} // namespace trivar::gpu
