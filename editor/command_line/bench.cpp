@@ -2,7 +2,7 @@
 #include "editor/command_line/bench.h"
 
 #include "gpu/context.h"
-#include "gpu/ffd/deform_rates.h"
+#include "gpu/ffd/deform_findings.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -30,17 +30,6 @@ const char* bench_word(NormalsBy normals)
                                              : "differences";
 }
 
-// What the device would allow at most, and which of the two says so.
-double device_allows(const DeformRate& rate)
-{
-    return std::min(rate.copy_allows_per_s, rate.arithmetic_allows_per_s);
-}
-
-const char* bound_by(const DeformRate& rate)
-{
-    return rate.copy_allows_per_s < rate.arithmetic_allows_per_s ? "copying" : "arithmetic";
-}
-
 std::string report_text(const gpu::DeformReport& report)
 {
     std::string out =
@@ -48,21 +37,24 @@ std::string report_text(const gpu::DeformReport& report)
                     "thousand million multiply-adds a second\n\n",
                     report.device.name, report.device.copy_bytes_per_s / 1e9,
                     report.device.multiply_adds_per_s / 1e9);
-    out += fmt::format("{:<11} {:<18} {:<11} {:>5} {:>7} {:>9} {:>9} {:>10}  {:>5} {:<11} {}\n",
-                       "way", "sum", "normals", "order", "lattice", "vertices", "time ms",
-                       "million/s", "share", "of what", "error: position, normal");
+    out +=
+        fmt::format("{:<11} {:<18} {:<11} {:>5} {:>7} {:>6} {:>9} {:>9} {:>10}  {:>5} {:<11} {}\n",
+                    "way", "sum", "normals", "order", "lattice", "passes", "vertices", "time ms",
+                    "million/s", "share", "of what", "error: position, normal");
     for (const DeformRate& r : report.rates) {
-        out += fmt::format("{:<11} {:<18} {:<11} {:>5} {:>5}^3 {:>9} {:>9.3f} {:>10.2f}",
+        out += fmt::format("{:<11} {:<18} {:<11} {:>5} {:>5}^3 {:>6} {:>9} {:>9.3f} {:>10.2f}",
                            bench_word(r.what.way), bench_word(r.what.method.sum),
                            bench_word(r.what.method.normals), r.what.order, r.what.lattice,
-                           r.what.vertices, r.time_ms, r.vertices_per_s / 1e6);
+                           r.what.passes, r.what.vertices, r.time_ms, r.vertices_per_s / 1e6);
         if (r.copy_allows_per_s > 0)
-            out += fmt::format("  {:>4.0f}% {:<11}", 100 * r.vertices_per_s / device_allows(r),
-                               bound_by(r));
+            out += fmt::format("  {:>4.0f}% {:<11}", 100 * r.vertices_per_s / gpu::allowed_per_s(r),
+                               gpu::bound_by(r));
         if (r.position_error) out += fmt::format(" {:.1e}", *r.position_error);
         if (r.normal_error_deg) out += fmt::format(", {:.4f} degrees", *r.normal_error_deg);
         out += '\n';
     }
+    out += '\n';
+    for (const std::string& sentence : gpu::findings(report)) out += sentence + '\n';
     return out;
 }
 
@@ -75,13 +67,14 @@ nlohmann::ordered_json report_json(const gpu::DeformReport& report)
                                     {"normals", bench_word(r.what.method.normals)},
                                     {"order", r.what.order},
                                     {"lattice", r.what.lattice},
+                                    {"passes", r.what.passes},
                                     {"vertices", r.what.vertices},
                                     {"time_ms", r.time_ms},
                                     {"vertices_per_s", r.vertices_per_s}};
         if (r.copy_allows_per_s > 0) {
             rate["copy_allows_per_s"] = r.copy_allows_per_s;
             rate["arithmetic_allows_per_s"] = r.arithmetic_allows_per_s;
-            rate["bound_by"] = bound_by(r);
+            rate["bound_by"] = gpu::bound_by(r);
         }
         if (r.position_error) rate["position_error"] = *r.position_error;
         if (r.normal_error_deg) rate["normal_error_deg"] = *r.normal_error_deg;
@@ -91,6 +84,7 @@ nlohmann::ordered_json report_json(const gpu::DeformReport& report)
             {"copy_bytes_per_s", report.device.copy_bytes_per_s},
             {"multiply_adds_per_s", report.device.multiply_adds_per_s},
             {"rates", rates},
+            {"findings", gpu::findings(report)},
             {"notices", report.notices}};
 }
 
@@ -106,7 +100,8 @@ Status run_bench(const BenchOptions& options, const Streams& streams)
         streams.talk << fmt::format("\r\x1b[K{:3.0f} % {}", 100 * fraction, stage) << std::flush;
     };
     const gpu::DeformReport report =
-        gpu::deform_rates(cases, options.most_s, streams.terminal ? Progress(shown) : Progress());
+        gpu::deform_rates(cases, {options.most_s, 60 * options.minutes},
+                          streams.terminal ? Progress(shown) : Progress());
     if (streams.terminal) streams.talk << "\r\x1b[K";
     streams.out << (options.json ? report_json(report).dump(2) + "\n" : report_text(report));
     for (const std::string& notice : report.notices) streams.talk << "trivar: " << notice << "\n";

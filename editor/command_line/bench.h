@@ -10,6 +10,7 @@ struct BenchOptions {
     bool json = false;
     int vertices = 10'000'000; // no case has more
     double most_s = 1;         // for one run of a case
+    double minutes = 8;        // no case begins later
 };
 
 // trivar bench. Throws Rejected where there is no OpenGL.

@@ -129,6 +129,9 @@ CLI::App* add_bench(CLI::App& app, BenchOptions& o)
     bench->add_option("--seconds", o.most_s, "leave out what takes longer a run; 1 if left out")
         ->type_name("S")
         ->check(CLI::Range(0.001, 1000.0));
+    bench->add_option("--minutes", o.minutes, "begin nothing later than this; 8 if left out")
+        ->type_name("M")
+        ->check(CLI::Range(0.01, 1000.0));
     return bench;
 }
 

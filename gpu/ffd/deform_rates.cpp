@@ -6,6 +6,7 @@
 #include "gpu/ffd/deform_timer.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <epoxy/gl.h>
 #include <fmt/format.h>
@@ -82,9 +83,10 @@ public:
         timer_.take(mesh_);
         DeformRate out{what};
         const Stage stage{make_ref(wavy_lattice(what.order, what.lattice)), {}};
-        out.time_ms = timer_.time_ms(stage, what.way, what.method);
+        out.time_ms = timer_.time_ms(stage, what.way, what.method, what.passes);
         out.vertices_per_s = 1e3 * static_cast<double>(what.vertices) / out.time_ms;
-        if (what.way != Way::processor && what.vertices <= compared) {
+        const int least = what.way == Way::one_phase ? 1 : 0; // more passes draw the same
+        if (what.way != Way::processor && what.passes <= least && what.vertices <= compared) {
             const DeformErrors off = timer_.errors(stage, what.way, what.method);
             out.position_error = off.position;
             if (what.method.normals != NormalsBy::nothing) out.normal_error_deg = off.normal_deg;
@@ -100,39 +102,66 @@ private:
     Ref<Mesh> mesh_;
 };
 
-bool same_kind(const DeformCase& a, const DeformCase& b)
-{
-    return a.way == b.way && a.method == b.method && a.order == b.order && a.lattice == b.lattice;
-}
-
 // Whether a smaller case of the kind was so slow that this one would take too long.
 bool too_slow(const DeformCase& what, const std::vector<DeformRate>& rates, double most_s)
 {
     return std::ranges::any_of(rates, [&](const DeformRate& r) {
-        return same_kind(r.what, what) &&
-               r.what
-                   .vertices<what.vertices&& static_cast<double>(what.vertices) / r.vertices_per_s>
-                       most_s;
+        DeformCase like = r.what;
+        like.vertices = what.vertices;
+        const bool smaller = r.what.vertices < what.vertices;
+        return smaller && like == what &&
+               static_cast<double>(what.vertices) > most_s * r.vertices_per_s;
     });
 }
 
-} // namespace
-
-double bytes_a_vertex(const Method& method)
-{
-    return method.normals == NormalsBy::nothing ? 24 : 48;
-}
-
-double multiply_adds(int order, const Method& method)
+// Of one evaluation. Contracted over w, then v, then u; a look-up of order raising is seven lerps,
+// unless the device's filter does them.
+double sum_multiply_adds(int order, const Method& method)
 {
     const double o = order, below = o - 1;
-    // Contracted over w, then v, then u; a look-up of order raising is seven lerps.
-    const double value =
-        method.sum == Sum::nested ? 3 * (o * o * o + o * o + o) : below * below * below * 24;
+    const double value = method.sum == Sum::nested   ? 3 * (o * o * o + o * o + o)
+                         : method.sum == Sum::raised ? below * below * below * 24
+                                                     : below * below * below * 3;
     if (method.normals == NormalsBy::nothing) return value;
     if (method.normals == NormalsBy::differences) return 3 * value;
     constexpr double frame = 75; // J, cofactors, length
     return 3 * (2 * o * o * o + 3 * o * o + 4 * o) + frame;
+}
+
+// How many cases, by reason.
+struct LeftOut {
+    std::size_t slow = 0, late = 0;
+};
+
+void add_notices(DeformReport& report, const LeftOut& left_out, const DeformBudget& budget)
+{
+    if (left_out.slow > 0)
+        report.notices.push_back(
+            fmt::format("{} of the cases were left out: a run of one takes more than {:g} s here.",
+                        left_out.slow, budget.run_s));
+    if (left_out.late > 0)
+        report.notices.push_back(
+            fmt::format("{} of the cases were left out: {:g} minutes were over.", left_out.late,
+                        budget.all_s / 60));
+}
+
+} // namespace
+
+double bytes_a_vertex(const DeformCase& what)
+{
+    constexpr double array = 12;
+    const double drawn = what.method.normals == NormalsBy::nothing ? array : 2 * array;
+    const int passes = what.way == Way::one_phase ? std::max(what.passes, 1) : what.passes;
+    const double deformed = what.way == Way::one_phase ? 0 : 2 * drawn; // read and written
+    return deformed + (passes > 0 ? drawn + (passes - 1) * array : 0);
+}
+
+double multiply_adds(const DeformCase& what)
+{
+    const Method plain{what.method.sum, NormalsBy::nothing};
+    const int again = what.way == Way::one_phase ? std::max(what.passes - 1, 0) : 0;
+    return sum_multiply_adds(what.order, what.method) +
+           again * sum_multiply_adds(what.order, plain);
 }
 
 std::vector<DeformCase> every_deform_case()
@@ -141,43 +170,56 @@ std::vector<DeformCase> every_deform_case()
     std::vector<DeformCase> out;
     for (const std::size_t vertices : {100'000, 1'000'000, 10'000'000}) {
         for (const Way way : {Way::processor, Way::one_phase, Way::two_phases}) {
+            const int least = way == Way::one_phase ? 1 : 0;
             for (const int order : {2, 3, 4})
                 for (const Method& method : {plain, exact})
-                    out.push_back({way, method, order, 8, vertices});
-            for (const int lattice : {4, 16, 32}) out.push_back({way, exact, 3, lattice, vertices});
+                    out.push_back({way, method, order, 8, vertices, least});
+            for (const int lattice : {4, 16, 32})
+                out.push_back({way, exact, 3, lattice, vertices, least});
+            if (way == Way::processor) continue;
+            for (const int order : {2, 3, 4})
+                for (int passes = least + 1; passes <= 3; ++passes)
+                    out.push_back({way, exact, order, 8, vertices, passes});
         }
-        const Method differences{Sum::nested, NormalsBy::differences};
-        for (const int order : {3, 4}) {
-            for (const Sum sum : {Sum::raised, Sum::filtered})
-                out.push_back({Way::two_phases, {sum, NormalsBy::nothing}, order, 8, vertices});
-            out.push_back({Way::two_phases, differences, order, 8, vertices});
-        }
+        for (const int order : {2, 3, 4})
+            for (const Sum sum : {Sum::nested, Sum::raised, Sum::filtered})
+                for (const NormalsBy normals : {NormalsBy::nothing, NormalsBy::differences})
+                    if (sum != Sum::nested || normals != NormalsBy::nothing)
+                        out.push_back({Way::two_phases, {sum, normals}, order, 8, vertices, 0});
     }
     return out;
 }
 
-DeformReport deform_rates(const std::vector<DeformCase>& cases, double most_s,
+DeformReport deform_rates(const std::vector<DeformCase>& cases, const DeformBudget& budget,
                           const Progress& progress)
 {
+    const auto begin = std::chrono::steady_clock::now();
+    const auto late = [&] {
+        return std::chrono::steady_clock::now() - begin >
+               std::chrono::duration<double>(budget.all_s);
+    };
     DeformReport out;
     Measuring measuring;
     report(progress, 0, "copy and arithmetic");
     out.device = measuring.device();
-    std::size_t left_out = 0;
+    LeftOut left_out;
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const DeformCase& what = cases[i];
         report(progress, static_cast<double>(i) / static_cast<double>(cases.size()),
                fmt::format("{} vertices", what.vertices));
-        if (too_slow(what, out.rates, most_s)) {
-            ++left_out;
+        if (late()) {
+            left_out.late = cases.size() - i;
+            break;
+        }
+        if (too_slow(what, out.rates, budget.run_s)) {
+            ++left_out.slow;
             continue;
         }
         try {
             DeformRate rate = measuring.rate(what);
             if (what.way != Way::processor) {
-                rate.copy_allows_per_s = out.device.copy_bytes_per_s / bytes_a_vertex(what.method);
-                rate.arithmetic_allows_per_s =
-                    out.device.multiply_adds_per_s / multiply_adds(what.order, what.method);
+                rate.copy_allows_per_s = out.device.copy_bytes_per_s / bytes_a_vertex(what);
+                rate.arithmetic_allows_per_s = out.device.multiply_adds_per_s / multiply_adds(what);
             }
             out.rates.push_back(rate);
         } catch (const Rejected& error) {
@@ -185,10 +227,7 @@ DeformReport deform_rates(const std::vector<DeformCase>& cases, double most_s,
                 out.notices.emplace_back(error.what());
         }
     }
-    if (left_out > 0)
-        out.notices.push_back(
-            fmt::format("{} of the cases were left out: a run of one takes more than {:g} s here.",
-                        left_out, most_s));
+    add_notices(out, left_out, budget);
     return out;
 }
 

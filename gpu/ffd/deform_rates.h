@@ -15,6 +15,8 @@ struct DeformCase {
     Method method;
     int order = 3, lattice = 8;
     std::size_t vertices = 0;
+    int passes = 0; // that draw them; see DeformTimer::time_ms()
+    bool operator==(const DeformCase&) const = default;
 };
 
 // What a device does at best.
@@ -41,17 +43,23 @@ struct DeformReport {
     std::vector<std::string> notices; // what was left out, and why
 };
 
-// Bytes that a vertex is read and written with, and the multiply-adds of its sum.
-double bytes_a_vertex(const Method& method);
-double multiply_adds(int order, const Method& method);
+// Bytes that a vertex is read and written with, all passes together, and the multiply-adds of its
+// sums.
+double bytes_a_vertex(const DeformCase& what);
+double multiply_adds(const DeformCase& what);
 
 // What `trivar bench gpu` measures: 10^5 vertices, then 10^6, then 10^7.
 std::vector<DeformCase> every_deform_case();
 
-// Measures in the current context, by timer queries or, on software GL, fences. A case that would
-// take longer than `most_s` a run, as one of the same kind with fewer vertices before it shows, is
-// left out; what cannot be done is a notice. Throws Rejected where the device cannot deform at all.
-DeformReport deform_rates(const std::vector<DeformCase>& cases, double most_s,
+// How long measuring may take. A case is left out that would take longer than `run_s` a run, as one
+// of the same kind with fewer vertices before it shows, and all that are not begun after `all_s`.
+struct DeformBudget {
+    double run_s = 1, all_s = 480;
+};
+
+// Measures in the current context, by timer queries or, on software GL, fences. What is left out,
+// and what cannot be done, is a notice. Throws Rejected where the device cannot deform at all.
+DeformReport deform_rates(const std::vector<DeformCase>& cases, const DeformBudget& budget,
                           const Progress& progress = {});
 
 } // namespace trivar::gpu
