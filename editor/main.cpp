@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/memory.h"
 #include "editor/command_line/command_line.h"
 
 #include <iostream>
@@ -6,6 +7,7 @@
 
 int main(int count, char** arguments)
 {
+    trivar::keep_freed_memory();
     const trivar::Streams streams{std::cout, std::cerr, isatty(STDERR_FILENO) == 1};
     const trivar::Status status = trivar::run_program({arguments + 1, arguments + count}, streams);
     std::cout.flush();

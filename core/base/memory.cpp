@@ -2,6 +2,7 @@
 #include "core/base/memory.h"
 
 #include <fstream>
+#include <malloc.h>
 #include <unistd.h>
 
 namespace trivar {
@@ -12,6 +13,12 @@ std::size_t resident_bytes()
     std::size_t all = 0, resident = 0;
     file >> all >> resident;
     return file ? resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) : 0;
+}
+
+void keep_freed_memory()
+{
+    mallopt(M_TRIM_THRESHOLD, 256 << 20);
+    mallopt(M_MMAP_THRESHOLD, 32 << 20); // the most there is: what is larger goes back at once
 }
 
 } // namespace trivar
