@@ -5,6 +5,7 @@
 #include <bit>
 #include <cassert>
 #include <epoxy/gl.h>
+#include <set>
 
 namespace trivar::gpu {
 namespace {
@@ -18,39 +19,10 @@ void add_attribute(MirroredMesh& out, unsigned location, const std::vector<T>& v
     out.attributes.push_back({location, T::length(), out.buffers.size() - 1});
 }
 
-// The triangles' corners, those of one material together.
-std::vector<std::uint32_t> sorted_corners(const Mesh& mesh, std::vector<MirroredMesh::Part>& parts)
-{
-    const std::vector<glm::uvec3> all = triangles(mesh);
-    std::vector<std::uint32_t> material(all.size(), 0);
-    if (!mesh.face_material.empty()) {
-        std::size_t next = 0;
-        for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-            const std::size_t count = mesh.face_begin[f + 1] - mesh.face_begin[f] - 2;
-            for (std::size_t i = 0; i < count && next < all.size(); ++i)
-                material[next++] = mesh.face_material[f];
-        }
-        assert(next == all.size());
-    }
-    std::vector<std::uint32_t> order(all.size());
-    for (std::size_t t = 0; t < order.size(); ++t) order[t] = static_cast<std::uint32_t>(t);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](auto a, auto b) { return material[a] < material[b]; });
-    std::vector<std::uint32_t> corners;
-    corners.reserve(3 * all.size());
-    for (const std::uint32_t t : order) {
-        if (parts.empty() || parts.back().material != material[t])
-            parts.push_back({material[t], static_cast<int>(corners.size()), 0});
-        for (int k = 0; k < 3; ++k) corners.push_back(all[t][k]);
-        parts.back().count += 3;
-    }
-    return corners;
-}
-
-MirroredMesh uploaded(const Mesh& mesh)
+MirroredMesh uploaded(const Mesh& mesh, std::shared_ptr<const MirroredFaces> faces)
 {
     MirroredMesh out;
-    out.buffers.reserve(7);
+    out.buffers.reserve(6);
     out.colored = !mesh.colors.empty();
     add_attribute(out, 0, mesh.positions);
     add_attribute(out, 1, mesh.normals.empty() ? smooth_normals(mesh) : mesh.normals);
@@ -59,9 +31,8 @@ MirroredMesh uploaded(const Mesh& mesh)
     // Two sets of texture coordinates, as every glTF viewer must; more are rare and fall back.
     for (unsigned set = 0; set < std::min<std::size_t>(mesh.uvs.size(), 2); ++set)
         add_attribute(out, 4 + set, mesh.uvs[set]);
-    const std::vector<std::uint32_t> corners = sorted_corners(mesh, out.parts);
-    out.buffers.emplace_back().write(std::as_bytes(std::span(corners)));
-    out.vertices.indices(out.buffers.back());
+    out.faces = std::move(faces);
+    out.vertices.indices(out.faces->indices);
     return out;
 }
 
@@ -104,7 +75,7 @@ Mirror::MeshEntry& Mirror::entry(const Ref<Mesh>& mesh)
     MeshEntry& found = meshes_[mesh.get()];
     // A dead mesh's address may have been taken by another one.
     if (found.alive.lock() != mesh) {
-        found = {mesh, uploaded(*mesh), {}, {}};
+        found = {mesh, uploaded(*mesh, faces_(*mesh)), {}, {}};
         found.mirrored.serial = ++uploads_;
     }
     return found;
@@ -177,9 +148,12 @@ const Texture2D& Mirror::texture(const Ref<Image>& image, bool srgb)
 std::size_t Mirror::bytes() const
 {
     std::size_t sum = 0;
+    std::set<const MirroredFaces*> faces; // shared ones count once
     for (const auto& [mesh, entry] : meshes_) {
         for (const Buffer& buffer : entry.mirrored.buffers) sum += buffer.bytes();
+        faces.insert(entry.mirrored.faces.get());
     }
+    for (const MirroredFaces* each : faces) sum += each->indices.bytes();
     for (const auto& [mesh, entry] : edges_) sum += entry.indices->buffer.bytes();
     for (const auto& [values, entry] : values_) sum += entry.buffer.bytes();
     for (const auto& [image, entry] : textures_) { // the smaller levels are a third more
@@ -191,6 +165,7 @@ std::size_t Mirror::bytes() const
 
 void Mirror::drop_dead()
 {
+    faces_.drop_dead(); // first: what a mesh that dies now had, the next one may have too
     erase_dead(meshes_);
     erase_dead(edges_);
     erase_dead(textures_);

@@ -3,6 +3,7 @@
 
 #include "core/base/ref.h"
 #include "core/mesh/model.h"
+#include "gpu/mirrored_faces.h"
 #include "gpu/texture.h"
 #include "gpu/vertex_array.h"
 
@@ -11,21 +12,19 @@
 
 namespace trivar::gpu {
 
-// A mesh as the GPU has it: triangles sorted by material.
+// A mesh as the GPU has it.
 struct MirroredMesh {
-    struct Part {
-        std::uint32_t material = 0;
-        int first = 0, count = 0; // of the indices
-    };
+    using Part = MirroredFaces::Part;
     struct Attribute {
         unsigned location;
         int components;
         std::size_t buffer;
     };
     VertexArray vertices;
-    std::vector<Buffer> buffers; // of the attributes, and the indices at the end
+    std::vector<Buffer> buffers; // of the attributes
     std::vector<Attribute> attributes;
-    std::vector<Part> parts;
+    std::shared_ptr<const MirroredFaces> faces;
+    const std::vector<Part>& parts() const { return faces->parts; }
     // The buffer of an attribute, or null.
     const Buffer* attribute(unsigned location) const;
     bool colored = false;     // has vertex colours
@@ -82,6 +81,7 @@ private:
         Buffer buffer;
     };
     MeshEntry& entry(const Ref<Mesh>& mesh);
+    FacesMirror faces_;
     std::map<const Mesh*, MeshEntry> meshes_;
     std::map<const Mesh*, EdgesEntry> edges_;
     std::map<std::pair<const Image*, bool>, TextureEntry> textures_;

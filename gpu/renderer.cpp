@@ -133,7 +133,7 @@ struct Renderer::State {
         shadow_map.fit(work->frame, work->scene, draft ? 1024 : work->samples < 16 ? 2048 : 4096);
         tools.set_frame(work->frame);
         if (work->picture.settings.shadows && shadow_map.stale(work->scene))
-            clock.pass("shadow map", [&] { shadow_map.draw(tools, work->scene); });
+            clock.pass("shadow map", [&] { shadow_map.draw(tools, work->scene, work->quality); });
         const int contact_px = draft ? 96 : 192;
         // On software GL what the ground sees of the sky lags behind what is dragged until it
         // rests.
@@ -153,8 +153,9 @@ struct Renderer::State {
         if (work->next > 1) contact_map.bind();
         switch (work->next++) {
         case 0:
-            clock.pass("surfaces",
-                       [&] { draw_surfaces(tools, *w.targets, frame, w.scene, w.look.clay); });
+            clock.pass("surfaces", [&] {
+                draw_surfaces(tools, *w.targets, frame, w.scene, w.look.clay, w.quality);
+            });
             return false;
         case 1:
             clock.pass("occlusion", [&] { draw_occlusion(tools, *w.targets, w.quality); });

@@ -94,6 +94,14 @@ bool SceneItem::see_through(const MirroredMesh::Part& part) const
     return opacity < 1 || material(part.material).alpha == Material::Alpha::blend;
 }
 
+bool SceneItem::is_body() const
+{
+    return mesh->faces->solid && opacity >= 1 &&
+           std::ranges::all_of(mesh->parts(), [&](const MirroredMesh::Part& part) {
+               return material(part.material).alpha == Material::Alpha::opaque;
+           });
+}
+
 CasterKey casters_of(const Scene& scene)
 {
     CasterKey key;

@@ -29,6 +29,9 @@ struct SceneItem {
     const Material& material(std::uint32_t index) const;
     // Whether a part lets what is behind shine through.
     bool see_through(const MirroredMesh::Part& part) const;
+    // Whether it is the skin of bodies without gaps, whose backs are seen from within alone (or
+    // where a deformation folds it).
+    bool is_body() const;
 };
 
 struct Scene {

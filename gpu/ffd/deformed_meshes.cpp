@@ -35,8 +35,8 @@ MirroredMesh with_vertices(const MirroredMesh& rest, const DeviceVertices* verti
         out.vertices.attribute(a.location, *buffer, a.components,
                                a.components * static_cast<int>(sizeof(float)));
     }
-    out.vertices.indices(rest.buffers.back());
-    out.parts = rest.parts;
+    out.vertices.indices(rest.faces->indices);
+    out.faces = rest.faces;
     out.colored = rest.colored;
     return out;
 }

@@ -120,7 +120,7 @@ bool ShadowMap::stale(const Scene& scene) const
     return drawn_ != fitted_ || drawn_from_ != casters_of(scene);
 }
 
-void ShadowMap::draw(Tools& tools, const Scene& scene)
+void ShadowMap::draw(Tools& tools, const Scene& scene, const Quality& quality)
 {
     target_.bind();
     set_state({.depth = DepthTest::less, .write_depth = true});
@@ -132,6 +132,10 @@ void ShadowMap::draw(Tools& tools, const Scene& scene)
     pass.scene_to_clip = fitted_;
     pass.reads_material = false;
     pass.wanted = solid;
+    if (!quality.backs_of_bodies)
+        pass.without_backs = [](const SceneItem& item, const MirroredMesh::Part&) {
+            return item.is_body();
+        };
     tools.draw(scene, pass);
     glDisable(GL_POLYGON_OFFSET_FILL);
     drawn_ = fitted_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "gpu/passes/tools.h"
+#include "gpu/passes/sample.h"
 
 namespace trivar::gpu {
 
@@ -14,7 +14,7 @@ public:
     void fit(Frame& frame, const Scene& scene, int resolution_px);
     // Whether the map shows something else than was fitted last.
     bool stale(const Scene& scene) const;
-    void draw(Tools& tools, const Scene& scene);
+    void draw(Tools& tools, const Scene& scene, const Quality& quality);
     void bind() const; // to the units of shadow.glsl
 
 private:

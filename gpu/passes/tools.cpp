@@ -183,9 +183,15 @@ void Tools::draw(const Scene& scene, const MeshPass& pass)
     glVertexAttrib4f(3, 1, 1, 1, 1);
     glVertexAttrib2f(4, 0, 0);
     glVertexAttrib2f(5, 0, 0);
+    if (pass.without_backs) glCullFace(GL_BACK);
     for (const SceneItem& item : scene.items)
-        for (const MirroredMesh::Part& part : item.mesh->parts)
-            if (pass.wanted(item, part)) draw(item, part, pass);
+        for (const MirroredMesh::Part& part : item.mesh->parts()) {
+            if (!pass.wanted(item, part)) continue;
+            if (pass.without_backs)
+                (pass.without_backs(item, part) ? glEnable : glDisable)(GL_CULL_FACE);
+            draw(item, part, pass);
+        }
+    if (pass.without_backs) glDisable(GL_CULL_FACE);
 }
 
 } // namespace trivar::gpu

@@ -28,6 +28,8 @@ struct MeshPass {
     bool value_variant = false; // there is a VALUES one, which shows the values of vertices
     bool plain_variant = false; // there is a PLAIN one, without textures and vertex colours
     std::function<bool(const SceneItem&, const MirroredMesh::Part&)> wanted;
+    // Whose backs are left out; the state is left to who draws where nobody says.
+    std::function<bool(const SceneItem&, const MirroredMesh::Part&)> without_backs = {};
     std::function<void(const Program&, const SceneItem&)> prepare = {}; // uniforms of its own
 };
 

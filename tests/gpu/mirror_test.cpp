@@ -52,7 +52,7 @@ TEST_F(TheMirror, SortsTrianglesByMaterial)
     Mesh box = box_mesh({1, 1, 1}, {1, 1, 1});
     box.face_material = {1, 0, 1, 0, 1, 2};
     const auto mesh = make_ref(std::move(box));
-    const auto& parts = mirror.mesh(mesh).parts;
+    const auto& parts = mirror.mesh(mesh).parts();
     ASSERT_EQ(parts.size(), 3u);
     const std::array<int, 3> corners{2 * 6, 3 * 6, 6}; // two triangles a side
     int next = 0;

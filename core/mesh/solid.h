@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/mesh/mesh.h"
+
+namespace trivar {
+
+// Whether the faces are the skins of solid bodies: along every edge between two points as many run
+// one way as the other, and the faces of each connected piece look outwards. From outside of all
+// of them only the fronts of faces can be seen. Not where there are no faces. O(#C log #C).
+bool is_solid(const Mesh& mesh);
+
+} // namespace trivar
