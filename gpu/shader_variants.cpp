@@ -60,10 +60,12 @@ std::vector<ProgramName> every_program()
     for (const Quality& quality : {quality_for(1, true), quality_for(1, false),
                                    quality_for(4, false), quality_for(16, false)}) {
         const Defines shadow = quality.shadow_defines();
+        const Defines lit =
+            quality.ghost_defines(quality.layers_at_once ? Defines{"LAYERS_AT_ONCE"} : Defines{});
         for (const Defines& material : materials)
-            out.push_back({"mesh", "ghost", with(shadow, material)});
+            out.push_back({"mesh", "ghost", with(lit, material)});
         for (const char* solid : {"SOLID 1", "SOLID 2"})
-            out.push_back({"mesh", "ghost", with(shadow, {solid})});
+            out.push_back({"mesh", "ghost", with(lit, {solid})});
         for (const int slices : {0, quality.occlusion_slices}) {
             Quality q = quality;
             q.occlusion_slices = slices;
@@ -76,6 +78,7 @@ std::vector<ProgramName> every_program()
                                  "outline", "layers_over"})
         out.push_back(full_screen_program(fragment));
     out.push_back(full_screen_program("outline", {"DRAFT"}));
+    out.push_back(full_screen_program("layers_over", {"LAYERS_AT_ONCE"}));
     out.push_back({"line", "line", {}});
     for (const Defines& more : {Defines{}, Defines{"LAYER_DEPTHS"}})
         out.push_back({"veil", "veil", more});

@@ -32,7 +32,7 @@ LayerBounds bounds_of_layers(const Frame& frame, std::span<const glm::vec3> poin
     return {from, to - from, range};
 }
 
-void LayerPass::draw(Tools& tools, const Targets& targets, const LayerBounds& bounds, bool helpers,
+void LayerPass::draw(Tools& tools, const Targets& targets, const LayerBounds& bounds, Kind kind,
                      const DrawAll& draw_all)
 {
     if (bounds.empty()) return;
@@ -42,34 +42,42 @@ void LayerPass::draw(Tools& tools, const Targets& targets, const LayerBounds& bo
         near_depths_ = Texture2D(GL_RGBA16F, larger);
         far_depths_ = Texture2D(GL_RGBA16F, larger);
         weighed_ = Texture2D(GL_RGBA16F, larger);
+        depths_ = Texture2D(GL_R16F, larger);
         to_depths_ = Framebuffer({&near_depths_, &far_depths_}, nullptr);
         to_weighed_ = Framebuffer({&weighed_}, nullptr);
+        to_both_ = Framebuffer({&weighed_, &depths_}, nullptr);
     }
     const auto only_part = [&] {
         glViewport(0, 0, targets.size_px.x, targets.size_px.y);
         glEnable(GL_SCISSOR_TEST);
         glScissor(bounds.lo_px.x, bounds.lo_px.y, bounds.size_px.x, bounds.size_px.y);
     };
-    const std::array<float, 4> nothing{0, 0, 0, 0};
-    for (const bool depths : {true, false}) {
-        (depths ? to_depths_ : to_weighed_).bind();
+    const auto add_up = [&](const Framebuffer& into, int targets_there,
+                            const std::vector<std::string>& defines) {
+        const std::array<float, 4> nothing{0, 0, 0, 0};
+        into.bind();
         set_state({.blend = true});
         only_part();
-        for (int i = 0; i < (depths ? 2 : 1); ++i) glClearBufferfv(GL_COLOR, i, nothing.data());
+        for (int i = 0; i < targets_there; ++i) glClearBufferfv(GL_COLOR, i, nothing.data());
         glBlendFunc(GL_ONE, GL_ONE);
         targets.depth.bind(2);
-        if (!depths) {
-            near_depths_.bind(6);
-            far_depths_.bind(7);
-        }
-        std::vector<std::string> defines;
-        if (depths) defines.emplace_back("LAYER_DEPTHS");
         draw_all(defines);
+    };
+    std::vector<std::string> over;
+    if (kind.at_once) {
+        over = {"LAYERS_AT_ONCE"};
+        add_up(to_both_, 2, over);
+        depths_.bind(6);
+    } else {
+        add_up(to_depths_, 2, {"LAYER_DEPTHS"});
+        near_depths_.bind(6);
+        far_depths_.bind(7);
+        add_up(to_weighed_, 1, {});
     }
-    (helpers ? targets.to_encoded : targets.to_color).bind();
+    (kind.helpers ? targets.to_encoded : targets.to_color).bind();
     set_state({.blend = true});
     only_part();
-    tools.use(full_screen_program("layers_over"));
+    tools.use(full_screen_program("layers_over", over));
     weighed_.bind(0);
     tools.full_screen();
     set_state({});

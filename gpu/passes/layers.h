@@ -20,15 +20,18 @@ LayerBounds bounds_of_layers(const Frame& frame, std::span<const glm::vec3> poin
 // Lays see-through layers over a sample of the picture, whatever order they come in: layers.glsl.
 class LayerPass {
 public:
-    // `draw_all` draws every layer; it runs twice, its programs with these defines. Helpers are
-    // mixed with the picture as encoded colours, other things as light.
+    struct Kind {
+        bool helpers = false; // mixed with the picture as encoded colours, not as light
+        bool at_once = false; // in one pass, for drafts
+    };
+    // `draw_all` draws every layer; it runs twice or once, its programs with these defines.
     using DrawAll = std::function<void(const std::vector<std::string>& defines)>;
-    void draw(Tools& tools, const Targets& targets, const LayerBounds& bounds, bool helpers,
+    void draw(Tools& tools, const Targets& targets, const LayerBounds& bounds, Kind kind,
               const DrawAll& draw_all);
 
 private:
-    Texture2D near_depths_, far_depths_, weighed_; // as large as the largest picture yet
-    Framebuffer to_depths_, to_weighed_;
+    Texture2D near_depths_, far_depths_, weighed_, depths_; // as large as the largest picture yet
+    Framebuffer to_depths_, to_weighed_, to_both_;
 };
 
 // What a picture has that one can see through: blended materials, previews and helpers.

@@ -9,7 +9,7 @@ namespace trivar::gpu {
 
 Quality quality_for(int samples, bool draft)
 {
-    if (draft) return {0, 0, 4};
+    if (draft) return {0, 0, 4, false, true};
     if (samples >= 16) return {1, 6, 6};
     if (samples >= 4) return {1, 8, 8};
     return {};
@@ -30,8 +30,29 @@ std::vector<std::string> Quality::occlusion_defines() const
     return out;
 }
 
+std::vector<std::string> Quality::ghost_defines(const std::vector<std::string>& of_layers) const
+{
+    if (of_layers == std::vector<std::string>{"LAYER_DEPTHS"}) return of_layers; // are not lit
+    std::vector<std::string> out = shadow_defines();
+    out.insert(out.end(), of_layers.begin(), of_layers.end());
+    return out;
+}
+
+namespace {
+
+// Whether the eye may be within a body.
+bool may_be_inside(const Frame& frame, const SceneItem& item)
+{
+    if (frame.eye.w < 0.5f) return false; // the plane of a parallel view lies before all there is
+    const glm::vec3 eye(frame.eye), air = 0.01f * (item.hi - item.lo);
+    return glm::all(glm::greaterThan(eye, item.lo - air)) &&
+           glm::all(glm::lessThan(eye, item.hi + air));
+}
+
+} // namespace
+
 void draw_surfaces(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
-                   const std::optional<glm::vec3>& clay)
+                   const std::optional<glm::vec3>& clay, const Quality& quality)
 {
     targets.to_surfaces.bind();
     set_state({.depth = DepthTest::less, .write_depth = true});
@@ -55,10 +76,14 @@ void draw_surfaces(Tools& tools, const Targets& targets, const Frame& frame, con
     // Front faces first: where they hide the back ones, and that is nearly everywhere, those cost
     // no more than a depth test.
     glEnable(GL_CULL_FACE);
-    for (const GLenum culled : {GL_BACK, GL_FRONT}) {
-        glCullFace(culled);
-        tools.draw(scene, pass);
-    }
+    glCullFace(GL_BACK);
+    tools.draw(scene, pass);
+    pass.wanted = [&](const SceneItem& item, const MirroredMesh::Part& part) {
+        const bool seen = quality.backs_of_bodies || !item.is_body() || may_be_inside(frame, item);
+        return seen && solid(item, part);
+    };
+    glCullFace(GL_FRONT);
+    tools.draw(scene, pass);
     glDisable(GL_CULL_FACE);
 }
 

@@ -12,8 +12,12 @@ namespace trivar::gpu {
 struct Quality {
     int occlusion_slices = 2;                   // 0: no ambient occlusion
     int shadow_blockers = 12, shadow_taps = 16; // no blockers: shadows of one softness
+    bool backs_of_bodies = true;                // which only folds show
+    bool layers_at_once = false;                // of what one can see through
     std::vector<std::string> shadow_defines() const;
     std::vector<std::string> occlusion_defines() const;
+    // Of a pass over what one can see through, whose own ones are given.
+    std::vector<std::string> ghost_defines(const std::vector<std::string>& of_layers) const;
 };
 // Noise averages over samples, so many samples need little each.
 Quality quality_for(int samples, bool draft);
@@ -22,7 +26,7 @@ Quality quality_for(int samples, bool draft);
 // targets; contact and shadow map are bound.
 // `clay`: the colour of what shows its form alone, if that is wanted.
 void draw_surfaces(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
-                   const std::optional<glm::vec3>& clay);
+                   const std::optional<glm::vec3>& clay, const Quality& quality);
 void draw_occlusion(Tools& tools, const Targets& targets, const Quality& quality);
 void draw_light(Tools& tools, const Targets& targets);
 void draw_backdrop(Tools& tools, const Targets& targets, bool grid);

@@ -27,9 +27,15 @@ bool see_through(const SceneItem& item, const MirroredMesh::Part& part)
     return item.see_through(part);
 }
 
+// As ghost.frag has it.
+bool shows_front_only(const SceneItem& item, const MirroredMesh::Part& part)
+{
+    return !item.material(part.material).double_sided;
+}
+
 bool has_see_through(const SceneItem& item)
 {
-    return std::ranges::any_of(item.mesh->parts,
+    return std::ranges::any_of(item.mesh->parts(),
                                [&](const auto& part) { return item.see_through(part); });
 }
 
@@ -88,12 +94,14 @@ void SeeThroughPass::draw_materials(Tools& tools, const Targets& targets, const 
                                 (k & 4 ? item.hi : item.lo).z);
     if (points.empty()) return;
     const LayerBounds bounds = bounds_of_layers(frame, points);
-    layers_.draw(tools, targets, bounds, false, [&](const std::vector<std::string>& defines) {
+    const LayerPass::Kind kind{.at_once = quality.layers_at_once};
+    layers_.draw(tools, targets, bounds, kind, [&](const std::vector<std::string>& defines) {
         MeshPass pass;
         pass.fragment = "ghost";
-        pass.defines = defines.empty() ? quality.shadow_defines() : defines;
+        pass.defines = quality.ghost_defines(defines);
         pass.scene_to_clip = frame.view_clip;
         pass.wanted = see_through;
+        pass.without_backs = shows_front_only;
         pass.prepare = [&](const Program& program, const SceneItem& item) {
             program.set("opacity", item.opacity);
             program.set("range", bounds.range_world);
@@ -122,13 +130,15 @@ void SeeThroughPass::draw_helpers(Tools& tools, const Targets& targets, const Fr
     constexpr float hidden_share = 0.3f; // behind something solid
     if (corners_.empty()) return;
     const LayerBounds bounds = bounds_of_layers(frame, corners_);
-    layers_.draw(tools, targets, bounds, true, [&](const std::vector<std::string>& defines) {
-        const Program& program = tools.use({"veil", "veil", defines});
-        program.set("range", bounds.range_world);
-        program.set("hidden_share", hidden_share);
-        vertices_.bind();
-        glDrawElements(GL_TRIANGLES, static_cast<int>(corners_.size()), GL_UNSIGNED_INT, nullptr);
-    });
+    layers_.draw(tools, targets, bounds, {.helpers = true},
+                 [&](const std::vector<std::string>& defines) {
+                     const Program& program = tools.use({"veil", "veil", defines});
+                     program.set("range", bounds.range_world);
+                     program.set("hidden_share", hidden_share);
+                     vertices_.bind();
+                     glDrawElements(GL_TRIANGLES, static_cast<int>(corners_.size()),
+                                    GL_UNSIGNED_INT, nullptr);
+                 });
 }
 
 void SeeThroughPass::draw(Tools& tools, const Targets& targets, const Frame& frame,

@@ -1,7 +1,12 @@
 // What one can see through, in any order. A first pass adds up the optical depth, -log(1 - coverage),
 // at eight nodes between the nearest and the farthest of all that is see-through; a second one weighs
 // every layer by what reaches the eye past the others. All sums, so no order changes them.
-#ifdef LAYER_DEPTHS
+// LAYERS_AT_ONCE, of drafts, weighs by distance alone, without the first pass: as good where one
+// layer covers the next, and together they hide as much of what is behind.
+#if defined(LAYERS_AT_ONCE)
+layout(location = 0) out vec4 out_weighed;
+layout(location = 1) out float out_depth;
+#elif defined(LAYER_DEPTHS)
 layout(location = 0) out vec4 out_near_depths;
 layout(location = 1) out vec4 out_far_depths;
 #else
@@ -32,7 +37,11 @@ void add_layer(vec3 color, float coverage, float distance)
     float z = 7.0 * saturate((distance - range.x) / max(range.y - range.x, 1e-6 * range.y));
     float depth = -log(1.0 - coverage);
     vec4 near = near_shares(z), far = far_shares(z);
-#ifdef LAYER_DEPTHS
+#if defined(LAYERS_AT_ONCE)
+    float weight = coverage * exp(-0.5 * z);
+    out_weighed = vec4(color * weight, weight);
+    out_depth = depth;
+#elif defined(LAYER_DEPTHS)
     out_near_depths = depth * near;
     out_far_depths = depth * far;
 #else
