@@ -6,12 +6,23 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <dlfcn.h>
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 #include <fmt/format.h>
+#include <string_view>
+#include <vector>
 
 namespace trivar::gpu {
 namespace {
+
+// epoxy ends the program where it does not find the library.
+bool has_egl()
+{
+    void* const library = dlopen("libEGL.so.1", RTLD_LAZY | RTLD_LOCAL);
+    if (library) dlclose(library);
+    return library != nullptr;
+}
 
 EGLDisplay surfaceless_display()
 {
@@ -20,13 +31,24 @@ EGLDisplay surfaceless_display()
     return eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
 }
 
-EGLDisplay device_display()
+// Those of the device platform, or only those that are no software.
+std::vector<EGLDisplay> device_displays(bool hardware_only)
 {
-    if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device")) return EGL_NO_DISPLAY;
-    EGLDeviceEXT device = nullptr;
+    std::vector<EGLDisplay> out;
+    if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device")) return out;
+    std::array<EGLDeviceEXT, 16> devices{};
     EGLint count = 0;
-    if (!eglQueryDevicesEXT(1, &device, &count) || count < 1) return EGL_NO_DISPLAY;
-    return eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr);
+    if (!eglQueryDevicesEXT(static_cast<EGLint>(devices.size()), devices.data(), &count))
+        return out;
+    for (EGLint i = 0; i < count; ++i) {
+        const EGLDeviceEXT device = devices[static_cast<std::size_t>(i)];
+        const char* said = eglQueryDeviceStringEXT(device, EGL_EXTENSIONS);
+        const bool software =
+            said && std::string_view(said).find("EGL_MESA_device_software") != std::string::npos;
+        if (hardware_only && software) continue;
+        out.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr));
+    }
+    return out;
 }
 
 EGLContext context_of(EGLDisplay display)
@@ -82,12 +104,21 @@ struct HeadlessContext::State {
     }
 };
 
-HeadlessContext::HeadlessContext() : state_(std::make_unique<State>())
+HeadlessContext::HeadlessContext(bool rather_hardware) : state_(std::make_unique<State>())
 {
+    if (!has_egl())
+        throw Rejected("No OpenGL without a window here: there is no EGL (libEGL.so.1).");
+    if (rather_hardware)
+        for (const EGLDisplay display : device_displays(true)) {
+            if (!state_->open(display).empty()) continue;
+            if (!is_software()) return;
+            state_->close();
+        }
     const std::string surfaceless = state_->open(surfaceless_display());
     if (surfaceless.empty()) return;
-    const std::string device = state_->open(device_display());
-    if (device.empty()) return;
+    std::string device = state_->open(EGL_NO_DISPLAY); // unless there is one
+    for (const EGLDisplay display : device_displays(false))
+        if (device = state_->open(display); device.empty()) return;
     throw Rejected(fmt::format("No OpenGL without a window here: EGL's surfaceless platform {}, "
                                "its device platform {}.",
                                surfaceless, device));

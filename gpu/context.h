@@ -8,9 +8,11 @@ namespace trivar::gpu {
 
 // An OpenGL 4.3 core context without a window, current on the calling thread while it lives:
 // EGL's surfaceless platform, else its device platform. Throws Rejected with what was tried.
+// `rather_hardware`: where there are graphics cards, one of them, though the surfaceless platform
+// may be software: drivers of cards need not have it.
 class HeadlessContext {
 public:
-    HeadlessContext();
+    explicit HeadlessContext(bool rather_hardware = false);
     ~HeadlessContext();
     HeadlessContext(const HeadlessContext&) = delete;
     HeadlessContext& operator=(const HeadlessContext&) = delete;

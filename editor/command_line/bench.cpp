@@ -92,7 +92,7 @@ nlohmann::ordered_json report_json(const gpu::DeformReport& report)
 
 Status run_bench(const BenchOptions& options, const Streams& streams)
 {
-    const gpu::HeadlessContext context;
+    const gpu::HeadlessContext context(true);
     std::vector<gpu::DeformCase> cases = gpu::every_deform_case();
     const auto most = static_cast<std::size_t>(options.vertices);
     std::erase_if(cases, [&](const gpu::DeformCase& c) { return c.vertices > most; });
