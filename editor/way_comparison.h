@@ -15,7 +15,7 @@ struct DeformWords {
 };
 inline constexpr std::array<DeformWords, gpu::deform_names.size()> deform_words{{
     {"Processor", "All processors at once, before anything is drawn."},
-    {"One phase", "By the graphics card as it draws, in every pass anew."},
+    {"One phase", "By the graphics card as it draws, anew in every pass: the time is that of one."},
     {"Two phases", "By the graphics card, once for all passes."},
     {"Differences", "Two phases, with normals by differences (thesis, 4.3)."},
     {"Raised orders", "Two phases, by lerps between control points (thesis, 4.4)."},
