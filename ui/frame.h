@@ -31,17 +31,32 @@ class Pace {
 public:
     // After input a few frames are owed: ImGui needs them for hovering and popups to settle.
     void input_came() { owed_ = 3; }
+    // Another thread has something to show: a frame now. Those that settle it are left till no
+    // more comes, for what plays brings one thing after the other.
+    void result_came(double time_s)
+    {
+        constexpr double patience_s = 0.15;
+        owed_ = std::max(owed_, 1);
+        settles_s_ = time_s + patience_s;
+    }
     void drawn(const Frame& frame)
     {
         owed_ = std::max(0, owed_ - 1);
+        if (frame.time_s >= settles_s_) {
+            owed_ = std::max(owed_, 1);
+            settles_s_ = 1e300;
+        }
         due_s_ = frame.again_in_s < 1e9 ? frame.time_s + frame.again_in_s : 1e300;
     }
     // Seconds until a frame is due: 0 now, above 1e9 not before something happens.
-    double wait_s(double time_s) const { return owed_ > 0 ? 0 : std::max(0.0, due_s_ - time_s); }
+    double wait_s(double time_s) const
+    {
+        return owed_ > 0 ? 0 : std::max(0.0, std::min(due_s_, settles_s_) - time_s);
+    }
 
 private:
     int owed_ = 3;
-    double due_s_ = 1e300;
+    double due_s_ = 1e300, settles_s_ = 1e300;
 };
 
 } // namespace trivar::ui

@@ -282,7 +282,7 @@ struct Window::State {
         else
             glfwWaitEventsTimeout(wait);
         listened_s = glfwGetTime();
-        if (woken.exchange(false)) pace.input_came();
+        if (woken.exchange(false)) pace.result_came(glfwGetTime());
     }
 
     // Draws if a frame is due; whether the program goes on.
