@@ -78,6 +78,7 @@ std::vector<ProgramName> every_program()
                                  "outline", "layers_over"})
         out.push_back(full_screen_program(fragment));
     out.push_back(full_screen_program("outline", {"DRAFT"}));
+    out.push_back(full_screen_program("occlusion_blur", quality_for(1, true).blur_defines()));
     out.push_back(full_screen_program("layers_over", {"LAYERS_AT_ONCE"}));
     out.push_back({"line", "line", {}});
     for (const Defines& more : {Defines{}, Defines{"LAYER_DEPTHS"}})

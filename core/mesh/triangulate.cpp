@@ -4,6 +4,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <deque>
 
 namespace trivar {
 namespace {
@@ -16,6 +17,8 @@ double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
 // Ears are cut from a ring of corners 0 .. n - 1, counter-clockwise in the plane. Only reflex
 // corners can lie in an ear, and cutting one changes only its two neighbours: O(n) ear tests of
 // O(reflex corners). Where a polygon crosses itself and has no ear left, a corner is cut anyway.
+// A corner beside one that was cut waits till all others had their turn: of a round polygon every
+// second one goes in each round, and no triangle is a sliver that most of its corners share.
 class EarCutter {
 public:
     explicit EarCutter(std::vector<glm::dvec2> polygon)
@@ -35,16 +38,27 @@ public:
 
     template <class Emit> void cut(Emit emit)
     {
-        std::vector<std::size_t> ears;
-        for (std::size_t i = p_.size(); i-- > 0;)
-            if (ear(i)) ears.push_back(i);
+        struct Waiting {
+            std::size_t corner, round;
+        };
+        std::deque<Waiting> ears;
+        std::vector<std::size_t> round_of(p_.size(), 0);
+        for (std::size_t i = 0; i < p_.size(); ++i)
+            if (ear(i)) ears.push_back({i, 0});
         std::size_t left = p_.size(), somewhere = 0;
+        bool look_again = true; // a corner that is no longer reflex may have made ears anywhere
         while (left > 3) {
             std::size_t i;
             if (!ears.empty()) {
-                i = ears.back();
-                ears.pop_back();
-                if (!alive_[i] || !ear(i)) continue;
+                const Waiting first = ears.front();
+                ears.pop_front();
+                i = first.corner;
+                if (!alive_[i] || round_of[i] != first.round || !ear(i)) continue;
+            } else if (look_again) {
+                for (std::size_t c = 0; c < p_.size(); ++c)
+                    if (alive_[c] && ear(c)) ears.push_back({c, round_of[c]});
+                look_again = !ears.empty();
+                continue;
             } else {
                 while (!alive_[somewhere]) somewhere = next_[somewhere];
                 i = somewhere;
@@ -55,8 +69,10 @@ public:
             next_[a] = b;
             previous_[b] = a;
             --left;
-            if (ear(b)) ears.push_back(b);
-            if (ear(a)) ears.push_back(a);
+            for (const std::size_t beside : {a, b}) {
+                ++round_of[beside];
+                if (ear(beside)) ears.push_back({beside, round_of[beside]});
+            }
         }
         while (!alive_[somewhere]) somewhere = next_[somewhere];
         emit(previous_[somewhere], somewhere, next_[somewhere]);

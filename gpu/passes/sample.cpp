@@ -30,6 +30,12 @@ std::vector<std::string> Quality::occlusion_defines() const
     return out;
 }
 
+std::vector<std::string> Quality::blur_defines() const
+{
+    if (occlusion_slices > 0) return {};
+    return {"KEY_ALONE"};
+}
+
 std::vector<std::string> Quality::ghost_defines(const std::vector<std::string>& of_layers) const
 {
     if (of_layers == std::vector<std::string>{"LAYER_DEPTHS"}) return of_layers; // are not lit
@@ -96,7 +102,7 @@ void draw_occlusion(Tools& tools, const Targets& targets, const Quality& quality
     tools.use(full_screen_program("occlusion", quality.occlusion_defines()));
     tools.full_screen();
     targets.to_occlusion.bind();
-    tools.use(full_screen_program("occlusion_blur"));
+    tools.use(full_screen_program("occlusion_blur", quality.blur_defines()));
     targets.occlusion_noisy.bind(1);
     tools.full_screen();
 }

@@ -16,6 +16,7 @@ struct Quality {
     bool layers_at_once = false;                // of what one can see through
     std::vector<std::string> shadow_defines() const;
     std::vector<std::string> occlusion_defines() const;
+    std::vector<std::string> blur_defines() const;
     // Of a pass over what one can see through, whose own ones are given.
     std::vector<std::string> ghost_defines(const std::vector<std::string>& of_layers) const;
 };

@@ -119,6 +119,7 @@ void SeeThroughPass::draw_materials(Tools& tools, const Targets& targets, const 
     ids.wanted = [](const SceneItem& item, const MirroredMesh::Part& part) {
         return item.id != 0 && see_through(item, part);
     };
+    ids.without_backs = shows_front_only;
     ids.prepare = [](const Program& program, const SceneItem& item) {
         program.set("id", static_cast<unsigned>(item.id));
     };

@@ -20,12 +20,8 @@ vec2 axis_lines(vec2 p, float width_px)
     vec2 d = abs(p) / max(fwidth(p), 1e-9);
     return 1.0 - smoothstep(width_px * 0.5 - 0.5, width_px * 0.5 + 0.5, d);
 }
-// Mixed as colours look: by the square root of light.
-vec3 with_line(vec3 color, vec4 line, float share)
-{
-    vec3 mixed = mix(sqrt(color), sqrt(line.rgb), line.a * share);
-    return mixed * mixed;
-}
+// Mixed as colours look, by the square root of light, in which `color` is.
+vec3 with_line(vec3 color, vec4 line, float share) { return mix(color, sqrt(line.rgb), line.a * share); }
 #endif
 
 void main()
@@ -56,10 +52,12 @@ void main()
 #ifdef GRID
     if (g.seen) {
         float fade = 1.0 - smoothstep(0.08, 0.80, g.away);
-        color = with_line(color, frame.grid_lines[0], fine * fade);
-        color = with_line(color, frame.grid_lines[1], coarse * fade);
-        color = with_line(color, frame.grid_lines[2], axes.y * fade);
-        color = with_line(color, frame.grid_lines[3], axes.x * fade);
+        vec3 root = sqrt(color);
+        root = with_line(root, frame.grid_lines[0], fine * fade);
+        root = with_line(root, frame.grid_lines[1], coarse * fade);
+        root = with_line(root, frame.grid_lines[2], axes.y * fade);
+        root = with_line(root, frame.grid_lines[3], axes.x * fade);
+        color = root * root;
     }
 #endif
     out_color = vec4(dithered(color, gl_FragCoord.xy, frame.scene.w), 1.0);

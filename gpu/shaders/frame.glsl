@@ -62,10 +62,13 @@ vec3 dithered(vec3 linear, vec2 p_px, float seed)
     return saturate(linear + 2.0 * sqrt(max(linear, 0.0)) * (n / 255.0));
 }
 
-// The i-th of n points of a sunflower disk turned by phi (Vogel 1979); `out_by`, 0 to 1, moves the
-// points outwards by a part of their spacing.
-vec2 sunflower(int i, int n, float phi, float out_by)
+// The points i of n of a sunflower disk (Vogel 1979), one after another: `toward` is the direction
+// of the present one and goes on by the golden angle; `out_by`, 0 to 1, moves the points outwards by
+// a part of their spacing.
+vec2 sunflower(int i, int n, float out_by, inout vec2 toward)
 {
-    float r = sqrt((float(i) + out_by) / float(n)), a = float(i) * 2.39996323 + phi;
-    return r * vec2(cos(a), sin(a));
+    const mat2 GOLDEN = mat2(-0.7373688780, 0.6754902943, -0.6754902943, -0.7373688780);
+    vec2 at = sqrt((float(i) + out_by) / float(n)) * toward;
+    toward = GOLDEN * toward;
+    return at;
 }

@@ -21,11 +21,12 @@ vec2 key_reaching(vec3 p, vec3 n, float phi, float out_by)
     slope = clamp(slope, -6.0 * width / range, 6.0 * width / range);
     float bias = 0.6 * texel * width / range;
 #if SHADOW_BLOCKERS > 0
+    vec2 towards_blocker = vec2(cos(phi), sin(phi));
     float reach = min(frame.shadow_map.w * q.z * range / width, 0.12), sum = 0.0, count = 0.0;
     // Software GL runs both sides of a branch but leaves a loop when no lane is alive.
     int blockers = outside ? 0 : SHADOW_BLOCKERS;
     for (int i = 0; i < blockers; i++) {
-        vec2 o = sunflower(i, SHADOW_BLOCKERS, phi, out_by) * reach;
+        vec2 o = sunflower(i, SHADOW_BLOCKERS, out_by, towards_blocker) * reach;
         float z = textureLod(shadow_depth, q.xy + o, 0.0).r;
         float hit = step(z, min(q.z + dot(slope, o) - bias - 0.0015, FARTHEST));
         sum += z * hit;
@@ -39,8 +40,9 @@ vec2 key_reaching(vec3 p, vec3 n, float phi, float out_by)
     int taps = outside ? 0 : SHADOW_TAPS;
 #endif
     float seen = 0.0;
+    vec2 towards_tap = vec2(cos(phi + 1.7), sin(phi + 1.7));
     for (int i = 0; i < taps; i++) {
-        vec2 o = sunflower(i, SHADOW_TAPS, phi + 1.7, out_by) * radius;
+        vec2 o = sunflower(i, SHADOW_TAPS, out_by, towards_tap) * radius;
         float z = min(q.z + dot(slope, o) - bias, FARTHEST);
         seen += texture(shadow_compare, vec3(q.xy + o, z));
     }
