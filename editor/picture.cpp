@@ -20,12 +20,13 @@ gpu::Picture picture_of(const Evaluated& evaluated, const Document& document, co
             instance.to_world = part.to_world;
             instance.materials = ref->materials;
             instance.id = id;
-            if (part.bent && by != gpu::DeformBy::processor) {
-                instance.mesh = part.bent->rest;
-                instance.stages = {{part.bent->volume, part.bent->embedding}};
+            if (by != gpu::DeformBy::processor) {
+                instance.mesh = part.rest;
+                instance.posed = part.posed;
+                if (part.bent) instance.stages = {{part.bent->volume, part.bent->embedding}};
             } else {
                 instance.mesh = part.mesh();
-                if (part.bent) instance.rest = part.bent->rest;
+                if (part.bent || part.posed) instance.rest = part.rest;
             }
             if (stretch) instance.values = stretches.of(part);
             picture.instances.push_back(std::move(instance));

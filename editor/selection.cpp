@@ -138,6 +138,13 @@ std::vector<Id> travelling(const Document& document)
     return ids;
 }
 
+bool moves_in_time(const Document& document)
+{
+    return !travelling(document).empty() ||
+           std::ranges::any_of(document.objects,
+                               [](const auto& o) { return !o.second->playing.clip.empty(); });
+}
+
 std::string name_of(const Document& document, Id id)
 {
     const auto found = document.objects.find(id);

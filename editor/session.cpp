@@ -61,7 +61,7 @@ void Session::show_frame(int frame)
     const Document& document = shown();
     const int before = frame_;
     frame_ = std::clamp(frame, document.time.first_frame, document.time.last_frame);
-    if (frame_ != before && !travelling(document).empty()) asked_ticket_ = submit(document);
+    if (frame_ != before && moves_in_time(document)) asked_ticket_ = submit(document);
 }
 
 template <class Change> bool Session::attempt(Change&& change, bool quietly)

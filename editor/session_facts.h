@@ -22,6 +22,9 @@ bool belongs_to(const Document& document, Id id, Id group);
 // the same as the beginning of a new file's name.
 std::string title_of(const SceneFile& scene);
 std::string stem_of(const SceneFile& scene);
+// Whether the scene looks different from frame to frame.
+bool moves_in_time(const Document& document);
+
 // What travels, in the order of the outliner's rows.
 std::vector<Id> travelling(const Document& document);
 // The name in the outliner, or nothing for an id that is gone.

@@ -16,7 +16,7 @@ Ref<std::vector<float>> Stretches::of(const Part& part)
         return found->second.values;
     std::erase_if(known_, [](const auto& known) { return known.second.alive.expired(); });
     std::vector<float> factors =
-        volume_change(*part.bent->rest, part.bent->embedding, *part.bent->volume);
+        volume_change(*part.before_volume(), part.bent->embedding, *part.bent->volume);
     std::vector<float> sizes(factors.size());
     std::ranges::transform(factors, sizes.begin(), [](float f) { return std::abs(f); });
     const auto middle = sizes.begin() + std::ssize(sizes) / 2;

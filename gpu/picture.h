@@ -4,7 +4,7 @@
 #include "core/base/camera.h"
 #include "core/base/ref.h"
 #include "core/document/render_settings.h"
-#include "core/mesh/model.h"
+#include "core/mesh/pose.h"
 #include "gpu/ffd/stage.h"
 #include "gpu/shader_source.h"
 
@@ -24,6 +24,8 @@ struct Instance {
     float opacity = 1;        // below 1: a ghost, for previews
     Ref<Mesh> rest = {};      // before it was deformed, vertex by vertex: for solid materials
     Ref<std::vector<float>> values = {}; // one a vertex: see value_colors
+    // What moves the vertices of `mesh` before that; its result is not looked at. Null: nothing.
+    Ref<Posed> posed = {};
     // Volumes that deform `mesh`, one after another, before to_world; `rest` is then not looked at.
     std::vector<Stage> stages = {};
 };

@@ -2,6 +2,7 @@
 #include "gpu/shader_variants.h"
 
 #include "gpu/ffd/blind_draw.h"
+#include "gpu/ffd/device_poser.h"
 #include "gpu/passes/sample.h"
 #include "gpu/passes/wire.h"
 
@@ -43,6 +44,10 @@ std::vector<ProgramName> deforming_programs(const std::array<int, 3>& orders)
 std::vector<ProgramName> every_program()
 {
     std::vector<ProgramName> out;
+    for (const bool skinned : {true, false})
+        for (int kinds = 0; kinds < 4; ++kinds)
+            for (const bool tangents : {true, false})
+                out.push_back(pose_program(skinned, kinds, true, tangents));
     for (const char* solid : {"SOLID 1", "SOLID 2"})
         out.push_back({"mesh", "ghost", {"LAYER_DEPTHS", solid}});
     const std::vector<Defines> materials{

@@ -84,11 +84,18 @@ struct Clip {
     std::vector<Channel> channels;
 };
 
+// Joints along x that bend the root's mesh: a point between two goes with both.
+struct Spine {
+    std::vector<int> joints; // nodes
+    std::vector<float> x;    // of each, falling
+};
+
 struct Model {
     std::string name;
     std::vector<Material> materials;
     std::vector<Node> nodes;
     std::vector<Clip> clips;
+    Spine spine = {};
     std::vector<std::pair<std::string, std::string>> extras; // JSON values on the root node
 
     int material(const std::string& label, vec3 color, float rough = .7f, float metal = 0);

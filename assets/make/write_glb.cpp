@@ -23,18 +23,25 @@ enum ComponentType {
 };
 enum Target { any = 0, vertices = 34962, indices = 34963 };
 
-std::string number(double value)
+std::string number(double value, int digits = 6)
 {
     char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value);
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
     return text;
 }
 
-std::string array(std::initializer_list<float> values)
+std::string array(std::initializer_list<float> values, int digits = 6)
 {
     std::string text = "[";
-    for (float v : values) text += (text.size() > 1 ? "," : "") + number(double(v));
+    for (float v : values) text += (text.size() > 1 ? "," : "") + number(double(v), digits);
     return text + "]";
+}
+
+// Bounds, which must be the very floats.
+std::string min_and_max(std::initializer_list<float> lo, std::initializer_list<float> hi)
+{
+    constexpr int exact = 9;
+    return ",\"min\":" + array(lo, exact) + ",\"max\":" + array(hi, exact);
 }
 
 // A JSON list that grows by one item at a time.
@@ -129,7 +136,29 @@ Split split(const Mesh& mesh)
     return out;
 }
 
-std::string primitive(const Mesh& mesh, Buffer& buffer)
+// Joints and weights of points along a spine.
+struct Skinning {
+    std::vector<std::array<std::uint8_t, 4>> joints;
+    std::vector<vec4> weights;
+};
+
+Skinning skinning(const Spine& spine, const std::vector<vec3>& points)
+{
+    Skinning out;
+    const std::vector<float>& x = spine.x;
+    for (const vec3& p : points) {
+        std::size_t k = 0;
+        while (k + 1 < x.size() && x[k + 1] > p.x) ++k;
+        const bool between = k + 1 < x.size() && p.x < x[k];
+        const float t = between ? (x[k] - p.x) / (x[k] - x[k + 1]) : 0;
+        const float share = t * t * (3 - 2 * t);
+        out.joints.push_back({std::uint8_t(k), std::uint8_t(share > 0 ? k + 1 : 0), 0, 0});
+        out.weights.emplace_back(1 - share, share, 0, 0);
+    }
+    return out;
+}
+
+std::string primitive(const Mesh& mesh, const Spine& spine, Buffer& buffer)
 {
     const Split s = split(mesh);
     vec3 lo(1e9f), hi(-1e9f);
@@ -137,8 +166,7 @@ std::string primitive(const Mesh& mesh, Buffer& buffer)
         lo = glm::min(lo, p);
         hi = glm::max(hi, p);
     }
-    const std::string bounds =
-        ",\"min\":" + array({lo.x, lo.y, lo.z}) + ",\"max\":" + array({hi.x, hi.y, hi.z});
+    const std::string bounds = min_and_max({lo.x, lo.y, lo.z}, {hi.x, hi.y, hi.z});
     List attributes;
     const auto attribute = [&](const char* name, int accessor) {
         attributes.add("\"" + std::string(name) + "\":" + std::to_string(accessor));
@@ -149,6 +177,11 @@ std::string primitive(const Mesh& mesh, Buffer& buffer)
     if (!s.colors.empty()) {
         attribute("COLOR_0",
                   buffer.add(s.colors, unsigned_byte, "VEC4", vertices, ",\"normalized\":true"));
+    }
+    if (!spine.joints.empty()) {
+        const Skinning skin = skinning(spine, s.positions);
+        attribute("JOINTS_0", buffer.add(skin.joints, unsigned_byte, "VEC4", vertices));
+        attribute("WEIGHTS_0", buffer.add(skin.weights, real, "VEC4", vertices));
     }
     int triangles = 0;
     if (s.positions.size() < 65535) {
@@ -161,12 +194,12 @@ std::string primitive(const Mesh& mesh, Buffer& buffer)
            ",\"material\":" + std::to_string(mesh.material) + "}";
 }
 
-std::string mesh_json(const Node& node, Buffer& buffer)
+std::string mesh_json(const Node& node, const Spine& spine, Buffer& buffer)
 {
     std::map<int, Mesh> by_material;
     for (const Mesh& part : node.parts) by_material[part.material].add(part).mat(part.material);
     List primitives;
-    for (const auto& [material, mesh] : by_material) primitives.add(primitive(mesh, buffer));
+    for (const auto& [material, mesh] : by_material) primitives.add(primitive(mesh, spine, buffer));
     return "{\"name\":\"" + node.name + "\",\"primitives\":[" + primitives.text + "]}";
 }
 
@@ -190,6 +223,7 @@ std::string node_json(const Model& model, int index, int mesh)
         text += ",\"rotation\":" + array({n.rotation.x, n.rotation.y, n.rotation.z, n.rotation.w});
     }
     if (mesh >= 0) text += ",\"mesh\":" + std::to_string(mesh);
+    if (index == 0 && !model.spine.joints.empty()) text += ",\"skin\":0";
     if (const std::string kids = children(model, index); !kids.empty()) {
         text += ",\"children\":[" + kids + "]";
     }
@@ -201,10 +235,23 @@ std::string node_json(const Model& model, int index, int mesh)
     return text + "}";
 }
 
+std::string skin_json(const Model& model, Buffer& buffer)
+{
+    const std::vector<mat4> to_world = world_matrices(model);
+    List joints;
+    std::vector<mat4> matrices;
+    for (const int joint : model.spine.joints) {
+        joints.add(std::to_string(joint));
+        matrices.push_back(glm::inverse(to_world[std::size_t(joint)]));
+    }
+    return "{\"joints\":[" + joints.text +
+           "],\"inverseBindMatrices\":" + std::to_string(buffer.add(matrices, real, "MAT4", any)) +
+           "}";
+}
+
 std::string clip_json(const Clip& clip, Buffer& buffer)
 {
-    const std::string bounds =
-        ",\"min\":" + array({clip.times_s.front()}) + ",\"max\":" + array({clip.times_s.back()});
+    const std::string bounds = min_and_max({clip.times_s.front()}, {clip.times_s.back()});
     const int times = buffer.add(clip.times_s, real, "SCALAR", any, bounds);
     List samplers, channels;
     for (const Channel& c : clip.channels) {
@@ -264,10 +311,13 @@ void write_glb(const Model& model, const std::string& path)
     List meshes, nodes, materials, images, clips;
     for (std::size_t i = 0; i < model.nodes.size(); ++i) {
         const Node& node = model.nodes[i];
-        const int mesh = node.parts.empty() ? -1 : meshes.add(mesh_json(node, buffer));
+        const int mesh = node.parts.empty()
+                             ? -1
+                             : meshes.add(mesh_json(node, i == 0 ? model.spine : Spine{}, buffer));
         nodes.add(node_json(model, int(i), mesh));
     }
     for (const Material& m : model.materials) materials.add(material_json(m, images, buffer));
+    const std::string skin = model.spine.joints.empty() ? "" : skin_json(model, buffer);
     for (const Clip& c : model.clips) clips.add(clip_json(c, buffer));
 
     std::string json = "{\"asset\":{\"version\":\"2.0\",\"generator\":\"trivar-make\"},\"scene\":0,"
@@ -275,6 +325,7 @@ void write_glb(const Model& model, const std::string& path)
                        children(model, -1) + "]}],\"nodes\":[" + nodes.text + "],\"meshes\":[" +
                        meshes.text + "],\"materials\":[" + materials.text + "]";
     if (images.count) json += textures_json(images);
+    if (!skin.empty()) json += ",\"skins\":[" + skin + "]";
     if (clips.count) json += ",\"animations\":[" + clips.text + "]";
     json += ",\"accessors\":[" + buffer.accessors.text + "],\"bufferViews\":[" + buffer.views.text +
             "],\"buffers\":[{\"byteLength\":" + std::to_string(buffer.bytes.size()) + "}]}";

@@ -5,6 +5,7 @@
 #include "core/base/rejected.h"
 #include "core/document/commands/import.h"
 #include "core/document/commands/place.h"
+#include "core/document/commands/play.h"
 #include "core/document/commands/primitives.h"
 #include "core/document/commands/view.h"
 
@@ -87,6 +88,10 @@ void add(Digest& digest, const Object& object)
     if (object.travel != Travel{}) { // there were scenes without it
         digest.add_text("travel");
         add(digest, object.travel);
+    }
+    if (object.playing != Playing{}) { // there were scenes without it
+        digest.add_text("playing");
+        add(digest, object.playing);
     }
 }
 

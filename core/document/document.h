@@ -5,69 +5,18 @@
 #include "core/base/ref.h"
 #include "core/document/object_map.h"
 #include "core/document/render_settings.h"
-#include "core/files/read_model.h"
+#include "core/document/source.h"
 #include "core/placement/placement.h"
 #include "core/placement/travel.h"
 
 #include <map>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace trivar {
 
 using Id = int; // of an object, from 1 up; never used twice in one document. 0: none
-
-// Where an object's shape comes from. A file is named relative to the scene file's folder; the
-// hash says which content was meant.
-struct ImportedFile {
-    std::string path, hash;
-    UpAxis up = UpAxis::automatic;
-    double scale = 1;
-    int subdivisions = 0; // Catmull-Clark levels, 0..6
-    bool operator==(const ImportedFile&) const = default;
-};
-struct PlaneShape {
-    glm::dvec2 size{4};
-    glm::ivec2 segments{1};
-    bool operator==(const PlaneShape&) const = default;
-};
-struct BoxShape {
-    glm::dvec3 size{1};
-    glm::ivec3 segments{8};
-    bool operator==(const BoxShape&) const = default;
-};
-struct SphereShape {
-    double radius = 0.5;
-    int segments = 64, rings = 32;
-    bool operator==(const SphereShape&) const = default;
-};
-struct CylinderShape {
-    double radius = 0.5, height = 1;
-    int segments = 64, stacks = 16;
-    bool operator==(const CylinderShape&) const = default;
-};
-struct TorusShape {
-    double radius = 0.5, tube = 0.2;
-    glm::ivec2 segments{96, 48};
-    bool operator==(const TorusShape&) const = default;
-};
-struct MoebiusShape {
-    double radius = 0.5, width = 0.3;
-    glm::ivec2 segments{128, 12};
-    bool operator==(const MoebiusShape&) const = default;
-};
-struct TeapotShape {
-    double height = 1;
-    int resolution = 12;
-    bool operator==(const TeapotShape&) const = default;
-};
-struct GroupShape {
-    bool operator==(const GroupShape&) const = default;
-}; // no shape: a parent for others
-using Source = std::variant<GroupShape, ImportedFile, PlaneShape, BoxShape, SphereShape,
-                            CylinderShape, TorusShape, MoebiusShape, TeapotShape>;
 
 struct Transform {
     glm::dvec3 translation{0};
@@ -95,6 +44,19 @@ struct PlacementStep {
     bool operator==(const PlacementStep&) const = default;
 };
 
+// What comes after the end of a clip: nothing, the clip again, or the way back.
+enum class Repeat { once, loop, back_and_forth };
+
+// How an object moves by a clip of its model (core/mesh/clip.h), whatever else moves it.
+struct Playing {
+    std::string clip = {}; // by its name; empty: it stands as it came
+    double speed = 1;      // of the clip's own; negative: backwards
+    Repeat repeat = Repeat::loop;
+    double offset = 0;   // seconds into the clip at the start frame
+    int start_frame = 1; // from which on it moves
+    bool operator==(const Playing&) const = default;
+};
+
 struct Object {
     std::string name;
     Source source;
@@ -106,6 +68,7 @@ struct Object {
     std::optional<PlacementStep>
         placement;      // a placed object's translation waits; its rotation and scale turn it first
     Travel travel = {}; // along its stroke, if it lies on one
+    Playing playing = {}; // if it is an imported file
     bool operator==(const Object&) const = default;
 };
 

@@ -3,6 +3,7 @@
 
 #include "core/base/digest.h"
 #include "core/document/laying.h"
+#include "core/document/posing.h"
 
 #include <algorithm>
 
@@ -73,6 +74,7 @@ EvaluatedObject evaluated_object(Id id, const Causes& causes)
     EvaluatedObject result;
     result.id = id;
     result.notices = causes.shape->notices;
+    for (const Clip& clip : causes.shape->model->clips) result.clips.push_back(clip.name);
     if (causes.laid && causes.laid->placement) {
         result.placement = causes.laid->placement;
         result.lies_on = causes.laid->scene;
@@ -85,7 +87,7 @@ EvaluatedObject evaluated_object(Id id, const Causes& causes)
         result.notices.insert(result.notices.end(), more.begin(), more.end());
     } else
         for (const Shape::Hung& hung : causes.shape->meshes)
-            result.parts.push_back({hung.mesh, causes.to_world * hung.to_model});
+            result.parts.push_back({hung.rest, causes.to_world * hung.to_model, hung.posed});
     if (causes.laid && !causes.laid->rejected.empty()) {
         result.rejected = causes.laid->rejected;
         result.notices.push_back(result.rejected);
@@ -138,6 +140,7 @@ struct Evaluator::Cache {
         Ref<Object> object;
         Ref<Shape> shape;
         Laying laying;
+        Posing posing;
         std::vector<std::pair<Causes, Ref<EvaluatedObject>>> results; // the latest first
     };
     explicit Cache(Ref<AssetStore> assets) : shapes(std::move(assets)) {}
@@ -176,7 +179,12 @@ Evaluated Evaluator::operator()(const Document& document, double frame, const Pr
             kept.shape->meshes.empty()) // a missing file may have come back
             kept.shape = cache_->shapes(ref->source, result.timings, progress);
         kept.object = ref;
-        Causes causes{kept.shape, nullptr, to_world(document, id), ref->surfacing};
+        const auto seconds_since = [&](int start_frame) {
+            return (frame - start_frame) / document.time.frames_per_second;
+        };
+        const Ref<Shape> posed =
+            kept.posing(kept.shape, ref->playing, seconds_since(ref->playing.start_frame));
+        Causes causes{posed, nullptr, to_world(document, id), ref->surfacing};
         if (ref->placement) {
             const auto laid_on = [&](const std::vector<Support>& supports) {
                 return kept.laying(kept.shape, glm::dmat3(ref->transform.matrix()), *ref->placement,
@@ -191,10 +199,10 @@ Evaluated Evaluator::operator()(const Document& document, double frame, const Pr
                 if (travels_through(supports, *causes.laid, ref->placement->sketch.camera))
                     causes.laid = laid_on(supports.all);
             }
-            const double seconds =
-                (frame - ref->travel.start_frame) / document.time.frames_per_second;
-            causes.laid = kept.laying.travelled(causes.laid, ref->travel,
-                                                ref->placement->parameters, seconds);
+            causes.laid = kept.laying.moved(causes.laid, posed == kept.shape ? nullptr : posed,
+                                            glm::dmat3(ref->transform.matrix()), ref->travel,
+                                            ref->placement->parameters,
+                                            seconds_since(ref->travel.start_frame));
         }
         auto& results = kept.results;
         const auto found =

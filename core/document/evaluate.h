@@ -18,6 +18,7 @@ struct EvaluatedObject {
     Ref<Journey> journey;                 // null where it does not travel
     Ref<RayScene> lies_on;                // what its stroke falls on; null where there is none
     Lazy<Box> bounds;                     // world; asking for it deforms the parts
+    std::vector<std::string> clips;       // what its file lets it play
     std::vector<std::string> notices;     // a missing file, a stroke that misses now
     // Why the stroke gave nothing, as a sentence for the user; the object then stands undeformed
     // where its transform says. A tool shows it and does not commit. Empty: it lies, or has none.

@@ -30,31 +30,57 @@ Box box_of(const Shape& shape, const glm::dmat3& turned)
 {
     Box box;
     for (const Shape::Hung& hung : shape.meshes)
-        box.add(bounding_box(*hung.mesh, glm::dmat4(turned) * hung.to_model));
+        box.add(bounding_box(*hung.mesh(), glm::dmat4(turned) * hung.to_model));
     return box;
 }
 
-Lazy<Deformer> sorted_into(const Lattice& volume, const Ref<Mesh>& mesh, const Embedding& embedding)
-{
-    return Lazy<Deformer>(
-        [=, axes = volume.displacement.axes] { return Deformer(mesh, embedding, axes); });
-}
-
-Part in_volume(const Ref<Mesh>& mesh, const Embedding& embedding, const Ref<Lattice>& volume,
+Part in_volume(Part part, const Embedding& embedding, const Ref<Lattice>& volume,
                const Lazy<Deformer>& deformer)
 {
     const Lazy<Ref<Mesh>> out([=] { return make_ref((*deformer)(*volume)); });
-    return {nullptr, glm::dmat4(1), make_ref(Bent{mesh, embedding, volume, out})};
+    part.to_world = glm::dmat4(1);
+    part.bent = make_ref(Bent{embedding, volume, out});
+    return part;
 }
 
-// The part further along its volume, sorted into it anew.
-Part shifted(const Part& part, const Ref<Lattice>& volume, double shift_u)
+Lazy<Deformer> sorted_into(const Lattice& volume, const Part& part, const Embedding& embedding)
 {
-    Embedding embedding = part.bent->embedding;
-    embedding.to_uvw = glm::translate(glm::dmat4(1), {shift_u, 0, 0}) * embedding.to_uvw;
-    embedding.to_rest = volume->rest * embedding.to_uvw;
-    const Ref<Mesh>& mesh = part.bent->rest;
-    return in_volume(mesh, embedding, volume, sorted_into(*volume, mesh, embedding));
+    return Lazy<Deformer>([=, axes = volume.displacement.axes] {
+        return Deformer(part.before_volume(), embedding, axes);
+    });
+}
+
+// The shape's meshes before they are laid, and from each to the box of the model.
+struct Standing {
+    Part part;
+    glm::dmat4 to_box;
+};
+std::vector<Standing> standing(const Shape& shape, const glm::dmat3& turned)
+{
+    std::vector<Standing> out;
+    for (const Shape::Hung& hung : shape.meshes) {
+        Standing each{{.rest = hung.rest, .posed = hung.posed}, glm::dmat4(turned) * hung.to_model};
+        if (glm::determinant(glm::dmat3(each.to_box)) < 0) { // turn the faces round once, before
+            each.part = {.rest = make_ref(transformed(*hung.mesh(), each.to_box))};
+            each.to_box = glm::dmat4(1);
+        }
+        out.push_back(std::move(each));
+    }
+    return out;
+}
+
+Embedding embedded(const Embedding& box, const glm::dmat4& to_box)
+{
+    return {box.to_uvw * to_box, box.to_rest * to_box};
+}
+
+// The box further along its volume.
+Embedding shifted(Embedding box, const Lattice& volume, double shift_u)
+{
+    if (shift_u == 0) return box;
+    box.to_uvw = glm::translate(glm::dmat4(1), {shift_u, 0, 0}) * box.to_uvw;
+    box.to_rest = volume.rest * box.to_uvw;
+    return box;
 }
 
 } // namespace
@@ -153,47 +179,42 @@ Laid Laying::bent(const Shape& shape, const glm::dmat3& turned, Placement placem
     const Embedding& embedding = laid.placement->embedding;
     const Ref<Lattice> volume(laid.placement, &laid.placement->volume);
     std::vector<Sorted> used;
-    for (const Shape::Hung& hung : shape.meshes) {
-        glm::dmat4 to_box = glm::dmat4(turned) * hung.to_model;
-        Ref<Mesh> mesh = hung.mesh;
-        if (glm::determinant(glm::dmat3(to_box)) < 0) { // turn the faces round once, before
-            mesh = make_ref(transformed(*mesh, to_box));
-            to_box = glm::dmat4(1);
-        }
-        laid.parts.push_back(
-            deformed(mesh, {embedding.to_uvw * to_box, embedding.to_rest * to_box}, volume, used));
-    }
+    for (const Standing& each : standing(shape, turned))
+        laid.parts.push_back(deformed(each.part, embedded(embedding, each.to_box), volume, used));
     sorted_ = std::move(used);
     return laid;
 }
 
-Part Laying::deformed(const Ref<Mesh>& mesh, const Embedding& embedding, const Ref<Lattice>& volume,
+Part Laying::deformed(const Part& part, const Embedding& embedding, const Ref<Lattice>& volume,
                       std::vector<Sorted>& used) const
 {
     const std::array<Knots, 3>& axes = volume->displacement.axes;
     const auto found = std::ranges::find_if(sorted_, [&](const Sorted& s) {
-        return s.mesh == mesh && s.embedding == embedding && s.axes == axes;
+        return s.part == part && s.embedding == embedding && s.axes == axes;
     });
     used.push_back(found != sorted_.end()
                        ? *found
-                       : Sorted{mesh, embedding, axes, sorted_into(*volume, mesh, embedding)});
-    return in_volume(mesh, embedding, volume, used.back().deformer);
+                       : Sorted{part, embedding, axes, sorted_into(*volume, part, embedding)});
+    return in_volume(part, embedding, volume, used.back().deformer);
 }
 
-Ref<Laid> Laying::travelled(const Ref<Laid>& at_rest, const Travel& travel,
-                            const PlacementParameters& parameters, double seconds)
+Ref<Laid> Laying::moved(const Ref<Laid>& at_rest, const Ref<Shape>& posed, const glm::dmat3& turned,
+                        const Travel& travel, const PlacementParameters& parameters, double seconds)
 {
-    if (!at_rest->placement || travel.speed == 0) return at_rest;
+    if (!at_rest->placement) return at_rest;
     const auto last = std::ranges::find_if(moved_, [&](const Moved& m) {
-        return m.at_rest == at_rest && m.journey->travel() == travel;
+        return m.at_rest == at_rest && m.journey && m.journey->travel() == travel;
     });
-    const Ref<Journey> journey =
-        last != moved_.end()
-            ? last->journey
-            : std::make_shared<const Journey>(travel, parameters, at_rest->placement->contact);
-    const Journey::Place place = journey->at(seconds);
-    const auto found = std::ranges::find_if(
-        moved_, [&](const Moved& m) { return m.journey == journey && m.place == place; });
+    Ref<Journey> journey; // none: it stays where it is
+    if (travel.speed != 0)
+        journey =
+            last != moved_.end()
+                ? last->journey
+                : std::make_shared<const Journey>(travel, parameters, at_rest->placement->contact);
+    const Journey::Place place = journey ? journey->at(seconds) : Journey::Place{};
+    const auto found = std::ranges::find_if(moved_, [&](const Moved& m) {
+        return m.at_rest == at_rest && m.posed == posed && m.journey == journey && m.place == place;
+    });
     if (found != moved_.end()) {
         std::rotate(moved_.begin(), found, found + 1);
         return moved_.front().laid;
@@ -202,13 +223,22 @@ Ref<Laid> Laying::travelled(const Ref<Laid>& at_rest, const Travel& travel,
     laid.journey = journey;
     if (place.hidden)
         laid.parts.clear();
-    else if (place.shift_u != 0) {
-        const Ref<Lattice> volume =
-            reaching(Ref<Lattice>(at_rest->placement, &at_rest->placement->volume), *journey,
-                     parameters, place.shift_u);
-        for (Part& part : laid.parts) part = shifted(part, volume, place.shift_u);
+    else if (place.shift_u != 0 || posed) {
+        Ref<Lattice> volume(at_rest->placement, &at_rest->placement->volume);
+        if (journey) volume = reaching(volume, *journey, parameters, place.shift_u);
+        const Embedding box = shifted(at_rest->placement->embedding, *volume, place.shift_u);
+        const auto lay = [&](const Part& part, const Embedding& embedding) {
+            return in_volume(part, embedding, volume, sorted_into(*volume, part, embedding));
+        };
+        if (posed) {
+            laid.parts.clear();
+            for (const Standing& each : standing(*posed, turned))
+                laid.parts.push_back(lay(each.part, embedded(box, each.to_box)));
+        } else
+            for (Part& part : laid.parts)
+                part = lay(part, shifted(part.bent->embedding, *volume, place.shift_u));
     }
-    moved_.insert(moved_.begin(), {at_rest, journey, place, make_ref(std::move(laid))});
+    moved_.insert(moved_.begin(), {at_rest, posed, journey, place, make_ref(std::move(laid))});
     if (moved_.size() > kept_results) moved_.pop_back();
     return moved_.front().laid;
 }

@@ -50,9 +50,10 @@ public:
                          const PlacementStep& step, const std::optional<Band>& band,
                          const std::vector<Support>& supports, RayMeshes& ray_meshes,
                          Timings& timings);
-    // The same some seconds after it set out; what rests is as it was.
-    Ref<Laid> travelled(const Ref<Laid>& at_rest, const Travel& travel,
-                        const PlacementParameters& parameters, double seconds);
+    // The same some seconds after it set out, with the shape as it is posed then; null: as it came.
+    // What rests is as it was.
+    Ref<Laid> moved(const Ref<Laid>& at_rest, const Ref<Shape>& posed, const glm::dmat3& turned,
+                    const Travel& travel, const PlacementParameters& parameters, double seconds);
     void add_meshes(std::set<Ref<Mesh>>& meshes) const; // that the kept results fell on
 
 private:
@@ -64,7 +65,7 @@ private:
         Ref<Laid> laid;
     };
     struct Sorted {
-        Ref<Mesh> mesh;
+        Part part;
         Embedding embedding;
         std::array<Knots, 3> axes;
         Lazy<Deformer> deformer;
@@ -73,12 +74,13 @@ private:
                            Timings& timings);
     struct Moved {
         Ref<Laid> at_rest;
+        Ref<Shape> posed;
         Ref<Journey> journey;
         Journey::Place place;
         Ref<Laid> laid;
     };
     Laid bent(const Shape& shape, const glm::dmat3& turned, Placement placement);
-    Part deformed(const Ref<Mesh>& mesh, const Embedding& embedding, const Ref<Lattice>& volume,
+    Part deformed(const Part& part, const Embedding& embedding, const Ref<Lattice>& volume,
                   std::vector<Sorted>& used) const;
 
     std::vector<Known> known_; // the latest first

@@ -5,8 +5,12 @@ namespace trivar {
 
 const Ref<Mesh>& mesh_of(const Part& part, Timings& timings)
 {
+    if (part.posed && !part.posed->mesh.ready()) {
+        timings.add("pose", 0, part.rest->vertex_count());
+        timed(timings, "pose", [&]() -> const Ref<Mesh>& { return *part.posed->mesh; });
+    }
     if (!part.bent || part.bent->mesh.ready()) return part.mesh();
-    timings.add("deform", 0, part.bent->rest->vertex_count());
+    timings.add("deform", 0, part.rest->vertex_count());
     return timed(timings, "deform", [&]() -> const Ref<Mesh>& { return part.mesh(); });
 }
 

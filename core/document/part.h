@@ -1,31 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/lazy.h"
 #include "core/base/timing.h"
 #include "core/ffd/deform.h"
+#include "core/mesh/pose.h"
 
 namespace trivar {
 
-// A mesh in a volume. Who draws by the graphics card needs no more than the first three; the mesh
-// as it comes out, in the world, is for the rest: worked out by the processor when it is first
-// asked for, by whichever thread, with one deformation of its vertices (core/ffd/deform.h).
+// How a mesh lies in a volume, and what comes out of it in the world: worked out by the processor
+// when it is first asked for, by whichever thread, with one deformation of its vertices
+// (core/ffd/deform.h). Who draws by the graphics card does not ask.
 struct Bent {
-    Ref<Mesh> rest;
     Embedding embedding;
     Ref<Lattice> volume;
     Lazy<Ref<Mesh>> mesh;
 };
 
-// One mesh as it stands in the world.
+// One mesh as it stands in the world: posed by its model's clip, and then deformed by a volume.
 struct Part {
-    Ref<Mesh> still;          // null where it was deformed
-    glm::dmat4 to_world{1};   // identity where it was
-    Ref<Bent> bent = nullptr; // null where it was not
+    Ref<Mesh> rest;         // has the same faces, corners and number of vertices as what it becomes
+    glm::dmat4 to_world{1}; // identity where a volume deforms it
+    Ref<Posed> posed = nullptr; // null where no skin and no morph target moves its vertices
+    Ref<Bent> bent = nullptr;   // null where no volume does
 
-    const Ref<Mesh>& mesh() const { return bent ? *bent->mesh : still; }
-    // Before it was deformed: with the same faces, corners and number of vertices.
-    const Ref<Mesh>& rest() const { return bent ? bent->rest : still; }
+    const Ref<Mesh>& before_volume() const { return posed ? *posed->mesh : rest; }
+    const Ref<Mesh>& mesh() const { return bent ? *bent->mesh : before_volume(); }
     bool operator==(const Part&) const = default;
 };
 

@@ -53,15 +53,18 @@ Model primitive(const TeapotShape& s)
     return model_of(teapot_mesh(s.height, s.resolution));
 }
 
-Shape shape_of(const Model& model)
+Shape shape_of(Ref<Model> from)
 {
     Shape shape;
+    const Model& model = *from;
     for (std::size_t i = 0; i < model.nodes.size(); ++i)
         if (const int mesh = model.nodes[i].mesh; mesh >= 0)
-            shape.meshes.push_back({model.meshes[static_cast<std::size_t>(mesh)],
-                                    node_to_model(model, static_cast<int>(i))});
+            shape.meshes.push_back({.rest = model.meshes[static_cast<std::size_t>(mesh)],
+                                    .node = static_cast<int>(i)});
     shape.materials =
         make_ref(model.materials.empty() ? std::vector<Material>(1) : model.materials);
+    shape.model = std::move(from);
+    stand(shape, nullptr, 0);
     return shape;
 }
 
@@ -69,14 +72,32 @@ Shape shape_of(const Model& model)
 void subdivide_all(Shape& shape, int levels, const Progress& progress)
 {
     std::map<Ref<Mesh>, Ref<Mesh>> done;
+    bool bends = false;
     for (Shape::Hung& hung : shape.meshes) {
-        const auto [entry, fresh] = done.try_emplace(hung.mesh);
-        if (fresh) entry->second = make_ref(subdivide(*hung.mesh, levels, progress));
-        hung.mesh = entry->second;
+        bends |= hung.posed != nullptr || !hung.rest->morph_targets.empty();
+        const auto [entry, fresh] = done.try_emplace(hung.mesh());
+        if (fresh) entry->second = make_ref(subdivide(*hung.mesh(), levels, progress));
+        hung.rest = entry->second;
+        hung.posed = nullptr;
     }
+    if (bends)
+        shape.notices.emplace_back(
+            "what is subdivided stands as it came: skins and morph targets do not move it");
 }
 
 } // namespace
+
+void stand(Shape& shape, const Clip* clip, double time_s)
+{
+    const Model& model = *shape.model;
+    const Stance stance = stance_at(model, clip, time_s);
+    for (Shape::Hung& hung : shape.meshes) {
+        hung.to_model = mesh_to_model(model, hung.node, stance);
+        const bool bends = !hung.rest->influences.empty() || !hung.rest->morph_targets.empty();
+        Pose pose = bends ? pose_of(model, hung.node, stance) : Pose{};
+        hung.posed = pose.empty() ? nullptr : posed_later(hung.rest, std::move(pose));
+    }
+}
 
 std::optional<Band> band_round(const Source& source, double level, const glm::dmat4& to_world)
 {
@@ -109,17 +130,17 @@ Ref<Shape> Shapes::operator()(const Source& source, Timings& timings, const Prog
             const AssetStore::Loaded loaded =
                 timed(timings, "import", [&] { return assets_->load(*file, progress); });
             missing = !loaded.model;
-            shape = shape_of(loaded.model ? *loaded.model : Model{});
+            shape = shape_of(loaded.model ? loaded.model : make_ref(Model{}));
             shape.notices = loaded.notices;
             if (file->subdivisions > 0)
                 timed(timings, "subdivide",
                       [&] { subdivide_all(shape, file->subdivisions, progress); });
         } else
             shape = shape_of(timed(timings, "import", [&] {
-                return std::visit([](const auto& s) { return primitive(s); }, source);
+                return make_ref(std::visit([](const auto& s) { return primitive(s); }, source));
             }));
     } catch (const Rejected& error) {
-        if (!shape.materials) shape = shape_of({});
+        if (!shape.materials) shape = shape_of(make_ref(Model{}));
         shape.notices.emplace_back(error.what());
     }
     Ref<Shape> result = make_ref(std::move(shape));

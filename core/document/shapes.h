@@ -3,6 +3,7 @@
 
 #include "core/base/timing.h"
 #include "core/document/asset_store.h"
+#include "core/mesh/pose.h"
 #include "core/placement/round.h"
 
 namespace trivar {
@@ -10,13 +11,20 @@ namespace trivar {
 // What a source gives, subdivided, ready to be drawn or laid.
 struct Shape {
     struct Hung {
-        Ref<Mesh> mesh;
+        Ref<Mesh> rest;
         glm::dmat4 to_model{1};
+        Ref<Posed> posed = nullptr; // where a skin or morph targets move the vertices
+        int node = 0;               // of the model
+        const Ref<Mesh>& mesh() const { return posed ? *posed->mesh : rest; }
     };
     std::vector<Hung> meshes; // those that hang on a node
+    Ref<Model> model;         // never null
     Ref<std::vector<Material>> materials;
     std::vector<std::string> notices;
 };
+
+// Puts its meshes where a clip of its model has them at that time, or as the model came.
+void stand(Shape& shape, const Clip* clip, double time_s);
 
 // The way round an object's axis, `level` metres from its widest circle; none for what is neither a
 // cylinder, a sphere, a torus nor a Moebius band.

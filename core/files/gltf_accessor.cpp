@@ -96,7 +96,8 @@ GltfAccessors::Layout GltfAccessors::checked_layout(int index)
     case TINYGLTF_TYPE_VEC2: layout.components = 2; break;
     case TINYGLTF_TYPE_VEC3: layout.components = 3; break;
     case TINYGLTF_TYPE_VEC4: layout.components = 4; break;
-    default: fail(index, "is neither a scalar nor a vector");
+    case TINYGLTF_TYPE_MAT4: layout.components = 16; break;
+    default: fail(index, "is neither a scalar, a vector nor a matrix of 4 x 4");
     }
     if (bytes_of(a.componentType) == 0) fail(index, "has no component type that is known");
     if (a.count > values_left_ / layout.components)

@@ -3,12 +3,11 @@
 #include "core/files/formats.h"
 #include "core/files/gltf_load.h"
 #include "core/files/gltf_materials.h"
+#include "core/files/gltf_rig.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <glm/gtc/matrix_transform.hpp>
-#include <glm/gtc/quaternion.hpp>
 #include <map>
 #include <set>
 #include <tiny_gltf.h>
@@ -25,7 +24,8 @@ public:
           gltf_(*loaded.gltf),
           keep_(std::move(loaded.gltf)),
           progress_(progress),
-          accessors_(gltf_, file.name)
+          accessors_(gltf_, file.name),
+          rig_(gltf_, accessors_, file.name)
     {
         model_.notices = std::move(loaded.notices);
     }
@@ -42,6 +42,9 @@ public:
         }
         if (default_used_ || model_.materials.empty()) model_.materials.emplace_back();
         read_nodes();
+        rig_.add_skins(model_, node_of_);
+        rig_.add_clips(model_, node_of_);
+        rig_.add_notices(model_);
         say_what_was_left_out();
         return std::move(model_);
     }
@@ -53,20 +56,21 @@ private:
             std::uint32_t first;
             std::size_t count;
         };
-        std::map<std::map<std::string, int>, Vertices> read_before;
+        using Attributes = std::map<std::string, int>;
+        std::map<std::pair<Attributes, std::vector<Attributes>>, Vertices> read_before;
         Mesh mesh;
         for (const tinygltf::Primitive& primitive : from.primitives) {
             if (primitive.extensions.contains("KHR_draco_mesh_compression"))
                 fail("it is compressed by KHR_draco_mesh_compression, which is not supported");
             const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
-            morphs_ |= !primitive.targets.empty();
             if (mode < TINYGLTF_MODE_TRIANGLES || mode > TINYGLTF_MODE_TRIANGLE_FAN) {
                 ++lines_and_points_;
                 continue;
             }
             // Primitives that differ in their material only share their vertices.
-            const auto [at, added] = read_before.emplace(
-                primitive.attributes, Vertices{static_cast<std::uint32_t>(mesh.vertex_count()), 0});
+            const auto [at, added] =
+                read_before.emplace(std::pair(primitive.attributes, primitive.targets),
+                                    Vertices{static_cast<std::uint32_t>(mesh.vertex_count()), 0});
             if (added) at->second.count = read_attributes(mesh, primitive);
             read_faces(mesh, primitive, mode, at->second.first, at->second.count);
         }
@@ -115,6 +119,8 @@ private:
                 read.values[i] = 1 - read.values[i]; // glTF's v goes down
             append(mesh.uvs[set], read, glm::vec2(0), name.c_str());
         }
+        rig_.add_influences(mesh, primitive, count);
+        rig_.add_targets(mesh, primitive, count);
         return count;
     }
 
@@ -156,6 +162,7 @@ private:
         const std::vector<int> roots = scene_roots();
         for (std::size_t i = roots.size(); i-- > 0;) stack.push_back({roots[i], -1});
         std::vector<bool> seen(gltf_.nodes.size(), false);
+        node_of_.assign(gltf_.nodes.size(), -1);
         while (!stack.empty()) {
             const Visit visit = stack.back();
             stack.pop_back();
@@ -166,13 +173,20 @@ private:
                 fail(fmt::format("node {} has two parents or is its own ancestor", visit.node));
             seen[index] = true;
             const tinygltf::Node& from = gltf_.nodes[index];
-            Node node{from.name, visit.parent, matrix(from, visit.node), from.mesh};
+            Node node{from.name, visit.parent, glm::dmat4(1), from.mesh};
+            place(node, from, visit.node);
             if (from.mesh >= 0 && static_cast<std::size_t>(from.mesh) >= model_.meshes.size())
                 fail(fmt::format("node {} names mesh {}, which is not there", visit.node,
                                  from.mesh));
             if (node.name.empty() && from.mesh >= 0)
                 node.name = gltf_.meshes[static_cast<std::size_t>(from.mesh)].name;
+            if (from.mesh >= 0) {
+                const auto& usual = gltf_.meshes[static_cast<std::size_t>(from.mesh)].weights;
+                for (const double weight : from.weights.empty() ? usual : from.weights)
+                    node.morph_weights.push_back(std::abs(weight) <= 1e6 ? float(weight) : 0.0f);
+            }
             const int self = static_cast<int>(model_.nodes.size());
+            node_of_[index] = self;
             model_.nodes.push_back(std::move(node));
             for (std::size_t i = from.children.size(); i-- > 0;)
                 stack.push_back({from.children[i], self});
@@ -196,35 +210,33 @@ private:
         return {roots.begin(), roots.end()};
     }
 
-    glm::dmat4 matrix(const tinygltf::Node& node, int index) const
+    void place(Node& to, const tinygltf::Node& node, int index) const
     {
         const auto finite = [&](const std::vector<double>& values) {
             for (const double value : values)
                 if (!(std::abs(value) <= 1e18))
                     fail(fmt::format("node {} is placed by a number that is not finite", index));
-            return true;
         };
         finite(node.matrix), finite(node.translation), finite(node.rotation), finite(node.scale);
-        glm::dmat4 result(1);
+        glm::dmat4& result = to.to_parent;
         if (node.matrix.size() == 16) {
             for (int c = 0; c < 4; ++c)
                 for (int r = 0; r < 4; ++r)
                     result[c][r] = node.matrix[static_cast<std::size_t>(4 * c + r)];
             if (result[0][3] != 0 || result[1][3] != 0 || result[2][3] != 0 || result[3][3] != 1)
                 fail(fmt::format("node {} has a matrix that is not affine", index));
-            return result;
+            to.outer = result;
+            return;
         }
         if (node.translation.size() == 3)
-            result = glm::translate(
-                result, {node.translation[0], node.translation[1], node.translation[2]});
+            to.rest.translation = {node.translation[0], node.translation[1], node.translation[2]};
         if (node.rotation.size() == 4) {
             const glm::dquat q(node.rotation[3], node.rotation[0], node.rotation[1],
                                node.rotation[2]);
-            if (glm::length(q) > 1e-9) result *= glm::mat4_cast(glm::normalize(q));
+            if (glm::length(q) > 1e-9) to.rest.rotation = glm::normalize(q);
         }
-        if (node.scale.size() == 3)
-            result = glm::scale(result, {node.scale[0], node.scale[1], node.scale[2]});
-        return result;
+        if (node.scale.size() == 3) to.rest.scale = {node.scale[0], node.scale[1], node.scale[2]};
+        result = to.rest.matrix();
     }
 
     void say_what_was_left_out()
@@ -232,9 +244,6 @@ private:
         const auto say = [&](bool condition, const char* what) {
             if (condition) model_.notices.push_back(fmt::format("{}: {}", file_.name, what));
         };
-        say(!gltf_.animations.empty(), "its animations were left out");
-        say(!gltf_.skins.empty(), "its skins were left out: the model stands in its rest pose");
-        say(morphs_, "its morph targets were left out");
         say(lines_and_points_ > 0, "its lines and points were left out");
         say(cut_triangles_, "a list of triangles was not a multiple of three long");
         say(gltf_.scenes.size() > 1, "only the first of its scenes was read");
@@ -250,10 +259,12 @@ private:
     std::shared_ptr<tinygltf::Model> keep_;
     const Progress& progress_;
     GltfAccessors accessors_;
+    GltfRig rig_;
     Model model_;
+    std::vector<int> node_of_; // the file's nodes in the model, or -1
     std::uint32_t default_material_ = 0;
     std::size_t lines_and_points_ = 0;
-    bool default_used_ = false, morphs_ = false, cut_triangles_ = false;
+    bool default_used_ = false, cut_triangles_ = false;
 };
 
 } // namespace

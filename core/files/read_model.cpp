@@ -102,7 +102,10 @@ Model read_model_bytes(std::string_view bytes, const std::string& name, const st
     if (faces == 0) throw Rejected(file.name + ": there are no faces in it");
     if (model.materials.empty()) model.materials.emplace_back();
     for (Node& node : model.nodes) {
-        if (node.parent < 0 && gltf) node.to_parent = matrix * node.to_parent;
+        if (node.parent < 0 && gltf) {
+            node.to_parent = matrix * node.to_parent;
+            node.outer = matrix * node.outer;
+        }
         if (node.name.empty()) node.name = std::filesystem::path(file.name).stem().string();
         if (node.mesh >= 0 && model.meshes[static_cast<std::size_t>(node.mesh)]->face_count() == 0)
             node.mesh = -1;

@@ -42,6 +42,8 @@ template <int ou, int ov, int ow> struct VolumeKernel {
 #include "core/kernel/axis.glsl"
 #include "core/kernel/volume.glsl"
 
+#include "core/kernel/normal.glsl"
+
 #include "core/kernel/deform.glsl"
 #include "core/kernel/raised.glsl"
 };

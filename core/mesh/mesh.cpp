@@ -151,6 +151,12 @@ Mesh without_loose_vertices(Mesh mesh)
     keep(mesh.colors, kept);
     for (auto& set : mesh.uvs) keep(set, kept);
     keep(mesh.points, kept);
+    keep(mesh.influences, kept);
+    for (Mesh::MorphTarget& target : mesh.morph_targets) {
+        keep(target.positions, kept);
+        keep(target.normals, kept);
+        keep(target.tangents, kept);
+    }
     for (std::uint32_t& v : mesh.corners) v = now_at[v];
     std::erase_if(mesh.creases, [&](const Mesh::Crease& c) { return !used[c.a] || !used[c.b]; });
     for (Mesh::Crease& crease : mesh.creases)

@@ -3,6 +3,7 @@
 
 #include "core/base/box.h"
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
@@ -36,6 +37,18 @@ struct Mesh {
         bool operator==(const Crease&) const = default;
     };
     std::vector<Crease> creases;
+    // What a pose moves a vertex by; see core/mesh/pose.h. A mesh that was posed has none.
+    struct Influences {
+        std::array<std::uint16_t, 4> joints{}; // of a skin
+        glm::vec4 weights{1, 0, 0, 0};         // not negative, their sum 1
+        bool operator==(const Influences&) const = default;
+    };
+    std::vector<Influences> influences; // #V, or empty: it goes with its node
+    struct MorphTarget {                // differences; each #V or empty: none
+        std::vector<glm::vec3> positions, normals, tangents;
+        bool operator==(const MorphTarget&) const = default;
+    };
+    std::vector<MorphTarget> morph_targets;
 
     std::size_t vertex_count() const { return positions.size(); }
     std::size_t face_count() const { return face_begin.size() - 1; }

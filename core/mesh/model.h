@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/ref.h"
+#include "core/mesh/clip.h"
 #include "core/mesh/mesh.h"
 
 #include <array>
@@ -52,14 +53,27 @@ struct Node {
     std::string name;
     int parent = -1; // index into Model::nodes, always smaller than the node's own
     glm::dmat4 to_parent{1};
-    int mesh = -1; // index into Model::meshes, or none
+    int mesh = -1;                         // index into Model::meshes, or none
+    int skin = -1;                         // index into Model::skins, or none: of the mesh
+    std::vector<float> morph_weights = {}; // of the mesh's targets; the others' are 0
+    // Where a clip moves the node, to_parent is outer * the matrix of what it makes of `rest`.
+    glm::dmat4 outer{1};
+    Placed rest = {};
+};
+
+// The nodes that move the vertices of a mesh.
+struct Skin {
+    std::vector<int> joints;               // indices into Model::nodes
+    std::vector<glm::dmat4> mesh_to_joint; // as the mesh was made: "inverse bind matrices"
 };
 
 // What a file or a primitive gives: meshes hung on a tree of nodes. World: Z up, metres.
 struct Model {
     std::vector<Node> nodes;
     std::vector<Ref<Mesh>> meshes;
-    std::vector<Material> materials;  // at least one
+    std::vector<Material> materials; // at least one
+    std::vector<Skin> skins;
+    std::vector<Clip> clips;
     std::vector<std::string> notices; // what was repaired on the way in, one sentence each
 };
 

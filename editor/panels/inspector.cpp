@@ -121,8 +121,8 @@ void facts(Editor& editor, const ui::Theme& theme, const Object& each, Id id)
     for (const auto& [each_id, effects] : session.evaluated().objects) {
         if (!belongs_to(session.document(), each_id, id)) continue;
         for (const Part& part : effects->parts) {
-            faces += part.rest()->face_count();
-            vertices += part.rest()->vertex_count();
+            faces += part.rest->face_count();
+            vertices += part.rest->vertex_count();
         }
     }
     if (std::holds_alternative<GroupShape>(each.source)) {
@@ -373,6 +373,8 @@ void draw_inspector(Editor& editor, const ui::Theme& theme, const Layout& layout
         if (editor.session.document().objects.contains(id)) draw(editor, theme, id);
     };
     if (each->placement) part(draw_placement);
+    if (std::holds_alternative<ImportedFile>(each->source))
+        part([](Editor& e, const ui::Theme& t, Id one) { draw_clip(e, t, {one}); });
     part(draw_transform);
     part(draw_material);
     facts(editor, theme, *each, id);

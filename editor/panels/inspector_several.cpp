@@ -128,8 +128,8 @@ void facts(Editor& editor, const ui::Theme& theme)
     for (const auto& [id, effects] : session.evaluated().objects) {
         if (!members.contain(id)) continue;
         for (const Part& part : effects->parts) {
-            faces += part.rest()->face_count();
-            vertices += part.rest()->vertex_count();
+            faces += part.rest->face_count();
+            vertices += part.rest->vertex_count();
         }
     }
     if (vertices == 0) {
@@ -168,6 +168,11 @@ void draw_several(Editor& editor, const ui::Theme& theme)
     for (const Id id : session.selected.ids())
         if (object(session.document(), id).placement) travellers.push_back(id);
     if (!travellers.empty()) draw_travel(editor, theme, travellers);
+    const auto imported = [&](Id id) {
+        return std::holds_alternative<ImportedFile>(object(session.document(), id).source);
+    };
+    if (std::ranges::all_of(session.selected.ids(), imported))
+        draw_clip(editor, theme, {session.selected.ids().begin(), session.selected.ids().end()});
     material(editor, theme);
     facts(editor, theme);
 }

@@ -183,7 +183,7 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     if (input.hovered && tool.crosshair()) ImGui::SetMouseCursor(ImGuiMouseCursor_NotAllowed);
     // A small window's picture must not jump: the picture is drawn after the camera moved.
     const bool moving = tool.busy() || editor.inspecting || !session.up_to_date() ||
-                        (editor.playback.playing() && !travelling(session.shown()).empty());
+                        (editor.playback.playing() && moves_in_time(session.shown()));
     const int state = static_cast<int>(editor.tool) * 2 + (tool.busy() ? 1 : 0);
     const bool as_in_pictures = editor.preferences.backdrop_as_in_pictures;
     const ui::Theme over = theme_over_picture(theme, *session.document().render, as_in_pictures);

@@ -52,7 +52,8 @@ Ref<Mesh> with_normals(const Ref<Mesh>& mesh)
 
 bool deforms(const Instance& instance)
 {
-    return !instance.stages.empty() && instance.mesh && instance.mesh->face_count() > 0;
+    return (!instance.stages.empty() || instance.posed) && instance.mesh &&
+           instance.mesh->face_count() > 0;
 }
 
 } // namespace
@@ -71,8 +72,9 @@ DeformBy usual_deform_by()
 
 bool DeformedMeshes::current(const Entry& entry, const Instance& instance, const Picture& picture)
 {
-    return entry.alive.lock() == instance.mesh && entry.stages == instance.stages &&
-           entry.by == picture.deform_by && entry.wire == picture.settings.wire;
+    return entry.alive.lock() == instance.mesh && entry.posed == instance.posed &&
+           entry.stages == instance.stages && entry.by == picture.deform_by &&
+           entry.wire == picture.settings.wire;
 }
 
 std::size_t DeformedMeshes::stale_vertices(const Picture& picture) const
@@ -96,16 +98,19 @@ void DeformedMeshes::update(const Picture& picture, Mirror& mirror)
         return item.first >= instances.size() || !deforms(instances[item.first]);
     });
     if (device_) device_->lattices().drop_dead();
+    if (poser_) poser_->drop_dead();
     for (std::size_t i = 0; i < instances.size(); ++i) {
         const Instance& instance = instances[i];
         if (!deforms(instance)) continue;
         Entry& entry = entries_[i];
         if (current(entry, instance, picture)) continue;
-        if (entry.alive.lock() != instance.mesh) entry.on_processor.reset();
+        if (entry.alive.lock() != instance.mesh || entry.posed != instance.posed)
+            entry.on_processor.reset();
         entry.by = picture.deform_by;
         entry.wire = picture.settings.wire;
         deform(entry, instance, mirror);
         entry.alive = instance.mesh;
+        entry.posed = instance.posed;
         entry.stages = instance.stages;
     }
     for (const auto& [instance, entry] : entries_)
@@ -159,7 +164,7 @@ void DeformedMeshes::deform(Entry& entry, const Instance& instance, Mirror& mirr
         }
     if (!done) deform_on_processor(entry, instance);
     DeformedMesh& drawn = entry.drawn;
-    const bool in_buffers = !drawn.stage || instance.stages.size() > 1;
+    const bool in_buffers = !drawn.stage || instance.stages.size() > 1 || instance.posed;
     drawn.mirrored = with_vertices(rest, in_buffers ? &entry.vertices : nullptr);
     drawn.mirrored.serial = mirror.next_serial();
     if (!entry.wire) return;
@@ -174,6 +179,16 @@ void DeformedMeshes::deform_on_device(Entry& entry, const Instance& instance, Mi
     const std::span<const Stage> stages(instance.stages);
     VertexSource from = source_of(mirror.mesh(instance.mesh), *instance.mesh);
     DeformedMesh& drawn = entry.drawn;
+    DeviceDeformer& deformer = device();
+    if (instance.posed) {
+        if (!poser_) poser_ = std::make_unique<DevicePoser>(deformer.programs());
+        poser_->pose(from, entry.vertices, *instance.posed);
+        from = VertexSource(entry.vertices); // which volumes deform in place
+        if (stages.empty()) {
+            drawn.box = deformer.box_of(from);
+            return;
+        }
+    }
     Box box = from.bounds;
     for (const Stage& stage : stages) box = deformed_bounds(stage, box);
     // A number of few digits, so that taking it off and adding it again is exact.
@@ -181,18 +196,18 @@ void DeformedMeshes::deform_on_device(Entry& entry, const Instance& instance, Mi
     const bool one_phase = entry.by == DeformBy::one_phase && !entry.wire;
     const std::span<const Stage> first = one_phase ? stages.first(stages.size() - 1) : stages;
     if (!first.empty())
-        device().deform(from, entry.vertices, first, method_of(entry.by),
+        deformer.deform(from, entry.vertices, first, method_of(entry.by),
                         one_phase ? glm::dvec3(0) : drawn.origin_world);
     if (!one_phase) {
-        drawn.box = device().box_of(entry.vertices);
+        drawn.box = deformer.box_of(entry.vertices);
     } else {
         const VertexSource last = first.empty() ? from : VertexSource(entry.vertices);
-        drawn.box = device().box_of(last, &stages.back(), drawn.origin_world);
+        drawn.box = deformer.box_of(last, &stages.back(), drawn.origin_world);
         drawn.stage = stages.back();
         drawn.undeformed = last.bounds;
         drawn.defines =
-            volume_defines(device().lattices().lattice(stages.back().lattice).axes->packed.order,
-                           device().reads_texels());
+            volume_defines(deformer.lattices().lattice(stages.back().lattice).axes->packed.order,
+                           deformer.reads_texels());
     }
     drawn.box.lo += drawn.origin_world;
     drawn.box.hi += drawn.origin_world;
@@ -200,21 +215,27 @@ void DeformedMeshes::deform_on_device(Entry& entry, const Instance& instance, Mi
 
 void DeformedMeshes::deform_on_processor(Entry& entry, const Instance& instance)
 {
-    const Stage& first = instance.stages.front();
-    const std::array<Knots, 3>& axes = first.lattice->displacement.axes;
-    const OnProcessor* kept = entry.on_processor.get();
-    if (!kept || kept->axes != axes || kept->embedding != first.embedding)
-        entry.on_processor = std::make_unique<OnProcessor>(OnProcessor{
-            first.embedding, axes, Deformer(with_normals(instance.mesh), first.embedding, axes)});
-    Deformed out = entry.on_processor->deformer.arrays(*first.lattice);
-    for (const Stage& stage : std::span(instance.stages).subspan(1)) {
+    Deformed out;
+    const auto mesh = [&] {
+        return with_normals(instance.posed ? *instance.posed->mesh : instance.mesh);
+    };
+    if (instance.stages.empty()) out = {mesh()->positions, mesh()->normals, mesh()->tangents};
+    for (std::size_t i = 0; i < instance.stages.size(); ++i) {
+        const Stage& stage = instance.stages[i];
+        const std::array<Knots, 3>& axes = stage.lattice->displacement.axes;
+        if (i == 0) {
+            const OnProcessor* kept = entry.on_processor.get();
+            if (!kept || kept->axes != axes || kept->embedding != stage.embedding)
+                entry.on_processor = std::make_unique<OnProcessor>(
+                    OnProcessor{stage.embedding, axes, Deformer(mesh(), stage.embedding, axes)});
+            out = entry.on_processor->deformer.arrays(*stage.lattice);
+            continue;
+        }
         Mesh between;
         between.positions = std::move(out.positions);
         between.normals = std::move(out.normals);
         between.tangents = std::move(out.tangents);
-        const Deformer next(make_ref(std::move(between)), stage.embedding,
-                            stage.lattice->displacement.axes);
-        out = next.arrays(*stage.lattice);
+        out = Deformer(make_ref(std::move(between)), stage.embedding, axes).arrays(*stage.lattice);
     }
     entry.vertices.positions.write(std::as_bytes(std::span(out.positions)));
     entry.vertices.normals.write(std::as_bytes(std::span(out.normals)));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gpu/ffd/device_deformer.h"
+#include "gpu/ffd/device_poser.h"
 #include "gpu/mirror.h"
 #include "gpu/picture.h"
 
@@ -9,7 +10,7 @@
 
 namespace trivar::gpu {
 
-// An instance with stages as it is drawn.
+// An instance with a pose or stages as it is drawn.
 struct DeformedMesh {
     MirroredMesh mirrored;      // with the deformed vertices, or in one phase the undeformed ones
     MirroredEdges edges;        // where the picture draws them
@@ -21,15 +22,15 @@ struct DeformedMesh {
     std::vector<std::string> defines;
 };
 
-// The instances of pictures that carry volumes, deformed where Picture::deform_by says and only
-// when mesh or volumes change: then the control points are uploaded, and nothing else. What the
-// device cannot do the processor does, and a notice says why.
+// The instances of pictures that carry poses or volumes, deformed where Picture::deform_by says and
+// only when mesh, pose or volumes change: then matrices and control points are uploaded, and
+// nothing else. What the device cannot do the processor does, and a notice says why.
 class DeformedMeshes {
 public:
     void update(const Picture& picture, Mirror& mirror);
     // How many vertices update() would deform: those of what changed.
     std::size_t stale_vertices(const Picture& picture) const;
-    // Null where the instance has no stages or lies nowhere.
+    // Null where the instance has neither or no faces.
     const DeformedMesh* of(std::size_t instance) const;
     // For one phase, before a draw with `defines`.
     void bind(const DeformedMesh& mesh);
@@ -45,6 +46,7 @@ private:
     };
     struct Entry {
         std::weak_ptr<const Mesh> alive;
+        Ref<Posed> posed;
         std::vector<Stage> stages;
         DeformBy by;
         bool wire;
@@ -60,6 +62,7 @@ private:
     void deform_on_processor(Entry& entry, const Instance& instance);
     std::map<std::size_t, Entry> entries_; // by instance
     std::unique_ptr<DeviceDeformer> device_;
+    std::unique_ptr<DevicePoser> poser_;
     Ref<ShaderTexts> texts_;
     std::string notice_;
 };

@@ -30,7 +30,7 @@ WayTime WayTimer::operator()(const Picture& picture, DeformBy by)
         for (const Instance& instance : picture.instances) {
             if (instance.stages.empty() || !instance.mesh) continue;
             const Stage& stage = instance.stages.front();
-            timer_->take(instance.mesh);
+            timer_->take(instance.posed ? *instance.posed->mesh : instance.mesh);
             out.vertices += instance.mesh->vertex_count();
             out.time_ms += timer_->time_ms(stage, way, method);
             if (way != Way::processor)

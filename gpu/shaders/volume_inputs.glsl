@@ -28,4 +28,5 @@ vec4 cell_row(int cell, int row) { return cells[cell * 10 + row]; }
 
 #include "axis.glsl"
 #include "volume.glsl"
+#include "normal.glsl"
 #include "deform.glsl"

@@ -126,6 +126,7 @@ std::vector<Command> fitting_commands()
             EditPlacement{.object = 3, .parameters = flat, .sketch = {}, .onto = {}},
             Unplace{.object = 3},
             SetTravel{.objects = {3}, .travel = {.speed = 0.5, .ends = Ends::loop}},
+            PlayClip{.objects = {5}, .playing = {.clip = "walk", .speed = 0.5}},
             copied(fitting_document(), {4, 3, 5}, "/models"),
             SaveCamera{.name = "side", .camera = {}},
             DeleteCamera{.name = "front"},

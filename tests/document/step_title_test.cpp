@@ -52,6 +52,7 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Offset of Pot 1",
         "Take Pot off its stroke",
         "Let Pot travel 0.5 m/s",
+        "Let snail play walk",
         "Paste 3 objects",
         "Keep side",
         "Forget front",

@@ -2,6 +2,7 @@
 // What of glTF our own writer never makes. Buffers are data URIs of hand-made bytes.
 #include "core/files/read_model.h"
 #include "tests/support/fixtures.h"
+#include "tests/support/rigged.h"
 
 #include <cstring>
 #include <filesystem>
@@ -11,22 +12,7 @@
 namespace trivar {
 namespace {
 
-using testing::real_data_folder;
-
-std::string base64(const std::string& bytes)
-{
-    static const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        unsigned word = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            word =
-                word << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-        for (std::size_t k = 0; k < 4; ++k)
-            text += i + k > bytes.size() ? '=' : digits[word >> (18 - 6 * k) & 63];
-    }
-    return text;
-}
+using testing::base64, testing::real_data_folder;
 
 template <class T> std::string bytes(std::initializer_list<T> values)
 {
@@ -104,22 +90,6 @@ TEST(Gltf, PlacesNodesByTranslationRotationAndScale)
     const Box box = bounding_box(model);
     EXPECT_LT(glm::distance(box.lo, glm::dvec3(8, 0, 0)), 1e-6);
     EXPECT_LT(glm::distance(box.hi, glm::dvec3(10, 0, 2)), 1e-6);
-}
-
-TEST(RealDataGltf, AnimatedModelsComeInTheirRestPoseAndSaySo)
-{
-    const std::string folder = real_data_folder();
-    if (folder.empty()) GTEST_SKIP() << "no folder of real data";
-    int read = 0;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder + "/animated")) {
-        const std::string extension = entry.path().extension().string();
-        if (extension != ".gltf" && extension != ".glb") continue;
-        const Model model = read_model(entry.path().string());
-        EXPECT_GT(model.meshes.at(0)->face_count(), 0u) << entry.path();
-        EXPECT_THAT(model.notices, ::testing::Contains(::testing::HasSubstr("animations")));
-        ++read;
-    }
-    EXPECT_EQ(read, 5);
 }
 
 // The counts are those of the folder's own list.

@@ -7,6 +7,37 @@
 #include <cmath>
 
 namespace make {
+namespace {
+
+// A wave of the body that runs to the tail and grows on its way; the head nods against it.
+void swim(Model& m)
+{
+    const std::vector<float> x{.66f, .50f, .36f, .22f, .10f};
+    const std::vector<float> swing{.05f, .07f, .11f, .17f, .30f}; // radians
+    constexpr float height = .125f;
+    int parent = 0;
+    for (std::size_t k = 0; k < x.size(); ++k) {
+        const vec3 at = k == 0 ? vec3(x[0], height, 0) : vec3(x[k] - x[k - 1], 0, 0);
+        parent = m.node("spine_" + std::to_string(k), parent, at);
+        m.spine.joints.push_back(parent);
+    }
+    m.spine.x = x;
+    Clip c;
+    c.name = "swim";
+    constexpr int keys = 24;
+    constexpr float seconds = 1.6f;
+    for (const int joint : m.spine.joints) c.channels.push_back({joint, {}, {}});
+    for (int key = 0; key <= keys; ++key) {
+        const float u = float(key) / keys;
+        c.times_s.push_back(seconds * u);
+        for (std::size_t k = 0; k < x.size(); ++k)
+            c.channels[k].rotations.push_back(
+                glm::angleAxis(swing[k] * std::sin(2 * pi * u - .8f * float(k)), vec3(0, 0, 1)));
+    }
+    m.clips.push_back(c);
+}
+
+} // namespace
 
 Model whale()
 {
@@ -101,6 +132,7 @@ Model whale()
     auto& P = m.root().parts;
     P.push_back(b.mat(skin));
     both(P, ball_mesh(.0068f, 6).move({.838f, .1045f, .1045f}).mat(eye));
+    swim(m);
     return m;
 }
 

@@ -41,6 +41,7 @@ Document applied(Document document, const DeleteCamera& command);
 Document applied(Document document, const SetRender& command);
 Document applied(Document document, const SetTime& command);
 Document applied(Document document, const SetTravel& command);
+Document applied(Document document, const PlayClip& command);
 Document applied(Document document, const Paste& command);
 
 // The ids of a list. Throws Rejected if it is empty, an object does not exist or is named twice.

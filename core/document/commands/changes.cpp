@@ -162,6 +162,21 @@ Changes changes(const RenderSettings& before, const RenderSettings& after)
     return compare.take();
 }
 
+Changes changes(const Playing& before, const Playing& after)
+{
+    const auto repeat = [](Repeat r) -> std::string {
+        return r == Repeat::once ? "once" : r == Repeat::loop ? "loop" : "back and forth";
+    };
+    Compared compare;
+    compare("Clip", before.clip, after.clip, [](const std::string& clip) { return clip; });
+    compare("Speed", before.speed, after.speed, [](double v) { return brief_number(v) + " x"; });
+    compare("Repeat", before.repeat, after.repeat, repeat);
+    compare("Offset", before.offset, after.offset, in_seconds);
+    compare("Start", before.start_frame, after.start_frame,
+            [](int frame) { return fmt::format("at frame {}", frame); });
+    return compare.take();
+}
+
 Changes changes(const Travel& before, const Travel& after)
 {
     const auto ends = [](Ends e) -> std::string {

@@ -18,6 +18,7 @@ Changes changes(const PlacementParameters& before, const PlacementParameters& af
 Changes changes(const Surfacing& before, const Surfacing& after);
 Changes changes(const RenderSettings& before, const RenderSettings& after);
 Changes changes(const Travel& before, const Travel& after);
+Changes changes(const Playing& before, const Playing& after);
 Changes changes(const Time& before, const Time& after);
 
 // Three significant digits, no trailing zeros: "0.24", "12.3", "4".

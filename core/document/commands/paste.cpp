@@ -63,7 +63,8 @@ Object object_of(const CopiedObject& copy, const Document& document, const Copie
             .parent = copy.parent == 0 ? 0 : parent->second,
             .hidden = copy.hidden,
             .locked = copy.locked,
-            .placement = {}};
+            .placement = {},
+            .playing = copy.file && copy.playing ? *copy.playing : Playing{}};
 }
 
 // What the copy lies on here: of what it lay on whatever was copied too, or is in the scene.
@@ -122,6 +123,7 @@ CopiedObject copy_of(const Document& document, Id id, bool inside, const std::st
     copy.hidden = each.hidden;
     copy.locked = each.locked;
     copy.material = each.surfacing;
+    if (copy.file && each.playing != Playing{}) copy.playing = each.playing;
     if (!each.placement) return copy;
     copy.placement = {each.placement->sketch,
                       each.placement->parameters,

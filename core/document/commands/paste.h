@@ -4,6 +4,7 @@
 #include "core/document/commands/import.h"
 #include "core/document/commands/material.h"
 #include "core/document/commands/place.h"
+#include "core/document/commands/play.h"
 #include "core/document/commands/primitives.h"
 #include "core/document/commands/travel.h"
 
@@ -47,6 +48,7 @@ struct CopiedObject {
     std::optional<Surfacing> material;
     std::optional<CopiedPlacement> placement;
     std::optional<Travel> travel;
+    std::optional<Playing> playing;
     bool operator==(const CopiedObject&) const = default;
 };
 
@@ -88,6 +90,7 @@ template <> struct FieldsOf<CopiedObject> {
         field("material", c.material, "one material over all of it; left out: its own");
         field("placement", c.placement, "how it lies on a stroke");
         field("travel", c.travel, "how it goes along that");
+        field("playing", c.playing, "how an imported model moves by a clip of its file");
     }
 };
 

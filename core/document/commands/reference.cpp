@@ -42,6 +42,8 @@ template <class T> std::string type_name()
         return "values of [set_material](#set_material)";
     else if constexpr (std::is_same_v<T, Travel>)
         return "values of [set_travel](#set_travel)";
+    else if constexpr (std::is_same_v<T, Playing>)
+        return "values of [play_clip](#play_clip)";
     else if constexpr (Nested<T>) // a shape
         return fmt::format("values of [{0}](#{0})", FieldsOf<T>::verb);
     else if constexpr (is_optional<T>)

@@ -271,6 +271,16 @@ struct Titles {
         if (old.speed != 0 && now.speed == 0) return {"Let " + names + " rest", {}};
         return title_of_changes(changes(old, now), "Travel", names);
     }
+    StepTitle operator()(const PlayClip& c) const
+    {
+        const std::string names = names_in(before, c.objects);
+        const Object* object = c.objects.empty() ? nullptr : was(c.objects.front());
+        const Playing old = object ? object->playing : Playing{};
+        const Playing& now = c.playings.empty() ? c.playing : c.playings.front();
+        if (now.clip.empty()) return {"Let " + names + " stand", {}};
+        if (old.clip != now.clip) return {"Let " + names + " play", now.clip};
+        return title_of_changes(changes(old, now), "Clip", names);
+    }
     StepTitle operator()(const Paste&) const
     {
         std::vector<Id> ids;

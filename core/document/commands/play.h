@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/commands/field.h"
+
+namespace trivar {
+
+template <>
+inline constexpr std::array<std::string_view, 3> choice_names<Repeat>{"once", "loop",
+                                                                      "back_and_forth"};
+
+template <> struct FieldsOf<Playing> {
+    static void fields(auto& p, auto&& field)
+    {
+        field("clip", p.clip, "name of a clip in its file; empty: it stands as it came");
+        field("speed", p.speed, "of the clip's own speed; negative: backwards", between(-1e3, 1e3));
+        field("repeat", p.repeat,
+              "what comes after the clip's end: nothing, the clip again, or the way back");
+        field("offset", p.offset, "seconds into the clip at the start frame", between(-1e6, 1e6));
+        field("start_frame", p.start_frame, "the frame from which on it moves",
+              between(-999999, 999999));
+    }
+};
+struct PlayClip {
+    static constexpr std::string_view verb = "play_clip",
+                                      summary = "Let imported models move by a clip of their "
+                                                "file, or stand.";
+    std::vector<Id> objects;
+    Playing playing;
+    std::vector<Playing> playings = {};
+    bool operator==(const PlayClip&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("objects", c.objects, "ids of imported models", required);
+        FieldsOf<Playing>::fields(c.playing, field);
+        field("playings", c.playings,
+              "one each, in the order of the objects, in place of these fields; empty: the same "
+              "for all");
+    }
+};
+
+} // namespace trivar

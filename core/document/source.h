@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/files/read_model.h"
+
+#include <glm/glm.hpp>
+#include <string>
+#include <variant>
+
+namespace trivar {
+
+// Where an object's shape comes from. A file is named relative to the scene file's folder; the
+// hash says which content was meant.
+struct ImportedFile {
+    std::string path, hash;
+    UpAxis up = UpAxis::automatic;
+    double scale = 1;
+    int subdivisions = 0; // Catmull-Clark levels, 0..6
+    bool operator==(const ImportedFile&) const = default;
+};
+struct PlaneShape {
+    glm::dvec2 size{4};
+    glm::ivec2 segments{1};
+    bool operator==(const PlaneShape&) const = default;
+};
+struct BoxShape {
+    glm::dvec3 size{1};
+    glm::ivec3 segments{8};
+    bool operator==(const BoxShape&) const = default;
+};
+struct SphereShape {
+    double radius = 0.5;
+    int segments = 64, rings = 32;
+    bool operator==(const SphereShape&) const = default;
+};
+struct CylinderShape {
+    double radius = 0.5, height = 1;
+    int segments = 64, stacks = 16;
+    bool operator==(const CylinderShape&) const = default;
+};
+struct TorusShape {
+    double radius = 0.5, tube = 0.2;
+    glm::ivec2 segments{96, 48};
+    bool operator==(const TorusShape&) const = default;
+};
+struct MoebiusShape {
+    double radius = 0.5, width = 0.3;
+    glm::ivec2 segments{128, 12};
+    bool operator==(const MoebiusShape&) const = default;
+};
+struct TeapotShape {
+    double height = 1;
+    int resolution = 12;
+    bool operator==(const TeapotShape&) const = default;
+};
+struct GroupShape {
+    bool operator==(const GroupShape&) const = default;
+}; // no shape: a parent for others
+using Source = std::variant<GroupShape, ImportedFile, PlaneShape, BoxShape, SphereShape,
+                            CylinderShape, TorusShape, MoebiusShape, TeapotShape>;
+
+} // namespace trivar

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/lazy.h"
+#include "core/mesh/model.h"
+
+namespace trivar {
+
+// How the nodes of a model stand.
+struct Stance {
+    std::vector<glm::dmat4> to_model;              // by node
+    std::vector<std::vector<float>> morph_weights; // by node, as many as the mesh has targets
+};
+
+// At a time of a clip; null: as the model came. O(#nodes + #channels log #keys).
+Stance stance_at(const Model& model, const Clip* clip, double time_s);
+
+// What moves the vertices of a mesh one by one. Empty: nothing.
+struct Pose {
+    // By joint of the skin, from the mesh to where a node without a place of its own would put it.
+    std::vector<glm::mat4> joints;
+    std::vector<float> morph_weights; // by target; none where all are 0
+    bool empty() const { return joints.empty() && morph_weights.empty(); }
+    bool operator==(const Pose&) const = default;
+};
+
+// Of the mesh that hangs on a node. A skinned mesh lies in model space and not where its node is.
+Pose pose_of(const Model& model, int node, const Stance& stance);
+glm::dmat4 mesh_to_model(const Model& model, int node, const Stance& stance);
+
+// Linear blend skinning after morph targets, normals by cofactors (core/kernel/pose.glsl); the
+// result has neither influences nor targets. The same bits for any number of threads.
+Mesh posed(const Mesh& mesh, const Pose& pose);
+
+// The box of the posed mesh, or a larger one, without looking at all vertices of a skin.
+Box posed_bounds(const Box& mesh, const std::vector<Box>& targets, const Pose& pose);
+std::vector<Box> target_bounds(const Mesh& mesh); // of the differences of positions, each with 0
+
+// A mesh with what moves it, worked out by the processor when it is asked for.
+struct Posed {
+    Ref<Mesh> rest;
+    Pose pose;
+    Lazy<Ref<Mesh>> mesh;
+};
+Ref<Posed> posed_later(const Ref<Mesh>& rest, Pose pose);
+
+} // namespace trivar

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/mesh/pose.h"
+#include "gpu/ffd/device_deformer.h"
+
+#include <map>
+
+namespace trivar::gpu {
+
+ProgramName pose_program(bool skinned, int kinds, bool normals, bool tangents);
+
+// Poses meshes on the device, as trivar::posed() does. Influences and morph targets are uploaded
+// once a mesh, a pose as its matrices and weights.
+class DevicePoser {
+public:
+    // The programs are those of who deforms after it, and outlive it.
+    explicit DevicePoser(Programs& programs, const DeviceLimits& limits = device_limits())
+        : limits_(limits),
+          programs_(programs)
+    {
+    }
+
+    // `from` are the vertices of posed.rest. What is in `to` may be read by any pass and by the
+    // deformer. Throws Rejected where the device has no room.
+    void pose(const VertexSource& from, DeviceVertices& to, const Posed& posed);
+    void drop_dead(); // rigs of meshes that nobody else holds
+
+private:
+    struct Rig {
+        std::weak_ptr<const Mesh> alive;
+        Buffer buffer;
+        int kinds = 0; // of a target's differences: 1 positions, 2 normals too, 3 tangents too
+        std::vector<Box> targets;
+    };
+    const Rig& rig(const Ref<Mesh>& mesh);
+    DeviceLimits limits_;
+    std::map<const Mesh*, Rig> rigs_;
+    Programs& programs_;
+    Buffer pose_;
+};
+
+} // namespace trivar::gpu

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/rejected.h"
+#include "core/files/read_model.h"
+#include "core/mesh/pose.h"
+#include "tests/support/fixtures.h"
+#include "tests/support/rigged.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace trivar {
+namespace {
+
+using ::testing::Contains, ::testing::HasSubstr;
+using testing::gltf_text, testing::real_data_folder, testing::rigged_model;
+
+Model read(const Model& model)
+{
+    return read_model_bytes(gltf_text(model), "rigged.gltf", "", {.up = UpAxis::z});
+}
+
+Mesh posed_at(const Model& model, const Clip* clip, double time_s)
+{
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        if (model.nodes[i].mesh < 0) continue;
+        const int node = static_cast<int>(i);
+        const Stance stance = stance_at(model, clip, time_s);
+        return transformed(posed(*model.meshes[static_cast<std::size_t>(model.nodes[i].mesh)],
+                                 pose_of(model, node, stance)),
+                           mesh_to_model(model, node, stance));
+    }
+    return {};
+}
+
+TEST(GltfRig, ComesBackAsItWasWritten)
+{
+    const Model model = rigged_model(), back = read(model);
+    EXPECT_TRUE(back.notices.empty()) << back.notices.front();
+    ASSERT_EQ(back.clips.size(), 2u);
+    for (std::size_t c = 0; c < 2; ++c) {
+        EXPECT_EQ(back.clips[c].name, model.clips[c].name);
+        EXPECT_EQ(back.clips[c].end_s, 1);
+        for (const double time : {0.0, 0.4, 1.0}) {
+            const Mesh a = posed_at(model, &model.clips[c], time),
+                       b = posed_at(back, &back.clips[c], time);
+            ASSERT_EQ(a.vertex_count(), b.vertex_count());
+            for (std::size_t v = 0; v < a.vertex_count(); ++v)
+                EXPECT_LT(glm::distance(a.positions[v], b.positions[v]), 1e-6);
+        }
+    }
+}
+
+TEST(GltfRig, StandsUpAndGrowsWithTheUpAxisAndTheScale)
+{
+    const Model model = rigged_model();
+    const Model back = read_model_bytes(gltf_text(model), "rigged.gltf", "", {.scale = 2});
+    const Mesh a = posed_at(model, &model.clips[0], 1), b = posed_at(back, &back.clips[0], 1);
+    for (std::size_t v = 0; v < a.vertex_count(); ++v) {
+        const glm::vec3 p = a.positions[v];
+        EXPECT_LT(glm::distance(b.positions[v], 2.0f * glm::vec3(p.x, -p.z, p.y)), 1e-5);
+    }
+}
+
+TEST(GltfRig, SaysWhatIsLeftOut)
+{
+    Model model = rigged_model();
+    Mesh mesh = *model.meshes[0];
+    for (Mesh::Influences& by : mesh.influences) by.weights = {0, 0, 0, 0};
+    model.meshes[0] = make_ref(mesh);
+    EXPECT_THAT(read(model).notices, Contains(HasSubstr("have no weight")));
+
+    model = rigged_model();
+    model.clips[0].channels[0].times_s = {1, 0};
+    EXPECT_THAT(read(model).notices, Contains(HasSubstr("1 tracks")));
+    EXPECT_EQ(read(model).clips.size(), 1u);
+
+    model = rigged_model();
+    model.skins[0].joints = {1, 77};
+    const Model boneless = read(model);
+    EXPECT_THAT(boneless.notices, Contains(HasSubstr("1 skins lack joints")));
+    EXPECT_EQ(boneless.nodes[0].skin, -1);
+}
+
+TEST(GltfRig, RefusesJointsThatAreNotThere)
+{
+    Model model = rigged_model();
+    Mesh mesh = *model.meshes[0];
+    mesh.influences.back().joints[1] = 9;
+    model.meshes[0] = make_ref(mesh);
+    try {
+        read(model);
+        FAIL() << "was read";
+    } catch (const Rejected& why) {
+        EXPECT_THAT(why.what(), HasSubstr("joint 9"));
+    }
+}
+
+TEST(RealDataGltf, AnimatedModelsHaveTheirClips)
+{
+    const std::string folder = real_data_folder();
+    if (folder.empty()) GTEST_SKIP() << "no folder of real data";
+    const Model fox = read_model(folder + "/animated/Fox.glb");
+    ASSERT_EQ(fox.clips.size(), 3u);
+    EXPECT_EQ(fox.clips[1].name, "Walk");
+    EXPECT_EQ(fox.skins.at(0).joints.size(), 24u);
+    const Box walking = bounding_box(posed_at(fox, &fox.clips[1], 0.3)),
+              standing = bounding_box(*fox.meshes[0]);
+    EXPECT_NEAR(glm::length(walking.size()), glm::length(standing.size()),
+                0.3 * glm::length(standing.size()));
+    EXPECT_GT(walking.size().z, 50) << "it stands on its legs";
+    EXPECT_NEAR(walking.lo.z, 0, 5);
+
+    const Model cube =
+        read_model(folder + "/animated/AnimatedMorphCube/glTF/AnimatedMorphCube.gltf");
+    EXPECT_EQ(cube.meshes.at(0)->morph_targets.size(), 2u);
+    EXPECT_NE(posed_at(cube, &cube.clips.at(0), 1.0).positions,
+              posed_at(cube, nullptr, 0).positions);
+}
+
+} // namespace
+} // namespace trivar
