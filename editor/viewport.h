@@ -73,7 +73,8 @@ public:
     unsigned texture() const { return renderer_ ? renderer_->texture() : 0; } // what shows
     WayComparison& ways() { return ways_; }
     const ui::TimingHistory& drafts() const { return drafts_; }
-    const Timings& full_timings() const { return full_timings_; } // of the last one
+    double draft_scale() const { return pace_ ? pace_->scale() : 1; } // of the next draft's size
+    const Timings& full_timings() const { return full_timings_; }     // of the last one
     std::size_t uploaded_bytes() const { return renderer_ ? renderer_->uploaded_bytes() : 0; }
     long pictures() const { return pictures_; } // begun so far
     // What the renderer could not do as it was asked, each time once; empty: nothing new.

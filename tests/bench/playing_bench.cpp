@@ -25,14 +25,14 @@ void add(std::map<std::string, std::vector<double>>& stages, const Timings& timi
         stages[stage.name + " ms"].push_back(stage.time_ms);
 }
 
-void playing(benchmark::State& state, const std::string& name)
+void playing(benchmark::State& state, const std::string& name, const char* pace)
 {
     using namespace std::chrono_literals;
     keep_freed_memory(); // as the program does
     testing::Rig rig({1280, 720});
     Session& session = rig.editor.session;
     rig.editor.only_view = true;
-    rig.editor.preferences.pace = "1"; // pictures a second, so that none is made smaller
+    rig.editor.preferences.pace = pace;
     session.replace_scene(SceneFile(TRIVAR_SOURCE_DIR "/assets/scenes/" + name + ".trivar"));
     rig.wait();
     int frame = session.document().time.first_frame;
@@ -45,7 +45,7 @@ void playing(benchmark::State& state, const std::string& name)
         rig.frames(1);
         glFinish();
     };
-    for (int i = 0; i < 80; ++i) next_picture(); // the size of the drafts grows to the whole
+    for (int i = 0; i < 80; ++i) next_picture(); // till the size of drafts has settled
     for (auto _ : state) {
         const double begun_s = now_s();
         next_picture();
@@ -56,15 +56,20 @@ void playing(benchmark::State& state, const std::string& name)
     }
     state.counters["median ms"] = quantile(whole, 0.5);
     state.counters["best quarter ms"] = quantile(whole, 0.25);
+    state.counters["scale"] = rig.editor.viewport.draft_scale();
     for (const auto& [stage, times] : stages) state.counters[stage] = quantile(times, 0.25);
 }
 void pictures(benchmark::internal::Benchmark* each)
 {
     each->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime()->Iterations(100);
 }
-BENCHMARK_CAPTURE(playing, whales, std::string("whales"))->Apply(pictures);
-BENCHMARK_CAPTURE(playing, ants, std::string("ants"))->Apply(pictures);
-BENCHMARK_CAPTURE(playing, car, std::string("car"))->Apply(pictures);
+constexpr const char* slow = "0.1"; // pictures a second, so that none is made smaller
+BENCHMARK_CAPTURE(playing, whales_whole, "whales", slow)->Apply(pictures);
+BENCHMARK_CAPTURE(playing, ants_whole, "ants", slow)->Apply(pictures);
+BENCHMARK_CAPTURE(playing, car_whole, "car", slow)->Apply(pictures);
+BENCHMARK_CAPTURE(playing, whales_at_pace, "whales", "automatic")->Apply(pictures);
+BENCHMARK_CAPTURE(playing, ants_at_pace, "ants", "automatic")->Apply(pictures);
+BENCHMARK_CAPTURE(playing, car_at_pace, "car", "automatic")->Apply(pictures);
 
 } // namespace
 } // namespace trivar

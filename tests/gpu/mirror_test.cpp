@@ -47,6 +47,24 @@ TEST_F(TheMirror, IsNotFooledByAnAddressUsedAgain)
     EXPECT_EQ(mirror.mesh_count(), 1u);
 }
 
+TEST_F(TheMirror, KeepsTheFacesOfMeshesOfTrianglesThatComeAndGo)
+{
+    Mesh triangle;
+    triangle.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    add_face(triangle, std::array{0u, 1u, 2u});
+    auto mesh = make_ref(Mesh(triangle));
+    const MirroredFaces* faces = mirror.mesh(mesh).faces.get();
+    EXPECT_GT(faces->indices.bytes(), 0u);
+    for (int frame = 1; frame < 4; ++frame) {
+        triangle.positions.front().z = static_cast<float>(frame);
+        mesh = make_ref(Mesh(triangle));
+        mirror.drop_dead();
+        EXPECT_EQ(mirror.mesh(mesh).faces.get(), faces);
+    }
+    triangle.face_material = {1};
+    EXPECT_NE(mirror.mesh(make_ref(Mesh(triangle))).faces.get(), faces);
+}
+
 TEST_F(TheMirror, SortsTrianglesByMaterial)
 {
     Mesh box = box_mesh({1, 1, 1}, {1, 1, 1});
