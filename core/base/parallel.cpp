@@ -7,6 +7,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 namespace trivar {
 namespace {
@@ -28,15 +29,18 @@ void for_each(std::size_t count, const std::function<void(std::size_t)>& run)
 }
 #else
 // Each is a task: blocks are large, and the automatic partitioner would hand out several at once
-// and leave a thread without any at the end.
+// and leave a thread without any at the end. Isolated: a thread that waits here takes no block of
+// another loop, whose lock it may hold.
 void for_each(std::size_t count, const std::function<void(std::size_t)>& run)
 {
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, count),
-        [&](const tbb::blocked_range<std::size_t>& some) {
-            for (std::size_t i = some.begin(); i < some.end(); ++i) run(i);
-        },
-        tbb::simple_partitioner());
+    tbb::this_task_arena::isolate([&] {
+        tbb::parallel_for(
+            tbb::blocked_range<std::size_t>(0, count),
+            [&](const tbb::blocked_range<std::size_t>& some) {
+                for (std::size_t i = some.begin(); i < some.end(); ++i) run(i);
+            },
+            tbb::simple_partitioner());
+    });
 }
 #endif
 

@@ -3,6 +3,11 @@
 
 namespace trivar {
 
+bool is_deformed(const Part& part)
+{
+    return part.bent ? part.bent->mesh.ready() : !part.posed || part.posed->mesh.ready();
+}
+
 const Ref<Mesh>& mesh_of(const Part& part, Timings& timings)
 {
     if (part.posed && !part.posed->mesh.ready()) {

@@ -28,6 +28,8 @@ struct Part {
     bool operator==(const Part&) const = default;
 };
 
+bool is_deformed(const Part& part); // or needs not to be: mesh() is there at once
+
 // The same mesh; what the deforming took, if it was done for this call, is the stage "deform".
 const Ref<Mesh>& mesh_of(const Part& part, Timings& timings);
 
