@@ -6,6 +6,7 @@
 #include "editor/picture.h"
 #include "gpu/context.h"
 #include "gpu/ffd/deform_timer.h"
+#include "gpu/ffd/device_poser.h"
 #include "gpu/renderer.h"
 #include "tests/support/pictures.h"
 
@@ -89,13 +90,20 @@ TEST_P(Gallery, LaysNothingIntoWhatItLiesOn)
     EXPECT_GT(placed, 0);
 }
 
+Deformed arrays_of(const Mesh& mesh)
+{
+    return {mesh.positions, mesh.normals, mesh.tangents};
+}
+
 // Vertex by vertex, at the first frame and in the middle of what moves; by the box of an object.
-TEST_P(Gallery, IsDeformedAlikeInEveryWay)
+TEST_P(Gallery, IsPosedAndDeformedAlikeInEveryWay)
 {
     const gpu::HeadlessContext context;
     const Document document = document_of(GetParam());
     Evaluator evaluator = evaluator_here();
     gpu::DeformTimer device(0);
+    gpu::Programs programs;
+    gpu::DevicePoser poser(programs);
     std::size_t vertices = 0;
     for (const int frame :
          {document.time.first_frame, (document.time.first_frame + document.time.last_frame) / 2}) {
@@ -104,17 +112,26 @@ TEST_P(Gallery, IsDeformedAlikeInEveryWay)
         const gpu::Picture picture =
             picture_of(evaluated, document, {}, none, gpu::DeformBy::two_phases);
         for (const gpu::Instance& instance : picture.instances) {
+            const auto expect_small = [&](const gpu::DeformErrors& off, double size) {
+                EXPECT_LT(off.position * off.diagonal, 1e-6 * size)
+                    << "object " << instance.id << ", frame " << frame;
+                EXPECT_LT(off.normal_deg, 0.05) << "object " << instance.id << ", frame " << frame;
+            };
+            const Ref<Mesh>& mesh = instance.posed ? *instance.posed->mesh : instance.mesh;
+            if (instance.posed) {
+                gpu::DeviceVertices posed;
+                poser.pose(gpu::uploaded_vertices(*instance.mesh), posed, *instance.posed);
+                const gpu::DeformErrors off =
+                    gpu::errors_of(gpu::read_back(posed), arrays_of(*mesh));
+                expect_small(off, off.diagonal);
+            }
             if (instance.stages.empty()) continue;
             ASSERT_EQ(instance.stages.size(), 1u);
-            const Box& object = *evaluated.objects.at(instance.id)->bounds;
-            device.take(instance.mesh);
-            vertices += instance.mesh->vertex_count();
-            for (const gpu::Way way : {gpu::Way::one_phase, gpu::Way::two_phases}) {
-                const gpu::DeformErrors off = device.errors(instance.stages.front(), way, {});
-                ASSERT_LT(off.position * off.diagonal, 1e-6 * glm::length(object.size()))
-                    << "object " << instance.id << ", frame " << frame;
-                ASSERT_LT(off.normal_deg, 0.05) << "object " << instance.id << ", frame " << frame;
-            }
+            device.take(mesh);
+            vertices += mesh->vertex_count();
+            const double object = glm::length(evaluated.objects.at(instance.id)->bounds->size());
+            for (const gpu::Way way : {gpu::Way::one_phase, gpu::Way::two_phases})
+                expect_small(device.errors(instance.stages.front(), way, {}), object);
         }
     }
     EXPECT_GT(vertices, 0u);
