@@ -80,6 +80,7 @@ AxisCells::AxisCells(const Knots& knots)
       least_(reach(knots).least),
       most_(reach(knots).most)
 {
+    cells_.reserve(breaks_.size() + 1);
     cells_.push_back(end_cell(knots, knots.begin()));
     for (std::size_t i = 0; i + 1 < breaks_.size(); ++i)
         cells_.push_back(span_cell(knots, breaks_[i], breaks_[i + 1]));

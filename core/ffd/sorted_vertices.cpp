@@ -18,13 +18,21 @@ struct Placed {
     std::array<float, 3> t{};
 };
 
+// Whether a parameter has to be brought into the domain of an axis: most lie there, and nothing is
+// cheaper than seeing it.
+bool goes_round(double t, const Knots& axis)
+{
+    return !(t >= axis.begin() && t < axis.end()) && axis.closure() != Closure::open &&
+           std::isfinite(t);
+}
+
 Placed place(glm::dvec3 uvw, const std::array<Knots, 3>& axes,
              const std::array<AxisCells, 3>& cells)
 {
     Placed out;
     for (std::size_t a = 0; a < 3; ++a) {
         double& t = uvw[static_cast<int>(a)];
-        if (axes[a].closure() == Closure::open || !std::isfinite(t)) continue;
+        if (!goes_round(t, axes[a])) continue;
         const Knots::InDomain in = axes[a].into_domain(t);
         t = in.t;
         if (!in.odd) continue;
@@ -37,7 +45,7 @@ Placed place(glm::dvec3 uvw, const std::array<Knots, 3>& axes,
     }
     for (std::size_t a = 0; a < 3; ++a) {
         double t = uvw[static_cast<int>(a)];
-        if (axes[a].closure() != Closure::open && std::isfinite(t))
+        if (goes_round(t, axes[a]))
             t = axes[a].into_domain(t).t; // a later axis may have mirrored it
         const AxisCells::Place at = cells[a].place(t);
         out.key.cell[a] = at.cell;
