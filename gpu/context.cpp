@@ -51,7 +51,7 @@ std::vector<EGLDisplay> device_displays(bool hardware_only)
     return out;
 }
 
-EGLContext context_of(EGLDisplay display)
+EGLContext context_of(EGLDisplay display, int gl_version)
 {
     // Without a surface the configuration matters little, but some drivers insist on one.
     const std::array<EGLint, 5> wanted{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0,
@@ -60,9 +60,9 @@ EGLContext context_of(EGLDisplay display)
     EGLint count = 0;
     if (!eglChooseConfig(display, wanted.data(), &config, 1, &count) || count < 1) config = nullptr;
     const std::array<EGLint, 9> version{EGL_CONTEXT_MAJOR_VERSION,
-                                        4,
+                                        gl_version / 10,
                                         EGL_CONTEXT_MINOR_VERSION,
-                                        3,
+                                        gl_version % 10,
                                         EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                         EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                         EGL_CONTEXT_OPENGL_DEBUG,
@@ -86,10 +86,13 @@ struct HeadlessContext::State {
         std::string why;
         if (!eglBindAPI(EGL_OPENGL_API))
             why = "has no desktop OpenGL";
-        else if ((context = context_of(display)) == EGL_NO_CONTEXT)
-            why = "has no OpenGL 4.3 core context";
+        else if ((context = context_of(display, 43)) == EGL_NO_CONTEXT &&
+                 (context = context_of(display, least_gl_version)) == EGL_NO_CONTEXT)
+            why = "has no OpenGL 3.3 core context";
         else if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context))
             why = "cannot draw without a surface";
+        else
+            why = lacking();
         if (!why.empty()) close();
         return why;
     }
@@ -120,13 +123,27 @@ HeadlessContext::HeadlessContext(bool rather_hardware) : state_(std::make_unique
     for (const EGLDisplay display : device_displays(false))
         if (device = state_->open(display); device.empty()) return;
     throw Rejected(fmt::format("No OpenGL without a window here: EGL's surfaceless platform {}, "
-                               "its device platform {}.",
-                               surfaceless, device));
+                               "its device platform {}; {}.",
+                               surfaceless, device, better_opengl));
 }
 
 HeadlessContext::~HeadlessContext()
 {
     state_->close();
+}
+
+std::string lacking()
+{
+    const int version = epoxy_gl_version();
+    if (version >= 43) return {};
+    std::string missing;
+    for (const char* name : {"GL_ARB_texture_storage", "GL_ARB_texture_view", "GL_ARB_copy_image",
+                             "GL_ARB_shading_language_420pack", "GL_ARB_shading_language_packing"})
+        if (!epoxy_has_gl_extension(name))
+            missing += std::string(missing.empty() ? "" : ", ") + name;
+    if (version >= least_gl_version && missing.empty()) return {};
+    return fmt::format("has OpenGL {}.{} and not 4.3{}", version / 10, version % 10,
+                       version < least_gl_version ? "" : ", without " + missing);
 }
 
 std::string describe_context()

@@ -50,10 +50,15 @@ void capture(GLuint program, const std::vector<std::string>& outputs)
 
 Program::Program(const ProgramName& name, const ShaderTexts* texts) : name_(glCreateProgram())
 {
+    const int gl_version = epoxy_gl_version();
     try {
+        if (!name.compute.empty() && gl_version < 43)
+            throw Rejected(fmt::format("Computing on the graphics card needs OpenGL 4.3, this is "
+                                       "{}.{}.",
+                                       gl_version / 10, gl_version % 10));
         for (const ShaderStage& stage : stages(name)) {
             const GLuint shader =
-                compiled_stage(stage, shader_source(stage.file, name.defines, texts));
+                compiled_stage(stage, shader_source(stage.file, name.defines, texts, gl_version));
             glAttachShader(name_, shader);
             glDeleteShader(shader); // lives on with the program
         }

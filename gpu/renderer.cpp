@@ -31,7 +31,7 @@ struct StudioKey {
 
 void check_size(glm::ivec2 size_px)
 {
-    constexpr int largest = 16384;
+    const int largest = largest_texture_px();
     if (size_px.x < 1 || size_px.y < 1 || size_px.x > largest || size_px.y > largest)
         throw Rejected(fmt::format("A picture of {} x {} pixels cannot be drawn: each side takes "
                                    "1 to {}.",

@@ -88,12 +88,16 @@ std::vector<ShaderStage> stages(const ProgramName& name)
 }
 
 ShaderSource shader_source(const std::string& file, const std::vector<std::string>& defines,
-                           const ShaderTexts* texts)
+                           const ShaderTexts* texts, int gl_version)
 {
     Pasting pasting{texts};
-    pasting.add("#version 430 core", {file, 1});
-    for (const std::string& define : defines) pasting.add("#define " + define, {file, 1});
-    pasting.paste(file, {file, 1});
+    const Place top{file, 1};
+    pasting.add(gl_version < 43 ? "#version 330 core" : "#version 430 core", top);
+    if (gl_version < 43)
+        for (const std::string name : {"420pack", "packing"})
+            pasting.add("#extension GL_ARB_shading_language_" + name + " : require", top);
+    for (const std::string& define : defines) pasting.add("#define " + define, top);
+    pasting.paste(file, top);
     return std::move(pasting.out);
 }
 

@@ -44,9 +44,10 @@ struct ShaderSource {
     std::vector<Place> places;
     bool operator==(const ShaderSource& other) const { return text == other.text; }
 };
-// Throws Rejected where a file that is included is nowhere.
+// Throws Rejected where a file that is included is nowhere. For OpenGL `gl_version`: what is older
+// than 43 is told of the extensions that lacking() asks for.
 ShaderSource shader_source(const std::string& file, const std::vector<std::string>& defines,
-                           const ShaderTexts* texts = nullptr);
+                           const ShaderTexts* texts = nullptr, int gl_version = 43);
 
 // A compiler's log as "FILE:LINE: what is wrong", and in what file that one is pasted: of its first
 // error, or else its first line.

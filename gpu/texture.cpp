@@ -3,6 +3,7 @@
 
 #include "gpu/context.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <epoxy/gl.h>
@@ -134,6 +135,14 @@ Sampler::~Sampler()
 void Sampler::bind(unsigned unit) const
 {
     glBindSampler(unit, name_);
+}
+
+int largest_texture_px()
+{
+    constexpr GLint enough = 16384; // what OpenGL 4.3 promises
+    GLint largest = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    return std::min(largest, enough);
 }
 
 } // namespace trivar::gpu

@@ -62,4 +62,7 @@ private:
     unsigned name_ = 0;
 };
 
+// The longest side of a texture, by the current context and what pictures here may have.
+int largest_texture_px();
+
 } // namespace trivar::gpu

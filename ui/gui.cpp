@@ -103,7 +103,7 @@ struct Gui::Contexts {
     }
     static void use_gpu()
     {
-        if (!ImGui::GetIO().BackendRendererUserData) ImGui_ImplOpenGL3_Init("#version 430");
+        if (!ImGui::GetIO().BackendRendererUserData) ImGui_ImplOpenGL3_Init("#version 330");
     }
     static void forget_gpu()
     {

@@ -13,6 +13,7 @@
 #include <array>
 #include <atomic>
 #include <cstdlib>
+#include <fmt/format.h>
 #include <imgui.h>
 
 namespace trivar::ui {
@@ -28,7 +29,7 @@ namespace {
 struct Library { // GLFW itself
     Library()
     {
-        if (!glfwInit()) reject_glfw("No window can be opened");
+        if (!glfwInit()) reject_glfw("No window can be opened (trivar replay needs none)");
     }
     ~Library() { glfwTerminate(); }
     Library(const Library&) = delete;
@@ -37,15 +38,24 @@ struct Library { // GLFW itself
 
 GLFWwindow* open_window(const WindowOptions& options)
 {
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET); // where it is offered
-    GLFWwindow* window =
-        glfwCreateWindow(options.size.x, options.size.y, options.title.c_str(), nullptr, nullptr);
-    if (!window) reject_glfw("No window with OpenGL 4.3 can be opened");
+    GLFWwindow* window = nullptr;
+    for (const int version : {43, gpu::least_gl_version}) {
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, version / 10);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, version % 10);
+        window = glfwCreateWindow(options.size.x, options.size.y, options.title.c_str(), nullptr,
+                                  nullptr);
+        if (window) break;
+    }
+    if (!window)
+        reject_glfw(fmt::format("No window with OpenGL 3.3 can be opened; {}", gpu::better_opengl));
     glfwMakeContextCurrent(window);
+    if (const std::string lacking = gpu::lacking(); !lacking.empty()) {
+        glfwDestroyWindow(window);
+        throw Rejected(fmt::format("The window {}; {}.", lacking, gpu::better_opengl));
+    }
     glfwSwapInterval(1);
     return window;
 }

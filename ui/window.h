@@ -16,8 +16,9 @@ struct WindowOptions {
                                 // monitor's content scale
 };
 
-// A window with an OpenGL 4.3 core context, current on this thread while it lives. Its loop sleeps
-// until something happens. Throws Rejected where there is no display or no such OpenGL.
+// A window with an OpenGL core context, current on this thread while it lives: 4.3, or else what
+// gpu::lacking() is content with. Its loop sleeps until something happens. Throws Rejected where
+// there is no display or no such OpenGL.
 class Window {
 public:
     explicit Window(const WindowOptions& options = {});

@@ -28,7 +28,7 @@ bool usable(const Texture& texture)
 {
     if (!texture.image) return false;
     const glm::ivec2 size = texture.image->size_px;
-    constexpr int largest = 16384; // what OpenGL 4.3 promises
+    const int largest = largest_texture_px();
     return size.x > 0 && size.y > 0 && size.x <= largest && size.y <= largest &&
            texture.image->rgba.size() == static_cast<std::size_t>(size.x) * size.y * 4;
 }

@@ -2,6 +2,7 @@
 // floor texel. In every direction the columns met block an interval of sin^2(elevation); a 32-bit
 // mask collects them, and the mean of the free bits is the cosine-weighted visibility.
 #include "frame.glsl"
+#include "bits.glsl"
 in vec2 uv;
 layout(location = 0) out vec4 out_open;
 layout(binding = 0) uniform sampler2D lowest;  // share of the height, 1: empty
@@ -30,7 +31,7 @@ void main()
             blocked |= last - first >= 32 ? 0xFFFFFFFFu
                                           : ((1u << uint(max(last - first, 0))) - 1u) << uint(first);
         }
-        open += 1.0 - float(bitCount(blocked)) / 32.0;
+        open += 1.0 - float(bits_set(blocked)) / 32.0;
     }
     out_open = vec4(open / float(DIRECTIONS));
 }

@@ -3,6 +3,7 @@
 // slices of GTAO (Jimenez et al. 2016): the 32 sectors are uniform in sin(angle), so their free
 // share is cosine weighted; surfaces have a thickness, so thin parts throw no dark halo.
 #include "frame.glsl"
+#include "bits.glsl"
 #include "material.glsl"
 #include "pack.glsl"
 #include "shadow.glsl"
@@ -59,7 +60,7 @@ float ambient_reaching(vec3 p, vec3 n, vec2 uv, float turn, float push)
                 uint first = uint(h.x * 32.0), count = uint(clamp(round((h.y - h.x) * 32.0), 0.0, 32.0));
                 blocked |= count == 0u ? 0u : (0xFFFFFFFFu >> (32u - count)) << min(first, 31u);
             }
-        open += len * (1.0 - float(bitCount(blocked)) / 32.0);
+        open += len * (1.0 - float(bits_set(blocked)) / 32.0);
         weights += len;
     }
     return saturate(open / max(weights, 1e-4));

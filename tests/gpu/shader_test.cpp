@@ -5,6 +5,7 @@
 #include "tests/gpu/support.h"
 #include "tests/support/fixtures.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <epoxy/gl.h>
 #include <filesystem>
@@ -61,11 +62,17 @@ TEST_F(Shaders, PassTheReferenceCompiler)
     std::set<std::string> seen;
     for (const ProgramName& name : every_program())
         for (const ShaderStage& stage : stages(name)) {
-            const std::string source = shader_source(stage.file, name.defines).text;
-            if (!seen.insert(stage.kind + source).second) continue;
-            const std::string file = folder.file(std::to_string(count++) + '.' + stage.kind);
-            std::ofstream(file) << source;
-            command += ' ' + file;
+            for (const int gl_version : {43, 33}) {
+                const bool deforms = std::ranges::any_of(
+                    name.defines, [](const std::string& d) { return d.starts_with("ORDER_U"); });
+                if (gl_version == 33 && (deforms || stage.kind == "comp")) continue;
+                const std::string source =
+                    shader_source(stage.file, name.defines, nullptr, gl_version).text;
+                if (!seen.insert(stage.kind + source).second) continue;
+                const std::string file = folder.file(std::to_string(count++) + '.' + stage.kind);
+                std::ofstream(file) << source;
+                command += ' ' + file;
+            }
         }
     EXPECT_EQ(std::system((command + " > " + folder.file("out")).c_str()), 0)
         << std::ifstream(folder.file("out")).rdbuf();
