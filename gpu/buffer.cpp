@@ -9,6 +9,25 @@
 #include <utility>
 
 namespace trivar::gpu {
+namespace {
+
+// To ask whether there was room may wait for the driver, which little is not worth.
+constexpr std::size_t much = 1 << 16;
+
+void fill(GLuint name, const void* data, std::size_t bytes, GLenum usage)
+{
+    while (bytes >= much && glGetError() != GL_NO_ERROR) // what was before is not ours
+        ;
+    // A target no vertex array records, so that writing never changes one that is bound.
+    glBindBuffer(GL_COPY_WRITE_BUFFER, name);
+    glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(bytes), data, usage);
+    glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+    if (bytes >= much && glGetError() != GL_NO_ERROR)
+        throw Rejected(
+            fmt::format("The graphics card has no room for {:.1f} MB more.", 1e-6 * bytes));
+}
+
+} // namespace
 
 Buffer::Buffer(Buffer&& other) noexcept
     : name_(std::exchange(other.name_, 0)),
@@ -31,27 +50,17 @@ Buffer::~Buffer()
 void Buffer::write(std::span<const std::byte> bytes)
 {
     if (!name_) glGenBuffers(1, &name_);
+    fill(name_, bytes.data(), bytes.size(), GL_DYNAMIC_DRAW);
     bytes_ = bytes.size();
-    // A target no vertex array records, so that writing never changes one that is bound.
-    glBindBuffer(GL_COPY_WRITE_BUFFER, name_);
-    glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(),
-                 GL_DYNAMIC_DRAW);
-    glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
 }
 
 void Buffer::reserve(std::size_t bytes)
 {
     if (name_ && bytes_ == bytes) return;
     if (!name_) glGenBuffers(1, &name_);
-    while (glGetError() != GL_NO_ERROR) // what was before is not ours
-        ;
-    glBindBuffer(GL_COPY_WRITE_BUFFER, name_);
-    glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_COPY);
-    glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
-    bytes_ = bytes;
-    if (glGetError() == GL_NO_ERROR) return;
     bytes_ = 0;
-    throw Rejected(fmt::format("The graphics card has no room for {} MB more.", bytes >> 20));
+    fill(name_, nullptr, bytes, GL_DYNAMIC_COPY);
+    bytes_ = bytes;
 }
 
 void Buffer::read(std::span<std::byte> into) const

@@ -15,6 +15,7 @@ public:
     ~Buffer();
 
     // Replaces the contents; the old storage is orphaned, so nothing waits for draws under way.
+    // Throws Rejected where there is no room for much.
     void write(std::span<const std::byte> bytes);
     // So many bytes of anything, kept where there are that many already. Throws Rejected where the
     // device has no room.

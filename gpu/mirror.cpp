@@ -72,13 +72,15 @@ const Buffer* MirroredMesh::attribute(unsigned location) const
 
 Mirror::MeshEntry& Mirror::entry(const Ref<Mesh>& mesh)
 {
-    MeshEntry& found = meshes_[mesh.get()];
+    auto found = meshes_.find(mesh.get());
     // A dead mesh's address may have been taken by another one.
-    if (found.alive.lock() != mesh) {
-        found = {mesh, uploaded(*mesh, faces_(*mesh)), {}, {}};
-        found.mirrored.serial = ++uploads_;
+    if (found == meshes_.end() || found->second.alive.lock() != mesh) {
+        // What there is no room for leaves no half of itself behind.
+        MeshEntry made{mesh, uploaded(*mesh, faces_(*mesh)), {}, {}};
+        made.mirrored.serial = ++uploads_;
+        found = meshes_.insert_or_assign(mesh.get(), std::move(made)).first;
     }
-    return found;
+    return found->second;
 }
 
 const MirroredMesh& Mirror::mesh(const Ref<Mesh>& mesh)
@@ -88,24 +90,25 @@ const MirroredMesh& Mirror::mesh(const Ref<Mesh>& mesh)
 
 std::shared_ptr<const EdgeIndices> Mirror::edge_indices(const Ref<Mesh>& faces)
 {
-    EdgesEntry& found = edges_[faces.get()];
-    if (found.alive.lock() != faces) {
+    auto found = edges_.find(faces.get());
+    if (found == edges_.end() || found->second.alive.lock() != faces) {
         auto indices = std::make_shared<EdgeIndices>();
         const std::vector<glm::uvec2> edges = edges_of(*faces);
         indices->count = static_cast<int>(2 * edges.size());
         indices->buffer.write(std::as_bytes(std::span(edges)));
-        found = {faces, std::move(indices)};
+        found = edges_.insert_or_assign(faces.get(), EdgesEntry{faces, std::move(indices)}).first;
     }
-    return found.indices;
+    return found->second.indices;
 }
 
 const MirroredEdges& Mirror::edges(const Ref<Mesh>& mesh, const Ref<Mesh>& faces)
 {
     MeshEntry& found = entry(mesh);
     if (!found.edges) {
+        auto indices = edge_indices(faces);
         found.edges = std::make_unique<MirroredEdges>();
         MirroredEdges& out = *found.edges;
-        out.indices = edge_indices(faces);
+        out.indices = std::move(indices);
         out.vertices.attribute(0, found.mirrored.buffers.front(), 3, sizeof(glm::vec3));
         out.vertices.attribute(1, *found.mirrored.attribute(1), 3, sizeof(glm::vec3));
         out.vertices.indices(out.indices->buffer);
@@ -126,8 +129,8 @@ const Buffer& Mirror::values(const Ref<std::vector<float>>& values)
 {
     ValuesEntry& found = values_[values.get()];
     if (found.alive.lock() != values) {
-        found.alive = values;
         found.buffer.write(std::as_bytes(std::span(*values)));
+        found.alive = values;
     }
     return found.buffer;
 }

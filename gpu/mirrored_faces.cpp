@@ -74,7 +74,7 @@ std::shared_ptr<const MirroredFaces> FacesMirror::operator()(const Mesh& mesh)
 
 void FacesMirror::drop_dead()
 {
-    std::erase_if(shared_, [](const auto& item) { return item.second.use_count() == 1; });
+    std::erase_if(shared_, [](const auto& item) { return item.second.use_count() <= 1; });
 }
 
 } // namespace trivar::gpu

@@ -67,7 +67,8 @@ std::optional<DeformBy> deform_named(std::string_view name)
 
 DeformBy usual_deform_by()
 {
-    return is_software() ? DeformBy::processor : DeformBy::two_phases;
+    const bool can = device_limits().gl_version >= 43;
+    return !can || is_software() ? DeformBy::processor : DeformBy::two_phases;
 }
 
 bool DeformedMeshes::current(const Entry& entry, const Instance& instance, const Picture& picture)
@@ -106,6 +107,7 @@ void DeformedMeshes::update(const Picture& picture, Mirror& mirror)
         if (current(entry, instance, picture)) continue;
         if (entry.alive.lock() != instance.mesh || entry.posed != instance.posed)
             entry.on_processor.reset();
+        entry.alive.reset(); // should there be no room
         entry.by = picture.deform_by;
         entry.wire = picture.settings.wire;
         deform(entry, instance, mirror);
