@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/picture_to_file.h"
 
+#include "core/base/rejected.h"
 #include "core/files/image.h"
 #include "editor/file_words.h"
 #include "editor/files.h"
@@ -21,6 +22,12 @@ std::string free_path(const Session& session)
 {
     return numbered_name(
         std::filesystem::absolute(session.scene().path()).replace_extension(".png").string());
+}
+
+void tell_failed(Session& session, const std::string& path, const std::string& why)
+{
+    session.notices.say(ui::NoticeKind::error, file_name(path) + " was not written",
+                        reason(why, path), "picture");
 }
 
 } // namespace
@@ -60,18 +67,30 @@ void PictureToFile::draw(const Session& session, const Ref<gpu::ShaderTexts>& sh
     renderer_->begin(picture, size_px);
 }
 
-void PictureToFile::advance(Session& session, ui::Frame& frame,
-                            const Ref<gpu::ShaderTexts>& shaders)
+bool PictureToFile::is_whole(const Session& session, ui::Frame& frame,
+                             const Ref<gpu::ShaderTexts>& shaders)
 {
     constexpr double budget_ms = 40; // as for the window's own picture
     if (wanted_px_ > 0) {
         frame.again_in(0.05);
-        if (!session.up_to_date() || session.jobs().status()) return;
+        if (!session.up_to_date() || session.jobs().status()) return false;
         draw(session, shaders);
     }
-    if (!renderer_) return;
+    if (!renderer_) return false;
     frame.again_in(0);
-    if (!renderer_->advance(budget_ms)) return;
+    return renderer_->advance(budget_ms);
+}
+
+void PictureToFile::advance(Session& session, ui::Frame& frame,
+                            const Ref<gpu::ShaderTexts>& shaders)
+{
+    try {
+        if (!is_whole(session, frame, shaders)) return;
+    } catch (const Rejected& error) {
+        stop();
+        tell_failed(session, path_, error.what());
+        return;
+    }
     const auto image = std::make_shared<const Image>(renderer_->image());
     renderer_.reset();
     session.jobs().start(
@@ -83,10 +102,7 @@ void PictureToFile::advance(Session& session, ui::Frame& frame,
                                      "It lies beside the scene.", "picture");
              };
          },
-         [&session, path = path_](const std::string& why) {
-             session.notices.say(ui::NoticeKind::error, file_name(path) + " was not written",
-                                 reason(why, path), "picture");
-         }});
+         [&session, path = path_](const std::string& why) { tell_failed(session, path, why); }});
 }
 
 } // namespace trivar

@@ -27,6 +27,7 @@ public:
 
 private:
     void draw(const Session& session, const Ref<gpu::ShaderTexts>& shaders);
+    bool is_whole(const Session& session, ui::Frame& frame, const Ref<gpu::ShaderTexts>& shaders);
 
     std::unique_ptr<gpu::Renderer> renderer_;
     std::string path_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/viewport.h"
 
+#include "core/base/rejected.h"
 #include "editor/picture.h"
 #include "gpu/context.h"
 #include "ui/camera_control.h"
@@ -52,6 +53,13 @@ gpu::Picture picture_of(const Session& session, gpu::Level level, const Viewport
         instance.highlighted = selected.contain(instance.id);
     shade(picture, style);
     return picture;
+}
+
+// What is to be said now, where something else was said before.
+std::optional<std::string> news(std::string& said, const std::string& now)
+{
+    if (std::exchange(said, now) == now) return std::nullopt;
+    return now;
 }
 
 DraftPace pace_of(double draft_ms)
@@ -127,8 +135,7 @@ void Viewport::forget_gpu()
 unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 size_px, bool moving,
                         int state, const std::function<Helpers()>& helpers)
 {
-    constexpr double rest_s = 0.3;   // so long nothing moves before a full picture is begun
-    constexpr double budget_ms = 40; // of it in one frame: the mouse must not wait
+    constexpr double rest_s = 0.3; // so long nothing moves before a full picture is begun
     if (shader_folder_) {
         shaders_ = shader_folder_->texts(frame.time_s);
         frame.again_in(gpu::ShaderFolder::look_every_s);
@@ -155,8 +162,23 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
     // A full picture of the same thing does for a draft.
     Shown as_full = wanted;
     as_full.draft = false;
-    if (shown_ && (*shown_ == wanted || *shown_ == as_full)) return renderer_->texture();
+    if (shown_ && (*shown_ == wanted || *shown_ == as_full)) return texture();
 
+    try {
+        trouble_.clear();
+        draw_wanted(wanted, session, frame, helpers);
+    } catch (const Rejected& error) {
+        trouble_ = error.what();
+        begun_.reset();
+        shown_ = wanted; // it is not tried again till something is another
+    }
+    return texture();
+}
+
+void Viewport::draw_wanted(const Shown& wanted, const Session& session, ui::Frame& frame,
+                           const std::function<Helpers()>& helpers)
+{
+    constexpr double budget_ms = 40; // in one frame, of a full picture: the mouse must not wait
     if (!renderer_) {
         renderer_ = std::make_unique<gpu::Renderer>();
         pace_.reset();
@@ -177,15 +199,15 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
         begun_.reset();
         if (wanted.draft) {
             if (picture.draft) picture.scale = pace_->scale();
-            renderer_->draw(picture, size_px);
+            renderer_->draw(picture, wanted.size_px);
             const bool first =
                 std::exchange(timed_evaluation_, session.evaluation()) != session.evaluation();
             drafts_.add({first ? session.evaluated().timings : Timings{}, renderer_->timings()});
             pace_->drew(ui::total_ms(renderer_->timings()), frame.time_s);
             shown_ = wanted;
-            return renderer_->texture();
+            return;
         }
-        renderer_->begin(picture, size_px);
+        renderer_->begin(picture, wanted.size_px);
         begun_ = wanted;
     }
     if (renderer_->advance(budget_ms)) {
@@ -195,7 +217,6 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
     } else {
         frame.again_in(0);
     }
-    return renderer_->texture();
 }
 
 void Viewport::set_style(const ViewportStyle& style)
@@ -210,11 +231,14 @@ std::string Viewport::new_notice()
     return std::exchange(said_, now) == now ? "" : now;
 }
 
+std::optional<std::string> Viewport::new_trouble()
+{
+    return news(said_of_trouble_, trouble_);
+}
+
 std::optional<std::string> Viewport::new_shader_trouble()
 {
-    const std::string now = renderer_ ? renderer_->shader_trouble() : "";
-    if (std::exchange(said_of_shaders_, now) == now) return std::nullopt;
-    return now;
+    return news(said_of_shaders_, renderer_ ? renderer_->shader_trouble() : "");
 }
 
 ViewportStyle viewport_style(const ui::Theme& theme, bool as_in_pictures)

@@ -62,7 +62,8 @@ public:
 
     // The scene's picture as a texture, drawn anew only if it would differ. While things move it
     // is a draft; a moment after they rest it is drawn in full, a piece a frame, for which it asks
-    // for frames. The draft stays until all of it is there.
+    // for frames. The draft stays until all of it is there. What cannot be drawn leaves the picture
+    // as it was: see new_trouble(). 0: there has been none.
     unsigned draw(const Session& session, ui::Frame& frame, glm::ivec2 size_px, bool moving,
                   int state, const std::function<Helpers()>& helpers);
     void forget_gpu(); // before the context goes; the next frame makes all of it again
@@ -79,7 +80,9 @@ public:
     long pictures() const { return pictures_; } // begun so far
     // What the renderer could not do as it was asked, each time once; empty: nothing new.
     std::string new_notice();
-    // The renderer's shader_trouble(), where it is another than when it was last asked.
+    // Why there is no picture of what is there now, and the renderer's shader_trouble(): where they
+    // are others than when they were last asked; empty: none any more.
+    std::optional<std::string> new_trouble();
     std::optional<std::string> new_shader_trouble();
 
 private:
@@ -96,6 +99,8 @@ private:
         Ref<gpu::ShaderTexts> shaders;
         bool operator==(const Shown&) const = default;
     };
+    void draw_wanted(const Shown& wanted, const Session& session, ui::Frame& frame,
+                     const std::function<Helpers()>& helpers);
     enum class Move { none, orbit, pan, zoom };
     void navigate(Session& session, const ViewportInput& input, glm::dvec2 drag_px);
     void scroll(Session& session, const ui::Frame& frame, const ViewportInput& input);
@@ -118,7 +123,7 @@ private:
     long timed_evaluation_ = 0; // the last one that is in the history
     Timings full_timings_;
     long pictures_ = 0;
-    std::string said_, said_of_shaders_;
+    std::string trouble_, said_, said_of_trouble_, said_of_shaders_;
     double moved_s_ = -1e9;
 
     MouseManners manners_;

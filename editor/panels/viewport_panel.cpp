@@ -96,17 +96,12 @@ void labels(Editor& editor, const ui::Theme& theme, ui::Frame& frame, const ui::
     if (shown.ways().running() || editor.timing.measure_ways) frame.again_in(0);
 }
 
-constexpr const char* of_shaders = "shaders"; // a topic of notices
-
-void tell_of_shaders(Editor& editor)
+// The notice about what is wrong with the picture, as long as it is.
+void tell(ui::Notices& notices, const std::optional<std::string>& trouble, const char* title)
 {
-    const auto trouble = editor.viewport.new_shader_trouble();
     if (!trouble) return;
-    ui::Notices& notices = editor.session.notices;
-    notices.forget(of_shaders);
-    if (!trouble->empty())
-        notices.say(ui::NoticeKind::error, "A shader is drawn as it was before", *trouble,
-                    of_shaders);
+    notices.forget(title); // a topic of its own
+    if (!trouble->empty()) notices.say(ui::NoticeKind::error, title, *trouble, title);
 }
 
 // Long work is said after a moment, so that quick work does not flicker. Where, if it is.
@@ -200,10 +195,13 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
                                                   [&] { return helpers_of(editor, over); });
     if (const std::string notice = editor.viewport.new_notice(); !notice.empty())
         session.notices.say(ui::NoticeKind::warning, "Deformed by the processor", notice);
-    tell_of_shaders(editor);
+    tell(session.notices, editor.viewport.new_trouble(), "The picture is one of before");
+    tell(session.notices, editor.viewport.new_shader_trouble(),
+         "A shader is drawn as it was before");
     const auto name = static_cast<std::uintptr_t>(texture);
-    ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(name), lo, hi, {0, 1},
-                                         {1, 0});
+    if (texture != 0)
+        ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(name), lo, hi, {0, 1},
+                                             {1, 0});
     tool.overlay(session, over, input);
     if (ImGui::IsMouseReleased(ImGuiMouseButton_Right)) {
         if (input.hovered && !tool.busy() && !editor.right_cancelled) open_menu(session, input);

@@ -3,6 +3,7 @@
 #include "core/files/image.h"
 #include "editor/command_line/replay.h"
 #include "tests/editor/rig.h"
+#include "tests/support/buffer_traffic.h"
 #include "tests/support/copied_shaders.h"
 
 #include <algorithm>
@@ -86,7 +87,7 @@ TEST(ViewportPicture, FollowsADevelopersShadersAndOneNoticeSaysWhatIsWrongTillIt
     const auto said = [&] {
         std::vector<std::string> out;
         for (const ui::Notices::Notice& notice : rig.editor.session.notices.all())
-            if (notice.topic == "shaders") out.push_back(notice.body);
+            if (notice.title == "A shader is drawn as it was before") out.push_back(notice.body);
         return out;
     };
     EXPECT_EQ(followed(), embedded);
@@ -106,6 +107,31 @@ TEST(ViewportPicture, FollowsADevelopersShadersAndOneNoticeSaysWhatIsWrongTillIt
     copy.replace("tonemap.glsl", "    x", "    float x");
     EXPECT_EQ(followed(), embedded);
     EXPECT_TRUE(said().empty());
+}
+
+TEST(ViewportPicture, StaysAsItWasWhereTheDeviceHasNoRoomForMoreAndOneNoticeSaysSo)
+{
+    Rig rig;
+    rig.two_objects();
+    const glm::ivec2 size_px = rig.layout().view.size();
+    const auto before = shown(rig, size_px);
+    const auto said = [&] {
+        return std::ranges::count(rig.editor.session.notices.all(), "The picture is one of before",
+                                  &ui::Notices::Notice::title);
+    };
+    testing::BufferTraffic traffic;
+    traffic.room = 100'000;
+    AddSphere sphere;
+    sphere.shape.segments = 200;
+    sphere.shape.rings = 100;
+    ASSERT_TRUE(rig.editor.session.run(sphere));
+    EXPECT_EQ(shown(rig, size_px), before);
+    EXPECT_EQ(said(), 1);
+    EXPECT_EQ(rig.steps(), 3u) << "nothing is lost";
+    traffic.room = 1 << 30;
+    rig.editor.session.camera.eye.x += 1;
+    EXPECT_NE(shown(rig, size_px), before);
+    EXPECT_EQ(said(), 0);
 }
 
 } // namespace
