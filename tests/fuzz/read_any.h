@@ -3,13 +3,30 @@
 
 #include "core/base/rejected.h"
 #include "core/files/read_model.h"
+#include "core/mesh/pose.h"
 
 #include <cstddef>
 #include <string>
 
 namespace trivar::testing {
 
-// What is read must be sound: every mesh passes its check and can be cut to triangles.
+// Stands the model as it came and in the middle of each clip.
+inline void pose_all(const Model& model)
+{
+    std::vector<const Clip*> clips{nullptr};
+    for (const Clip& clip : model.clips) clips.push_back(&clip);
+    for (const Clip* clip : clips) {
+        const Stance stance =
+            stance_at(model, clip, clip ? (clip->begin_s + clip->end_s) / 2 : 0.0);
+        for (std::size_t i = 0; i < model.nodes.size(); ++i)
+            if (const int mesh = model.nodes[i].mesh; mesh >= 0)
+                posed(*model.meshes[static_cast<std::size_t>(mesh)],
+                      pose_of(model, static_cast<int>(i), stance));
+    }
+}
+
+// What is read must be sound: every mesh passes its check and can be cut to triangles, every clip
+// be played.
 inline int read_any(const unsigned char* data, std::size_t size, const std::string& name)
 {
     try {
@@ -19,6 +36,7 @@ inline int read_any(const unsigned char* data, std::size_t size, const std::stri
             validate(*mesh, name);
             triangles(*mesh);
         }
+        pose_all(model);
     } catch (const Rejected&) {
     }
     return 0;
