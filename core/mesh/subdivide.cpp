@@ -35,13 +35,13 @@ using Color = Mixed<glm::dvec4>;
 
 // The indices of one attribute, corner by corner: equal values at one point are one, so that
 // they stay joined, and different ones are a seam.
-template <class V> struct Channel {
+template <class V> struct Attribute {
     std::vector<int> corners; // #C to value
     std::vector<Mixed<V>> values;
 };
 
 template <class V, class Source>
-Channel<V> channel(const Mesh& mesh, const std::vector<Source>& source)
+Attribute<V> channel(const Mesh& mesh, const std::vector<Source>& source)
 {
     std::vector<std::uint32_t> order(mesh.vertex_count());
     for (std::uint32_t v = 0; v < order.size(); ++v) order[v] = v;
@@ -52,7 +52,7 @@ Channel<V> channel(const Mesh& mesh, const std::vector<Source>& source)
         return a < b;
     };
     std::sort(order.begin(), order.end(), less);
-    Channel<V> result;
+    Attribute<V> result;
     std::vector<int> value_of(mesh.vertex_count());
     for (std::size_t i = 0; i < order.size(); ++i) {
         const std::uint32_t v = order[i];
@@ -293,9 +293,9 @@ Mesh subdivide(const Mesh& cage, int levels, const Progress& progress)
     const Mesh clean = with_every_point_used(repaired(cage).mesh);
 
     report(progress, 0, "Subdividing");
-    std::vector<Channel<glm::dvec2>> uvs;
+    std::vector<Attribute<glm::dvec2>> uvs;
     for (const auto& set : clean.uvs) uvs.push_back(channel<glm::dvec2>(clean, set));
-    std::vector<Channel<glm::dvec4>> colors;
+    std::vector<Attribute<glm::dvec4>> colors;
     if (!clean.colors.empty()) colors.push_back(channel<glm::dvec4>(clean, clean.colors));
     std::vector<const std::vector<int>*> channels;
     for (const auto& set : uvs) channels.push_back(&set.corners);
