@@ -135,6 +135,20 @@ Mesh posed(const Mesh& mesh, const Pose& pose)
     return out;
 }
 
+Box bounding_box(const Model& model, const Stance& stance)
+{
+    Box out;
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        if (model.nodes[i].mesh < 0) continue;
+        const int node = static_cast<int>(i);
+        const Mesh& mesh = *model.meshes[static_cast<std::size_t>(model.nodes[i].mesh)];
+        const Pose pose = pose_of(model, node, stance);
+        out.add(bounding_box(pose.empty() ? mesh : posed(mesh, pose),
+                             mesh_to_model(model, node, stance)));
+    }
+    return out;
+}
+
 std::vector<Box> target_bounds(const Mesh& mesh)
 {
     std::vector<Box> out;

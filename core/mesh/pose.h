@@ -32,6 +32,9 @@ glm::dmat4 mesh_to_model(const Model& model, int node, const Stance& stance);
 // result has neither influences nor targets. The same bits for any number of threads.
 Mesh posed(const Mesh& mesh, const Pose& pose);
 
+// The box of all meshes of the model, in its space. O(#V).
+Box bounding_box(const Model& model, const Stance& stance);
+
 // The box of the posed mesh, or a larger one, without looking at all vertices of a skin.
 Box posed_bounds(const Box& mesh, const std::vector<Box>& targets, const Pose& pose);
 std::vector<Box> target_bounds(const Mesh& mesh); // of the differences of positions, each with 0

@@ -6,6 +6,7 @@
 #include "core/document/log.h"
 #include "core/files/image.h"
 #include "core/files/read_model.h"
+#include "core/mesh/pose.h"
 
 #include <algorithm>
 #include <array>
@@ -22,6 +23,7 @@ Facts model_facts(const std::string& path)
 {
     const Model model = read_model(path);
     std::size_t vertices = 0, faces = 0, triangles = 0, uv_sets = 0, images = 0;
+    std::size_t targets = 0;
     bool colors = false, creases = false;
     for (const Ref<Mesh>& mesh : model.meshes) {
         vertices += mesh->vertex_count();
@@ -30,14 +32,17 @@ Facts model_facts(const std::string& path)
         uv_sets = std::max(uv_sets, mesh->uvs.size());
         colors = colors || !mesh->colors.empty();
         creases = creases || !mesh->creases.empty();
+        targets += mesh->morph_targets.size();
     }
     for (const Material& m : model.materials)
         for (const Texture* texture :
              {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture,
               &m.occlusion_texture, &m.emissive_texture})
             images += texture->image ? 1 : 0;
-    const Box box = bounding_box(model);
-    const glm::dvec3 size = box.size();
+    const glm::dvec3 size = bounding_box(model, stance_at(model, nullptr, 0)).size();
+    std::vector<std::string> clips;
+    for (const Clip& clip : model.clips)
+        clips.push_back(fmt::format("{} ({:.3g} s)", clip.name, clip.end_s - clip.begin_s));
     Facts facts{{"kind", "model"},
                 {"meshes", model.meshes.size()},
                 {"nodes", model.nodes.size()},
@@ -49,6 +54,9 @@ Facts model_facts(const std::string& path)
                 {"uv_sets", uv_sets},
                 {"vertex_colors", colors},
                 {"creases", creases},
+                {"skins", model.skins.size()},
+                {"morph_targets", targets},
+                {"clips", clips},
                 {"size_m", {size.x, size.y, size.z}},
                 {"hash", file_hash(path)}};
     if (!model.notices.empty()) facts["repaired"] = model.notices;
