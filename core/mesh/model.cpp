@@ -17,18 +17,6 @@ glm::dmat4 node_to_model(const Model& model, int node)
     return result;
 }
 
-Box bounding_box(const Model& model)
-{
-    Box box;
-    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-        const int mesh = model.nodes[i].mesh;
-        if (mesh < 0) continue;
-        box.add(bounding_box(*model.meshes.at(static_cast<std::size_t>(mesh)),
-                             node_to_model(model, static_cast<int>(i))));
-    }
-    return box;
-}
-
 Model single_mesh_model(std::string name, Mesh mesh, std::vector<Material> materials)
 {
     Model model;

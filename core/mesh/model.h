@@ -80,8 +80,6 @@ struct Model {
 // Node to model space: the product of to_parent up to the root.
 glm::dmat4 node_to_model(const Model& model, int node);
 
-Box bounding_box(const Model& model);
-
 // One mesh, one root node, one default material if there is none.
 Model single_mesh_model(std::string name, Mesh mesh, std::vector<Material> materials = {});
 

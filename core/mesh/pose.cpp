@@ -135,8 +135,9 @@ Mesh posed(const Mesh& mesh, const Pose& pose)
     return out;
 }
 
-Box bounding_box(const Model& model, const Stance& stance)
+Box bounding_box(const Model& model, const Clip* clip, double time_s)
 {
+    const Stance stance = stance_at(model, clip, time_s);
     Box out;
     for (std::size_t i = 0; i < model.nodes.size(); ++i) {
         if (model.nodes[i].mesh < 0) continue;

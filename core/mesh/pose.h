@@ -29,13 +29,15 @@ Pose pose_of(const Model& model, int node, const Stance& stance);
 glm::dmat4 mesh_to_model(const Model& model, int node, const Stance& stance);
 
 // Linear blend skinning after morph targets, normals by cofactors (core/kernel/pose.glsl); the
-// result has neither influences nor targets. The same bits for any number of threads.
+// result has neither influences nor targets. The pose must be of this mesh. O(#V by targets that
+// have a weight). The same bits for any number of threads. Source: glTF 2.0, 3.7.2 and 3.7.3.
 Mesh posed(const Mesh& mesh, const Pose& pose);
 
-// The box of all meshes of the model, in its space. O(#V).
-Box bounding_box(const Model& model, const Stance& stance);
+// The box of all meshes of the model, in its space, as they stand. O(#V).
+Box bounding_box(const Model& model, const Clip* clip = nullptr, double time_s = 0);
 
 // The box of the posed mesh, or a larger one, without looking at all vertices of a skin.
+// O(8 #joints + #targets).
 Box posed_bounds(const Box& mesh, const std::vector<Box>& targets, const Pose& pose);
 std::vector<Box> target_bounds(const Mesh& mesh); // of the differences of positions, each with 0
 

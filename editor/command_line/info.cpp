@@ -39,7 +39,7 @@ Facts model_facts(const std::string& path)
              {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture,
               &m.occlusion_texture, &m.emissive_texture})
             images += texture->image ? 1 : 0;
-    const glm::dvec3 size = bounding_box(model, stance_at(model, nullptr, 0)).size();
+    const glm::dvec3 size = bounding_box(model).size();
     std::vector<std::string> clips;
     for (const Clip& clip : model.clips)
         clips.push_back(fmt::format("{} ({:.3g} s)", clip.name, clip.end_s - clip.begin_s));

@@ -5,6 +5,7 @@
 #include "editor/panels/value_rows.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace trivar {
 namespace {
@@ -31,17 +32,26 @@ std::vector<std::string> common_clips(const Evaluated& evaluated, const std::vec
     return out;
 }
 
-void clip_row(ValueRows& rows, Playing& playing, std::vector<std::string> clips, bool mixed)
+// The clip that a hand took, if one did; empty: none, it stands.
+std::optional<std::string> clip_row(ValueRows& rows, const std::string& now,
+                                    std::vector<std::string> clips, bool mixed)
 {
-    if (!playing.clip.empty() && std::ranges::find(clips, playing.clip) == clips.end())
-        clips.insert(clips.begin(), playing.clip); // of a file that is not there
-    clips.insert(clips.begin(), mixed ? "Mixed" : "None");
-    auto chosen = static_cast<int>(
-        mixed || playing.clip.empty() ? 0 : std::ranges::find(clips, playing.clip) - clips.begin());
-    rows.row("Clip", chosen, 0, help_of_clip("clip"),
-             [&](float width) { return ui::choice(rows.theme, "clip", chosen, clips, width); });
-    if (chosen > 0) playing.clip = clips[static_cast<std::size_t>(chosen)];
-    if (chosen == 0 && rows.edit == ui::Edit::changed) playing.clip.clear();
+    if (!now.empty() && std::ranges::find(clips, now) == clips.end())
+        clips.insert(clips.begin(), now); // of a file that is not there
+    std::vector<std::string> words{"None"};
+    words.insert(words.end(), clips.begin(), clips.end());
+    clips.insert(clips.begin(), "");
+    if (mixed) { // is shown; to take it changes nothing
+        words.insert(words.begin(), "Mixed");
+        clips.insert(clips.begin(), now);
+    }
+    const int none = mixed ? 1 : 0;
+    const auto shown = static_cast<int>(mixed ? 0 : std::ranges::find(clips, now) - clips.begin());
+    int chosen = shown;
+    rows.row("Clip", chosen, none, help_of_clip("clip"),
+             [&](float width) { return ui::choice(rows.theme, "clip", chosen, words, width); });
+    if (chosen == shown) return std::nullopt;
+    return clips[static_cast<std::size_t>(chosen)];
 }
 
 void repeat_row(ValueRows& rows, Repeat& repeat)
@@ -66,17 +76,14 @@ void draw_clip(Editor& editor, const ui::Theme& theme, const std::vector<Id>& id
     const std::vector<std::string> clips = common_clips(editor.session.evaluated(), ids);
     if (clips.empty() && before.clip.empty()) return;
     if (!ui::section(theme, "Clip")) return;
-    const auto differs = [&](auto Playing::*part) {
-        return std::ranges::any_of(all,
-                                   [&](const Playing& each) { return each.*part != before.*part; });
-    };
-    const auto style = [&](auto Playing::*part, ui::NumberStyle own) {
-        if (differs(part)) own.words = "mixed";
-        return own;
+    const auto style = [&](auto Playing::*part, const ui::NumberStyle& own) {
+        return mixed_style(all, before, part, own);
     };
     Playing p = before;
     ValueRows rows{theme};
-    clip_row(rows, p, clips, differs(&Playing::clip));
+    const std::optional<std::string> taken =
+        clip_row(rows, before.clip, clips, differs(all, before, &Playing::clip));
+    if (taken) p.clip = *taken;
     if (!p.clip.empty()) {
         rows.number("Speed", p.speed, rest.speed,
                     style(&Playing::speed, {.lo = -1e3, .hi = 1e3, .unit = "x"}),
@@ -96,7 +103,7 @@ void draw_clip(Editor& editor, const ui::Theme& theme, const std::vector<Id>& id
             const auto take = [&](auto Playing::*part) {
                 if (before.*part != p.*part) each.*part = p.*part;
             };
-            take(&Playing::clip);
+            if (taken) each.clip = *taken; // also where it is the active one's
             take(&Playing::speed);
             take(&Playing::repeat);
             take(&Playing::offset);

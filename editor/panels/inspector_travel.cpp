@@ -58,10 +58,8 @@ void draw_travel(Editor& editor, const ui::Theme& theme, const std::vector<Id>& 
     for (const Id id : placed) all.push_back(object(document, id).travel);
     const Travel rest, before = all.back(); // the active one's, from which a drag begins
     Travel t = before;
-    const auto style = [&](auto Travel::*part, ui::NumberStyle own) {
-        const auto differs = [&](const Travel& each) { return each.*part != before.*part; };
-        if (std::ranges::any_of(all, differs)) own.words = "mixed";
-        return own;
+    const auto style = [&](auto Travel::*part, const ui::NumberStyle& own) {
+        return mixed_style(all, before, part, own);
     };
     ValueRows rows{theme};
     rows.number("Speed", t.speed, 0,

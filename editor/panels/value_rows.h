@@ -3,11 +3,27 @@
 
 #include "ui/widgets.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <imgui.h>
 
 namespace trivar {
+
+// Whether a part of several values is not everywhere as in the active one, and a number's style
+// that says so.
+template <class T, class Part>
+bool differs(const std::vector<T>& all, const T& active, Part T::*part)
+{
+    return std::ranges::any_of(all, [&](const T& each) { return each.*part != active.*part; });
+}
+template <class T, class Part>
+ui::NumberStyle mixed_style(const std::vector<T>& all, const T& active, Part T::*part,
+                            ui::NumberStyle own)
+{
+    if (differs(all, active, part)) own.words = "mixed";
+    return own;
+}
 
 // Rows that change one value each and remember whether any did.
 struct ValueRows {

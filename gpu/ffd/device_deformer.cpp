@@ -15,7 +15,7 @@ namespace {
 // volume_inputs.glsl
 constexpr unsigned volume_binding = 1, points_binding = 0, cells_binding = 1;
 constexpr unsigned points_unit = 14, cells_unit = 15;
-constexpr unsigned group_size = 64; // deform.comp.glsl
+constexpr unsigned group_size = 64; // vertex_buffers.glsl
 // Slices begin where any device lets a buffer's range begin: a multiple of 256 bytes.
 constexpr std::size_t slice_step = 256;
 
@@ -145,6 +145,25 @@ Box deformed_bounds(const Stage& stage, const Box& object)
     return {rest.lo + moved.lo, rest.hi + moved.hi};
 }
 
+void dispatch_vertices(const Program& program, const VertexSource& from, const DeviceVertices& to,
+                       const Attributes& attributes, const DeviceLimits& limits)
+{
+    for (std::size_t first = 0; first < from.count; first += limits.slice_vertices) {
+        const std::size_t count = std::min(limits.slice_vertices, from.count - first);
+        const auto both = [&](unsigned binding, const Buffer* in, const Buffer& out,
+                              std::size_t size) {
+            bind_range(binding, *in, first, count, size);
+            bind_range(binding + 1, out, first, count, size);
+        };
+        both(2, from.positions, to.positions, sizeof(glm::vec3));
+        if (attributes.normals) both(4, from.normals, to.normals, sizeof(glm::vec3));
+        if (attributes.tangents) both(6, from.tangents, to.tangents, sizeof(glm::vec4));
+        program.set("first_vertex", static_cast<unsigned>(first));
+        program.set("vertex_count", static_cast<unsigned>(count));
+        glDispatchCompute(static_cast<GLuint>((count + group_size - 1) / group_size), 1, 1);
+    }
+}
+
 DeviceDeformer::DeviceDeformer(const DeviceLimits& limits) : limits_(limits)
 {
     if (limits.gl_version < 43)
@@ -216,19 +235,7 @@ void DeviceDeformer::deform_by(const Stage& stage, const VertexSource& from, Dev
                tangents = bytes_in(from.tangents) > 0 && possible.normals == NormalsBy::cofactors;
     const Program& program =
         programs_.use(deform_program({axes.order, possible, tangents, limits_.reads_texels}));
-    for (std::size_t first = 0; first < from.count; first += limits_.slice_vertices) {
-        const std::size_t count = std::min(limits_.slice_vertices, from.count - first);
-        const auto both = [&](unsigned binding, const Buffer* in, const Buffer& out,
-                              std::size_t size) {
-            bind_range(binding, *in, first, count, size);
-            bind_range(binding + 1, out, first, count, size);
-        };
-        both(2, from.positions, to.positions, sizeof(glm::vec3));
-        if (normals) both(4, from.normals, to.normals, sizeof(glm::vec3));
-        if (tangents) both(6, from.tangents, to.tangents, sizeof(glm::vec4));
-        program.set("vertex_count", static_cast<unsigned>(count));
-        glDispatchCompute(static_cast<GLuint>((count + group_size - 1) / group_size), 1, 1);
-    }
+    dispatch_vertices(program, from, to, {normals, tangents}, limits_);
 }
 
 Box DeviceDeformer::box_of(const VertexSource& vertices, const Stage* by,

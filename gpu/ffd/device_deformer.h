@@ -61,6 +61,15 @@ ProgramName bounds_program(std::vector<std::string> volume_defines);
 // What makes mesh.vert deform as it draws.
 std::vector<std::string> volume_defines(const std::array<int, 3>& orders, bool texels);
 
+// Runs a compute program in use over `from`, in slices that the device takes, with the buffers
+// bound as vertex_buffers.glsl has them; `to` has room. Sets vertex_count, and first_vertex where
+// it is asked for.
+struct Attributes {
+    bool normals = false, tangents = false; // beside positions
+};
+void dispatch_vertices(const Program& program, const VertexSource& from, const DeviceVertices& to,
+                       const Attributes& attributes, const DeviceLimits& limits);
+
 // Deforms on the device. Two phases: vertices are deformed to buffers, which any number of passes
 // draw. One phase: a vertex shader deforms as it draws.
 //

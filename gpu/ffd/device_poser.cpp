@@ -11,7 +11,6 @@ namespace trivar::gpu {
 namespace {
 
 constexpr unsigned rig_binding = 0, pose_binding = 1; // pose.comp.glsl
-constexpr unsigned pose_group_size = 64;
 
 int kinds_of(const Mesh& mesh)
 {
@@ -55,8 +54,8 @@ std::vector<float> pose_values(const Pose& pose)
 ProgramName pose_program(bool skinned, int kinds, bool normals, bool tangents)
 {
     ProgramName name{"", "", {fmt::format("KINDS {}", kinds)}, "pose"};
+    name.defines.emplace_back(normals ? "NORMALS 1" : "NORMALS 0");
     if (skinned) name.defines.emplace_back("SKINNED");
-    if (normals) name.defines.emplace_back("NORMALS");
     if (tangents) name.defines.emplace_back("TANGENTS");
     return name;
 }
@@ -100,23 +99,7 @@ void DevicePoser::pose(const VertexSource& from, DeviceVertices& to, const Posed
                 posed.rest->influences.empty() ? 0 : static_cast<int>(8 * from.count));
     program.set("joint_count", static_cast<int>(posed.pose.joints.size()));
     program.set("target_count", static_cast<int>(posed.pose.morph_weights.size()));
-    for (std::size_t first = 0; first < from.count; first += limits_.slice_vertices) {
-        const std::size_t count = std::min(limits_.slice_vertices, from.count - first);
-        const auto both = [&](unsigned binding, const Buffer* in, const Buffer& out,
-                              std::size_t size) {
-            const auto begin = static_cast<GLintptr>(first * size);
-            const auto length = static_cast<GLsizeiptr>(count * size);
-            glBindBufferRange(GL_SHADER_STORAGE_BUFFER, binding, in->name(), begin, length);
-            glBindBufferRange(GL_SHADER_STORAGE_BUFFER, binding + 1, out.name(), begin, length);
-        };
-        both(2, from.positions, to.positions, sizeof(glm::vec3));
-        if (normals) both(4, from.normals, to.normals, sizeof(glm::vec3));
-        if (tangents) both(6, from.tangents, to.tangents, sizeof(glm::vec4));
-        program.set("first_vertex", static_cast<unsigned>(first));
-        program.set("vertex_count", static_cast<unsigned>(count));
-        glDispatchCompute(static_cast<GLuint>((count + pose_group_size - 1) / pose_group_size), 1,
-                          1);
-    }
+    dispatch_vertices(program, from, to, {normals, tangents}, limits_);
     glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
 }
 

@@ -8,10 +8,12 @@
 
 namespace trivar::gpu {
 
+// `kinds` of a target's differences: 1 positions, 2 normals too, 3 tangents too; 0: no targets.
 ProgramName pose_program(bool skinned, int kinds, bool normals, bool tangents);
 
-// Poses meshes on the device, as trivar::posed() does. Influences and morph targets are uploaded
-// once a mesh, a pose as its matrices and weights.
+// Poses meshes on the device, as trivar::posed() does up to single precision. Influences and morph
+// targets are uploaded once a mesh (32 bytes a vertex, and 12 to 36 a target), a pose as 64 bytes a
+// joint and 4 a target.
 class DevicePoser {
 public:
     // The programs are those of who deforms after it, and outlive it.
@@ -22,7 +24,7 @@ public:
     }
 
     // `from` are the vertices of posed.rest. What is in `to` may be read by any pass and by the
-    // deformer. Throws Rejected where the device has no room.
+    // deformer; nothing is read back. Throws Rejected where the device has no room.
     void pose(const VertexSource& from, DeviceVertices& to, const Posed& posed);
     void drop_dead(); // rigs of meshes that nobody else holds
 

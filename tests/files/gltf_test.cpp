@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What of glTF our own writer never makes. Buffers are data URIs of hand-made bytes.
 #include "core/files/read_model.h"
+#include "core/mesh/pose.h"
 #include "tests/support/fixtures.h"
 #include "tests/support/rigged.h"
 

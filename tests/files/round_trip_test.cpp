@@ -3,6 +3,7 @@
 #include "core/files/image.h"
 #include "core/files/read_model.h"
 #include "core/files/write_model.h"
+#include "core/mesh/pose.h"
 #include "tests/files/sample_models.h"
 #include "tests/support/fixtures.h"
 

@@ -101,13 +101,14 @@ TEST_F(ChangedShaders, DeformAnewWhatTheyDeform)
     picture.instances.front().stages = {stage};
     picture.deform_by = DeformBy::two_phases;
     const Image before = drawn();
-    const std::string old = "positions_out[at + 2u] = v.position.z;";
-    copy.replace("deform.comp.glsl", old, "positions_out[at + 2u] = v.position.z + 1.0;");
+    const std::string old = "positions_out[at + 2u] = position.z;";
+    copy.replace("vertex_buffers.glsl", old, "positions_out[at + 2u] = position.z + 1.0;");
     EXPECT_NE(drawn().rgba, before.rgba);
-    copy.replace("deform.comp.glsl", "local_size_x", "nonsense");
+    copy.replace("vertex_buffers.glsl", "local_size_x", "nonsense");
     const Image kept = drawn();
     EXPECT_NE(kept.rgba, before.rgba);
-    EXPECT_THAT(renderer.shader_trouble(), HasSubstr("deform.comp.glsl:4: "));
+    EXPECT_THAT(renderer.shader_trouble(),
+                HasSubstr("vertex_buffers.glsl:3 (in deform.comp.glsl): "));
 }
 
 TEST(ShaderFolders, GiveOtherTextsOnlyWhereAFileChangedAndLookSeldom)

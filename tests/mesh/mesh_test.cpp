@@ -4,6 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
 #include "core/mesh/model.h"
+#include "core/mesh/pose.h"
 #include "core/mesh/primitives.h"
 #include "tests/mesh/edges.h"
 
