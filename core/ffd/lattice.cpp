@@ -13,6 +13,14 @@ glm::dvec3 greville(const std::array<Knots, 3>& axes, int i, int j, int k)
 
 } // namespace
 
+Lattice moved(Lattice lattice, std::span<const PointMove> moves)
+{
+    Trivariate<glm::dvec3>& d = lattice.displacement;
+    for (const PointMove& move : moves)
+        d.points[d.index(move.index.x, move.index.y, move.index.z)] += move.by;
+    return lattice;
+}
+
 Reach reach(const Knots& knots)
 {
     constexpr double infinity = std::numeric_limits<double>::infinity();

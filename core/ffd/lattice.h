@@ -4,6 +4,7 @@
 #include "core/spline/trivariate.h"
 
 #include <glm/glm.hpp>
+#include <span>
 
 namespace trivar {
 
@@ -24,6 +25,15 @@ Lattice lattice_at_rest(const std::array<Knots, 3>& axes, const glm::dmat4& rest
 // world positions. The latter takes `rest` as a translation to their mean, which keeps digits.
 glm::dvec3 control_point(const Lattice& lattice, int i, int j, int k);
 Lattice lattice_through(const Trivariate<glm::dvec3>& control_points_world);
+
+// A stored control point, by its indices along u, v and w, and where it goes from where it is.
+struct PointMove {
+    glm::ivec3 index{0};
+    glm::dvec3 by{0}; // world
+    bool operator==(const PointMove&) const = default;
+};
+// The lattice with control points moved; the others keep their bits. Indices must be inside.
+Lattice moved(Lattice lattice, std::span<const PointMove> moves);
 
 // Parameters outside this interval lie before or after the domain of an open axis. There the
 // displacement is that of the nearest end, so it does not change along this axis.
