@@ -14,18 +14,7 @@ struct Bernstein {
     std::vector<double> coefficients; // product of (degree + 1), last axis fastest
 };
 
-// a b - c d, exact but for rounding. The degrees must agree. O(product of the numbers of
-// coefficients).
-Bernstein difference_of_products(const Bernstein& a, const Bernstein& b, const Bernstein& c,
-                                 const Bernstein& d);
-// a b + c d + e f
-Bernstein sum_of_products(const std::array<Bernstein, 3>& left,
-                          const std::array<Bernstein, 3>& right);
-
 // The two halves along one axis, each over [0, 1]^3 again (de Casteljau).
 std::array<Bernstein, 2> halves(const Bernstein& f, std::size_t axis);
-
-// Its integral over the cube.
-double mean(const Bernstein& f);
 
 } // namespace trivar

@@ -52,7 +52,7 @@ TEST(Injectivity, FindsTheFoldOfABendTighterThanItsHeight)
     const Injectivity result = check_injectivity(lattice);
     EXPECT_EQ(result.local, Verdict::proven_bad);
     EXPECT_FALSE(result.global);
-    for (const Injectivity::Part& part : result.parts) EXPECT_GT(part.hi.z, 0.9 - 1e-4);
+    for (const DoubtfulPart& part : result.parts) EXPECT_GT(part.hi.z, 0.9 - 1e-4);
 }
 
 TEST(Injectivity, ProvesALatticeAtRestGoodAlsoWhenItMirrors)
