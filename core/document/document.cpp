@@ -7,6 +7,7 @@
 #include "core/document/commands/place.h"
 #include "core/document/commands/play.h"
 #include "core/document/commands/primitives.h"
+#include "core/document/commands/shape.h"
 #include "core/document/commands/view.h"
 
 #include <algorithm>
@@ -84,6 +85,10 @@ void add(Digest& digest, const Object& object)
             digest.add_text("round");
             digest.add(object.placement->level);
         }
+    }
+    if (!object.shaping.empty()) { // there were scenes without it
+        digest.add_text("shaping");
+        for (const Ref<VolumeEdit>& edit : object.shaping) add(digest, *edit);
     }
     if (object.travel != Travel{}) { // there were scenes without it
         digest.add_text("travel");

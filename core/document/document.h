@@ -7,6 +7,7 @@
 #include "core/document/render_settings.h"
 #include "core/document/source.h"
 #include "core/placement/placement.h"
+#include "core/placement/shaping.h"
 #include "core/placement/travel.h"
 
 #include <map>
@@ -67,6 +68,8 @@ struct Object {
     bool locked = false; // no hand takes it by accident; a command that names it may
     std::optional<PlacementStep>
         placement;      // a placed object's translation waits; its rotation and scale turn it first
+    // What was done to its volume after it was laid, one step after another.
+    std::vector<Ref<VolumeEdit>> shaping = {};
     Travel travel = {}; // along its stroke, if it lies on one
     Playing playing = {}; // if it is an imported file
     bool operator==(const Object&) const = default;

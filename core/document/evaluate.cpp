@@ -7,6 +7,7 @@
 #include "core/document/posing.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace trivar {
 namespace {
@@ -78,6 +79,7 @@ EvaluatedObject evaluated_object(Id id, const Causes& causes)
     for (const Clip& clip : causes.shape->model->clips) result.clips.push_back(clip.name);
     if (causes.laid && causes.laid->placement) {
         result.placement = causes.laid->placement;
+        result.shaped = causes.laid->shaped;
         result.lies_on = causes.laid->scene;
         result.parts = causes.laid->parts;
         result.journey = causes.laid->journey;
@@ -86,6 +88,11 @@ EvaluatedObject evaluated_object(Id id, const Causes& causes)
                 "it fills its whole stroke and has no room to travel; make its fill smaller");
         const std::vector<std::string>& more = causes.laid->placement->report.notices;
         result.notices.insert(result.notices.end(), more.begin(), more.end());
+        if (result.shaped)
+            for (std::size_t i = 0; i < result.shaped->steps.size(); ++i)
+                if (const std::string& notice = result.shaped->steps[i].notice; !notice.empty())
+                    result.notices.push_back(
+                        fmt::format("step {} of its shaping: {}", i + 1, notice));
     } else
         for (const Shape::Hung& hung : causes.shape->meshes)
             result.parts.push_back({hung.rest, causes.to_world * hung.to_model, hung.posed});
@@ -189,8 +196,8 @@ Evaluated Evaluator::operator()(const Document& document, double frame, const Pr
         if (ref->placement) {
             const auto laid_on = [&](const std::vector<Support>& supports) {
                 return kept.laying(kept.shape, glm::dmat3(ref->transform.matrix()), *ref->placement,
-                                   band_of(document, *ref->placement), supports, cache_->ray_meshes,
-                                   result.timings);
+                                   band_of(document, *ref->placement), ref->shaping, supports,
+                                   cache_->ray_meshes, result.timings);
             };
             const Supports supports = supports_of(*ref->placement, done);
             if (supports.travelling.empty() || supports.still.empty()) {

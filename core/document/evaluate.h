@@ -5,6 +5,7 @@
 #include "core/document/asset_store.h"
 #include "core/document/document.h"
 #include "core/document/part.h"
+#include "core/placement/shaper.h"
 
 #include <memory>
 
@@ -15,6 +16,7 @@ struct EvaluatedObject {
     std::vector<Part> parts;
     Ref<std::vector<Material>> materials; // what face_material indexes
     Ref<Placement> placement;             // null where nothing was placed
+    Ref<ShapedVolume> shaped;             // null where nothing was done to its volume
     Ref<Journey> journey;                 // null where it does not travel
     Ref<RayScene> lies_on;                // what its stroke falls on; null where there is none
     Lazy<Box> bounds;                     // world; asking for it deforms the parts

@@ -121,38 +121,56 @@ void RayMeshes::keep_only(const std::set<Ref<Mesh>>& meshes)
 
 Ref<Laid> Laying::operator()(const Ref<Shape>& shape, const glm::dmat3& turned,
                              const PlacementStep& step, const std::optional<Band>& band,
+                             const std::vector<Ref<VolumeEdit>>& shaping,
                              const std::vector<Support>& supports, RayMeshes& ray_meshes,
                              Timings& timings)
 {
-    const auto found = std::ranges::find_if(known_, [&](const Known& k) {
+    const auto same_stroke = [&](const Known& k) {
         return k.shape == shape && k.turned == turned && k.supports == supports && k.step == step;
-    });
+    };
+    const auto found = std::ranges::find_if(
+        known_, [&](const Known& k) { return k.shaping == shaping && same_stroke(k); });
     if (found != known_.end()) {
         std::rotate(known_.begin(), found, found + 1);
         return known_.front().laid;
     }
+    const auto unshaped = std::ranges::find_if(known_, same_stroke);
+    Known known{shape, turned, step, shaping, supports, nullptr, nullptr};
     Laid laid;
-    try {
-        if (shape->meshes.empty()) throw Rejected("there is no shape to lay down");
-        if (supports.empty())
-            throw Rejected("everything this object lay on is gone; place it anew or unplace it");
-        if (step.round && !band)
-            throw Rejected("what it goes round is no cylinder, sphere, torus or Moebius band that "
-                           "stands free any more; place it anew or unplace it");
-        const Box box = box_of(*shape, turned);
-        if (step.round)
-            laid = bent(*shape, turned, timed(timings, "volume", [&] {
-                return place_round(*band, step.parameters, box);
-            }));
-        else {
-            const Ref<RayScene> scene = scene_of(supports, ray_meshes, timings);
-            laid = bent(*shape, turned, place(step.sketch, step.parameters, box, *scene, timings));
-            laid.scene = scene;
+    if (unshaped != known_.end()) {
+        laid = *unshaped->laid;
+        known.unshaped = unshaped->unshaped;
+    } else
+        try {
+            if (shape->meshes.empty()) throw Rejected("there is no shape to lay down");
+            if (supports.empty())
+                throw Rejected("everything this object lay on is gone; place it anew or unplace "
+                               "it");
+            if (step.round && !band)
+                throw Rejected("what it goes round is no cylinder, sphere, torus or Moebius band "
+                               "that stands free any more; place it anew or unplace it");
+            const Box box = box_of(*shape, turned);
+            if (step.round)
+                known.unshaped = make_ref(timed(
+                    timings, "volume", [&] { return place_round(*band, step.parameters, box); }));
+            else {
+                const Ref<RayScene> scene = scene_of(supports, ray_meshes, timings);
+                known.unshaped =
+                    make_ref(place(step.sketch, step.parameters, box, *scene, timings));
+                laid.scene = scene;
+            }
+        } catch (const Rejected& error) {
+            laid.rejected = error.what();
         }
-    } catch (const Rejected& error) {
-        laid.rejected = error.what();
+    if (known.unshaped) {
+        laid.shaped = shaping.empty() ? nullptr : timed(timings, "shape", [&] {
+            return shaper_(known.unshaped, shaping);
+        });
+        laid.placement = laid.shaped ? laid.shaped->placement : known.unshaped;
+        bend(laid, *shape, turned);
     }
-    known_.insert(known_.begin(), {shape, turned, step, supports, make_ref(std::move(laid))});
+    known.laid = make_ref(std::move(laid));
+    known_.insert(known_.begin(), std::move(known));
     if (known_.size() > kept_results) known_.pop_back();
     return known_.front().laid;
 }
@@ -172,17 +190,15 @@ Ref<RayScene> Laying::scene_of(const std::vector<Support>& supports, RayMeshes& 
     return scene_;
 }
 
-Laid Laying::bent(const Shape& shape, const glm::dmat3& turned, Placement placement)
+void Laying::bend(Laid& laid, const Shape& shape, const glm::dmat3& turned)
 {
-    Laid laid;
-    laid.placement = make_ref(std::move(placement));
+    laid.parts.clear();
     const Embedding& embedding = laid.placement->embedding;
     const Ref<Lattice> volume(laid.placement, &laid.placement->volume);
     std::vector<Sorted> used;
     for (const Standing& each : standing(shape, turned))
         laid.parts.push_back(deformed(each.part, embedded(embedding, each.to_box), volume, used));
     sorted_ = std::move(used);
-    return laid;
 }
 
 Part Laying::deformed(const Part& part, const Embedding& embedding, const Ref<Lattice>& volume,

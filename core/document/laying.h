@@ -4,6 +4,7 @@
 #include "core/document/evaluate.h"
 #include "core/document/shapes.h"
 #include "core/placement/round.h"
+#include "core/placement/shaper.h"
 
 #include <set>
 
@@ -19,9 +20,11 @@ struct Support {
 // What an object is after it was laid along its stroke.
 struct Laid {
     Ref<Placement> placement; // null: rejected
-    Ref<RayScene> scene;      // that the stroke fell on
-    std::vector<Part> parts;  // in the world
-    Ref<Journey> journey;     // null: it does not travel
+    Ref<ShapedVolume>
+        shaped;              // how that came from what the stroke gave; null where nothing was done
+    Ref<RayScene> scene;     // that the stroke fell on
+    std::vector<Part> parts; // in the world
+    Ref<Journey> journey;    // null: it does not travel
     std::string rejected;
 };
 
@@ -44,10 +47,11 @@ private:
 class Laying {
 public:
     // `turned` is the object's own turn and size, before it is laid. Stages: rays, springs, lift
-    // and volume, as place() names them, and deform for what it lies on. `band`: what it goes
-    // round, where it does.
+    // and volume, as place() names them, shape, and deform for what it lies on. `band`: what it
+    // goes round, where it does. `shaping`: what is done to the volume then.
     Ref<Laid> operator()(const Ref<Shape>& shape, const glm::dmat3& turned,
                          const PlacementStep& step, const std::optional<Band>& band,
+                         const std::vector<Ref<VolumeEdit>>& shaping,
                          const std::vector<Support>& supports, RayMeshes& ray_meshes,
                          Timings& timings);
     // The same some seconds after it set out, with the shape as it is posed then; null: as it came.
@@ -61,7 +65,9 @@ private:
         Ref<Shape> shape;
         glm::dmat3 turned;
         PlacementStep step;
+        std::vector<Ref<VolumeEdit>> shaping;
         std::vector<Support> supports;
+        Ref<Placement> unshaped; // null: rejected
         Ref<Laid> laid;
     };
     struct Sorted {
@@ -79,11 +85,12 @@ private:
         Journey::Place place;
         Ref<Laid> laid;
     };
-    Laid bent(const Shape& shape, const glm::dmat3& turned, Placement placement);
+    void bend(Laid& laid, const Shape& shape, const glm::dmat3& turned);
     Part deformed(const Part& part, const Embedding& embedding, const Ref<Lattice>& volume,
                   std::vector<Sorted>& used) const;
 
     std::vector<Known> known_; // the latest first
+    Shaper shaper_;
     std::vector<Support> scene_supports_;
     Ref<RayScene> scene_;
     std::vector<Sorted> sorted_;

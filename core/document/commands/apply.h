@@ -42,6 +42,12 @@ Document applied(Document document, const SetRender& command);
 Document applied(Document document, const SetTime& command);
 Document applied(Document document, const SetTravel& command);
 Document applied(Document document, const PlayClip& command);
+Document applied(Document document, const PressVolume& command);
+Document applied(Document document, const MovePoints& command);
+Document applied(Document document, const InsertKnots& command);
+Document applied(Document document, const CoarsenVolume& command);
+Document applied(Document document, const MendVolume& command);
+Document applied(Document document, const Unshape& command);
 Document applied(Document document, const Paste& command);
 
 // The ids of a list. Throws Rejected if it is empty, an object does not exist or is named twice.
@@ -62,6 +68,11 @@ Document with_all_changed(Document document, const std::vector<Id>& ids, auto&& 
         document = with_changed(std::move(document), id, change);
     return document;
 }
+
+// Throws Rejected where the object lies on no stroke.
+void check_placed(const Object& object, Id id);
+// Throws Rejected for what no step of shaping can be, whatever the volume.
+void check(const VolumeEdit& edit);
 
 // The document with one object more, under the next id.
 Document with_added(Document document, Object object);

@@ -100,6 +100,10 @@ Document laid(Document document, Id id, const CopiedObject& copy, const std::vec
         document = applied(std::move(document), Place{id, p.sketch, p.parameters, bases});
     else
         return document;
+    for (const VolumeEdit& edit : copy.shaping) check(edit);
+    document = with_changed(std::move(document), id, [&](Object& o) {
+        for (const VolumeEdit& edit : copy.shaping) o.shaping.push_back(make_ref(edit));
+    });
     if (!copy.travel) return document;
     return applied(std::move(document), SetTravel{{id}, *copy.travel});
 }
@@ -132,6 +136,7 @@ CopiedObject copy_of(const Document& document, Id id, bool inside, const std::st
                       each.placement->level};
     for (const Id base : each.placement->onto)
         copy.placement->onto.push_back({base, object(document, base).name});
+    for (const Ref<VolumeEdit>& edit : each.shaping) copy.shaping.push_back(*edit);
     if (each.travel != Travel{}) copy.travel = each.travel;
     return copy;
 }

@@ -6,6 +6,7 @@
 #include "core/document/commands/place.h"
 #include "core/document/commands/play.h"
 #include "core/document/commands/primitives.h"
+#include "core/document/commands/shape.h"
 #include "core/document/commands/travel.h"
 
 #include <string>
@@ -47,6 +48,7 @@ struct CopiedObject {
     bool hidden = false, locked = false;
     std::optional<Surfacing> material;
     std::optional<CopiedPlacement> placement;
+    std::vector<VolumeEdit> shaping;
     std::optional<Travel> travel;
     std::optional<Playing> playing;
     bool operator==(const CopiedObject&) const = default;
@@ -89,6 +91,7 @@ template <> struct FieldsOf<CopiedObject> {
         field("locked", c.locked, "no hand takes it");
         field("material", c.material, "one material over all of it; left out: its own");
         field("placement", c.placement, "how it lies on a stroke");
+        field("shaping", c.shaping, "what was done to its volume after that, step by step");
         field("travel", c.travel, "how it goes along that");
         field("playing", c.playing, "how an imported model moves by a clip of its file");
     }

@@ -104,13 +104,13 @@ void check_parameters(const PlacementParameters& p)
         throw Rejected("field \"roll_deg\" must be 0, 90, 180 or 270");
 }
 
+} // namespace
+
 void check_placed(const Object& o, Id id)
 {
     if (!o.placement)
         throw Rejected(fmt::format("object {} ({}) is not placed; use place first", id, o.name));
 }
-
-} // namespace
 
 std::vector<Id> possible_bases(const Document& document, Id id)
 {
@@ -132,8 +132,10 @@ Document applied(Document document, const Place& command)
     check_parameters(command.parameters);
     PlacementStep step{command.sketch, command.parameters,
                        supports(document, command.object, command.onto)};
-    return with_changed(std::move(document), command.object,
-                        [&](Object& o) { o.placement = std::move(step); });
+    return with_changed(std::move(document), command.object, [&](Object& o) {
+        o.placement = std::move(step);
+        o.shaping.clear();
+    });
 }
 
 Document applied(Document document, const PlaceRound& command)
@@ -156,8 +158,10 @@ Document applied(Document document, const PlaceRound& command)
                        supports(document, command.object, {command.around}),
                        true,
                        command.level};
-    return with_changed(std::move(document), command.object,
-                        [&](Object& o) { o.placement = std::move(step); });
+    return with_changed(std::move(document), command.object, [&](Object& o) {
+        o.placement = std::move(step);
+        o.shaping.clear();
+    });
 }
 
 Document applied(Document document, const EditPlacement& command)
@@ -186,6 +190,7 @@ Document applied(Document document, const Unplace& command)
     check_placed(object(document, command.object), command.object);
     return with_changed(std::move(document), command.object, [](Object& o) {
         o.placement.reset();
+        o.shaping.clear();
         o.travel = {};
     });
 }

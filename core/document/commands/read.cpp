@@ -187,7 +187,7 @@ template <std::size_t I = 0> Command command_named(std::string_view verb, const 
 json parse_object(std::string_view line)
 {
     std::vector<std::set<std::string>> keys;
-    constexpr int deepest = 8; // no field nests further, and some walks over JSON are recursive
+    constexpr int deepest = 10; // no field nests further, and some walks over JSON are recursive
     const auto watch = [&](int depth, json::parse_event_t event, json& parsed) {
         if (depth > deepest) throw Rejected("brackets nest too deeply");
         if (event == json::parse_event_t::object_start) keys.emplace_back();

@@ -44,6 +44,18 @@ template <class T> std::string type_name()
         return "values of [set_travel](#set_travel)";
     else if constexpr (std::is_same_v<T, Playing>)
         return "values of [play_clip](#play_clip)";
+    else if constexpr (std::is_same_v<T, VolumeEdit>)
+        return "[step](#step)";
+    else if constexpr (std::is_same_v<T, Press>)
+        return "values of [press](#press)";
+    else if constexpr (std::is_same_v<T, PointShift>)
+        return "values of [move_points](#move_points)";
+    else if constexpr (std::is_same_v<T, KnotInsertion>)
+        return "values of [insert_knots](#insert_knots)";
+    else if constexpr (std::is_same_v<T, Coarsening>)
+        return "values of [coarsen_volume](#coarsen_volume)";
+    else if constexpr (std::is_same_v<T, Mending>)
+        return "nothing inside: `{}`";
     else if constexpr (Nested<T>) // a shape
         return fmt::format("values of [{0}](#{0})", FieldsOf<T>::verb);
     else if constexpr (is_optional<T>)
@@ -170,6 +182,7 @@ std::string commands_markdown()
     text += "## sketch\n\nA stroke and the view it was drawn in.\n\n" + field_table(Sketch{});
     text += "## object\n\nAn object as it is copied.\n\n" + field_table(CopiedObject{});
     text += "## placement\n\nHow a copied object lies.\n\n" + field_table(CopiedPlacement{});
+    text += "## step\n\nWhat was done to a volume; one of them.\n\n" + field_table(VolumeEdit{});
     text += "## base\n\nWhat a copied object lay on.\n\n" + field_table(KnownObject{});
     text.pop_back();
     return text;

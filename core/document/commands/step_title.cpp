@@ -115,6 +115,12 @@ StepTitle arranged_title(const Document& before, const Arrange& c)
     return {"Move " + names, in_metres(glm::length(now.translation - first.translation))};
 }
 
+const char* axis_name(VolumeAxis axis)
+{
+    static constexpr std::array<const char*, 3> names{"along", "across", "up"};
+    return names[static_cast<std::size_t>(axis)];
+}
+
 // A title for each command; a new command gets one here or does not compile.
 struct Titles {
     const Document& before;
@@ -280,6 +286,40 @@ struct Titles {
         if (now.clip.empty()) return {"Let " + names + " stand", {}};
         if (old.clip != now.clip) return {"Let " + names + " play", now.clip};
         return title_of_changes(changes(old, now), "Clip", names);
+    }
+    StepTitle operator()(const PressVolume& c) const
+    {
+        double amount = 0;
+        for (const glm::dvec4& sample : c.press.samples) amount += sample.w;
+        static constexpr std::array<const char*, 4> decays{"Gaussian", "Hat", "Box", "Smooth"};
+        return {(amount < 0 ? "Pull " : "Press ") + name_in(before, c.object),
+                fmt::format("{} {}", decays[static_cast<std::size_t>(c.press.decay)],
+                            in_metres(c.press.radius))};
+    }
+    StepTitle operator()(const MovePoints& c) const
+    {
+        const std::size_t count = c.shift.points.size();
+        const std::string points =
+            count == 1 ? "a control point" : fmt::format("{} control points", count);
+        return {"Move " + points + " of " + name_in(before, c.object),
+                in_metres(glm::length(c.shift.by))};
+    }
+    StepTitle operator()(const InsertKnots& c) const
+    {
+        return {"Refine the volume of " + name_in(before, c.object), axis_name(c.insertion.axis)};
+    }
+    StepTitle operator()(const CoarsenVolume& c) const
+    {
+        return {"Coarsen the volume of " + name_in(before, c.object),
+                fmt::format("{} {}", c.coarsening.count, axis_name(c.coarsening.axis))};
+    }
+    StepTitle operator()(const MendVolume& c) const
+    {
+        return {"Mend the volume of " + name_in(before, c.object), {}};
+    }
+    StepTitle operator()(const Unshape& c) const
+    {
+        return {"Take back the shaping of " + name_in(before, c.object), {}};
     }
     StepTitle operator()(const Paste&) const
     {

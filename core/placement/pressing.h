@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/ffd/guard.h"
+#include "core/placement/shaping.h"
+
+namespace trivar {
+
+// A volume and what it was when it was laid, over the same knots.
+struct LaidVolume {
+    Lattice volume, as_laid;
+    double ground = 0; // w of what lies on the scene
+};
+
+// A press as it goes on, from one sample to the next. Control points move along their columns,
+// toward what lies on the scene; where the ball is at that itself, it lifts or drops whole columns
+// instead, which keep their height. All distances are those of the volume it began with.
+class Pressing {
+public:
+    Pressing(const LaidVolume& begun, const Press& press);
+
+    // Where control points would go by one more sample, before anything is proven: not below what
+    // was laid on the scene, and, where guarded, no nearer to the next one of the column than 2 %
+    // of their distance as laid. O(control points).
+    std::vector<PointMove> moves(const glm::dvec4& sample) const;
+    // Moves them, where guarded as far as that is proven not to fold. How far the ball came,
+    // metres: between 0 and the sample's amount, as far as any control point could follow it.
+    double add(const glm::dvec4& sample);
+
+    const Lattice& volume() const { return volume_; }
+
+private:
+    std::vector<double> weights(const glm::dvec4& sample) const;
+    std::vector<PointMove> moves(const glm::dvec4& sample, const std::vector<double>& w) const;
+    std::vector<PointMove> on_layers(const std::vector<double>& weights, double amount) const;
+    std::vector<PointMove> on_columns(const std::vector<double>& weights, double amount) const;
+
+    Lattice volume_;
+    CellVerdicts verdicts_; // of that, where guarded
+    Press press_;
+    double ground_;
+    Lattice start_;
+    std::vector<glm::dvec3> points_;     // of start_, world
+    std::vector<glm::dvec3> up_;         // of each column, unit; n_u x n_v, v fastest
+    std::vector<double> gap_, on_scene_; // least |P_k - P_k-1|; height of the scene along up_
+};
+
+// Throws Rejected, naming the field, for what cannot be.
+void check(const Press& press);
+
+} // namespace trivar

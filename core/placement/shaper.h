@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/ref.h"
+#include "core/placement/placement.h"
+#include "core/placement/pressing.h"
+
+namespace trivar {
+
+// What came of one step of shaping.
+struct Shaping {
+    double asked = 0, done = 0; // metres the ball or the points should go farthest, and went
+    std::string notice;         // why the step gave nothing, or how far off it is; else empty
+};
+
+struct ShapedVolume {
+    Ref<Placement> placement; // with the volume as it is, and its contact surface
+    Ref<LaidVolume> volume;
+    std::vector<Shaping> steps; // one for each edit
+};
+
+// Does the steps one after another, and remembers the volume after each: a step at the end, or one
+// more sample of the last press, costs that much.
+class Shaper {
+public:
+    Ref<ShapedVolume> operator()(const Ref<Placement>& laid,
+                                 const std::vector<Ref<VolumeEdit>>& edits);
+
+private:
+    struct Done {
+        Ref<VolumeEdit> edit;
+        Ref<LaidVolume> after;
+        Shaping what;
+    };
+    Done done(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>& before);
+    Done pressed(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>& before);
+
+    Ref<Placement> laid_;
+    Ref<LaidVolume> begun_;
+    Ref<ShapedVolume> last_;
+    std::vector<Done> done_;
+    // The last press, and from where it went on.
+    Ref<LaidVolume> pressed_from_;
+    Press press_;
+    Shaping so_far_;
+    std::optional<Pressing> pressing_;
+};
+
+} // namespace trivar

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/placement/shaping.h"
+
+#include <cmath>
+
+namespace trivar {
+namespace {
+
+glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& otherwise)
+{
+    const double length = glm::length(v);
+    return length > 0 && std::isfinite(length) ? v / length : otherwise;
+}
+
+// Of unit vectors any one at a right angle to v.
+glm::dvec3 any_across(const glm::dvec3& v)
+{
+    const glm::dvec3 axis = std::abs(v.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    return glm::normalize(glm::cross(v, axis));
+}
+
+} // namespace
+
+double decay(Decay decay, double x)
+{
+    if (!(x < 1)) return 0;
+    switch (decay) {
+    case Decay::gaussian: {
+        static const double at_rim = std::exp(-4.5);
+        return (std::exp(-4.5 * x * x) - at_rim) / (1 - at_rim);
+    }
+    case Decay::hat: return 1 - x;
+    case Decay::box: return 1;
+    case Decay::smooth: return (1 - x * x) * (1 - x * x);
+    }
+    return 0;
+}
+
+VolumeDirections volume_frame(const Lattice& volume, const glm::dvec3& uvw)
+{
+    const Jet<glm::dvec3> f = evaluate(volume, uvw, 1);
+    VolumeDirections frame;
+    frame.up = unit_or(f.first[2], {0, 0, 1});
+    const glm::dvec3 along = f.first[0] - glm::dot(f.first[0], frame.up) * frame.up;
+    frame.along = unit_or(along, any_across(frame.up));
+    frame.across = glm::cross(frame.up, frame.along);
+    return frame;
+}
+
+glm::dvec3 greville(const Lattice& volume, const glm::ivec3& index)
+{
+    const std::array<Knots, 3>& axes = volume.displacement.axes;
+    return {axes[0].greville(index.x), axes[1].greville(index.y), axes[2].greville(index.z)};
+}
+
+} // namespace trivar

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/ffd/lattice.h"
+
+#include <optional>
+#include <vector>
+
+// What is done to a volume after it was laid, one value a step. Places are given in the volume's
+// own u, v, w of 0..1 and directions along its own (VolumeDirections), so that the steps follow it
+// wherever its stroke goes.
+
+namespace trivar {
+
+// How much of a press reaches a control point at x = distance / radius; nothing from x = 1 on.
+// Gaussian: exp(-x^2 / (2 s^2)) with s = 1/3, taken down by its value at 1; hat: 1 - x; box: all
+// of it; smooth: (1 - x^2)^2, C^1 at the rim.
+enum class Decay { gaussian, hat, box, smooth };
+double decay(Decay decay, double x);
+
+// A ball pressed into the volume, drawn out of it where amounts are negative. Schein 2006, 2.4.1.
+struct Press {
+    Decay decay = Decay::gaussian;
+    double radius = 0.1; // metres
+    // Where the ball's centre is and by how many metres it presses there, [u, v, w, amount] each.
+    // Distances are those before the first of them.
+    std::vector<glm::dvec4> samples = {};
+    bool mirror = false;     // the same at 1 - v
+    bool guard = true;       // no more of it than is proven not to fold
+    bool into_scene = false; // what lies on the scene may be drawn into it
+    bool operator==(const Press&) const = default;
+};
+
+// Control points moved as one. The first says along, across and up.
+struct PointShift {
+    std::vector<glm::ivec3> points = {}; // indices along, across and above the stroke
+    glm::dvec3 by{0};                    // metres along, across and up
+    bool mirror = false;                 // those on the other side of the middle the other way
+    bool guard = true;
+    bool operator==(const PointShift&) const = default;
+};
+
+enum class VolumeAxis { along, across, up };
+
+// More control points where they are wanted; the volume keeps its shape.
+struct KnotInsertion {
+    VolumeAxis axis = VolumeAxis::along;
+    std::vector<double> at = {}; // parameters, inside 0..1
+    bool operator==(const KnotInsertion&) const = default;
+};
+
+// Fewer control points along one axis, as near to the shape as they come.
+struct Coarsening {
+    VolumeAxis axis = VolumeAxis::along;
+    int count = 4;
+    bool operator==(const Coarsening&) const = default;
+};
+
+// The smallest change that was found after which nothing folds.
+struct Mending {
+    bool operator==(const Mending&) const = default;
+};
+
+// Exactly one of them.
+struct VolumeEdit {
+    std::optional<Press> press = {};
+    std::optional<PointShift> shift = {};
+    std::optional<KnotInsertion> insertion = {};
+    std::optional<Coarsening> coarsening = {};
+    std::optional<Mending> mending = {};
+    bool operator==(const VolumeEdit&) const = default;
+};
+
+// Unit directions of a volume at a place: along the stroke, across it and up from the scene, right
+// angles between them, right-handed.
+struct VolumeDirections {
+    glm::dvec3 along{1, 0, 0}, across{0, 1, 0}, up{0, 0, 1};
+    glm::dvec3 to_world(const glm::dvec3& v) const { return v.x * along + v.y * across + v.z * up; }
+    glm::dvec3 to_frame(const glm::dvec3& v) const
+    {
+        return {glm::dot(v, along), glm::dot(v, across), glm::dot(v, up)};
+    }
+};
+VolumeDirections volume_frame(const Lattice& volume, const glm::dvec3& uvw);
+
+// uvw of a stored control point, on [0, 1]^3.
+glm::dvec3 greville(const Lattice& volume, const glm::ivec3& index);
+
+} // namespace trivar

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/placement/pressing.h"
+
+#include "core/base/rejected.h"
+#include "core/ffd/injectivity.h"
+#include "core/placement/shaper.h"
+
+#include <gtest/gtest.h>
+
+namespace trivar {
+namespace {
+
+// A box of 2 x 1 x 0.5 metres, somewhat bent, symmetric about v = 1/2.
+Lattice bent_box(int order = 3)
+{
+    const std::array<Knots, 3> axes{Knots::uniform(order, 12), Knots::uniform(order, 8),
+                                    Knots::uniform(order, 5)};
+    Lattice out =
+        lattice_at_rest(axes, glm::dmat4(2, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 1));
+    for (int i = 0; i < 12; ++i)
+        for (int j = 0; j < 8; ++j)
+            for (int k = 0; k < 5; ++k)
+                out.displacement.points[out.displacement.index(i, j, k)].z =
+                    0.1 * std::sin(0.4 * i);
+    return out;
+}
+
+Press press_at(glm::dvec4 sample, Decay decay = Decay::gaussian)
+{
+    return {.decay = decay, .radius = 0.4, .samples = {sample}};
+}
+
+Lattice pressed(const Press& press)
+{
+    Pressing pressing({bent_box(), bent_box(), 0}, press);
+    for (const glm::dvec4& sample : press.samples) pressing.add(sample);
+    return pressing.volume();
+}
+
+double farthest(const Lattice& a, const Lattice& b)
+{
+    double most = 0;
+    for (std::size_t i = 0; i < a.displacement.points.size(); ++i)
+        most = std::max(most, glm::distance(a.displacement.points[i], b.displacement.points[i]));
+    return most;
+}
+
+TEST(Decay, FallsFromOneToNothingAtTheRim)
+{
+    for (const Decay kind : {Decay::gaussian, Decay::hat, Decay::box, Decay::smooth}) {
+        EXPECT_EQ(decay(kind, 0), 1);
+        EXPECT_EQ(decay(kind, 1), 0);
+        for (double x = 0; x < 1; x += 0.01) EXPECT_GE(decay(kind, x), decay(kind, x + 0.01));
+    }
+    for (const Decay kind : {Decay::gaussian, Decay::hat, Decay::smooth})
+        EXPECT_LT(decay(kind, 1 - 1e-6), 1e-5);
+}
+
+TEST(Pressing, OfNothingIsTheVolumeToTheLastBit)
+{
+    EXPECT_EQ(pressed(press_at({0.5, 0.5, 1, 0})), bent_box());
+}
+
+TEST(Pressing, TakesTheRoofTowardTheSceneAndLeavesWhatIsOutsideTheBall)
+{
+    const Lattice before = bent_box(), after = pressed(press_at({0.5, 0.5, 1, 0.05}));
+    const glm::dvec3 center = evaluate(before, {0.5, 0.5, 1}).value;
+    int lowered = 0;
+    for (int i = 0; i < 12; ++i)
+        for (int j = 0; j < 8; ++j)
+            for (int k = 0; k < 5; ++k) {
+                const glm::dvec3 a = control_point(before, i, j, k),
+                                 b = control_point(after, i, j, k);
+                if (k == 0 || glm::distance(a, center) >= 0.4) {
+                    EXPECT_EQ(a, b);
+                    continue;
+                }
+                EXPECT_LT(b.z, a.z);
+                ++lowered;
+            }
+    EXPECT_GT(lowered, 8);
+    EXPECT_LT(evaluate(after, {0.5, 0.5, 1}).value.z, center.z - 0.02);
+}
+
+TEST(Pressing, AndAsMuchPullingInOneStrokeComesBack)
+{
+    Press press = press_at({0.4, 0.6, 1, 0.05});
+    press.samples.push_back({0.5, 0.6, 0.9, 0.03});
+    press.samples.push_back({0.5, 0.6, 0.9, -0.03});
+    press.samples.push_back({0.4, 0.6, 1, -0.05});
+    EXPECT_LT(farthest(pressed(press), bent_box()), 1e-12);
+}
+
+TEST(Pressing, FromTheSceneLiftsColumnsWhichKeepTheirHeight)
+{
+    const Lattice before = bent_box(), after = pressed(press_at({0.5, 0.5, 0, 0.1}));
+    EXPECT_GT(evaluate(after, {0.5, 0.5, 0}).value.z, evaluate(before, {0.5, 0.5, 0}).value.z);
+    for (int i = 0; i < 12; ++i)
+        for (int j = 0; j < 8; ++j)
+            for (int k = 1; k < 5; ++k)
+                EXPECT_NEAR(
+                    glm::distance(control_point(after, i, j, k), control_point(after, i, j, 0)),
+                    glm::distance(control_point(before, i, j, k), control_point(before, i, j, 0)),
+                    1e-15);
+}
+
+TEST(Pressing, DrawsNothingIntoTheSceneUnlessItIsAllowed)
+{
+    Press press = press_at({0.5, 0.5, 0, -0.1});
+    EXPECT_EQ(pressed(press), bent_box());
+    press.into_scene = true;
+    EXPECT_LT(evaluate(pressed(press), {0.5, 0.5, 0}).value.z,
+              evaluate(bent_box(), {0.5, 0.5, 0}).value.z);
+    press.into_scene = false;
+    press.samples = {{0.5, 0.5, 0, 0.02}, {0.5, 0.5, 0, -0.1}}; // down again, but no deeper
+    EXPECT_LT(farthest(pressed(press), bent_box()), 1e-12);
+}
+
+TEST(Pressing, MirroredIsTheSameOnBothSides)
+{
+    for (const Decay kind : {Decay::gaussian, Decay::box}) {
+        Press press = press_at({0.5, 0.8, 1, 0.05}, kind);
+        press.mirror = true;
+        const Lattice after = pressed(press);
+        for (int i = 0; i < 12; ++i)
+            for (int j = 0; j < 8; ++j)
+                for (int k = 0; k < 5; ++k)
+                    EXPECT_NEAR(control_point(after, i, j, k).z,
+                                control_point(after, i, 7 - j, k).z, 1e-14);
+    }
+}
+
+TEST(Pressing, WithTheGuardStopsShortOfFolding)
+{
+    for (const Decay kind : {Decay::gaussian, Decay::hat, Decay::box, Decay::smooth})
+        for (const glm::dvec4 sample :
+             {glm::dvec4(0.5, 0.5, 1, 3), {0.5, 0.5, 0.5, -3}, {0.3, 0.2, 0, 3}, {0, 0, 1, 3}}) {
+            const Press press = press_at(sample, kind);
+            EXPECT_EQ(check_injectivity(pressed(press)).local, Verdict::proven_good);
+        }
+    Press unguarded = press_at({0.5, 0.5, 1, 3});
+    unguarded.guard = false;
+    EXPECT_EQ(check_injectivity(pressed(unguarded)).local, Verdict::proven_bad);
+}
+
+Ref<Placement> placed_box()
+{
+    Lattice box = bent_box();
+    Placement out{Surface<glm::dvec3>{{box.displacement.axes[0], box.displacement.axes[1]}, {}},
+                  box,
+                  {},
+                  {},
+                  {},
+                  0,
+                  0,
+                  {}};
+    for (int i = 0; i < 12; ++i)
+        for (int j = 0; j < 8; ++j) out.contact.points.push_back(control_point(box, i, j, 0));
+    return make_ref(std::move(out));
+}
+Ref<VolumeEdit> press_edit(std::vector<glm::dvec4> samples)
+{
+    VolumeEdit edit{.press = press_at({})};
+    edit.press->samples = std::move(samples);
+    return make_ref(std::move(edit));
+}
+
+TEST(Shaper, GivesTheSameBitsStepByStepAndAtOnce)
+{
+    const Ref<Placement> laid = placed_box();
+    const std::vector<glm::dvec4> samples{
+        {0.3, 0.5, 1, 0.05}, {0.4, 0.5, 1, 1.3}, {0.5, 0.4, 1, 0.1}};
+    const auto shift = make_ref(
+        VolumeEdit{.shift = PointShift{.points = {{5, 4, 4}, {6, 4, 4}}, .by = {0, 0.02, 0.1}}});
+    Shaper live, at_once;
+    for (std::size_t n = 1; n <= samples.size(); ++n)
+        live(laid, {shift, press_edit({samples.begin(), samples.begin() + static_cast<long>(n)})});
+    live(laid, {shift}); // undone
+    const auto a = live(laid, {shift, press_edit(samples)});
+    const auto b = at_once(laid, {shift, press_edit(samples)});
+    EXPECT_EQ(a->placement->volume, b->placement->volume);
+    EXPECT_EQ(a->steps[1].done, b->steps[1].done);
+    EXPECT_LT(a->steps[1].done, a->steps[1].asked);
+    EXPECT_EQ(live(laid, {})->placement, laid);
+}
+
+TEST(Shaper, InsertsControlPointsWithoutAChange)
+{
+    const auto finer = make_ref(
+        VolumeEdit{.insertion = KnotInsertion{.axis = VolumeAxis::along, .at = {0.31, 0.5, 0.5}}});
+    Shaper shaper;
+    const auto after = shaper(placed_box(), {finer});
+    EXPECT_EQ(after->placement->volume.displacement.axes[0].count(), 15);
+    EXPECT_EQ(after->volume->as_laid.displacement.axes[0].count(), 15);
+    for (double u = 0; u <= 1; u += 0.0625)
+        EXPECT_LT(glm::distance(evaluate(after->placement->volume, {u, 0.4, 0.7}).value,
+                                evaluate(bent_box(), {u, 0.4, 0.7}).value),
+                  1e-12);
+}
+
+TEST(Shaper, MovesTheContactSurfaceWithTheVolume)
+{
+    Shaper shaper;
+    const auto after = shaper(placed_box(), {press_edit({{0.5, 0.5, 0, 0.1}})});
+    const glm::dvec3 on_volume = evaluate(after->placement->volume, {0.5, 0.5, 0}).value;
+    EXPECT_LT(glm::distance(evaluate(after->placement->contact, {0.5, 0.5}).value, on_volume),
+              1e-12);
+    EXPECT_GT(on_volume.z, evaluate(bent_box(), {0.5, 0.5, 0}).value.z + 0.05);
+}
+
+TEST(Shaper, PassesOverAStepThatDoesNotFitAndSaysSo)
+{
+    const auto beyond =
+        make_ref(VolumeEdit{.shift = PointShift{.points = {{50, 0, 0}}, .by = {0, 0, 1}}});
+    Shaper shaper;
+    const auto after = shaper(placed_box(), {beyond, press_edit({{0.5, 0.5, 1, 0.05}})});
+    EXPECT_FALSE(after->steps[0].notice.empty());
+    EXPECT_TRUE(after->steps[1].notice.empty());
+    EXPECT_EQ(after->placement->volume, pressed(press_at({0.5, 0.5, 1, 0.05})));
+}
+
+TEST(Shaper, MovesMirroredPointsTheOtherWayAcross)
+{
+    const auto both = make_ref(VolumeEdit{
+        .shift = PointShift{.points = {{5, 7, 4}}, .by = {0, 0.1, 0.05}, .mirror = true}});
+    Shaper shaper;
+    const Lattice after = shaper(placed_box(), {both})->placement->volume, before = bent_box();
+    const glm::dvec3 one = control_point(after, 5, 7, 4) - control_point(before, 5, 7, 4);
+    const glm::dvec3 other = control_point(after, 5, 0, 4) - control_point(before, 5, 0, 4);
+    EXPECT_NEAR(one.y, 0.1, 1e-12);
+    EXPECT_NEAR(other.y, -0.1, 1e-12);
+    EXPECT_NEAR(one.z, other.z, 1e-12);
+}
+
+TEST(Press, WithNothingToPressIsRefused)
+{
+    EXPECT_THROW(check(Press{.radius = 0, .samples = {{0, 0, 0, 1}}}), Rejected);
+    EXPECT_THROW(check(Press{}), Rejected);
+    EXPECT_THROW(check(press_at({2, 0, 0, 1})), Rejected);
+    EXPECT_NO_THROW(check(press_at({1, 0, 0, -1})));
+}
+
+} // namespace
+} // namespace trivar
