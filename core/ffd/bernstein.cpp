@@ -9,7 +9,33 @@ std::size_t size(const Bernstein& f, std::size_t axis)
     return static_cast<std::size_t>(f.degree[axis]) + 1;
 }
 
+// The values of the Bernstein polynomials of a degree.
+std::vector<double> basis_at(int degree, double x)
+{
+    std::vector<double> b{1};
+    for (int d = 1; d <= degree; ++d) {
+        b.push_back(0);
+        for (std::size_t i = b.size(); i-- > 0;) b[i] = b[i] * (1 - x) + (i > 0 ? b[i - 1] * x : 0);
+    }
+    return b;
+}
+
 } // namespace
+
+double value(const Bernstein& f, const glm::dvec3& x)
+{
+    const std::vector<double> u = basis_at(f.degree[0], x.x), v = basis_at(f.degree[1], x.y),
+                              w = basis_at(f.degree[2], x.z);
+    const double* c = f.coefficients.data();
+    double sum = 0;
+    for (const double a : u)
+        for (const double b : v) {
+            double row = 0;
+            for (const double weight : w) row += weight * *c++;
+            sum += a * b * row;
+        }
+    return sum;
+}
 
 std::array<Bernstein, 2> halves(const Bernstein& f, std::size_t axis)
 {

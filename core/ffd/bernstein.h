@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <glm/glm.hpp>
 #include <vector>
 
 namespace trivar {
@@ -13,6 +14,8 @@ struct Bernstein {
     std::array<int, 3> degree{};
     std::vector<double> coefficients; // product of (degree + 1), last axis fastest
 };
+
+double value(const Bernstein& f, const glm::dvec3& x); // x in [0, 1]^3
 
 // The two halves along one axis, each over [0, 1]^3 again (de Casteljau).
 std::array<Bernstein, 2> halves(const Bernstein& f, std::size_t axis);

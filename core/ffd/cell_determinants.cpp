@@ -17,11 +17,11 @@ namespace {
 // One number of two cells.
 using Pair = double __attribute__((vector_size(16)));
 
-double binomial(int n, int k)
+std::vector<double> binomial_row(int n)
 {
-    double out = 1;
-    for (int i = 1; i <= k; ++i) out = out * (n - k + i) / i;
-    return out;
+    std::vector<double> row{1};
+    for (int k = 1; k <= n; ++k) row.push_back(row.back() * (n - k + 1) / k);
+    return row;
 }
 
 // A net of coefficients, w fastest.
@@ -35,11 +35,12 @@ struct Net {
 std::vector<double> binomials(const Net& net)
 {
     std::vector<double> out;
-    for (int i = 0; i < net.u; ++i)
-        for (int j = 0; j < net.v; ++j)
-            for (int k = 0; k < net.w; ++k)
-                out.push_back(binomial(net.u - 1, i) * binomial(net.v - 1, j) *
-                              binomial(net.w - 1, k));
+    out.reserve(net.count());
+    const std::vector<double> u = binomial_row(net.u - 1), v = binomial_row(net.v - 1),
+                              w = binomial_row(net.w - 1);
+    for (const double x : u)
+        for (const double y : v)
+            for (const double z : w) out.push_back(x * y * z);
     return out;
 }
 

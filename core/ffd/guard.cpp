@@ -141,57 +141,53 @@ CertifiedShare certified_share(const Lattice& from, const CellVerdicts& before,
     assert(before.of.size() == grid.count());
     const std::vector<int> cells = not_excepted(grid, grid.touched(moves), options);
     Lattice trial = from;
-    std::vector<Judged> last;
-    // Those of `which` that forbid the share; leaves in `last` what all of them are then.
-    const auto forbidding = [&](const std::vector<int>& which, int step) {
+    const auto judged_at = [&](const std::vector<int>& which, int step) {
         Trivariate<glm::dvec3>& d = trial.displacement;
-        for (const PointMove& move : moves) {
-            const std::size_t i = d.index(move.index.x, move.index.y, move.index.z);
-            d.points[i] = from.displacement.points[i];
-        }
+        const auto index = [&](const PointMove& m) {
+            return d.index(m.index.x, m.index.y, m.index.z);
+        };
+        for (const PointMove& move : moves)
+            d.points[index(move)] = from.displacement.points[index(move)];
         for (const PointMove& move : scaled(moves, static_cast<double>(step) / options.steps))
-            d.points[d.index(move.index.x, move.index.y, move.index.z)] += move.by;
-        last = judged(grid, trial, which, before.sign, options);
-        std::vector<int> out;
-        for (std::size_t i = 0; i < which.size(); ++i) {
-            const auto cell = static_cast<std::size_t>(which[i]);
-            if (!allowed({before.of[cell], before.least[cell]}, last[i])) out.push_back(which[i]);
-        }
-        return out;
+            d.points[index(move)] += move.by;
+        return judged(grid, trial, which, before.sign, options);
+    };
+    const auto forbids = [&](int cell, const Judged& now) {
+        const auto c = static_cast<std::size_t>(cell);
+        return !allowed({before.of[c], before.least[c]}, now);
     };
 
+    // All cells are judged at the largest share not yet forbidden; the worst of those that forbid
+    // it is asked alone how far it lets them go, until none forbids.
     CertifiedShare out;
-    int high = options.steps; // forbidden, but for the first time round
-    std::vector<int> suspects = forbidding(cells, high);
-    std::vector<int> all = suspects;
-    if (suspects.empty()) {
-        out.after = with(before, cells, last);
-        return out;
-    }
-    // Only the cells that have forbidden something are asked while halving, and all at the end. At
-    // 0 the lattice is as it was.
-    while (high > 0) {
-        out.stopping = all;
-        int low = 0;
-        while (high - low > 1) {
-            const int middle = low + (high - low) / 2;
-            std::vector<int> stopped = forbidding(suspects, middle);
-            if (stopped.empty()) {
-                low = middle;
-            } else {
-                high = middle;
-                out.stopping = std::move(stopped);
+    out.after = before;
+    for (int step = options.steps; step > 0;) {
+        const std::vector<Judged> now = judged_at(cells, step);
+        std::vector<int> stopping;
+        int worst = -1;
+        double least = 0;
+        for (std::size_t i = 0; i < cells.size(); ++i)
+            if (forbids(cells[i], now[i])) {
+                if (stopping.empty() || now[i].least < least) {
+                    worst = cells[i];
+                    least = now[i].least;
+                }
+                stopping.push_back(cells[i]);
             }
+        out.share = static_cast<double>(step) / options.steps;
+        if (stopping.empty()) {
+            out.after = with(before, cells, now);
+            return out;
         }
-        high = low;
-        out.share = static_cast<double>(low) / options.steps;
-        all = forbidding(cells, low);
-        if (all.empty() || low == 0) break;
-        suspects.insert(suspects.end(), all.begin(), all.end());
-        std::sort(suspects.begin(), suspects.end());
-        suspects.erase(std::unique(suspects.begin(), suspects.end()), suspects.end());
+        out.stopping = std::move(stopping);
+        int low = 0;
+        while (step - low > 1) {
+            const int middle = low + (step - low) / 2;
+            (forbids(worst, judged_at({worst}, middle).front()) ? step : low) = middle;
+        }
+        step = low;
     }
-    out.after = out.share > 0 ? with(before, cells, last) : before;
+    out.share = 0;
     return out;
 }
 

@@ -41,7 +41,7 @@ CellVerdicts judged_again(CellVerdicts before, const Lattice& now, std::span<con
 // it is returned. 0: not at all.
 struct CertifiedShare {
     double share = 1;
-    std::vector<int> stopping; // cells that forbid the next larger share; empty where it is 1
+    std::vector<int> stopping; // cells that forbade a larger one; empty where it is 1
     CellVerdicts after;        // of moved(from, scaled(moves, share))
 };
 CertifiedShare certified_share(const Lattice& from, const CellVerdicts& before,

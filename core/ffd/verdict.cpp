@@ -25,6 +25,18 @@ bool bad_at_a_corner(const Bernstein& f, int sign, double doubt)
     return false;
 }
 
+// Looks where the least coefficient is: det J is often least near there.
+bool bad_at_the_least(const Bernstein& f, int sign, double doubt)
+{
+    std::size_t least = 0;
+    for (std::size_t i = 1; i < f.coefficients.size(); ++i)
+        if (sign * f.coefficients[i] < sign * f.coefficients[least]) least = i;
+    const std::size_t nv = static_cast<std::size_t>(f.degree[1]) + 1,
+                      nw = static_cast<std::size_t>(f.degree[2]) + 1;
+    const glm::dvec3 at(least / nw / nv, least / nw % nv, least % nw);
+    return sign * value(f, at / glm::dvec3(f.degree[0], f.degree[1], f.degree[2])) < -doubt;
+}
+
 } // namespace
 
 Verdict verdict_at_once(const CellDeterminant& det, int sign)
@@ -51,7 +63,8 @@ std::vector<DoubtfulPart> doubtful_parts(const CellGrid::Place& cell, const Cell
         const Part part = std::move(open.back());
         open.pop_back();
         if (part.least > det.doubt) continue;
-        const bool bad = bad_at_a_corner(part.f, sign, det.doubt);
+        const bool bad = bad_at_a_corner(part.f, sign, det.doubt) ||
+                         (halving.until_bad && bad_at_the_least(part.f, sign, det.doubt));
         if (bad || part.halvings == 3 * halving.depth || used >= halving.boxes) {
             out.push_back({part.lo, part.hi, bad ? Verdict::proven_bad : Verdict::unknown});
             if (bad && halving.until_bad) return out;

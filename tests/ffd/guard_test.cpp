@@ -29,26 +29,6 @@ double determinant_at(const Lattice& lattice, const glm::dvec3& uvw)
     return glm::determinant(glm::dmat3(f.first[0], f.first[1], f.first[2]));
 }
 
-double value(Bernstein f, const glm::dvec3& x)
-{
-    for (std::size_t axis = 0; axis < 3; ++axis) { // de Casteljau, one axis after the other
-        const int n = f.degree[axis] + 1;
-        const std::size_t inner = axis == 0   ? f.coefficients.size() / static_cast<std::size_t>(n)
-                                  : axis == 1 ? static_cast<std::size_t>(f.degree[2] + 1)
-                                              : 1;
-        for (int r = 1; r < n; ++r)
-            for (int i = 0; i + r < n; ++i)
-                for (std::size_t b = 0; b < inner; ++b) {
-                    double& low = f.coefficients[static_cast<std::size_t>(i) * inner + b];
-                    const double high = f.coefficients[static_cast<std::size_t>(i + 1) * inner + b];
-                    low += (high - low) * x[static_cast<int>(axis)];
-                }
-        f.coefficients.resize(inner);
-        f.degree[axis] = 0;
-    }
-    return f.coefficients[0];
-}
-
 // Lattices with every kind of axis, twisted ones with symmetric others.
 std::vector<Lattice> all_kinds()
 {

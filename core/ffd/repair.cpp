@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/ffd/repair.h"
+
+#include "core/ffd/repair_ways.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace trivar {
+namespace {
+
+std::vector<PointMove> one_pass(const RepairAttempt& attempt, const RepairSite& site,
+                                const Lattice& lattice, const CellVerdicts& verdicts,
+                                std::span<const int> once_doubtful, int pass)
+{
+    switch (attempt.way) {
+    case RepairWay::smoothed_directions: return smoothed_directions(site, lattice, verdicts);
+    case RepairWay::lowered_heights: return lowered_heights(site, lattice, verdicts);
+    case RepairWay::monotone_columns: return monotone_columns(site, lattice, verdicts, pass);
+    case RepairWay::evened: return evened(site, lattice, verdicts, attempt.ground_yields);
+    default: return relaxed(site, lattice, verdicts, once_doubtful, pass, attempt.ground_yields);
+    }
+}
+
+// Beyond these a way does harm: columns of a twentieth, gaps of two thirds of a layer.
+int most_passes(RepairWay way, const RepairOptions& options)
+{
+    return way == RepairWay::lowered_heights    ? std::min(options.passes, 18)
+           : way == RepairWay::monotone_columns ? std::min(options.passes, 6)
+                                                : options.passes;
+}
+
+// What takes one lattice to the other, as moves of the points that differ.
+std::vector<PointMove> difference(const RepairSite& site, const Lattice& from, const Lattice& to)
+{
+    std::vector<PointMove> out;
+    for (std::size_t p = 0; p < from.displacement.points.size(); ++p)
+        if (const glm::dvec3 by = to.displacement.points[p] - from.displacement.points[p];
+            by != glm::dvec3(0))
+            out.push_back({site.index(p), by});
+    return out;
+}
+
+// The least of sixteen shares of the moves that does; found by halving, judged as it is returned.
+std::vector<PointMove> as_few_as_do(const Lattice& folded, const CellVerdicts& before,
+                                    std::vector<PointMove> moves, const GuardOptions& options)
+{
+    constexpr int steps = 16;
+    int low = 0, high = steps;
+    while (high - low > 1) {
+        const int middle = (low + high) / 2;
+        const auto part = scaled(moves, static_cast<double>(middle) / steps);
+        (judged_again(before, moved(folded, part), part, options).good() ? high : low) = middle;
+    }
+    return high == steps ? moves : scaled(moves, static_cast<double>(high) / steps);
+}
+
+// A way is given up after so many passes that leave no fewer cells doubtful.
+constexpr int patience = 25;
+
+struct Attempted {
+    RepairAttempt attempt;
+    std::vector<PointMove> moves;
+};
+
+Attempted attempted(const RepairAttempt& how, const RepairSite& site, const Lattice& folded,
+                    const CellVerdicts& before)
+{
+    const RepairOptions& options = site.options();
+    GuardOptions quick = options.guard;
+    quick.halving.boxes = std::min(quick.halving.boxes, 32);
+    Lattice now = folded;
+    CellVerdicts verdicts = before;
+    std::vector<int> once_doubtful;
+    std::size_t fewest = before.of.size();
+    int since = 0;
+    for (int pass = 0; pass < most_passes(how.way, options); ++pass) {
+        const std::vector<int> doubtful = doubtful_cells(verdicts);
+        since = doubtful.size() < fewest ? 0 : since + 1;
+        fewest = std::min(fewest, doubtful.size());
+        if (doubtful.empty() || since > patience) break;
+        std::vector<int> both;
+        std::set_union(doubtful.begin(), doubtful.end(), once_doubtful.begin(), once_doubtful.end(),
+                       std::back_inserter(both));
+        once_doubtful = std::move(both);
+        const std::vector<PointMove> moves =
+            one_pass(how, site, now, verdicts, once_doubtful, pass);
+        if (moves.empty()) break;
+        now = moved(std::move(now), moves);
+        verdicts = judged_again(std::move(verdicts), now, moves, quick);
+    }
+    Attempted out{how, difference(site, folded, now)};
+    // Differences are rounded, and some cells were looked at in haste.
+    out.attempt.certified =
+        judged_again(before, moved(folded, out.moves), out.moves, options.guard).good();
+    if (out.attempt.certified)
+        out.moves = as_few_as_do(folded, before, std::move(out.moves), options.guard);
+    double squares = 0;
+    for (const PointMove& move : out.moves) {
+        squares += glm::dot(move.by, move.by);
+        out.attempt.moved_most = std::max(out.attempt.moved_most, glm::length(move.by));
+    }
+    out.attempt.moved_rms =
+        std::sqrt(squares / static_cast<double>(folded.displacement.points.size()));
+    return out;
+}
+
+} // namespace
+
+Unfolded unfolded(const Lattice& lattice, const RepairOptions& options)
+{
+    Unfolded out{lattice, false, {}, {}, {}};
+    const CellVerdicts before = judge(lattice, options.guard);
+    out.certified = before.good();
+    if (out.certified || !(before.typical > 0)) return out;
+    const RepairSite site(lattice, options);
+    std::vector<RepairWay> ways{RepairWay::evened, RepairWay::relaxed};
+    const Closure closure =
+        lattice.displacement.axes[static_cast<std::size_t>(options.column_axis)].closure();
+    if (closure == Closure::open)
+        ways = {RepairWay::smoothed_directions, RepairWay::lowered_heights,
+                RepairWay::monotone_columns, RepairWay::evened, RepairWay::relaxed};
+    const auto attempt = [&](RepairWay way, bool ground_yields) {
+        Attempted next = attempted({way, ground_yields}, site, lattice, before);
+        out.tried.push_back(next.attempt);
+        if (!next.attempt.certified ||
+            (out.certified && !(next.attempt.moved_rms < out.taken.moved_rms)))
+            return;
+        out.certified = true;
+        out.taken = next.attempt;
+        out.moves = std::move(next.moves);
+    };
+    for (const RepairWay way : ways) attempt(way, false);
+    if (!out.certified)
+        for (const RepairWay way : {RepairWay::evened, RepairWay::relaxed}) attempt(way, true);
+    if (out.certified) out.lattice = moved(lattice, out.moves);
+    return out;
+}
+
+} // namespace trivar

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/ffd/guard.h"
+
+namespace trivar {
+
+// How control points are moved so that a lattice no longer folds.
+enum class RepairWay {
+    smoothed_directions, // columns turned toward the directions of their neighbours
+    lowered_heights,     // columns shortened toward the ground
+    monotone_columns,    // layers put back in order along the ground's normal
+    evened,              // points round a fold drawn to the middle of their neighbours
+    relaxed,             // each fold opened by the least move of the points round it
+};
+
+struct RepairOptions {
+    GuardOptions guard = {};
+    // The layer of control points that lies on what the volume stands on, and the axis across it.
+    // Columns rise from it; it stays unless nothing else helps.
+    int column_axis = 2;
+    int ground_layer = 0;
+    int passes = 150; // of one way, at most
+};
+
+struct RepairAttempt {
+    RepairWay way = RepairWay::relaxed;
+    bool ground_yields = false; // tried only where nothing else helps
+    bool certified = false;
+    double moved_rms = 0, moved_most = 0; // world, over all control points
+};
+
+// The smallest change found after which every cell is proven good. All ways are tried, each going
+// only as far as it needs, and the one that moves control points least (root of the mean square) is
+// taken. Control points whose sites lie in a declared exception stay. The same on every machine.
+struct Unfolded {
+    Lattice lattice;              // as given where nothing helped or nothing was wrong
+    bool certified = false;       // all cells are proven good
+    std::vector<PointMove> moves; // from the given lattice; few, where folds are few
+    RepairAttempt taken;          // of no move where nothing was wrong
+    std::vector<RepairAttempt> tried;
+};
+Unfolded unfolded(const Lattice& lattice, const RepairOptions& options = {});
+
+} // namespace trivar

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/ffd/repair.h"
+
+namespace trivar {
+
+// What the ways of a repair share: which control points reach a cell, and which may not move.
+class RepairSite {
+public:
+    RepairSite(const Lattice& lattice, const RepairOptions& options);
+
+    const CellGrid& grid() const { return grid_; }
+    const RepairOptions& options() const { return options_; }
+    bool held(std::size_t point, bool ground_yields) const;
+    glm::ivec3 index(std::size_t point) const;
+
+    // The stored points of a cell's basis functions, w fastest.
+    std::vector<std::size_t> points_of(const Trivariate<glm::dvec3>& f, int cell) const;
+    // The columns that reach cells which are not good, by their indices on the ground, ascending.
+    std::vector<glm::ivec3> columns(const Trivariate<glm::dvec3>& f,
+                                    const CellVerdicts& verdicts) const;
+
+private:
+    RepairOptions options_;
+    CellGrid grid_;
+    glm::ivec3 count_;
+    std::vector<bool> held_;
+};
+
+std::vector<int> doubtful_cells(const CellVerdicts& verdicts);
+
+// One pass of each way: moves that make the cells which are not good better. None: it gives up.
+std::vector<PointMove> smoothed_directions(const RepairSite& site, const Lattice& lattice,
+                                           const CellVerdicts& verdicts);
+std::vector<PointMove> lowered_heights(const RepairSite& site, const Lattice& lattice,
+                                       const CellVerdicts& verdicts);
+// The gap between layers doubles with every pass.
+std::vector<PointMove> monotone_columns(const RepairSite& site, const Lattice& lattice,
+                                        const CellVerdicts& verdicts, int pass);
+std::vector<PointMove> evened(const RepairSite& site, const Lattice& lattice,
+                              const CellVerdicts& verdicts, bool ground_yields);
+// In the given cells, which are or once were not good, det J is brought up to a little more than
+// zero at samples, by the least squares of moves for each: its gradient for control point a is
+// cof(J) grad N_a. Cells that were mended before stay among them, so that mending their neighbours
+// does not undo it.
+std::vector<PointMove> relaxed(const RepairSite& site, const Lattice& lattice,
+                               const CellVerdicts& verdicts, std::span<const int> cells, int pass,
+                               bool ground_yields);
+
+} // namespace trivar
