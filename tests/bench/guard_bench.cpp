@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/parallel.h"
 #include "core/ffd/guard.h"
+#include "core/ffd/resolution.h"
 #include "tests/support/splines.h"
 
 #include <benchmark/benchmark.h>
@@ -48,6 +49,40 @@ void guard_share(benchmark::State& state)
         state.counters["share"] = certified_share(lattice, verdicts, std::span(&move, 1)).share;
 }
 
+// 100 x 100 x 100 control points.
+const Lattice& million_points()
+{
+    static const Lattice lattice{
+        testing::random_volume(
+            {Knots::uniform(4, 100), Knots::uniform(4, 100), Knots::uniform(4, 100)}, 2, 0.001),
+        glm::dmat4(1)};
+    return lattice;
+}
+
+void resolution_refined(benchmark::State& state)
+{
+    const auto axis = static_cast<std::size_t>(state.range(0));
+    AxisKnots knots;
+    knots[axis] = {0.501};
+    for (auto _ : state) benchmark::DoNotOptimize(refined(million_points(), knots));
+}
+
+void resolution_coarsened(benchmark::State& state)
+{
+    for (auto _ : state)
+        state.counters["deviation"] =
+            coarsened(million_points(), static_cast<int>(state.range(0)), 80).deviation;
+}
+
+void resolution_for_a_sphere(benchmark::State& state)
+{
+    for (auto _ : state)
+        benchmark::DoNotOptimize(knots_for_sphere(million_points(), glm::dvec3(0.5), 0.01));
+}
+
+BENCHMARK(resolution_refined)->ArgName("axis")->Arg(0)->Arg(2)->Unit(benchmark::kMillisecond);
+BENCHMARK(resolution_coarsened)->ArgName("axis")->Arg(0)->Arg(2)->Unit(benchmark::kMillisecond);
+BENCHMARK(resolution_for_a_sphere)->Unit(benchmark::kMillisecond);
 BENCHMARK(guard_whole_lattice)->ArgNames({"threads"})->Args({1})->Args({2})->UseRealTime();
 BENCHMARK(guard_touched_cells)->ArgNames({"threads"})->Args({1})->Args({2})->UseRealTime();
 BENCHMARK(guard_share)
