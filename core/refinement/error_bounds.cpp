@@ -32,6 +32,30 @@ int net_of(const DisplacementCells::Cell& cell, const glm::ivec3& orders,
     return compose<corners>(cell.points.data(), orders, local, net);
 }
 
+// The piece cut in four (an edge: in two) at the middles of its edges.
+template <int corners> void each_quarter(const SimplexPiece<corners>& piece, auto&& visit)
+{
+    const auto of = [&](const std::array<std::array<int, 2>, corners>& ends) {
+        SimplexPiece<corners> out = piece;
+        for (std::size_t i = 0; i < corners; ++i) {
+            const auto a = static_cast<std::size_t>(ends[i][0]),
+                       b = static_cast<std::size_t>(ends[i][1]);
+            out.weight[i] = (piece.weight[a] + piece.weight[b]) / 2.0;
+            out.uvw[i] = (piece.uvw[a] + piece.uvw[b]) / 2.0;
+        }
+        visit(out);
+    };
+    if constexpr (corners == 2) {
+        of({{{0, 0}, {0, 1}}});
+        of({{{0, 1}, {1, 1}}});
+    } else {
+        of({{{0, 0}, {0, 1}, {0, 2}}});
+        of({{{0, 1}, {1, 1}, {1, 2}}});
+        of({{{0, 2}, {1, 2}, {2, 2}}});
+        of({{{0, 1}, {1, 2}, {0, 2}}});
+    }
+}
+
 // The distance of a net from the linear one with these corners.
 template <int corners>
 double from_linear(const NetPoints<corners>& net, int degree,
@@ -150,8 +174,10 @@ ErrorBounds::Corner ErrorBounds::corner(const glm::dvec3& uvw) const
 
 const DisplacementCells::Cell& ErrorBounds::cell(const glm::ivec3& slabs)
 {
-    if (!loaded_ || cell_.slabs != slabs) cells_->load(slabs, cell_);
+    if (loaded_ && cell_.slabs == slabs) return cell_;
+    cells_->load(slabs, cell_);
     loaded_ = true;
+    cubic_.reset();
     return cell_;
 }
 
@@ -184,13 +210,17 @@ template <int corners> struct ErrorBounds::Work {
         double most = 0;
         const auto one = [&](const SimplexPiece<corners>& piece) {
             const DisplacementCells::Cell& cell = bounds.cell(piece.slabs);
-            NetPoints<corners> points;
-            const int degree = net_of<corners>(cell, bounds.cells_->orders(), piece.uvw, points);
             std::array<glm::dvec3, corners> linear;
             for (std::size_t i = 0; i < corners; ++i)
                 linear[i] = mixed<corners>(d, piece.weight[i]);
-            raise(most, from_linear<corners>(points, degree, linear) +
-                            doubt<corners>(*bounds.cells_, piece.uvw, cell.size));
+            double error = subdivided ? infinity : cubic(cell, piece, linear);
+            if (error == infinity) {
+                NetPoints<corners> points;
+                const int degree =
+                    net_of<corners>(cell, bounds.cells_->orders(), piece.uvw, points);
+                error = from_linear<corners>(points, degree, linear);
+            }
+            raise(most, error + doubt<corners>(*bounds.cells_, piece.uvw, cell.size));
         };
         const Crossing crossing =
             each_piece<corners>(*bounds.cells_, uvw, [&](const SimplexPiece<corners>& piece) {
@@ -200,6 +230,18 @@ template <int corners> struct ErrorBounds::Work {
                     one(piece);
             });
         return crossing.jump ? infinity : most + extra;
+    }
+
+    // Of a small piece, where terms above the third order hardly matter; infinite elsewhere.
+    double cubic(const DisplacementCells::Cell& cell, const SimplexPiece<corners>& piece,
+                 const std::array<glm::dvec3, corners>& linear)
+    {
+        std::array<glm::dvec3, corners> local;
+        for (std::size_t i = 0; i < corners; ++i)
+            for (int a = 0; a < 3; ++a) local[i][a] = cell.local(piece.uvw[i], a);
+        if (!bounds.cubic_) bounds.cubic_.emplace(cell, bounds.cells_->orders());
+        const CubicError::Bound bound = (*bounds.cubic_)(local, linear);
+        return bound.left_out <= 0.02 * bound.error ? bound.error + bound.left_out : infinity;
     }
 
     double net_affine()

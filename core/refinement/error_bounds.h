@@ -2,7 +2,9 @@
 #pragma once
 
 #include "core/base/ref.h"
-#include "core/refinement/displacement_cells.h"
+#include "core/refinement/cubic_error.h"
+
+#include <optional>
 
 namespace trivar {
 
@@ -59,6 +61,7 @@ private:
     Ref<DisplacementCells> cells_;
     DisplacementCells::Cell cell_;
     bool loaded_ = false;
+    std::optional<CubicError> cubic_; // of that cell
 };
 
 // The least circle round a triangle, and the one through its corners: radii in the units of p.

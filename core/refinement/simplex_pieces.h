@@ -126,28 +126,4 @@ Crossing each_piece(const DisplacementCells& cells, const std::array<glm::dvec3,
     return crossing;
 }
 
-// The piece cut in four (an edge: in two) at the middles of its edges.
-template <int corners> void each_quarter(const SimplexPiece<corners>& piece, auto&& visit)
-{
-    const auto of = [&](const std::array<std::array<int, 2>, corners>& ends) {
-        SimplexPiece<corners> out = piece;
-        for (std::size_t i = 0; i < corners; ++i) {
-            const auto a = static_cast<std::size_t>(ends[i][0]),
-                       b = static_cast<std::size_t>(ends[i][1]);
-            out.weight[i] = (piece.weight[a] + piece.weight[b]) / 2.0;
-            out.uvw[i] = (piece.uvw[a] + piece.uvw[b]) / 2.0;
-        }
-        visit(out);
-    };
-    if constexpr (corners == 2) {
-        of({{{0, 0}, {0, 1}}});
-        of({{{0, 1}, {1, 1}}});
-    } else {
-        of({{{0, 0}, {0, 1}, {0, 2}}});
-        of({{{0, 1}, {1, 1}, {1, 2}}});
-        of({{{0, 2}, {1, 2}, {2, 2}}});
-        of({{{0, 1}, {1, 2}, {0, 2}}});
-    }
-}
-
 } // namespace trivar

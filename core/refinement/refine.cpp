@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/refinement/refine.h"
+
+#include "core/base/parallel.h"
+#include "core/base/rejected.h"
+#include "core/refinement/shared_triangles.h"
+#include "core/refinement/split_point.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+namespace trivar {
+namespace {
+
+using Index = SharedTriangles::Index;
+using Edge = SharedTriangles::Edge;
+using Triangle = SharedTriangles::Triangle;
+constexpr double infinite = std::numeric_limits<double>::infinity();
+// An edge of half a kilometre is below a millimetre then, and single precision at its end.
+constexpr int most_depth = 20;
+
+class Refinement {
+public:
+    Refinement(const std::vector<RefinePart>& parts, const Lattice& lattice,
+               const RefineOptions& options)
+        : options_(options),
+          cells_(std::make_shared<const DisplacementCells>(lattice.displacement)),
+          all_(parts, lattice)
+    {
+        measure_rounding(parts);
+    }
+    Refined operator()();
+
+private:
+    void measure_rounding(const std::vector<RefinePart>& parts);
+    void bound_edges();
+    void bound_triangles(bool also_marked);
+    void mark();
+    void keep_to_budget();
+    void choose_split_points();
+    bool can_split(const Edge& edge) const;
+    bool any_marked(const Triangle& triangle) const;
+    Index worst_edge(const Triangle& triangle) const;
+    // Of an edge or a triangle; not looked at again in four where that would not change what is
+    // done.
+    double bound(ErrorBounds& bounds, const auto& simplex, double target) const;
+    // What single precision takes away of the tolerance, by vertices that were rounded (`moved`)
+    // and by where they are taken, and what it leaves.
+    double rounding(double moved) const { return rounding_of_places_ + moved * stretch_; }
+    double target(double moved) const { return options_.tolerance_world - rounding(moved); }
+    double moved(const Edge& edge) const
+    {
+        return std::max(all_.points()[edge.a].moved, all_.points()[edge.b].moved);
+    }
+    double moved(const Triangle& triangle) const
+    {
+        double most = 0;
+        for (const Index e : triangle.edges) most = std::max(most, moved(all_.edges()[e]));
+        return most;
+    }
+
+    RefineOptions options_;
+    Ref<DisplacementCells> cells_;
+    SharedTriangles all_;
+    std::size_t first_new_edge_ = 0;
+    double shortest_ = 0;                         // edges up to here are not split
+    double rounding_of_places_ = 0, stretch_ = 0; // no step becomes longer by more, deformed
+    bool out_of_budget_ = false, marked_ = false;
+};
+
+// Single precision rounds every vertex that is born, and every place that a vertex is taken to.
+void Refinement::measure_rounding(const std::vector<RefinePart>& parts)
+{
+    Box box;
+    for (const auto& point : all_.points()) box.add(point.rest_world);
+    double far_world = cells_->largest(), finest = 0;
+    for (const RefinePart& part : parts) {
+        double far = 0;
+        for (const glm::vec3& x : part.mesh->positions)
+            far = std::max(far, glm::length(glm::dvec3(x)));
+        const Embedding& e = part.embedding;
+        double squared = 0;
+        for (int c = 0; c < 3; ++c)
+            squared += glm::dot(glm::dvec3(e.to_rest[c]), glm::dvec3(e.to_rest[c]));
+        double stretch = std::sqrt(squared);
+        for (int a = 0; a < 3; ++a)
+            stretch += cells_->slopes()[a] *
+                       glm::length(glm::dvec3(e.to_uvw[0][a], e.to_uvw[1][a], e.to_uvw[2][a]));
+        stretch_ = std::max(stretch_, stretch);
+        finest = std::max(finest, far * 0x1p-23);
+        far_world =
+            std::max(far_world, glm::length(glm::dvec3(e.to_rest[3])) + far * std::sqrt(squared));
+    }
+    rounding_of_places_ = 1e-6 * cells_->largest() + 2.5e-7 * far_world;
+    shortest_ = std::max(1e-6 * glm::length(box.size()), 16 * finest);
+    if (!(target(finest) > 0))
+        throw Rejected(fmt::format("a tolerance of {:.3g} m is finer than single precision tells "
+                                   "places apart here; it has to be above {:.3g} m",
+                                   options_.tolerance_world, rounding(finest)));
+}
+
+double Refinement::bound(ErrorBounds& bounds, const auto& simplex, double target) const
+{
+    const auto by = [&](BoundMethod method) {
+        if constexpr (std::tuple_size_v<std::remove_cvref_t<decltype(simplex)>> == 2)
+            return bounds.edge(simplex, method);
+        else
+            return bounds.triangle(simplex, method);
+    };
+    const double once = by(options_.method);
+    const bool nearly = once > target && once <= 1.25 * target;
+    return options_.method == BoundMethod::composed_net && nearly
+               ? by(BoundMethod::composed_net_subdivided)
+               : once;
+}
+
+void Refinement::bound_edges()
+{
+    std::vector<Edge>& edges = all_.edges();
+    const std::size_t first = first_new_edge_;
+    first_new_edge_ = edges.size();
+    if (options_.rule == RefinementRule::thesis_four_split) return;
+    const bool middles = options_.rule == RefinementRule::chua_neumann_midpoint;
+    parallel_blocks(edges.size() - first, 256, [&](std::size_t begin, std::size_t end) {
+        ErrorBounds bounds(cells_);
+        for (std::size_t i = first + begin; i < first + end; ++i) {
+            const auto [a, b] = all_.corners(edges[i]);
+            edges[i].bound = middles
+                                 ? glm::distance(bounds.corner((a.uvw + b.uvw) / 2.0).displacement,
+                                                 (a.displacement + b.displacement) / 2.0)
+                                 : bound(bounds, std::array{a, b}, target(moved(edges[i])));
+        }
+    });
+}
+
+bool Refinement::any_marked(const Triangle& triangle) const
+{
+    return std::ranges::any_of(triangle.edges, [&](Index e) { return all_.edges()[e].marked; });
+}
+
+void Refinement::bound_triangles(bool also_marked)
+{
+    if (options_.rule == RefinementRule::chua_neumann_midpoint) return;
+    std::vector<Triangle>& triangles = all_.triangles();
+    std::vector<std::size_t> wanted;
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+        if (triangles[i].bound == SharedTriangles::unknown &&
+            (also_marked || !any_marked(triangles[i])))
+            wanted.push_back(i);
+    parallel_blocks(wanted.size(), 128, [&](std::size_t begin, std::size_t end) {
+        ErrorBounds bounds(cells_);
+        for (std::size_t i = begin; i < end; ++i) {
+            Triangle& t = triangles[wanted[i]];
+            t.bound = bound(bounds, all_.corners(t), target(moved(t)));
+        }
+    });
+}
+
+bool Refinement::can_split(const Edge& edge) const
+{
+    const int depth = std::max(all_.points()[edge.a].depth, all_.points()[edge.b].depth);
+    return depth < most_depth && target(moved(edge)) > 0 && all_.length_world(edge) > shortest_;
+}
+
+// The one with the greatest bound; where none is worth mentioning, the longest.
+Index Refinement::worst_edge(const Triangle& triangle) const
+{
+    Index worst = SharedTriangles::none;
+    const auto key = [&](Index e) {
+        const Edge& edge = all_.edges()[e];
+        return std::pair(edge.bound > 1e-2 * options_.tolerance_world ? edge.bound : 0,
+                         all_.length_world(edge));
+    };
+    for (const Index e : triangle.edges)
+        if (can_split(all_.edges()[e]) && (worst == SharedTriangles::none || key(e) > key(worst)))
+            worst = e;
+    return worst;
+}
+
+void Refinement::mark()
+{
+    marked_ = false;
+    std::vector<Edge>& edges = all_.edges();
+    const auto mark_edge = [&](Index e) {
+        if (e == SharedTriangles::none || !can_split(edges[e])) return;
+        edges[e].marked = marked_ = true;
+    };
+    const std::size_t first = first_new_edge_;
+    bound_edges();
+    // A bound that says nothing says nothing of the halves either.
+    for (std::size_t e = first; e < edges.size(); ++e)
+        if (edges[e].bound > target(moved(edges[e])) && edges[e].bound < infinite)
+            mark_edge(static_cast<Index>(e));
+    bound_triangles(false);
+    for (const Triangle& t : all_.triangles()) {
+        if (!(t.bound > target(moved(t))) || t.bound == infinite) continue;
+        if (options_.rule == RefinementRule::thesis_four_split)
+            for (const Index e : t.edges) mark_edge(e);
+        else if (!any_marked(t))
+            mark_edge(worst_edge(t));
+    }
+}
+
+// Every marked edge adds a triangle to each of those that it is a side of. Where that is too many,
+// the worst edges are split and the others are not.
+void Refinement::keep_to_budget()
+{
+    std::vector<Edge>& edges = all_.edges();
+    const std::vector<Triangle>& triangles = all_.triangles();
+    std::vector<Index> uses(edges.size(), 0);
+    std::size_t added = 0;
+    for (const Triangle& t : triangles)
+        for (const Index e : t.edges)
+            if (edges[e].marked) {
+                ++uses[e];
+                ++added;
+            }
+    if (triangles.size() + added <= options_.budget) return;
+    out_of_budget_ = true;
+    std::vector<Index> marked;
+    for (std::size_t e = 0; e < edges.size(); ++e)
+        if (edges[e].marked) marked.push_back(static_cast<Index>(e));
+    std::ranges::stable_sort(marked,
+                             [&](Index x, Index y) { return edges[x].bound > edges[y].bound; });
+    std::size_t left = options_.budget - std::min(options_.budget, triangles.size());
+    marked_ = false;
+    for (const Index e : marked) {
+        const bool fits = uses[e] <= left;
+        edges[e].marked = fits;
+        marked_ |= fits;
+        left = fits ? left - uses[e] : 0;
+    }
+}
+
+void Refinement::choose_split_points()
+{
+    if (options_.split == SplitPoint::midpoint) return;
+    std::vector<Edge>& edges = all_.edges();
+    std::vector<Index> marked;
+    for (std::size_t e = 0; e < edges.size(); ++e)
+        if (edges[e].marked) marked.push_back(static_cast<Index>(e));
+    parallel_blocks(marked.size(), 256, [&](std::size_t begin, std::size_t end) {
+        ErrorBounds bounds(cells_);
+        for (std::size_t i = begin; i < end; ++i) {
+            Edge& edge = edges[marked[i]];
+            edge.t = static_cast<float>(split_point(bounds, all_.corners(edge), options_.split));
+        }
+    });
+}
+
+Refined Refinement::operator()()
+{
+    for (mark(); marked_; mark()) {
+        keep_to_budget();
+        if (!marked_) break;
+        choose_split_points();
+        all_.split_marked();
+        if (out_of_budget_) break;
+    }
+    bound_triangles(true);
+
+    Refined out;
+    out.out_of_budget = out_of_budget_;
+    double most_moved = 0;
+    for (const auto& point : all_.points()) {
+        out.depth = std::max(out.depth, point.depth);
+        most_moved = std::max(most_moved, point.moved);
+    }
+    out.rounding = rounding(most_moved);
+    for (const Triangle& t : all_.triangles()) {
+        if (t.part >= out.parts.size()) out.parts.resize(t.part + 1);
+        RefinedPart& part = out.parts[t.part];
+        const double bound = t.bound == SharedTriangles::unknown ? infinite : t.bound;
+        part.bound = std::max(part.bound, bound + rounding(moved(t)));
+        if (bound > target(moved(t)))
+            part.not_certified.push_back(static_cast<Index>(part.triangles));
+        const auto [a, b, c] = all_.corners(t);
+        part.degenerate += glm::cross(b.uvw - a.uvw, c.uvw - a.uvw) == glm::dvec3(0);
+        ++part.triangles;
+    }
+    out.parts.resize(all_.part_count());
+    for (std::size_t p = 0; p < out.parts.size(); ++p) {
+        out.parts[p].mesh = all_.mesh(p);
+        out.parts[p].triangles_before = all_.triangles_before(p);
+        out.bound = std::max(out.bound, out.parts[p].bound);
+    }
+    return out;
+}
+
+} // namespace
+
+std::size_t Refined::triangles() const
+{
+    std::size_t sum = 0;
+    for (const RefinedPart& part : parts) sum += part.triangles;
+    return sum;
+}
+
+std::size_t Refined::not_certified() const
+{
+    std::size_t sum = 0;
+    for (const RefinedPart& part : parts) sum += part.not_certified.size();
+    return sum;
+}
+
+Refined refine(const std::vector<RefinePart>& parts, const Lattice& lattice,
+               const RefineOptions& options)
+{
+    if (!(options.tolerance_world > 0) || !std::isfinite(options.tolerance_world))
+        throw Rejected("a tolerance has to be a length above 0 m");
+    return Refinement(parts, lattice, options)();
+}
+
+} // namespace trivar

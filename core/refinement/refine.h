@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/ffd/deform.h"
+#include "core/refinement/error_bounds.h"
+
+namespace trivar {
+
+// Where an edge is split, at a fifth of its length from either end at least.
+enum class SplitPoint {
+    equidistributed, // equal halves of the integral of |E''|^(1/2): best for piecewise linear maps
+    midpoint,
+    greville,       // the node of its net's control point that is furthest off. The thesis, 2.4.2
+    greatest_error, // where the edge is furthest off
+};
+
+enum class RefinementRule {
+    edge_driven, // edges that are off, and the worst edge of a triangle that is: ours
+    // For comparison only:
+    thesis_four_split,     // a triangle that is off goes into four; its neighbours follow
+    chua_neumann_midpoint, // an edge whose middle is off. NOT certified. Chua and Neumann 2000
+};
+
+struct RefineOptions {
+    double tolerance_world = 0;
+    SplitPoint split = SplitPoint::equidistributed;
+    BoundMethod method = BoundMethod::composed_net; // subdivided where that may save a split
+    RefinementRule rule = RefinementRule::edge_driven;
+    std::size_t budget = 4'000'000; // triangles of all parts
+};
+
+// A mesh and how it lies in the volume: what Deformer takes.
+struct RefinePart {
+    Ref<Mesh> mesh;
+    Embedding embedding;
+};
+
+struct RefinedPart {
+    Ref<Mesh> mesh; // triangles; the mesh that was given where none had to be split
+    std::size_t triangles_before = 0, triangles = 0;
+    std::size_t degenerate = 0; // of them without area in parameter space: bounded like the others
+    // What every triangle's error is proven not to exceed, rounding included; world units.
+    // Infinite where a bound says nothing, and after chua_neumann_midpoint.
+    double bound = 0;
+    std::vector<std::uint32_t> not_certified; // faces of `mesh` whose bound exceeds the tolerance
+};
+
+struct Refined {
+    std::vector<RefinedPart> parts;
+    double bound = 0;    // the greatest of the parts
+    double rounding = 0; // its share that is single precision's: of vertices and their deformation
+    int depth = 0;       // how often an edge was split, over and over
+    bool out_of_budget = false;
+    std::size_t triangles() const;
+    std::size_t not_certified() const;
+};
+
+// The meshes with edges split until the deformed flat triangles are nowhere further from the
+// deformed surface than the tolerance; no T-junctions, not even between parts whose boundaries meet
+// in parameter space bit by bit. Positions, normals, tangents, colours, texture coordinates,
+// influences and morph targets of new vertices are those of the flat triangle; seams stay seams.
+// Each triangle that comes into being is bounded once, 2 to 5 us tri-cubic; the same bits for any
+// number of threads. Throws Rejected for a tolerance that is not above 0, or finer than rounding.
+Refined refine(const std::vector<RefinePart>& parts, const Lattice& lattice,
+               const RefineOptions& options);
+
+} // namespace trivar

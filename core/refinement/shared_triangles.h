@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/refinement/born_vertices.h"
+#include "core/refinement/refine.h"
+
+namespace trivar {
+
+// The triangles of several meshes in one volume, with the points and edges that they share, so that
+// an edge is split once for all that have it as a side. Points are told apart by their parameters
+// alone: seams, and boundaries between meshes, split alike on both sides.
+class SharedTriangles {
+public:
+    using Index = std::uint32_t;
+    static constexpr Index none = 0xffffffff;
+    static constexpr double unknown = -1;
+
+    struct Point {
+        glm::dvec3 uvw{0}, displacement{0}, rest_world{0};
+        int depth = 0; // how often an edge was split to come here
+        double moved =
+            0; // from the flat triangles that were given, by rounding, at most; of the object
+        glm::dvec3 world() const { return rest_world + displacement; }
+    };
+    struct Edge {
+        Index a, b; // points
+        double bound = unknown;
+        float t = 0.5f; // where to split it
+        bool marked = false;
+        Index middle = none; // once it is split
+        Index halves = none; // the one at a; the one at b comes next
+        Index first_twin = none;
+    };
+    struct Triangle {
+        std::array<Index, 3> vertices, edges; // edge i from vertex i to the next one
+        Index part, face;                     // of the mesh that was given
+        double bound = unknown;
+    };
+
+    SharedTriangles(const std::vector<RefinePart>& parts, const Lattice& lattice);
+
+    const std::vector<Point>& points() const { return points_; }
+    std::vector<Edge>& edges() { return edges_; }
+    const std::vector<Edge>& edges() const { return edges_; }
+    std::vector<Triangle>& triangles() { return triangles_; }
+    const std::vector<Triangle>& triangles() const { return triangles_; }
+    ErrorBounds::Corner corner(Index point) const
+    {
+        return {points_[point].uvw, points_[point].displacement};
+    }
+    std::array<ErrorBounds::Corner, 2> corners(const Edge& edge) const
+    {
+        return {corner(edge.a), corner(edge.b)};
+    }
+    std::array<ErrorBounds::Corner, 3> corners(const Triangle& triangle) const;
+    double length_world(const Edge& edge) const; // of the deformed chord
+
+    // Splits the marked edges, and their triangles into two, three (along the shorter diagonal, as
+    // it is deformed) or four. No edge is marked then, and the new ones stand behind the others.
+    void split_marked();
+
+    // A part as a mesh of triangles, in their order; the mesh that was given where none was split.
+    Ref<Mesh> mesh(std::size_t part) const;
+    std::size_t part_count() const { return parts_.size(); }
+    std::size_t triangles_before(std::size_t part) const { return triangles_before_[part]; }
+
+private:
+    // A vertex on a split edge: one for every pair of vertices of a part at its ends.
+    struct Twin {
+        Index part, a, b, born, surface_point, next;
+    };
+    struct State {
+        std::vector<Index> point_of;  // by vertex
+        std::vector<BornVertex> born; // in this round
+        Index next_surface_point = 0; // for Mesh::points
+        Mesh mesh;                    // vertices only are kept up
+        bool split = false;
+    };
+    void take_vertices();
+    void take_triangles();
+    void split_triangle(const Triangle& triangle, std::vector<Triangle>& out);
+    Index add_edge(Index p, Index q);
+    // Of an edge that is split; made where it is not there.
+    Index vertex_on(Index edge, Index part, Index va, Index vb);
+
+    const std::vector<RefinePart>& given_;
+    const Lattice& lattice_;
+    std::vector<State> parts_;
+    std::vector<Point> points_;
+    std::vector<Edge> edges_;
+    std::vector<Twin> twins_; // in this round
+    std::vector<Triangle> triangles_;
+    std::vector<std::size_t> triangles_before_;
+};
+
+} // namespace trivar
