@@ -53,15 +53,26 @@ int point_at(const std::vector<glm::dvec2>& points, const Plot& plot, glm::vec2 
     return nearest;
 }
 
+// What the value of a point between two others may be; `after` is the index of the next one.
+glm::dvec2 range_between(const std::vector<glm::dvec2>& points, std::size_t before,
+                         std::size_t after, const CurveStyle& style)
+{
+    if (!style.ascends) return {style.lo, style.hi};
+    return {points[before].y + style.least_step, points[after].y - style.least_step};
+}
+
 // Adds a point where the mouse is, if its neighbours leave room; its index or -1.
 int add_point(std::vector<glm::dvec2>& points, glm::dvec2 p, const CurveStyle& style)
 {
-    p.y = std::clamp(p.y, style.lo, style.hi);
     const auto after = std::upper_bound(points.begin(), points.end(), p.x,
                                         [](double x, const glm::dvec2& q) { return x < q.x; });
     if (points.size() >= style.most_points || after == points.begin() || after == points.end() ||
         p.x - (after - 1)->x < closest || after->x - p.x < closest)
         return -1;
+    const auto next = static_cast<std::size_t>(after - points.begin());
+    const glm::dvec2 range = range_between(points, next - 1, next, style);
+    if (range.x > range.y) return -1;
+    p.y = std::clamp(p.y, range.x, range.y);
     const auto inserted = points.insert(after, p);
     return static_cast<int>(inserted - points.begin());
 }
@@ -71,12 +82,16 @@ void drag_point(std::vector<glm::dvec2>& points, std::size_t i, glm::dvec2 to,
 {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.KeyCtrl) to = glm::round(to / round_factor) * round_factor;
-    to.y = std::clamp(to.y, style.lo, style.hi);
     const bool end = i == 0 || i + 1 == points.size();
+    if (end && style.ascends) return;
+    const glm::dvec2 range =
+        end ? glm::dvec2(style.lo, style.hi) : range_between(points, i - 1, i + 1, style);
+    to.y = std::clamp(to.y, range.x, std::max(range.x, range.y));
     to.x =
         end ? points[i].x : std::clamp(to.x, points[i - 1].x + closest, points[i + 1].x - closest);
     // Values that people can read.
-    points[i] = {std::round(to.x * 1e4) / 1e4, std::round(to.y * 1e4) / 1e4};
+    points[i] = {std::round(to.x * 1e4) / 1e4,
+                 std::clamp(std::round(to.y * 1e4) / 1e4, range.x, std::max(range.x, range.y))};
 }
 
 void paint(const Theme& theme, const Rect& box, const Plot& plot,
@@ -125,8 +140,8 @@ void paint(const Theme& theme, const Rect& box, const Plot& plot,
             {plot.rect.lo.x - theme.px(5), plot.rect.hi.y + line / 2}, "0", Align::right);
     const glm::vec2 foot{plot.rect.lo.x, plot.rect.hi.y + theme.px(3)};
     const glm::vec2 end{plot.rect.hi.x, foot.y + line};
-    caption(foot, end, "0", Align::left);
-    caption(foot, end, "1", Align::right);
+    caption(foot, end, style.ends[0], Align::left);
+    caption(foot, end, style.ends[1], Align::right);
     const int told = hovered >= 0 ? hovered : chosen;
     if (told < 0 || told >= static_cast<int>(points.size())) return;
     const glm::dvec2 p = points[static_cast<std::size_t>(told)];
@@ -151,7 +166,7 @@ Edit curve_field(const Theme& theme, const std::string& id, std::vector<glm::dve
     double highest = 0;
     for (const glm::dvec2& p : points) highest = std::max(highest, p.y);
     // The picture must not change under a hand.
-    double top = round_above(highest * 1.1);
+    double top = style.ascends ? highest : round_above(highest * 1.1);
     if (active && !begun) top = std::max(1e-6, static_cast<double>(kept.GetFloat(top_id, 1)));
     kept.SetFloat(top_id, static_cast<float>(top));
     const Plot plot{{box.lo + glm::vec2(theme.px(34), theme.px(10)),

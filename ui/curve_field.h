@@ -3,6 +3,7 @@
 
 #include "ui/widgets.h"
 
+#include <array>
 #include <functional>
 
 namespace trivar::ui {
@@ -15,6 +16,9 @@ struct CurveStyle {
     std::string unit = {};            // ... in this unit
     Color color = 0;
     std::size_t most_points = 64;
+    bool ascends = false; // the values, by this much from point to point, between fixed ends:
+    double least_step = 0;
+    std::array<std::string, 2> ends{"0", "1"}; // what stands below them
 };
 
 // A curve that is edited by its control points (place, value), which ascend from 0 to 1: drag one

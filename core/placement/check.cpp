@@ -40,6 +40,9 @@ void check(const PlacementParameters& p)
     in_range(p.roll_deg, -1e6, 1e6, "the roll");
     check_profile(p.width_profile, "the profile of the width");
     check_profile(p.height_profile, "the profile of the height");
+    check_profile(p.height_across, "the profile of the height across");
+    check_rise(p.rise_profile, "the profile of the rise");
+    in_range(p.contact_level, 0, 1, "the contact level");
     const std::array<const char*, 3> axis{"along", "across", "above"};
     for (int a = 0; a < 3; ++a) {
         const char* name = axis[static_cast<std::size_t>(a)];

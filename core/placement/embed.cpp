@@ -20,7 +20,58 @@ double metres_per_unit(const ModelFrame& frame, const PlacementParameters& p, do
     return length * p.fill / along;
 }
 
+// Columns are images of the axes. Quarter turns about x take y to z and z to -y.
+glm::dmat3 turn_of(LengthAxis along, long rolls, bool reverse)
+{
+    const glm::dmat3 quarter(1, 0, 0, 0, 0, 1, 0, -1, 0);
+    glm::dmat3 out(1);
+    if (along == LengthAxis::y) out = glm::dmat3(0, -1, 0, 1, 0, 0, 0, 0, 1); // its top stays up
+    if (along == LengthAxis::z)
+        out = glm::dmat3(0, 0, -1, 0, 1, 0, 1, 0, 0); // it lies on its front
+    for (long i = 0; i < ((rolls % 4) + 4) % 4; ++i) out = quarter * out;
+    if (reverse) out = glm::dmat3(-1, 0, 0, 0, -1, 0, 0, 0, 1) * out;
+    return out;
+}
+
+glm::dmat3 turn_of(const PlacementParameters& p)
+{
+    return turn_of(p.along, std::lround(p.roll_deg / 90), p.reverse);
+}
+
+glm::dmat3 turn_of(const Lying& lying)
+{
+    const int side = static_cast<int>(lying.on);
+    glm::dmat3 out = side < 4 ? turn_of(LengthAxis::x, side, false)
+                              : turn_of(LengthAxis::z, lying.on == Underside::back ? 2 : 0, false);
+    for (int i = 0; i < lying.quarters; ++i) out = glm::dmat3(0, 1, 0, -1, 0, 0, 0, 0, 1) * out;
+    return out;
+}
+
 } // namespace
+
+Lying lying_of(const PlacementParameters& parameters)
+{
+    const glm::dmat3 turn = turn_of(parameters);
+    for (int side = 0; side < 6; ++side)
+        for (int quarters = 0; quarters < 4; ++quarters)
+            if (const Lying lying{static_cast<Underside>(side), quarters}; turn_of(lying) == turn)
+                return lying;
+    return {};
+}
+
+PlacementParameters with_lying(PlacementParameters parameters, const Lying& lying)
+{
+    const glm::dmat3 turn = turn_of(lying);
+    for (const LengthAxis along : {LengthAxis::x, LengthAxis::y, LengthAxis::z})
+        for (const bool reverse : {false, true})
+            for (int roll = 0; roll < 4; ++roll)
+                if (turn_of(along, roll, reverse) == turn) {
+                    parameters.along = along;
+                    parameters.roll_deg = 90.0 * roll;
+                    parameters.reverse = reverse;
+                }
+    return parameters;
+}
 
 ModelFrame model_frame(const PlacementParameters& parameters, const Box& model)
 {
@@ -30,12 +81,8 @@ ModelFrame model_frame(const PlacementParameters& parameters, const Box& model)
     if (model.empty() || model.size() == glm::dvec3(0))
         throw Rejected("the model is empty or a single point; choose another one");
 
-    const long quarters = std::lround(parameters.roll_deg / 90);
     ModelFrame out;
-    // Columns are images of the axes; a quarter turn about x takes y to z and z to -y.
-    const glm::dmat3 quarter(1, 0, 0, 0, 0, 1, 0, -1, 0);
-    for (long i = 0; i < ((quarters % 4) + 4) % 4; ++i) out.turn = quarter * out.turn;
-    if (parameters.reverse) out.turn = glm::dmat3(-1, 0, 0, 0, -1, 0, 0, 0, 1) * out.turn;
+    out.turn = turn_of(parameters);
     out.box.add(out.turn * model.lo);
     out.box.add(out.turn * model.hi);
     const glm::dvec3 size = out.box.size();

@@ -5,8 +5,20 @@
 
 namespace trivar {
 
-// How a model lies along a stroke: turned by the roll and the reversal, and what its box measures
-// then. An edge without length counts as flat.
+// Which side of the model lies on the scene: its box as it looks along +x with +z up.
+enum class Underside { bottom, right, top, left, front, back };
+// That, and the quarter turns about the vertical that follow: each of the 24 ways a box can lie is
+// one of these, and one choice of the parameters along, roll_deg and reverse.
+struct Lying {
+    Underside on = Underside::bottom;
+    int quarters = 0; // 0..3, toward the left
+    bool operator==(const Lying&) const = default;
+};
+Lying lying_of(const PlacementParameters& parameters);
+PlacementParameters with_lying(PlacementParameters parameters, const Lying& lying);
+
+// How a model lies along a stroke: turned so, and what its box measures then. An edge without
+// length counts as flat.
 struct ModelFrame {
     glm::dmat3 turn{1};
     Box box; // of the turned model

@@ -112,21 +112,29 @@ Placement finished(const StripLayout& layout, const std::vector<double>& s, cons
     const Surface<glm::dvec3>& contact = lift.contact;
     return timed(timings, "volume", [&] {
         const View view(camera);
-        const Profile height(parameters.height_profile);
-        check_reach(contact, view, height.largest() * layout.height);
+        const Profile along(parameters.height_profile), across(parameters.height_across);
+        const Knots above = Knots::uniform(parameters.orders.z, parameters.grid.z);
+        const Rise rise(parameters.rise_profile, above);
+        const double level = parameters.contact_level;
+        const Levels levels = levels_of(rise, level);
+        check_reach(contact, view,
+                    levels.roof * across.largest() * along.largest() * layout.height);
         std::vector<double> heights;
-        for (int i = 0; i < contact.axes[0].count(); ++i)
-            heights.push_back(layout.height * height.at(contact.axes[0].greville(i)));
-        const Extrusion e = extrusion(contact, view, heights, parameters.offset, through_nodes);
-        Placement out{
-            contact,
-            volume_over(contact, e.rise, Knots::uniform(parameters.orders.z, parameters.grid.z)),
-            {},
-            {},
-            outline(contact),
-            0,
-            0,
-            {}};
+        for (int i = 0; i < contact.axes[0].count(); ++i) {
+            const double row = layout.height * along.at(contact.axes[0].greville(i));
+            for (int j = 0; j < contact.axes[1].count(); ++j)
+                heights.push_back(row * across.at(contact.axes[1].greville(j)));
+        }
+        const Extrusion e =
+            extrusion(contact, view, heights, parameters.offset, through_nodes, levels);
+        Placement out{contact,
+                      volume_over(contact, e.rise, above, rise, level),
+                      {},
+                      {},
+                      outline(contact),
+                      0,
+                      level,
+                      {}};
         out.embedding.to_uvw = model_to_uvw(frame, parameters);
         out.embedding.to_rest = out.volume.rest * out.embedding.to_uvw;
         PlacementReport& r = out.report;

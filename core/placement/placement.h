@@ -28,6 +28,9 @@ struct Sketch {
 // What a node of the grid does whose ray hits nothing.
 enum class Misses { membrane, ground, nearest, shrink };
 
+// The model's axis that runs along the stroke.
+enum class LengthAxis { x, y, z };
+
 struct PlacementParameters {
     double width = 0;           // of the strip, metres; 0: in proportion to the model
     double height = 0;          // of the volume, metres; 0: in proportion to the model
@@ -51,6 +54,14 @@ struct PlacementParameters {
     // Factors of width and height along the stroke, as control points (share, factor) of a Profile;
     // none: 1 everywhere.
     std::vector<glm::dvec2> width_profile{}, height_profile{};
+    // The same of the height across it, from its right to its left: the height at (u, v) is the
+    // height times both factors.
+    std::vector<glm::dvec2> height_across{};
+    // How far the volume has risen at a share of its height, as control points of a Rise; none: as
+    // far as that.
+    std::vector<glm::dvec2> rise_profile{};
+    double contact_level = 0;         // the w that lies on the scene: 0 its floor, 1 its roof
+    LengthAxis along = LengthAxis::x; // turned first of all, then rolled, then reversed
     bool operator==(const PlacementParameters&) const = default;
 };
 
@@ -76,7 +87,7 @@ struct StripNode {
     bool folds = false; // det J <= 0 over it
 };
 
-// Everything one stroke gives. The contact surface is the volume's face w = `ground`.
+// Everything one stroke gives. The contact surface is the volume's iso-surface w = `ground`.
 struct Placement {
     Surface<glm::dvec3> contact;
     Lattice volume;
@@ -84,7 +95,7 @@ struct Placement {
     PlacementReport report;
     std::vector<std::vector<glm::dvec3>> strip; // the middle line and the two rims, world
     int node_columns = 0;                       // across the stroke
-    double ground = 0;            // 1/2 where the volume lies on both sides of the surface
+    double ground = 0;                          // the contact level; 1/2 round a Moebius band
     std::vector<StripNode> nodes; // at the Greville abscissae of the contact surface, v fastest
 };
 

@@ -76,15 +76,12 @@ std::vector<double> brush_factors(const std::vector<StrokeSample>& samples,
 
 } // namespace
 
-Profile::Profile(const std::vector<glm::dvec2>& points)
+ShareCurve::ShareCurve(const std::vector<glm::dvec2>& points)
 {
     if (points.empty()) return;
-    check_profile(points, "the profile");
     const int count = static_cast<int>(points.size());
     const Curve<glm::dvec2> curve{Knots::uniform(std::min(3, count), count), points};
     const std::vector<double> breaks = curve.knots.breaks();
-    largest_ = 0;
-    for (const glm::dvec2& p : points) largest_ = std::max(largest_, p.y);
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
         const glm::dvec2 a = i == 0 ? points.front() : pieces_.back().c;
         const glm::dvec2 c =
@@ -94,9 +91,8 @@ Profile::Profile(const std::vector<glm::dvec2>& points)
     }
 }
 
-double Profile::at(double share) const
+double ShareCurve::at(double share) const
 {
-    if (pieces_.empty()) return 1;
     share = std::clamp(share, 0.0, 1.0);
     auto piece = std::upper_bound(pieces_.begin(), pieces_.end(), share,
                                   [](double s, const Piece& p) { return s < p.a.x; });
@@ -110,22 +106,90 @@ double Profile::at(double share) const
     return piece->a.y * (1 - x) * (1 - x) + 2 * piece->b.y * x * (1 - x) + piece->c.y * x * x;
 }
 
-void check_profile(const std::vector<glm::dvec2>& points, const std::string& name)
+Profile::Profile(const std::vector<glm::dvec2>& points)
 {
     if (points.empty()) return;
+    check_profile(points, "the profile");
+    even_ = largest_ = points.front().y;
+    bool same = true;
+    for (const glm::dvec2& p : points) {
+        largest_ = std::max(largest_, p.y);
+        same = same && p.y == even_;
+    }
+    if (!same) curve_ = ShareCurve(points);
+}
+
+Rise::Rise(const std::vector<glm::dvec2>& points, Knots above)
+    : above_(std::move(above)),
+      itself_(std::ranges::all_of(points, [](const glm::dvec2& p) { return p.y == p.x; }))
+{
+    check_rise(points, "the rise");
+    const ShareCurve curve(points);
+    for (int k = 0; k < above_.count(); ++k)
+        points_.push_back(itself_ ? above_.greville(k) : curve.at(above_.greville(k)));
+}
+
+double Rise::at(double w) const
+{
+    if (itself_) return w;
+    const Basis b = basis(above_, std::clamp(w, 0.0, 1.0));
+    double sum = 0;
+    for (int k = 0; k < above_.order(); ++k)
+        sum += b.value[static_cast<std::size_t>(k)] * point(b.first + k);
+    return sum;
+}
+
+double Rise::w_at(double risen) const
+{
+    if (itself_) return std::clamp(risen, 0.0, 1.0);
+    double lo = 0, hi = 1;
+    for (int i = 0; i < 50; ++i) {
+        const double middle = (lo + hi) / 2;
+        (at(middle) < risen ? lo : hi) = middle;
+    }
+    return (lo + hi) / 2;
+}
+
+namespace {
+
+// That there are enough points, not too many, and that they ascend from 0 to 1.
+void check_places(const std::vector<glm::dvec2>& points, const std::string& name)
+{
     if (points.size() == 1) throw Rejected(name + " has one point but needs two or none");
     if (points.size() > most_profile_points)
         throw Rejected(fmt::format("{} has {} points but at most {} are taken", name, points.size(),
                                    most_profile_points));
     if (points.front().x != 0 || points.back().x != 1)
         throw Rejected(name + " must begin at 0 and end at 1");
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (!(points[i].y >= least_profile && points[i].y <= most_profile))
-            throw Rejected(fmt::format("{} has the factor {:.6g}, which should be from {} to {}",
-                                       name, points[i].y, least_profile, most_profile));
-        if (i > 0 && !(points[i].x > points[i - 1].x))
+    for (std::size_t i = 1; i < points.size(); ++i)
+        if (!(points[i].x > points[i - 1].x))
             throw Rejected(name + " must have its points in ascending order");
-    }
+}
+
+} // namespace
+
+void check_profile(const std::vector<glm::dvec2>& points, const std::string& name)
+{
+    if (points.empty()) return;
+    check_places(points, name);
+    for (const glm::dvec2& p : points)
+        if (!(p.y >= least_profile && p.y <= most_profile))
+            throw Rejected(fmt::format("{} has the factor {:.6g}, which should be from {} to {}",
+                                       name, p.y, least_profile, most_profile));
+}
+
+void check_rise(const std::vector<glm::dvec2>& points, const std::string& name)
+{
+    if (points.empty()) return;
+    check_places(points, name);
+    if (points.front().y != 0 || points.back().y != 1)
+        throw Rejected(name + " must rise from 0 at the floor to 1 at the roof");
+    for (std::size_t i = 1; i < points.size(); ++i)
+        if (!(points[i].y - points[i - 1].y >= least_rise))
+            throw Rejected(fmt::format("{} goes from {:.6g} to {:.6g} at its point {}, but must "
+                                       "rise by at least {} from point to point, or the volume "
+                                       "would fold",
+                                       name, points[i - 1].y, points[i].y, i + 1, least_rise));
 }
 
 std::vector<glm::dvec2> brush_profile(const std::vector<StrokeSample>& samples, Brush brush)

@@ -5,30 +5,61 @@
 
 namespace trivar {
 
-// How a size changes along the stroke: the factor at a share of its length, as the quadratic
-// B-spline curve over control points (share, factor) on uniform knots. The shares ascend from 0 to
-// 1, so the curve is a function of the share, and never leaves the range of its factors. Without
-// points the factor is 1 everywhere.
-class Profile {
+// A function over [0, 1] as the quadratic B-spline curve over control points (place, value) on
+// uniform knots. The places ascend from 0 to 1, so the curve is a function of the place, never
+// leaves the range of its values, and ascends where they do.
+class ShareCurve {
 public:
-    explicit Profile(const std::vector<glm::dvec2>& points = {});
-    double at(double share) const; // O(log points)
-    double largest() const { return largest_; }
+    explicit ShareCurve(const std::vector<glm::dvec2>& points = {});
+    bool empty() const { return pieces_.empty(); }
+    double at(double place) const; // O(log points); not to be asked without points
 
 private:
     struct Piece { // Bezier points
         glm::dvec2 a, b, c;
     };
     std::vector<Piece> pieces_;
-    double largest_ = 1;
+};
+
+// How a size changes along or across the stroke: the factor at a share of the way. Without points
+// it is 1 everywhere; where all points have one factor, it is exactly that.
+class Profile {
+public:
+    explicit Profile(const std::vector<glm::dvec2>& points = {});
+    double at(double share) const { return curve_.empty() ? even_ : curve_.at(share); }
+    double largest() const { return largest_; }
+
+private:
+    ShareCurve curve_;
+    double even_ = 1, largest_ = 1;
+};
+
+// How far a volume has risen at w, from 0 to 1, as a spline on its third axis with the control
+// points g(Greville abscissa), where g is the curve over the points given. Those ascend strictly,
+// and so do the control points and the rise. Without points, or where each value is its place, it
+// is w itself, exactly.
+class Rise {
+public:
+    Rise(const std::vector<glm::dvec2>& points, Knots above);
+    double point(int k) const { return points_[static_cast<std::size_t>(k)]; } // control point
+    double at(double w) const;
+    double w_at(double risen) const; // the other way round
+
+private:
+    Knots above_;
+    std::vector<double> points_;
+    bool itself_;
 };
 
 inline constexpr double least_profile = 0.02, most_profile = 20;
+inline constexpr double least_rise = 1e-3; // from one point to the next
 inline constexpr std::size_t most_profile_points = 64;
 
 // Throws Rejected, naming the field, for a single point, more than 64 of them, factors beyond the
 // range above, and shares that do not ascend from 0 to 1.
 void check_profile(const std::vector<glm::dvec2>& points, const std::string& name);
+// The same for a rise, whose values must ascend strictly from 0 to 1.
+void check_rise(const std::vector<glm::dvec2>& points, const std::string& name);
 
 // What a brush makes of a stroke: the same width all along, wider where the hand was slower than it
 // mostly was, or twice the pressure.

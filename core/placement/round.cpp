@@ -80,14 +80,16 @@ double reach_across(const Band& band)
 struct Sizes {
     double width;          // in the units of the surface
     double height, ground; // metres; the w of the surface
-    Profile width_factor, height_factor;
+    Profile width_factor, height_factor, height_across;
+    Rise rise;
 };
 
 glm::dvec3 at(const Band& band, const Sizes& sizes, glm::dvec3 uvw)
 {
     const double share = uvw.x - std::floor(uvw.x), angle = turn * uvw.x;
     const double across = (uvw.y - 0.5) * sizes.width * sizes.width_factor.at(share);
-    const double up = (uvw.z - sizes.ground) * sizes.height * sizes.height_factor.at(share);
+    const double up = (sizes.rise.at(uvw.z) - sizes.rise.at(sizes.ground)) * sizes.height *
+                      sizes.height_factor.at(share) * sizes.height_across.at(uvw.y);
     return band.at(angle, across) + up * band.normal(angle, across);
 }
 
@@ -138,6 +140,9 @@ Placement place_round(const Band& band, const PlacementParameters& p, const Box&
 {
     const double det = glm::determinant(glm::dmat3(band.to_world));
     if (!(det > 0)) throw Rejected("what it goes round is mirrored; turn it instead");
+    if (band.twisted() && !(p.height_across.empty() && p.rise_profile.empty()))
+        throw Rejected("after one round of a Moebius band left is right and the roof is the floor; "
+                       "take the height across and the rise away");
     const ModelFrame frame = model_frame(p, model);
     const double length = length_round(band);
     const double width = strip_width(frame, p, length), height = volume_height(frame, p, length);
@@ -146,13 +151,17 @@ Placement place_round(const Band& band, const PlacementParameters& p, const Box&
         throw Rejected(fmt::format("a strip {:.3g} m wide goes round on itself; choose a smaller "
                                    "width, or let the model fill less of the way",
                                    width));
-    const Sizes sizes{width / scale, band.twisted() ? 2 * height : height,
-                      band.twisted() ? 0.5 : 0.0, Profile(p.width_profile),
-                      Profile(p.height_profile)};
     const std::array<Knots, 3> axes{
         Knots::periodic(p.orders.x, p.grid.x, 0, 1,
                         band.twisted() ? Closure::twisted : Closure::periodic),
         Knots::uniform(p.orders.y, p.grid.y), Knots::uniform(p.orders.z, p.grid.z)};
+    const Sizes sizes{width / scale,
+                      band.twisted() ? 2 * height : height,
+                      band.twisted() ? 0.5 : p.contact_level,
+                      Profile(p.width_profile),
+                      Profile(p.height_profile),
+                      Profile(p.height_across),
+                      Rise(p.rise_profile, axes[2])};
     std::vector<glm::dvec3> ground;
     for (const double u : greville_sites(axes[0]))
         for (const double v : greville_sites(axes[1]))
@@ -166,9 +175,11 @@ Placement place_round(const Band& band, const PlacementParameters& p, const Box&
                   p.grid.y,
                   sizes.ground,
                   {}};
-    out.embedding.to_uvw = glm::translate(glm::dmat4(1), {0, 0, sizes.ground}) *
-                           glm::scale(glm::dmat4(1), {1, 1, 1 - sizes.ground}) *
-                           model_to_uvw(frame, p);
+    out.embedding.to_uvw = model_to_uvw(frame, p);
+    if (band.twisted()) // the model stands on the middle
+        out.embedding.to_uvw = glm::translate(glm::dmat4(1), {0, 0, sizes.ground}) *
+                               glm::scale(glm::dmat4(1), {1, 1, 1 - sizes.ground}) *
+                               out.embedding.to_uvw;
     out.embedding.to_rest = out.volume.rest * out.embedding.to_uvw;
     PlacementReport& r = out.report;
     r.length_world = length;

@@ -26,9 +26,11 @@ struct Band {
 // along the normals. Of a twisted band the surface lies in the middle of the volume, w = 1/2, for
 // after one round the model walks on its other side. The model stands on the surface with its +z
 // up and +x along the way, from start * the way on; what it is given of the parameters are sizes,
-// profiles, grid, orders, start, fill, reverse and roll. The grid interpolates, so the error falls
-// with the order'th power of the spacing. Throws Rejected for what is mirrored, and for a strip
-// wider than its surface goes on; a volume that folds says so in the notices. O(control points).
+// profiles, the contact level (twisted bands have none), grid, orders, start, fill and how the
+// model is turned. The grid interpolates, so the error falls with the order'th power of the
+// spacing. Throws Rejected for what is mirrored, for a strip wider than its surface goes on, and
+// for a height across or a rise round a twisted band; a volume that folds says so in the notices.
+// O(control points).
 Placement place_round(const Band& band, const PlacementParameters& parameters, const Box& model);
 
 } // namespace trivar

@@ -23,27 +23,28 @@ glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& otherwise)
     return length > 0 ? v / length : otherwise;
 }
 
-// The larger principal curvature toward n; negative where the surface curves away on all sides.
-double largest_curvature(const SurfaceJet<glm::dvec3>& s, const glm::dvec3& n)
+// The principal curvatures toward n, the larger one first; negative where the surface curves away.
+glm::dvec2 curvatures(const SurfaceJet<glm::dvec3>& s, const glm::dvec3& n)
 {
     const double E = glm::dot(s.u, s.u), F = glm::dot(s.u, s.v), G = glm::dot(s.v, s.v);
     const double L = glm::dot(s.uu, n), M = glm::dot(s.uv, n), N = glm::dot(s.vv, n);
     const double area = E * G - F * F;
-    if (!(area > 0)) return 0;
+    if (!(area > 0)) return glm::dvec2(0);
     const double mean = (E * N - 2 * F * M + G * L) / (2 * area);
     const double gauss = (L * N - M * M) / area;
-    return mean + std::sqrt(std::max(0.0, mean * mean - gauss));
+    const double apart = std::sqrt(std::max(0.0, mean * mean - gauss));
+    return {mean + apart, mean - apart};
 }
 
-// det J at the nodes, the smallest over three heights of the volume.
-std::vector<double> smallest_det(const Jets& s, const Jets& e)
+// det J at the nodes, the smallest over three levels of the volume.
+std::vector<double> smallest_det(const Jets& s, const Jets& e, const Levels& levels)
 {
     std::vector<double> out(s.size());
     for (std::size_t k = 0; k < s.size(); ++k) {
         const auto det = [&](double w) {
             return glm::dot(glm::cross(s[k].u + w * e[k].u, s[k].v + w * e[k].v), e[k].value);
         };
-        out[k] = std::min({det(0.0), det(0.5), det(1.0)});
+        out[k] = std::min({det(levels.floor), det(levels.middle), det(levels.roof)});
     }
     return out;
 }
@@ -68,13 +69,20 @@ Points smoothed(const Points& in, int rows, int columns)
 
 } // namespace
 
+Levels levels_of(const Rise& rise, double contact_level)
+{
+    const double ground = rise.at(contact_level);
+    return {rise.at(0) - ground, rise.at(0.5) - ground, rise.at(1) - ground};
+}
+
 double Extrusion::least_det() const
 {
     return *std::min_element(det.begin(), det.end());
 }
 
 Extrusion extrusion(const Surface<glm::dvec3>& contact, const View& view,
-                    const std::vector<double>& height, double offset, bool through_nodes)
+                    const std::vector<double>& height, double offset, bool through_nodes,
+                    const Levels& levels)
 {
     const int rows = contact.axes[0].count(), columns = contact.axes[1].count();
     const GrevilleGrid nodes(contact.axes);
@@ -84,28 +92,36 @@ Extrusion extrusion(const Surface<glm::dvec3>& contact, const View& view,
     for (std::size_t k = 0; k < rise.size(); ++k) {
         const SurfaceJet<glm::dvec3>& s = at_nodes[k];
         const glm::dvec3 v = view.toward_eye(s.value);
-        const double wanted = height[k / static_cast<std::size_t>(columns)];
+        const double wanted = height[k];
         if (offset == 0) {
             rise[k] = wanted * v;
             continue;
         }
         const glm::dvec3 n = unit_or(glm::cross(s.u, s.v), v);
         const glm::dvec3 d = unit_or(glm::mix(v, n, offset), v);
-        const double bend = offset * largest_curvature(s, n);
+        const glm::dvec2 curvature = curvatures(s, n); // the roof bends in hollows, the floor over
+                                                       // ridges
+        const double bend =
+            offset * std::max(levels.roof * curvature.x, levels.floor * curvature.y);
         const double highest = bend > 0 ? share_of_radius / bend : wanted;
         if (highest < told * wanted) ++lowered;
         rise[k] = std::min(wanted, highest) * d;
     }
     const auto surface = [&](const Points& values) {
-        return through_nodes ? nodes.through(values) : Surface<glm::dvec3>{contact.axes, values};
+        Surface<glm::dvec3> control{contact.axes, values};
+        if (!through_nodes) return control;
+        Surface<glm::dvec3> through = nodes.through(values);
+        for (std::size_t k = 0; offset == 0 && k < values.size(); ++k)
+            if (!(glm::dot(through.points[k], values[k]) > 0)) return control;
+        return through;
     };
     Extrusion out{surface(rise), lowered, {}, {}};
-    out.det = smallest_det(at_nodes, nodes.jets(out.rise.points, 1));
+    out.det = smallest_det(at_nodes, nodes.jets(out.rise.points, 1), levels);
     // Looked at after 1, 2, 4, 7, 11, ... smoothings: fitting costs more than smoothing.
     for (int i = 0; offset > 0 && i < most_smoothings && out.least_det() <= 0;) {
         for (const int until = i + i / 2 + 1; i < until; ++i) rise = smoothed(rise, rows, columns);
         out.rise = surface(rise);
-        out.det = smallest_det(at_nodes, nodes.jets(out.rise.points, 1));
+        out.det = smallest_det(at_nodes, nodes.jets(out.rise.points, 1), levels);
     }
     for (const SurfaceJet<glm::dvec3>& s : at_nodes) {
         out.area.push_back(glm::length(glm::cross(s.u, s.v)));
@@ -114,14 +130,15 @@ Extrusion extrusion(const Surface<glm::dvec3>& contact, const View& view,
     return out;
 }
 
-Lattice volume_over(const Surface<glm::dvec3>& contact, const Surface<glm::dvec3>& rise,
-                    const Knots& above)
+Lattice volume_over(const Surface<glm::dvec3>& contact, const Surface<glm::dvec3>& extruded,
+                    const Knots& above, const Rise& rise, double contact_level)
 {
+    const double ground = rise.at(contact_level);
     Trivariate<glm::dvec3> f{{contact.axes[0], contact.axes[1], above}, {}};
     f.points.reserve(contact.points.size() * static_cast<std::size_t>(above.count()));
     for (std::size_t k = 0; k < contact.points.size(); ++k)
         for (int i = 0; i < above.count(); ++i)
-            f.points.push_back(contact.points[k] + above.greville(i) * rise.points[k]);
+            f.points.push_back(contact.points[k] + (rise.point(i) - ground) * extruded.points[k]);
     return lattice_through(f);
 }
 

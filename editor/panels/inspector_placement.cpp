@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/placement/embed.h"
 #include "editor/field_words.h"
 #include "editor/panels/inspect.h"
 #include "editor/panels/panels.h"
@@ -53,18 +54,26 @@ void volume_rows(ValueRows& rows, PlacementParameters& p, bool round, const Plac
                  Editor& editor)
 {
     const PlacementParameters rest;
-    const auto profile = [&](const std::string& of, double present, ui::Color color,
-                             std::vector<glm::dvec2>& points, int& chosen) {
-        rows.take(draw_profile(rows.theme,
-                               {of + " profile", help_of("width_profile"), present, color}, points,
+    const auto profile = [&](const char* label, const char* field, double present, ui::Color color,
+                             ProfileKind kind, std::vector<glm::dvec2>& points, int& chosen) {
+        rows.take(draw_profile(rows.theme, {label, help_of(field), present, color, kind}, points,
                                chosen));
     };
+    const ui::Palette& c = rows.theme.color;
     const double width = report ? report->width_world : 0;
     const double height = report ? report->height_world : 0;
     rows.size("Width", p.width, width, help_of("width"));
-    profile("Width", width, rows.theme.color.stroke, p.width_profile, editor.width_point);
+    profile("Width profile", "width_profile", width, c.stroke, ProfileKind::along, p.width_profile,
+            editor.width_point);
     rows.size("Height", p.height, height, help_of("height"));
-    profile("Height", height, rows.theme.color.lattice, p.height_profile, editor.height_point);
+    profile("Height profile", "height_profile", height, c.lattice, ProfileKind::along,
+            p.height_profile, editor.height_point);
+    profile("Height across", "height_across", height, c.lattice, ProfileKind::across,
+            p.height_across, editor.across_point);
+    profile("Rise", "rise_profile", height, c.contact, ProfileKind::rise, p.rise_profile,
+            editor.rise_point);
+    rows.number("Sunk", p.contact_level, rest.contact_level, {.lo = 0, .hi = 1, .bar_hi = 1},
+                help_of("contact_level"));
     if (!round) // there is no camera to extrude toward
         rows.number("Offset", p.offset, rest.offset, {.lo = 0, .hi = 1, .bar_hi = 1},
                     help_of("offset"));
@@ -97,9 +106,18 @@ void fit_rows(ValueRows& rows, PlacementParameters& p)
     rows.number("Fill", p.fill, rest.fill, {.lo = 1e-3, .hi = 1, .bar_hi = 1}, help_of("fill"));
     // The two share the stroke: what was not touched gives way.
     if (p.start + p.fill > 1) p.fill = std::max(1e-3, 1 - p.start);
-    rows.check("Direction", p.reverse, rest.reverse, "toward the start", help_of("reverse"));
-    rows.choice("Roll", static_cast<int>(p.roll_deg / 90 + 0.5) % 4, 0, {"0", "90", "180", "270"},
-                help_of("roll_deg"), [&](int chosen) { p.roll_deg = chosen * 90; });
+    Lying lying = lying_of(p);
+    const Lying before = lying;
+    int side = static_cast<int>(lying.on);
+    rows.row("Lies on", side, 0, "which side of the model lies on the scene", [&](float width) {
+        return ui::choice(rows.theme, "lies on", side,
+                          {"Bottom", "Right side", "Top", "Left side", "Front", "Back"}, width);
+    });
+    lying.on = static_cast<Underside>(side);
+    rows.choice("Turned", lying.quarters, 0, {"0", "90", "180", "270"},
+                "about the vertical, toward the left, degrees",
+                [&](int chosen) { lying.quarters = chosen; });
+    if (!(lying == before)) p = with_lying(std::move(p), lying);
 }
 
 void contact_rows(ValueRows& rows, PlacementParameters& p)

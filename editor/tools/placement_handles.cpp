@@ -23,8 +23,11 @@ ui::Color color_of(const ui::Theme& theme, HoldKind kind)
     const ui::Palette& c = theme.color;
     switch (kind) {
     case HoldKind::width: return c.free_node;
-    case HoldKind::height: return c.lattice;
-    case HoldKind::contact: return c.contact;
+    case HoldKind::height:
+    case HoldKind::across: return c.lattice;
+    case HoldKind::rise:
+    case HoldKind::contact:
+    case HoldKind::sunk: return c.contact;
     default: return c.stroke;
     }
 }
@@ -50,10 +53,13 @@ const char* drag_words(HoldKind kind)
     case HoldKind::none: return "";
     case HoldKind::stroke: return "Drag to bend the stroke";
     case HoldKind::width: return "Drag to widen";
-    case HoldKind::height: return "Drag to raise";
+    case HoldKind::height:
+    case HoldKind::across: return "Drag to raise";
+    case HoldKind::rise: return "Drag to share the height out";
     case HoldKind::start: return "Drag to move the start";
     case HoldKind::end: return "Drag to move the end";
     case HoldKind::contact: return "Drag to lift off the surface";
+    case HoldKind::sunk: return "Drag down to sink it in";
     }
     return "";
 }
@@ -149,7 +155,8 @@ void PlacementHandles::overlay(const Session& session, const ui::Theme& theme,
         const glm::vec2 p = input.rect.lo + glm::vec2(*seen), from = at(point.base_world);
         const float radius = theme.scale * (on ? 6.5f : 5.0f);
         const ui::Color color = on ? theme.color.selected : color_of(theme, kind);
-        const bool sized = kind == HoldKind::width || kind == HoldKind::height;
+        const bool sized = kind == HoldKind::width || kind == HoldKind::height ||
+                           kind == HoldKind::across || kind == HoldKind::rise;
         const bool stalk = glm::distance(p, at(point.p_world)) > 1;
         if (kind == HoldKind::start || kind == HoldKind::end) {
             paint_arrow(theme, p, p - from, radius, color);
@@ -160,7 +167,10 @@ void PlacementHandles::overlay(const Session& session, const ui::Theme& theme,
             ui::paint_line(from, p, theme.color.halo, theme.line(3));
             ui::paint_line(from, p, color_of(theme, kind), theme.line(1.4f));
         }
-        ui::paint_dot(p, radius, color, theme.color.halo, 1.5f * theme.scale);
+        if (kind == HoldKind::sunk && !on) // a ring: the level, not the distance
+            ui::paint_dot(p, radius, theme.color.halo, color, 2 * theme.scale);
+        else
+            ui::paint_dot(p, radius, color, theme.color.halo, 1.5f * theme.scale);
     }
     if (lit.kind == HoldKind::none) return;
     const PlacementParameters& now =

@@ -23,6 +23,7 @@ constexpr double stalk_px = 44;     // ... of this length
 constexpr double narrowest_px = 11; // a rim, from the middle
 constexpr double beyond_px = 16;    // start and end, from the ends
 constexpr double further_in = 0.02; // along the stroke
+constexpr double across_at_u = 0.6; // where the points of the height across stand
 
 glm::dvec3 in_volume(const Placement& placement, const glm::dvec3& uvw)
 {
@@ -46,7 +47,8 @@ double handy(double value, bool snap)
 bool end_on(const HoldPoint& point, const Camera& camera, double scale)
 {
     const HoldKind kind = point.hold.kind;
-    if (kind != HoldKind::height && kind != HoldKind::contact) return false;
+    if (kind != HoldKind::height && kind != HoldKind::contact && kind != HoldKind::sunk)
+        return false;
     return glm::distance(project(camera, point.p_world).p_px,
                          project(camera, point.base_world).p_px) < end_on_px * scale;
 }
@@ -59,12 +61,23 @@ double growth(const HoldDrag& drag, glm::dvec2 by_px)
     if (end_on(drag.held, drag.camera, drag.scale)) { // a pixel upward is a pixel's length
         const double size = glm::distance(drag.held.p_world, drag.held.base_world);
         const double up = -by_px.y * pixel_size_world(drag.camera, base.depth_world);
-        const double sign = drag.held.hold.kind == HoldKind::contact ? -1 : 1;
+        const double sign = drag.held.hold.kind == HoldKind::height ? 1 : -1;
         return std::clamp(1 + sign * up / size, least_ratio, most_ratio);
     }
     const double square = glm::dot(way, way);
     if (!(square > 1)) return 1;
     return std::clamp(glm::dot(way + by_px, way) / square, least_ratio, most_ratio);
+}
+
+// A point of a profile so that the curve there is as high as asked for.
+void raise(std::vector<glm::dvec2>& profile, std::size_t point, double wanted, bool snap)
+{
+    const double u = profile[point].x, before = ShareCurve(profile).at(u);
+    std::vector<glm::dvec2> higher = profile;
+    higher[point].y += 1;
+    // What the point's height counts for on the curve.
+    const double weight = ShareCurve(higher).at(u) - before;
+    profile[point].y = handy(profile[point].y + (wanted - before) / std::max(0.1, weight), snap);
 }
 
 // A size without a profile grows as a whole, else the profile does at its point.
@@ -75,13 +88,8 @@ void grow(double& size, std::vector<glm::dvec2>& profile, double present, std::s
         size = handy(present * times, snap);
         return;
     }
-    const double u = profile[point].x, before = Profile(profile).at(u);
-    std::vector<glm::dvec2> higher = profile;
-    higher[point].y += 1;
-    // What the point's height counts for on the curve.
-    const double weight = Profile(higher).at(u) - before;
-    const double wanted = profile[point].y + before * (times - 1) / std::max(0.1, weight);
-    profile[point].y = std::clamp(handy(wanted, snap), least_profile, most_profile);
+    raise(profile, point, Profile(profile).at(profile[point].x) * times, snap);
+    profile[point].y = std::clamp(profile[point].y, least_profile, most_profile);
 }
 
 Sketch pulled(const HoldDrag& drag, glm::dvec2 to_px)
@@ -115,6 +123,7 @@ std::vector<HoldPoint> hold_points(const PlacementStep& step, const Placement& p
 {
     const PlacementParameters& p = step.parameters;
     const double w0 = placement.ground;
+    const double far = w0 > 0.5 ? 0 : 1; // the face that is further from the scene
     std::vector<HoldPoint> out;
     const auto add = [&](HoldKind kind, int index, const glm::dvec3& uvw, const glm::dvec3& base) {
         out.push_back(
@@ -127,8 +136,16 @@ std::vector<HoldPoint> hold_points(const PlacementStep& step, const Placement& p
     }
     index = 0;
     for (const double u : profile_shares(p.height_profile))
-        add(HoldKind::height, index++, {u, 0.5, 1}, {u, 0.5, w0});
-    if (!step.round) add(HoldKind::contact, 0, {1.0 / 3, 1, 0}, {1.0 / 3, 1, 1});
+        add(HoldKind::height, index++, {u, 0.5, far}, {u, 0.5, w0});
+    for (std::size_t i = 0; i < p.height_across.size(); ++i)
+        add(HoldKind::across, static_cast<int>(i), {across_at_u, p.height_across[i].x, far},
+            {across_at_u, p.height_across[i].x, w0});
+    for (std::size_t i = 1; i + 1 < p.rise_profile.size(); ++i)
+        add(HoldKind::rise, static_cast<int>(i), {2.0 / 3, 0, p.rise_profile[i].x},
+            {2.0 / 3, 0, 0});
+    if (!step.round) add(HoldKind::contact, 0, {1.0 / 3, 1, w0}, {1.0 / 3, 1, far});
+    if (placement.contact.axes[0].closure() != Closure::twisted)
+        add(HoldKind::sunk, 0, {2.0 / 3, 1, 0}, {2.0 / 3, 1, 1});
     const int places =
         std::clamp(1 + static_cast<int>(std::lround(length_px(step.sketch.samples) / px_a_place)),
                    least_places, most_places);
@@ -150,6 +167,7 @@ std::optional<glm::dvec2> seen_at(const HoldPoint& point, const Camera& camera, 
     if (end_on(point, camera, scale)) return p.p_px - glm::dvec2(0, stalk_px * scale);
     const glm::dvec2 out = p.p_px - base.p_px;
     const double length = glm::length(out);
+    if (kind == HoldKind::rise && length < end_on_px * scale) return {}; // all on one spot
     if (!(length > 0)) return p.p_px;
     if (kind == HoldKind::start || kind == HoldKind::end)
         return p.p_px + out * (beyond_px * scale / length);
@@ -195,6 +213,19 @@ EditPlacement dragged(const HoldDrag& drag, glm::dvec2 to_px, bool snap)
         grow(p.height, p.height_profile, report.height_world,
              static_cast<std::size_t>(drag.held.hold.index), growth(drag, by), snap);
         break;
+    case HoldKind::across:
+        grow(p.height, p.height_across, report.height_world,
+             static_cast<std::size_t>(drag.held.hold.index), growth(drag, by), snap);
+        break;
+    case HoldKind::rise: {
+        const auto i = static_cast<std::size_t>(drag.held.hold.index);
+        std::vector<glm::dvec2>& points = p.rise_profile;
+        raise(points, i, ShareCurve(points).at(points[i].x) * growth(drag, by), snap);
+        points[i].y =
+            std::clamp(points[i].y, points[i - 1].y + least_rise,
+                       std::max(points[i - 1].y, points[i + 1].y - 2 * least_rise) + least_rise);
+        break;
+    }
     case HoldKind::start:
         p.start = std::clamp(line(), 0.0, std::max(0.0, end - shortest_fill));
         p.fill = end - p.start;
@@ -202,9 +233,17 @@ EditPlacement dragged(const HoldDrag& drag, glm::dvec2 to_px, bool snap)
     case HoldKind::end:
         p.fill = std::clamp(line(), std::min(1.0, p.start + shortest_fill), 1.0) - p.start;
         break;
+    case HoldKind::sunk: {
+        // The floor away from the roof: so much of the height lies deeper.
+        const Rise rise(p.rise_profile, drag.placement->volume.displacement.axes[2]);
+        const double risen = rise.at(p.contact_level) + growth(drag, by) - 1;
+        p.contact_level = handy(rise.w_at(std::clamp(risen, 0.0, 1.0)), snap);
+        break;
+    }
     case HoldKind::contact: {
         const double height = glm::distance(drag.held.p_world, drag.held.base_world);
-        const double moved = height * (1 - growth(drag, by)); // away from the roof: into the scene
+        const double into = p.contact_level > 0.5 ? -1 : 1; // away from what it is measured from
+        const double moved = into * height * (1 - growth(drag, by));
         p.clearance = std::max(0.0, handy(p.clearance + moved, snap));
         break;
     }
@@ -219,9 +258,12 @@ std::string name_of(HoldKind kind)
     case HoldKind::stroke: return "Stroke";
     case HoldKind::width: return "Width";
     case HoldKind::height: return "Height";
+    case HoldKind::across: return "Height across";
+    case HoldKind::rise: return "Rise";
     case HoldKind::start: return "Start";
     case HoldKind::end: return "End";
     case HoldKind::contact: return "Clearance";
+    case HoldKind::sunk: return "Sunk";
     }
     return {};
 }
@@ -241,9 +283,16 @@ std::string words_of(const Hold& hold, const PlacementParameters& p, const Place
         return sized("width", report.width_world, p.width_profile, hold.index / 2);
     case HoldKind::height:
         return sized("height", report.height_world, p.height_profile, hold.index);
+    case HoldKind::across: return sized("height", report.height_world, p.height_across, hold.index);
+    case HoldKind::rise: {
+        const glm::dvec2 at = p.rise_profile[static_cast<std::size_t>(hold.index)];
+        return fmt::format("{:.0f} % of the model in {:.0f} % of the height", at.x * 100,
+                           ShareCurve(p.rise_profile).at(at.x) * 100);
+    }
     case HoldKind::start: return fmt::format("start {:.0f} %", p.start * 100);
     case HoldKind::end: return fmt::format("end {:.0f} %", (p.start + p.fill) * 100);
     case HoldKind::contact: return "clearance " + in_metres(p.clearance);
+    case HoldKind::sunk: return fmt::format("sunk {:.0f} %", p.contact_level * 100);
     }
     return {};
 }

@@ -11,9 +11,10 @@
 namespace trivar {
 
 // What a hand can take hold of on something that lies on a stroke: places of the stroke, the rims
-// and the roof of its volume (one for each point of their profiles), where on the stroke the model
-// begins and ends, and the face that lies on the scene.
-enum class HoldKind { none, stroke, width, height, start, end, contact };
+// and the roof of its volume (one for each point of their profiles, across: of the height across,
+// rise: of the rise, up a corner of it), where on the stroke the model begins and ends, the level
+// that lies on the scene, and how deep the floor is sunk under it.
+enum class HoldKind { none, stroke, width, height, across, rise, start, end, contact, sunk };
 struct Hold {
     HoldKind kind = HoldKind::none;
     int index = 0; // of the place or the point; of a rim 2 x point, and 1 more on the left one
@@ -24,8 +25,8 @@ struct HoldPoint {
     Hold hold;
     double u = 0;             // along the stroke
     glm::dvec3 p_world{0};    // where it stands
-    glm::dvec3 base_world{0}; // what its distance is measured from; of the contact: the roof; of
-                              // start and end: a place further in
+    glm::dvec3 base_world{0}; // what its distance is measured from; of contact and floor: the
+                              // roof; of start and end: a place further in
 };
 std::vector<HoldPoint> hold_points(const PlacementStep& step, const Placement& placement);
 

@@ -45,7 +45,8 @@ TEST_P(EveryScene, LaysSomethingDownAndSaysWhereItsPictureIsTakenFrom)
 
 INSTANTIATE_TEST_SUITE_P(Of, EveryScene,
                          testing::Values("first_placement", "snake_bridge", "crocodile_on_horse",
-                                         "stacked", "f1_f2", "ants", "whales", "car"),
+                                         "stacked", "f1_f2", "ants", "whales", "car",
+                                         "variable_width"),
                          [](const auto& scene) { return scene.param; });
 
 TEST(Stacked, PlacesSnakesOnWhatWasPlacedBefore)

@@ -168,6 +168,14 @@ TEST(Place, SaysWhatIsWrongWithAClickAndWithParametersThatDoNotFit)
     EXPECT_THAT(with_parameters([](auto& p) { p.grid = {1024, 1024, 4}; }), HasSubstr("\"grid\""));
     EXPECT_THAT(with_parameters([](auto& p) { p.orders.z = 6; }), HasSubstr("order 6"));
     EXPECT_THAT(with_parameters([](auto& p) { p.roll_deg = 45; }), HasSubstr("\"roll_deg\""));
+    EXPECT_THAT(with_parameters([](auto& p) {
+                    p.rise_profile = {{0, 0}, {0.5, 0.7}, {0.8, 0.6}, {1, 1}};
+                }),
+                HasSubstr("must rise"));
+    EXPECT_THAT(with_parameters([](auto& p) {
+                    p.height_across = {{0, 1}, {1, 0}};
+                }),
+                HasSubstr("\"height_across\" has the factor 0"));
     EXPECT_THAT(with_parameters([](auto& p) { p.offset = 2; }), HasSubstr("\"parameters.offset\""));
 }
 

@@ -103,6 +103,9 @@ TEST(StepTitle, NamesTheOneNumberOfAPlacementThatChanged)
     EXPECT_EQ(edited([](P& p) { p.grid = {40, 9, 4}; }), "Density of Pot 40 × 9 × 4");
     EXPECT_EQ(edited([](P& p) { p.misses = Misses::ground; }), "Misses of Pot drop to the ground");
     EXPECT_EQ(edited([](P& p) { p.roll_deg = 90; }), "Roll of Pot 90°");
+    EXPECT_EQ(edited([](P& p) { p.along = LengthAxis::z; }), "Axis along of Pot z");
+    EXPECT_EQ(edited([](P& p) { p.contact_level = 0.25; }), "Contact level of Pot 0.25");
+    EXPECT_EQ(edited([](P& p) { p.rise_profile = {{0, 0}, {1, 1}}; }), "Rise of Pot 2 points");
     EXPECT_EQ(edited([](P& p) { p.width = p.height = 1; }), "Width and height of Pot");
     EXPECT_EQ(edited([](P& p) { p.width = p.height = p.offset = 1; }), "Placement of Pot 3 values");
     EXPECT_EQ(edited([](P&) {}), "Placement of Pot as before");

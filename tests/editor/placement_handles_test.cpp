@@ -98,6 +98,36 @@ TEST(PlacementHandles, ARimOfAProfileMovesItsPointOnly)
     EXPECT_EQ(profile.back(), glm::dvec2(1, 1));
 }
 
+TEST(PlacementHandles, TheFloorIsPulledIntoTheSceneAndTheRiseUpAndDown)
+{
+    PlacedRig rig;
+    rig.editor.session.camera.eye = {-4, -5, 2};
+    rig.frames(4);
+    const HoldPoint floor = rig.hold(HoldKind::sunk);
+    const double height = rig.laid().report.height_world;
+    rig.pull(floor, 0.3f * (rig.seen_at(floor.p_world) - rig.seen_at(floor.base_world)));
+    const double sunk = rig.step().parameters.contact_level;
+    EXPECT_NEAR(sunk, 0.3, 0.03);
+    EXPECT_NEAR(rig.laid().report.height_world, height, 1e-9);
+    EXPECT_EQ(rig.laid().ground, sunk);
+    rig.pull(rig.hold(HoldKind::sunk), {0, -300}); // no further than up again
+    EXPECT_EQ(rig.step().parameters.contact_level, 0);
+    PlacementParameters p = rig.step().parameters;
+    p.rise_profile = {{0, 0}, {0.5, 0.5}, {1, 1}};
+    p.height_across = {{0, 1}, {0.5, 1}, {1, 1}};
+    ASSERT_TRUE(rig.editor.session.run(EditPlacement{2, p, {}, {}}));
+    rig.wait();
+    const HoldPoint middle = rig.hold(HoldKind::rise, 1);
+    rig.pull(middle, 0.4f * (rig.seen_at(middle.p_world) - rig.seen_at(middle.base_world)));
+    EXPECT_NEAR(ShareCurve(rig.step().parameters.rise_profile).at(0.5), 0.7, 0.03);
+    rig.pull(rig.hold(HoldKind::rise, 1), {0, -400}); // it stays a rise
+    EXPECT_LT(rig.step().parameters.rise_profile[1].y, 1);
+    const HoldPoint left = rig.hold(HoldKind::across, 2);
+    rig.pull(left, 0.5f * (rig.seen_at(left.p_world) - rig.seen_at(left.base_world)));
+    EXPECT_NEAR(rig.step().parameters.height_across.back().y, 1.5, 0.05);
+    EXPECT_EQ(rig.step().parameters.height_across.front().y, 1);
+}
+
 TEST(PlacementHandles, TheEndsOfTheModelSlideAlongTheStroke)
 {
     PlacedRig rig({1000, 760}); // no card lies over the ends

@@ -114,6 +114,20 @@ Image place()
     return window.taken();
 }
 
+Image profiles()
+{
+    Window window({1440, 1000});
+    window.open("variable_width");
+    window.select("Bulldozer, between");
+    const Id id = window.editor.session.selected;
+    EditPlacement edit{
+        id, object(window.editor.session.document(), id).placement->parameters, {}, {}};
+    edit.parameters.height_across = {{0, 0.8}, {0.5, 1.25}, {1, 0.8}};
+    edit.parameters.rise_profile = {{0, 0}, {0.5, 0.38}, {1, 1}};
+    window.run(edit);
+    return window.taken();
+}
+
 Image history()
 {
     Window window;
@@ -198,15 +212,11 @@ struct Picture {
     const char* name;
     Image (*drawn)();
 };
-constexpr Picture pictures[] = {{"start", start},
-                                {"place", place},
-                                {"history", history},
-                                {"stretch", stretch},
-                                {"timeline", timeline},
-                                {"outliner", outliner},
-                                {"preferences", preferences},
-                                {"palette", palette},
-                                {"move-rotate-scale", move}};
+constexpr Picture pictures[] = {{"start", start},       {"place", place},
+                                {"profiles", profiles}, {"history", history},
+                                {"stretch", stretch},   {"timeline", timeline},
+                                {"outliner", outliner}, {"preferences", preferences},
+                                {"palette", palette},   {"move-rotate-scale", move}};
 
 } // namespace
 } // namespace trivar

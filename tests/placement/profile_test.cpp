@@ -2,6 +2,7 @@
 #include "core/placement/profile.h"
 
 #include "core/base/rejected.h"
+#include "core/placement/embed.h"
 #include "core/spline/curve.h"
 #include "tests/placement/scenes.h"
 
@@ -12,8 +13,10 @@ namespace trivar {
 namespace {
 
 using namespace testing;
+using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::ThrowsMessage;
 
 const std::vector<glm::dvec2> leaf{{0, 0.3}, {0.2, 1.6}, {0.55, 1.2}, {0.9, 0.9}, {1, 0.1}};
@@ -79,6 +82,135 @@ TEST(Place, FollowsTheProfilesOfWidthAndHeight)
         EXPECT_FALSE(node.folds);
         EXPECT_NEAR(node.spread, 1, 0.2);
     }
+}
+
+const std::vector<glm::dvec2> crown{{0, 0.4}, {0.5, 1.5}, {1, 0.4}};
+const std::vector<glm::dvec2> flat_below{{0, 0}, {0.4, 0.1}, {0.7, 0.8}, {1, 1}};
+
+TEST(Rise, AscendsStrictlyAndIsItselfWithoutPoints)
+{
+    const Knots above = Knots::uniform(4, 7);
+    const Rise rise(flat_below, above);
+    double before = -1e-9;
+    for (int i = 0; i <= 200; ++i) {
+        const double w = i / 200.0;
+        EXPECT_GT(rise.at(w), before) << w;
+        EXPECT_NEAR(rise.w_at(rise.at(w)), w, 1e-9);
+        before = rise.at(w);
+        EXPECT_EQ(Rise({}, above).at(w), w);
+        EXPECT_EQ(Rise({{0, 0}, {0.3, 0.3}, {1, 1}}, above).at(w), w);
+    }
+    EXPECT_EQ(rise.at(0), 0);
+    EXPECT_EQ(rise.at(1), 1);
+    const auto refuses = [](const std::vector<glm::dvec2>& points, const char* words) {
+        EXPECT_THAT([&] { check_rise(points, "the rise"); },
+                    ThrowsMessage<Rejected>(HasSubstr(words)));
+    };
+    refuses({{0, 0}, {0.5, 0.6}, {0.7, 0.6}, {1, 1}}, "rise by at least 0.001");
+    refuses({{0, 0.1}, {1, 1}}, "from 0 at the floor");
+    refuses({{0, 0}, {1, 0.9}}, "to 1 at the roof");
+}
+
+// A stroke over waves, seen from the side.
+Placement over_waves(const PlacementParameters& p)
+{
+    static const RayScene waves = scene_of(height_field(
+        20, 200, [](double x, double y) { return 0.03 * std::sin(2 * x) * std::cos(2 * y); }));
+    Timings timings;
+    const Camera camera = from_the_side({0.5, -1.5, 4});
+    return place(stroke_over(camera, {{-1, 0, 0}, {1, 0.3, 0}}), p, snake_box(), waves, timings);
+}
+
+TEST(Place, IsTheSameToTheBitWithProfilesThatChangeNothing)
+{
+    for (const double offset : {0.0, 1.0}) {
+        const PlacementParameters none{.offset = offset};
+        PlacementParameters even = none;
+        even.width_profile = even.height_profile = {{0, 1}, {0.3, 1}, {1, 1}};
+        even.height_across = {{0, 1}, {1, 1}};
+        even.rise_profile = {{0, 0}, {0.2, 0.2}, {1, 1}};
+        EXPECT_EQ(over_waves(even).volume, over_waves(none).volume);
+    }
+}
+
+TEST(Place, LiesOnTheSceneWithTheLevelAskedFor)
+{
+    for (const double offset : {0.0, 1.0})
+        for (const double level : {0.0, 0.3, 1.0}) {
+            PlacementParameters p{.height = 0.1, .offset = offset};
+            p.height_across = crown;
+            p.rise_profile = flat_below;
+            p.contact_level = level;
+            const Placement out = over_waves(p);
+            EXPECT_EQ(out.ground, level);
+            EXPECT_GT(out.report.smallest_jacobian, 0);
+            for (int i = 0; i <= 30; ++i)
+                for (int j = 0; j <= 10; ++j) {
+                    const glm::dvec2 uv(i / 30.0, j / 10.0);
+                    EXPECT_LT(glm::distance(evaluate(out.volume, {uv.x, uv.y, level}).value,
+                                            evaluate(out.contact, uv).value),
+                              1e-12);
+                }
+        }
+}
+
+TEST(Place, HasTheHeightsOfBothProfilesAtItsNodesAndDoesNotFold)
+{
+    PlacementParameters p{.height = 0.1};
+    p.height_profile = {{0, 0.5}, {0.4, 1.4}, {1, 0.3}};
+    p.height_across = crown;
+    p.rise_profile = flat_below;
+    const Placement out = over_waves(p);
+    const Profile along(p.height_profile), across(p.height_across);
+    const auto& axes = out.contact.axes;
+    for (int i = 0; i < axes[0].count(); ++i)
+        for (int j = 0; j < axes[1].count(); ++j) {
+            const double u = axes[0].greville(i), v = axes[1].greville(j);
+            const glm::dvec3 floor = evaluate(out.volume, {u, v, 0}).value;
+            EXPECT_NEAR(glm::distance(evaluate(out.volume, {u, v, 1}).value, floor),
+                        0.1 * along.at(u) * across.at(v), 1e-12);
+        }
+    for (int i = 0; i <= 60; ++i)
+        for (int j = 0; j <= 20; ++j)
+            for (int k = 0; k <= 8; ++k) {
+                const auto f = evaluate(out.volume, {i / 60.0, j / 20.0, k / 8.0}, 1).first;
+                EXPECT_GT(glm::determinant(glm::dmat3(f[0], f[1], f[2])), 0);
+            }
+}
+
+TEST(Place, StaysPositiveWhereAHeightFallsOff)
+{
+    PlacementParameters p{.height = 0.1, .orders = {4, 4, 3}};
+    p.height_profile = {{0, 1}, {0.5, 20}, {0.51, 0.02}, {0.52, 0.02}, {1, 1}};
+    const Placement out = over_waves(p);
+    for (int i = 0; i <= 400; ++i) {
+        const auto f = evaluate(out.volume, {i / 400.0, 0.5, 0.5}, 1).first;
+        EXPECT_GT(glm::determinant(glm::dmat3(f[0], f[1], f[2])), 0) << i;
+    }
+}
+
+TEST(Place, LaysEverySideOfTheModelOnTheScene)
+{
+    const Box box = snake_box();
+    std::vector<glm::dmat3> seen;
+    for (int side = 0; side < 6; ++side)
+        for (int quarters = 0; quarters < 4; ++quarters) {
+            const Lying lying{static_cast<Underside>(side), quarters};
+            const PlacementParameters p = with_lying({}, lying);
+            EXPECT_EQ(lying_of(p), lying);
+            const ModelFrame frame = model_frame(p, box);
+            EXPECT_EQ(glm::determinant(frame.turn), 1);
+            EXPECT_THAT(seen, Not(Contains(frame.turn)));
+            seen.push_back(frame.turn);
+            // Away from the scene, in the model's own axes, by sides in their order.
+            constexpr std::array<glm::dvec3, 6> away{
+                {{0, 0, 1}, {0, 1, 0}, {0, 0, -1}, {0, -1, 0}, {-1, 0, 0}, {1, 0, 0}}};
+            EXPECT_EQ(frame.turn * away.at(static_cast<std::size_t>(side)), glm::dvec3(0, 0, 1));
+        }
+    EXPECT_EQ(with_lying({}, {}), PlacementParameters{});
+    const PlacementParameters front = with_lying({}, {Underside::front, 0});
+    const ModelFrame frame = model_frame(front, box);
+    EXPECT_EQ(frame.box.size().z, box.size().x); // it stands on its nose
 }
 
 TEST(Place, TellsWhichNodesBridgeAndWhichMiss)

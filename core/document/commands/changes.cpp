@@ -105,6 +105,9 @@ Changes changes(const PlacementParameters& before, const PlacementParameters& af
     };
     compare("Width profile", a.width_profile, b.width_profile, points);
     compare("Height profile", a.height_profile, b.height_profile, points);
+    compare("Height across", a.height_across, b.height_across, points);
+    compare("Rise", a.rise_profile, b.rise_profile, points);
+    compare("Contact level", a.contact_level, b.contact_level, plain);
     compare("Offset", a.offset, b.offset, plain);
     compare("Density", a.grid, b.grid, triple);
     compare("Order", a.orders, b.orders, triple);
@@ -120,6 +123,8 @@ Changes changes(const PlacementParameters& before, const PlacementParameters& af
     compare("Fill", a.fill, b.fill, plain);
     compare("Sinking", a.lift_tolerance, b.lift_tolerance, plain);
     compare("Clearance", a.clearance, b.clearance, in_metres);
+    compare("Axis along", a.along, b.along,
+            [](LengthAxis axis) { return std::string(1, "xyz"[static_cast<int>(axis)]); });
     compare("Direction", a.reverse, b.reverse, either("toward the start", "toward the end"));
     compare("Roll", a.roll_deg, b.roll_deg, in_degrees);
     return compare.take();

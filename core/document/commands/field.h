@@ -55,6 +55,8 @@ template <>
 inline constexpr std::array<std::string_view, 4> choice_names<Misses>{"membrane", "ground",
                                                                       "nearest", "shrink"};
 template <>
+inline constexpr std::array<std::string_view, 3> choice_names<LengthAxis>{"x", "y", "z"};
+template <>
 inline constexpr std::array<std::string_view, 5> choice_names<Ends>{"stay", "hide", "run_on",
                                                                     "loop", "back_and_forth"};
 template <>

@@ -100,6 +100,8 @@ void check_parameters(const PlacementParameters& p)
         throw Rejected("fields \"start\" and \"fill\" add up to more than 1, the whole stroke");
     check_profile(p.width_profile, "field \"width_profile\"");
     check_profile(p.height_profile, "field \"height_profile\"");
+    check_profile(p.height_across, "field \"height_across\"");
+    check_rise(p.rise_profile, "field \"rise_profile\"");
     if (p.roll_deg != 90 * std::floor(p.roll_deg / 90))
         throw Rejected("field \"roll_deg\" must be 0, 90, 180 or 270");
 }

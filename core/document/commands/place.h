@@ -50,6 +50,19 @@ template <> struct FieldsOf<PlacementParameters> {
               "the length, factor] each; none: it does not",
               later_between(0, 20));
         field("height_profile", p.height_profile, "the same of the height", later_between(0, 20));
+        field("height_across", p.height_across,
+              "how the height changes across the stroke, from its right to its left: control "
+              "points as along it; both factors count",
+              later_between(0, 20));
+        field("rise_profile", p.rise_profile,
+              "how the height is shared out from the floor to the roof: control points of an "
+              "ascending curve, [share of the model's height, share of the volume's]; none: evenly",
+              later_between(0, 1));
+        field("contact_level", p.contact_level,
+              "the level of the volume that lies on the scene: 0 its floor, 1 its roof",
+              later_between(0, 1));
+        field("along", p.along,
+              "the axis of the model that runs along the stroke; turned before the roll", later);
     }
 };
 
