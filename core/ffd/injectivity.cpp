@@ -58,13 +58,15 @@ bool nearly_affine(const Lattice& lattice)
     }
     const double volume = glm::determinant(a);
     if (!(std::abs(volume) > 0) || !std::isfinite(volume)) return false;
+    // Each axis by the length it has in the world, so that it does not matter how fast it is run.
+    const glm::dvec3 speed(glm::length(a[0]), glm::length(a[1]), glm::length(a[2]));
     const glm::dmat3 inverse = glm::inverse(a);
     glm::dvec3 worst(0);
     for (int axis = 0; axis < 3; ++axis) {
         glm::dvec3 unit(0);
         unit[axis] = 1;
         for (const glm::dvec3& p : slopes[static_cast<std::size_t>(axis)]) {
-            const double off = glm::length(inverse * p - unit);
+            const double off = glm::length(speed * (inverse * p - unit)) / speed[axis];
             if (!(off <= worst[axis])) worst[axis] = off;
         }
     }

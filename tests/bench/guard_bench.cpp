@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/parallel.h"
 #include "core/ffd/guard.h"
+#include "core/ffd/overlap.h"
 #include "core/ffd/resolution.h"
 #include "tests/support/splines.h"
 
@@ -48,6 +49,14 @@ void guard_share(benchmark::State& state)
     for (auto _ : state)
         state.counters["share"] = certified_share(lattice, verdicts, std::span(&move, 1)).share;
 }
+
+void overlap_of_far_parts(benchmark::State& state)
+{
+    const Lattice lattice = pressed_lattice();
+    for (auto _ : state) state.counters["pairs"] = overlap(lattice).pairs;
+}
+
+BENCHMARK(overlap_of_far_parts)->Unit(benchmark::kMillisecond);
 
 // 100 x 100 x 100 control points.
 const Lattice& million_points()
