@@ -113,7 +113,8 @@ CellVerdicts judge(const Lattice& lattice, const GuardOptions& options)
     const double size = std::accumulate(sizes.begin(), sizes.end(), 0.0);
     out.sign = volume < 0 ? -1 : 1;
     if (size > 0 && std::isfinite(volume)) out.typical = std::abs(volume) / size;
-    return with(std::move(out), cells, out.sign > 0 ? positive : negative);
+    const std::vector<Judged>& right = out.sign > 0 ? positive : negative;
+    return with(std::move(out), cells, right);
 }
 
 CellVerdicts judged_again(CellVerdicts before, const Lattice& now, std::span<const PointMove> moves,

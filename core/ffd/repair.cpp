@@ -16,7 +16,7 @@ std::vector<PointMove> one_pass(const RepairAttempt& attempt, const RepairSite& 
 {
     switch (attempt.way) {
     case RepairWay::smoothed_directions: return smoothed_directions(site, lattice, verdicts);
-    case RepairWay::lowered_heights: return lowered_heights(site, lattice, verdicts);
+    case RepairWay::lowered_heights: return lowered_heights(site, lattice, verdicts, pass);
     case RepairWay::monotone_columns: return monotone_columns(site, lattice, verdicts, pass);
     case RepairWay::evened: return evened(site, lattice, verdicts, attempt.ground_yields);
     default: return relaxed(site, lattice, verdicts, once_doubtful, pass, attempt.ground_yields);
@@ -26,7 +26,7 @@ std::vector<PointMove> one_pass(const RepairAttempt& attempt, const RepairSite& 
 // Beyond these a way does harm: columns of a twentieth, gaps of two thirds of a layer.
 int most_passes(RepairWay way, const RepairOptions& options)
 {
-    return way == RepairWay::lowered_heights    ? std::min(options.passes, 18)
+    return way == RepairWay::lowered_heights    ? std::min(options.passes, 40)
            : way == RepairWay::monotone_columns ? std::min(options.passes, 6)
                                                 : options.passes;
 }
@@ -56,8 +56,17 @@ std::vector<PointMove> as_few_as_do(const Lattice& folded, const CellVerdicts& b
     return high == steps ? moves : scaled(moves, static_cast<double>(high) / steps);
 }
 
+double rms(const std::vector<PointMove>& moves, std::size_t points)
+{
+    double squares = 0;
+    for (const PointMove& move : moves) squares += glm::dot(move.by, move.by);
+    return std::sqrt(squares / static_cast<double>(points));
+}
+
 // A way is given up after so many passes that leave no fewer cells doubtful.
 constexpr int patience = 25;
+// And where it has moved points so many times further than another one had to.
+constexpr double excess = 4;
 
 struct Attempted {
     RepairAttempt attempt;
@@ -65,7 +74,7 @@ struct Attempted {
 };
 
 Attempted attempted(const RepairAttempt& how, const RepairSite& site, const Lattice& folded,
-                    const CellVerdicts& before)
+                    const CellVerdicts& before, double best)
 {
     const RepairOptions& options = site.options();
     GuardOptions quick = options.guard;
@@ -79,7 +88,9 @@ Attempted attempted(const RepairAttempt& how, const RepairSite& site, const Latt
         const std::vector<int> doubtful = doubtful_cells(verdicts);
         since = doubtful.size() < fewest ? 0 : since + 1;
         fewest = std::min(fewest, doubtful.size());
-        if (doubtful.empty() || since > patience) break;
+        if (doubtful.empty() || since > patience ||
+            rms(difference(site, folded, now), folded.displacement.points.size()) > excess * best)
+            break;
         std::vector<int> both;
         std::set_union(doubtful.begin(), doubtful.end(), once_doubtful.begin(), once_doubtful.end(),
                        std::back_inserter(both));
@@ -96,13 +107,9 @@ Attempted attempted(const RepairAttempt& how, const RepairSite& site, const Latt
         judged_again(before, moved(folded, out.moves), out.moves, options.guard).good();
     if (out.attempt.certified)
         out.moves = as_few_as_do(folded, before, std::move(out.moves), options.guard);
-    double squares = 0;
-    for (const PointMove& move : out.moves) {
-        squares += glm::dot(move.by, move.by);
+    out.attempt.moved_rms = rms(out.moves, folded.displacement.points.size());
+    for (const PointMove& move : out.moves)
         out.attempt.moved_most = std::max(out.attempt.moved_most, glm::length(move.by));
-    }
-    out.attempt.moved_rms =
-        std::sqrt(squares / static_cast<double>(folded.displacement.points.size()));
     return out;
 }
 
@@ -119,10 +126,11 @@ Unfolded unfolded(const Lattice& lattice, const RepairOptions& options)
     const Closure closure =
         lattice.displacement.axes[static_cast<std::size_t>(options.column_axis)].closure();
     if (closure == Closure::open)
-        ways = {RepairWay::smoothed_directions, RepairWay::lowered_heights,
-                RepairWay::monotone_columns, RepairWay::evened, RepairWay::relaxed};
+        ways.insert(ways.end(), {RepairWay::monotone_columns, RepairWay::smoothed_directions,
+                                 RepairWay::lowered_heights});
     const auto attempt = [&](RepairWay way, bool ground_yields) {
-        Attempted next = attempted({way, ground_yields}, site, lattice, before);
+        Attempted next = attempted({way, ground_yields}, site, lattice, before,
+                                   out.certified ? out.taken.moved_rms : 1e300);
         out.tried.push_back(next.attempt);
         if (!next.attempt.certified ||
             (out.certified && !(next.attempt.moved_rms < out.taken.moved_rms)))

@@ -8,7 +8,7 @@ namespace trivar {
 // How control points are moved so that a lattice no longer folds.
 enum class RepairWay {
     smoothed_directions, // columns turned toward the directions of their neighbours
-    lowered_heights,     // columns shortened toward the ground
+    lowered_heights,     // columns kept under a cap
     monotone_columns,    // layers put back in order along the ground's normal
     evened,              // points round a fold drawn to the middle of their neighbours
     relaxed,             // each fold opened by the least move of the points round it

@@ -206,6 +206,9 @@ RepairSite::RepairSite(const Lattice& lattice, const RepairOptions& options)
         const glm::dvec3 uvw(axes[0].greville(i.x), axes[1].greville(i.y), axes[2].greville(i.z));
         for (const Box& box : options.guard.excepted)
             if (box.distance(uvw) == 0) held_[p] = true;
+        glm::ivec3 ground = i;
+        ground[options.column_axis] = options.ground_layer;
+        tallest_ = std::max(tallest_, glm::distance(world(lattice, i), world(lattice, ground)));
     }
 }
 
@@ -289,14 +292,19 @@ std::vector<PointMove> smoothed_directions(const RepairSite& site, const Lattice
 }
 
 std::vector<PointMove> lowered_heights(const RepairSite& site, const Lattice& lattice,
-                                       const CellVerdicts& verdicts)
+                                       const CellVerdicts& verdicts, int pass)
 {
+    const double cap = site.tallest() * std::pow(0.93, pass);
     std::vector<PointMove> moves;
     for (const glm::ivec3& ground : site.columns(lattice.displacement, verdicts)) {
         const glm::dvec3 foot = world(lattice, ground);
         move_column(
             site, lattice, ground,
-            [&](const glm::ivec3&, const glm::dvec3& p) { return foot + 0.85 * (p - foot); },
+            [&](const glm::ivec3&, const glm::dvec3& p) {
+                // Rises with the height and stays under the cap; what is low hardly changes.
+                const double share = glm::distance(p, foot) / cap;
+                return foot + (p - foot) * std::pow(1 + std::pow(share, 6), -1.0 / 6);
+            },
             moves);
     }
     return moves;

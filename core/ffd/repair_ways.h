@@ -14,6 +14,7 @@ public:
     const RepairOptions& options() const { return options_; }
     bool held(std::size_t point, bool ground_yields) const;
     glm::ivec3 index(std::size_t point) const;
+    double tallest() const { return tallest_; } // column of the lattice as given, world
 
     // The stored points of a cell's basis functions, w fastest.
     std::vector<std::size_t> points_of(const Trivariate<glm::dvec3>& f, int cell) const;
@@ -26,6 +27,7 @@ private:
     CellGrid grid_;
     glm::ivec3 count_;
     std::vector<bool> held_;
+    double tallest_ = 0;
 };
 
 std::vector<int> doubtful_cells(const CellVerdicts& verdicts);
@@ -33,8 +35,9 @@ std::vector<int> doubtful_cells(const CellVerdicts& verdicts);
 // One pass of each way: moves that make the cells which are not good better. None: it gives up.
 std::vector<PointMove> smoothed_directions(const RepairSite& site, const Lattice& lattice,
                                            const CellVerdicts& verdicts);
+// Under a cap that falls with every pass.
 std::vector<PointMove> lowered_heights(const RepairSite& site, const Lattice& lattice,
-                                       const CellVerdicts& verdicts);
+                                       const CellVerdicts& verdicts, int pass);
 // The gap between layers doubles with every pass.
 std::vector<PointMove> monotone_columns(const RepairSite& site, const Lattice& lattice,
                                         const CellVerdicts& verdicts, int pass);
