@@ -18,6 +18,7 @@
 #include <cassert>
 #include <imgui.h>
 #include <imgui_internal.h>
+#include <tuple>
 
 namespace trivar {
 namespace {
@@ -73,6 +74,14 @@ std::vector<Action> all_actions(const Editor& editor)
                          e.choose_tool(i);
                          e.active_tool().begin(e.session);
                      }});
+    for (const auto& [name, key, factor] :
+         {std::tuple("Smaller tool", '[', 1 / 1.1), {"Larger tool", ']', 1.1}}) {
+        a.push_back({"Tools", name, {{key}}, [factor](Editor& e) {
+                         e.active_tool().resize(e.session, factor);
+                     }});
+        a.back().repeats = true;
+        a.back().group_begins = factor < 1;
+    }
     add_help_actions(a);
     for (Action& each : a) each.usual_keys = each.keys;
     return a;

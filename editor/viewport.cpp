@@ -3,6 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "editor/picture.h"
+#include "editor/volume_surface.h"
 #include "gpu/context.h"
 #include "ui/camera_control.h"
 
@@ -312,33 +313,7 @@ std::vector<gpu::Line> placement_lines(const Placement& placement, const ui::The
 
 gpu::Translucent placement_veil(const Placement& placement, const ui::Theme& theme)
 {
-    gpu::Translucent veil;
-    veil.colors = {ui::linear_light(theme.color.lattice_fill)};
-    const std::array<int, 3> steps{96, 12, 8};
-    for (int across = 0; across < 3; ++across) {
-        const int s = (across + 1) % 3, t = (across + 2) % 3;
-        for (const int end : {0, 1}) {
-            const auto first = static_cast<std::uint32_t>(veil.points.size());
-            const auto row = static_cast<std::uint32_t>(steps[t] + 1);
-            for (int i = 0; i <= steps[s]; ++i)
-                for (int j = 0; j <= steps[t]; ++j) {
-                    glm::dvec3 uvw(0);
-                    uvw[across] = end;
-                    uvw[s] = static_cast<double>(i) / steps[s];
-                    uvw[t] = static_cast<double>(j) / steps[t];
-                    veil.points.emplace_back(evaluate(placement.volume, uvw).value);
-                    if (i == 0 || j == 0) continue;
-                    const std::uint32_t d =
-                        first + static_cast<std::uint32_t>(i) * row + static_cast<std::uint32_t>(j);
-                    const std::uint32_t a = d - row - 1, b = d - 1, c = d - row; // b: i, c: j
-                    if (end == 1)
-                        veil.triangles.insert(veil.triangles.end(), {a, b, d, a, d, c});
-                    else
-                        veil.triangles.insert(veil.triangles.end(), {a, d, b, a, c, d});
-                }
-        }
-    }
-    return veil;
+    return veil_of(volume_surface(placement.volume), theme.color.lattice_fill);
 }
 
 } // namespace trivar

@@ -16,9 +16,13 @@ namespace {
 
 LaidVolume with_knots(LaidVolume v, const KnotInsertion& insertion)
 {
-    const int axis = static_cast<int>(insertion.axis);
+    const std::array<const std::vector<double>*, 3> at{&insertion.along, &insertion.across,
+                                                       &insertion.up};
     for (Lattice* each : {&v.volume, &v.as_laid})
-        each->displacement = insert_knots(each->displacement, axis, insertion.at);
+        for (int axis = 0; axis < 3; ++axis)
+            if (const std::vector<double>& knots = *at[static_cast<std::size_t>(axis)];
+                !knots.empty())
+                each->displacement = insert_knots(each->displacement, axis, knots);
     return v;
 }
 

@@ -44,8 +44,7 @@ enum class VolumeAxis { along, across, up };
 
 // More control points where they are wanted; the volume keeps its shape.
 struct KnotInsertion {
-    VolumeAxis axis = VolumeAxis::along;
-    std::vector<double> at = {}; // parameters, inside 0..1
+    std::vector<double> along = {}, across = {}, up = {}; // parameters, inside 0..1
     bool operator==(const KnotInsertion&) const = default;
 };
 

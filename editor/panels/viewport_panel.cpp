@@ -30,6 +30,8 @@ Helpers helpers_of(Editor& editor, const ui::Theme& theme)
     for (gpu::Line& line : placement_lines(*found->second->placement, theme))
         helpers.lines.push_back(std::move(line));
     helpers.veils.push_back(placement_veil(*found->second->placement, theme));
+    for (const gpu::Translucent& veil : editor.fold_colors.of(found->second->placement, theme))
+        helpers.veils.push_back(veil);
     return helpers;
 }
 

@@ -22,7 +22,7 @@ public:
         return "Draw a stroke across the scene; the model lies along it.";
     }
     std::string page() const override { return "place"; }
-    std::vector<ui::Chord> keys() const override { return {{'D'}, {'P'}, {'2'}}; }
+    std::vector<ui::Chord> keys() const override { return {{'D'}, {'2'}}; }
     bool crosshair() const override { return !handles_.hovers() && !handles_.busy(); }
     void use(Session& session, const ViewportInput& input) override;
     bool busy() const override { return drawing_ || handles_.busy(); }

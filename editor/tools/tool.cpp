@@ -2,6 +2,7 @@
 #include "editor/tools/tool.h"
 
 #include "editor/tools/place.h"
+#include "editor/tools/press.h"
 #include "editor/tools/select.h"
 #include "editor/tools/transform.h"
 
@@ -16,6 +17,7 @@ std::vector<std::unique_ptr<Tool>> all_tools()
     for (const MotionKind kind : {MotionKind::move, MotionKind::rotate, MotionKind::scale})
         tools.push_back(std::make_unique<TransformTool>(kind, choices));
     tools.push_back(std::make_unique<PlaceTool>(handles));
+    tools.push_back(std::make_unique<PressTool>());
     return tools;
 }
 

@@ -61,6 +61,12 @@ public:
     virtual bool shows_volume() const { return !busy(); }       // of the selected placement
     virtual bool takes_wheel() const { return false; }          // it does not zoom then
     virtual void take_keys(Session& session) { (void)session; } // while busy
+    // Its brush or ball becomes so much larger; false where it has none.
+    virtual bool resize(Session& session, double factor)
+    {
+        (void)session, (void)factor;
+        return false;
+    }
     // Whether the key was meant for a gesture that could not begin: then nobody else has it.
     virtual bool awaits(const ui::Chord&) const { return false; }
     virtual void cancel(Session& session) { (void)session; } // the gesture

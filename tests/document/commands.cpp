@@ -129,7 +129,7 @@ std::vector<Command> fitting_commands()
             PlayClip{.objects = {5}, .playing = {.clip = "walk", .speed = 0.5}},
             PressVolume{.object = 3, .press = {.samples = {{0.5, 0.5, 1, 0.02}}, .mirror = true}},
             MovePoints{.object = 3, .shift = {.points = {{1, 2, 3}}, .by = {0, 0.01, -0.02}}},
-            InsertKnots{.object = 3, .insertion = {.axis = VolumeAxis::up, .at = {0.25, 0.75}}},
+            InsertKnots{.object = 3, .insertion = {.up = {0.25, 0.75}}},
             CoarsenVolume{.object = 3, .coarsening = {.count = 8}},
             MendVolume{.object = 3},
             Unshape{.object = 3, .steps = {}},

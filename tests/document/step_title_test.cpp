@@ -55,7 +55,7 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Let snail play walk",
         "Press Pot Gaussian 0.1 m",
         "Move a control point of Pot 0.0224 m",
-        "Refine the volume of Pot up",
+        "Refine the volume of Pot 2 knots",
         "Coarsen the volume of Pot 8 along",
         "Mend the volume of Pot",
         "Take back the shaping of Pot",

@@ -32,7 +32,7 @@ TEST(EditorWindow, AStrokeIsOneStepThatCanBeUndoneAndRedone)
 {
     Rig rig;
     rig.two_objects();
-    rig.key({'P'});
+    rig.key({'D'});
     EXPECT_EQ(rig.editor.active_tool().name(), "Place");
     rig.draw(rig.stroke());
     rig.wait();
@@ -130,7 +130,7 @@ TEST(EditorWindow, WhereNothingIsToLieOnThePlaceToolSaysSoBeforeAStroke)
 {
     Rig rig;
     rig.two_objects();
-    rig.key({'P'});
+    rig.key({'D'});
     const auto said = [&] { return rig.editor.active_tool().hints(rig.editor.session).front(); };
     rig.move(rig.seen_at({0, 0, 0}));
     EXPECT_EQ(said().verb, "Drag to lay Box");

@@ -17,7 +17,7 @@ struct PlacedRig : Rig {
     explicit PlacedRig(glm::ivec2 size = {720, 520}) : Rig(size)
     {
         two_objects();
-        key({'P'});
+        key({'D'});
         draw(stroke());
         wait();
         key({'Q'});
@@ -191,7 +191,7 @@ TEST(PlacementHandles, EscapeAndWhatIsLockedLeaveNoTrace)
 TEST(PlaceTool, AStrokeFromTheOldOneRedrawsThatPartOfIt)
 {
     PlacedRig rig;
-    rig.key({'P'});
+    rig.key({'D'});
     const Sketch before = rig.step().sketch;
     const auto on_line = [&](double u) {
         const std::vector<glm::dvec3>& line = rig.laid().strip.front();
@@ -215,7 +215,7 @@ TEST(PlaceTool, TheWheelSetsTheWidthWhileAStrokeIsDrawn)
 {
     Rig rig;
     rig.two_objects();
-    rig.key({'P'});
+    rig.key({'D'});
     const Camera before = rig.editor.session.camera;
     rig.draw(rig.stroke(), false);
     rig.wait();

@@ -13,7 +13,7 @@ TEST(Stretch, IsToldBesideTheMedianOfWhatWasPlacedAndKeptAsLongAsTheMesh)
 {
     Rig rig;
     rig.two_objects();
-    rig.key({'P'});
+    rig.key({'D'});
     rig.draw(rig.stroke());
     rig.wait();
     const EvaluatedObject& placed = *rig.editor.session.evaluated().objects.at(2);

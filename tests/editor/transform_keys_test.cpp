@@ -160,7 +160,7 @@ TEST(TransformByKey, WhatLiesOnAStrokeSaysWhyItStaysWhereItIs)
 {
     Rig rig;
     rig.two_objects();
-    rig.key({'P'});
+    rig.key({'D'});
     rig.draw(rig.stroke());
     rig.wait();
     ASSERT_TRUE(object(rig.editor.session.document(), 2).placement);

@@ -83,7 +83,7 @@ TEST(Isolate, LeavesWhatIsNotShownOutOfStrokes)
         if (each.name == "Place") {
             EXPECT_THAT(std::get<Place>(*each.fill).onto, ElementsAre(1));
         }
-    rig.key({'P'});
+    rig.key({'D'});
     rig.draw(rig.stroke());
     rig.wait();
     ASSERT_TRUE(object(rig.editor.session.document(), 2).placement);

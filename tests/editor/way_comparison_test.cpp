@@ -17,7 +17,7 @@ TEST(WayComparison, MeasuresAllWaysOfWhatWasPlaced)
                                                gpu::DeformBy::one_phase);
     };
     EXPECT_TRUE(rows().empty());
-    rig.key({'P'});
+    rig.key({'D'});
     rig.draw(rig.stroke());
     rig.wait();
     ASSERT_EQ(rows().size(), deform_words.size());

@@ -187,7 +187,7 @@ TEST(Shaper, GivesTheSameBitsStepByStepAndAtOnce)
 TEST(Shaper, InsertsControlPointsWithoutAChange)
 {
     const auto finer = make_ref(
-        VolumeEdit{.insertion = KnotInsertion{.axis = VolumeAxis::along, .at = {0.31, 0.5, 0.5}}});
+        VolumeEdit{.insertion = KnotInsertion{.along = {0.31, 0.5, 0.5}}});
     Shaper shaper;
     const auto after = shaper(placed_box(), {finer});
     EXPECT_EQ(after->placement->volume.displacement.axes[0].count(), 15);

@@ -37,11 +37,15 @@ void check(const VolumeEdit& edit)
     if (edit.shift && edit.shift->points.empty())
         throw Rejected("field \"points\" is empty; name the control points that move");
     if (edit.insertion) {
-        if (edit.insertion->at.empty())
-            throw Rejected("field \"at\" is empty; say where control points are wanted");
-        for (const double t : edit.insertion->at)
-            if (!(t > 0 && t < 1))
-                throw Rejected("field \"at\" must lie between 0 and 1, ends excluded");
+        const KnotInsertion& k = *edit.insertion;
+        if (k.along.empty() && k.across.empty() && k.up.empty())
+            throw Rejected("fields \"along\", \"across\" and \"up\" are empty; say where "
+                           "control points are wanted");
+        for (const std::vector<double>& at : {k.along, k.across, k.up})
+            for (const double t : at)
+                if (!(t > 0 && t < 1))
+                    throw Rejected("fields \"along\", \"across\" and \"up\" must lie between "
+                                   "0 and 1, ends excluded");
     }
 }
 

@@ -42,8 +42,10 @@ template <> struct FieldsOf<PointShift> {
 template <> struct FieldsOf<KnotInsertion> {
     static void fields(auto& k, auto&& field)
     {
-        field("axis", k.axis, "along the stroke, across it or up from the scene");
-        field("at", k.at, "where, between 0 and 1; one control point more for each", required);
+        field("along", k.along,
+              "where along the stroke, between 0 and 1; one control point more for each");
+        field("across", k.across, "the same across the stroke");
+        field("up", k.up, "the same up from the scene");
     }
 };
 template <> struct FieldsOf<Coarsening> {

@@ -306,7 +306,10 @@ struct Titles {
     }
     StepTitle operator()(const InsertKnots& c) const
     {
-        return {"Refine the volume of " + name_in(before, c.object), axis_name(c.insertion.axis)};
+        const std::size_t more =
+            c.insertion.along.size() + c.insertion.across.size() + c.insertion.up.size();
+        return {"Refine the volume of " + name_in(before, c.object),
+                fmt::format("{} {}", more, more == 1 ? "knot" : "knots")};
     }
     StepTitle operator()(const CoarsenVolume& c) const
     {

@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/tools/press.h"
+
+#include "core/base/rounded.h"
+#include "editor/tools/placement_handles.h"
+#include "editor/tools/select.h"
+#include "ui/icons.h"
+#include "ui/option_bar.h"
+#include "ui/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <imgui.h>
+
+namespace trivar {
+namespace {
+
+constexpr double brush_step = 0.2; // of the radius, between samples; of the strength, each presses
+constexpr double stopped = 0.98;   // of what was asked: less is told
+constexpr const char* of_the_press = "press";
+
+// The ball lies on the side of the volume that lies on the scene: it lifts.
+bool at_scene(const Lattice& volume, double ground, const glm::dvec3& uvw)
+{
+    return ground == 0 && uvw.z < volume.displacement.axes[2].greville(1) / 2;
+}
+
+// What one pixel of the mouse presses, as a vector: along the picture of the way into the volume,
+// or, where that is hardly seen, downwards.
+glm::dvec2 metres_by_pixel(const Camera& camera, const glm::dvec3& center, const glm::dvec3& into)
+{
+    const Projected at = project(camera, center);
+    const double pixel = pixel_size_world(camera, std::max(1e-9, at.depth_world));
+    const double step = 20 * pixel;
+    const glm::dvec2 way = (project(camera, center + step * into).p_px - at.p_px) / step;
+    constexpr double hardly_seen = 0.35;
+    const double length = glm::length(way); // pixels a metre
+    if (length * pixel < hardly_seen) return {0, pixel};
+    return way / (length * length);
+}
+
+const Shaping* last_step(const Session& session, Id id)
+{
+    const auto found = session.evaluated().objects.find(id);
+    if (found == session.evaluated().objects.end() || !found->second->shaped) return nullptr;
+    const std::vector<Shaping>& steps = found->second->shaped->steps;
+    return steps.empty() ? nullptr : &steps.back();
+}
+
+// Where the ball is, and where it is mirrored.
+std::vector<glm::dvec3> places(const Press& press, const glm::dvec3& uvw)
+{
+    if (!press.mirror) return {uvw};
+    return {uvw, {uvw.x, 1 - uvw.y, uvw.z}};
+}
+
+// While it is only held over the volume: the picture is not drawn anew for it.
+void paint_ball(const ui::Theme& theme, const ViewportInput& input, const Camera& camera,
+                const glm::dvec3& center, double radius)
+{
+    const Projected at = project(camera, center);
+    if (at.depth_world <= 0) return;
+    const auto radius_px = static_cast<float>(radius / pixel_size_world(camera, at.depth_world));
+    ui::paint_dot(input.rect.lo + glm::vec2(at.p_px), radius_px,
+                  ui::faded(theme.color.sphere, 0.22f), ui::faded(theme.color.sphere, 0.9f),
+                  theme.line(1.6f));
+}
+
+std::string metres(double value)
+{
+    return ui::short_number(std::abs(value)) + " m";
+}
+
+} // namespace
+
+const char* PressTool::icon() const
+{
+    return ui::icon::press;
+}
+
+double PressTool::radius(const Placement& placement) const
+{
+    constexpr double share = 0.55; // of the width
+    return radius_ > 0 ? radius_ : rounded(share * placement.report.width_world, 2);
+}
+
+double PressTool::strength(const Placement& placement) const
+{
+    constexpr double share = 0.3; // of the height
+    return strength_ > 0 ? strength_ : rounded(share * placement.report.height_world, 2);
+}
+
+Command PressTool::command() const
+{
+    return PressVolume{gesture_->object, gesture_->press};
+}
+
+void PressTool::begin(Session& session, const ViewportInput& input)
+{
+    const Placement& laid = *placement_;
+    Gesture g{session.selected, by_, {}, laid.volume, input.mouse};
+    g.press = {.decay = decay_,
+               .radius = radius(laid),
+               .samples = {glm::dvec4(at_->uvw, 0)},
+               .mirror = mirror_,
+               .guard = guard_,
+               .into_scene = into_scene_};
+    const glm::dvec3 up = volume_frame(laid.volume, at_->uvw).up;
+    const bool lifts = at_scene(laid.volume, laid.ground, at_->uvw);
+    g.into_px = metres_by_pixel(session.camera, at_->p_world, lifts ? up : -up);
+    g.pull = ImGui::GetIO().KeyCtrl;
+    if (g.by == By::brush)
+        g.press.samples.back().w = (g.pull ? -1 : 1) * brush_step * strength(laid);
+    gesture_ = std::move(g);
+    typed_ = {};
+    session.notices.forget(of_the_press);
+}
+
+void PressTool::use(Session& session, const ViewportInput& input)
+{
+    tell(session);
+    const EvaluatedObject* laid = selected_placement(session);
+    if (gesture_) {
+        if (!laid) return cancel(session);
+        return go_on(session, input);
+    }
+    at_.reset();
+    if (laid && laid->placement != placement_) {
+        placement_ = laid->placement;
+        surface_ = volume_surface(placement_->volume);
+    }
+    if (!laid) placement_ = nullptr;
+    if (placement_ && (input.hovered || input.pressed))
+        at_ = on_volume(surface_, ray_through(session.camera, input.mouse));
+    if (!input.pressed || session.committing()) return;
+    if (at_)
+        begin(session, input);
+    else
+        select_by_click(session, input.under);
+}
+
+void PressTool::go_on(Session& session, const ViewportInput& input)
+{
+    Gesture& g = *gesture_;
+    const Press before = g.press;
+    if (input.wheel != 0)
+        g.press.radius = radius_ = rounded(g.press.radius * std::pow(1.1, input.wheel), 3);
+    const glm::dvec2 drag = input.mouse - g.from_px;
+    g.moved = g.moved || glm::length(drag) >= click_slip_px;
+    if (g.by == By::drag) {
+        if (g.moved) g.press.samples.back().w = glm::dot(drag, g.into_px);
+        if (const auto typed = typed_.value(0, Measure::length)) g.press.samples.back().w = *typed;
+    } else if (const auto at = on_volume(surface_, ray_through(session.camera, input.mouse))) {
+        const glm::dvec3 last = evaluate(g.volume, glm::dvec3(g.press.samples.back())).value;
+        constexpr std::size_t most_samples = 4000;
+        if (glm::distance(last, at->p_world) >= brush_step * g.press.radius &&
+            g.press.samples.size() < most_samples)
+            g.press.samples.emplace_back(glm::dvec4(at->uvw, g.press.samples.back().w));
+    }
+    const bool begins = !session.proposing() && g.by == By::brush;
+    if (input.released || !input.down)
+        finish(session);
+    else if ((!(g.press == before) || retyped_ || begins) && session.up_to_date())
+        // One proposal at a time: the next piece waits until the last one can be seen.
+        retyped_ = !session.propose_quietly(command());
+    else
+        retyped_ = retyped_ || !(g.press == before);
+}
+
+void PressTool::finish(Session& session)
+{
+    const bool nothing = gesture_->by == By::drag && gesture_->press.samples.back().w == 0;
+    if (!nothing && session.propose(command())) {
+        told_of_ = gesture_->object;
+        session.commit();
+    } else
+        session.cancel();
+    gesture_.reset();
+}
+
+void PressTool::tell(Session& session)
+{
+    if (told_of_ == 0 || gesture_ || !session.up_to_date()) return;
+    const Shaping* last = last_step(session, told_of_);
+    told_of_ = 0;
+    if (!last) return;
+    if (!last->notice.empty())
+        session.notices.say(ui::NoticeKind::warning, "Nothing was pressed", last->notice,
+                            of_the_press);
+    else if (last->done == 0)
+        session.notices.say(ui::NoticeKind::warning, "Nothing was pressed",
+                            "The ball holds no control point that could move. Use a larger radius, "
+                            "or give the volume more control points.",
+                            of_the_press);
+    else if (std::abs(last->done) < stopped * std::abs(last->asked))
+        session.notices.say(ui::NoticeKind::warning, "The volume would fold here",
+                            "The press stopped at " + metres(last->done) +
+                                ". Use a larger radius, or turn the fold guard off.",
+                            of_the_press);
+}
+
+void PressTool::cancel(Session& session)
+{
+    if (!gesture_) return;
+    gesture_.reset();
+    session.cancel();
+}
+
+bool PressTool::resize(Session& session, double factor)
+{
+    if (!placement_) return false;
+    (void)session;
+    radius_ = rounded(radius(*placement_) * factor, 3);
+    return true;
+}
+
+void PressTool::take_keys(Session& session)
+{
+    (void)session;
+    if (gesture_ && gesture_->by == By::drag && typed_.take_letters()) retyped_ = true;
+}
+
+std::vector<gpu::Translucent> PressTool::veils(const Session& session, const ui::Theme& theme) const
+{
+    const EvaluatedObject* laid = selected_placement(session);
+    if (!laid || !gesture_) return {};
+    std::vector<gpu::Translucent> out;
+    const Press& press = gesture_->press;
+    for (const glm::dvec3& uvw : places(press, glm::dvec3(press.samples.back())))
+        out.push_back(ball_veil(evaluate(laid->placement->volume, uvw).value, press.radius,
+                                ui::faded(theme.color.sphere, 0.36f)));
+    return out;
+}
+
+void PressTool::overlay(const Session& session, const ui::Theme& theme,
+                        const ViewportInput& input) const
+{
+    const EvaluatedObject* laid = selected_placement(session);
+    if (!laid || (!at_ && !gesture_)) return;
+    const Lattice& start = gesture_ ? gesture_->volume : laid->placement->volume;
+    const Lattice& now = laid->placement->volume;
+    const Press press =
+        gesture_ ? gesture_->press
+                 : Press{.decay = decay_, .radius = radius(*laid->placement), .mirror = mirror_};
+    const glm::dvec3 uvw = gesture_ ? glm::dvec3(press.samples.back()) : at_->uvw;
+    std::vector<glm::dvec3> centers;
+    for (const glm::dvec3& place : places(press, uvw)) {
+        centers.push_back(evaluate(start, place).value);
+        if (!gesture_) paint_ball(theme, input, session.camera, centers.back(), press.radius);
+    }
+    const std::array<Knots, 3>& axes = now.displacement.axes;
+    int inside = 0;
+    // The control points that the ball holds, as large as it moves them.
+    for (int i = 0; i < axes[0].count(); ++i)
+        for (int j = 0; j < axes[1].count(); ++j)
+            for (int k = 0; k < axes[2].count(); ++k) {
+                double weight = 0;
+                for (const glm::dvec3& center : centers)
+                    weight = std::max(
+                        weight,
+                        decay(press.decay,
+                              glm::distance(control_point(start, i, j, k), center) / press.radius));
+                if (!(weight > 0)) continue;
+                ++inside;
+                const Projected p = project(session.camera, control_point(now, i, j, k));
+                if (p.depth_world <= 0) continue;
+                const auto size = static_cast<float>(1.5 + 3 * weight);
+                ui::paint_dot(input.rect.lo + glm::vec2(p.p_px), size * theme.scale,
+                              theme.color.lattice, theme.color.halo, theme.scale);
+            }
+    const glm::vec2 mouse = input.rect.lo + glm::vec2(input.mouse);
+    const glm::vec2 at = mouse + glm::vec2(theme.px(18), -theme.px(30));
+    if (!gesture_) {
+        if (inside == 0) ui::paint_chip(theme, at, {"holds no control point", theme.color.warn});
+        return;
+    }
+    const Shaping* step = session.proposing() ? last_step(session, gesture_->object) : nullptr;
+    if (!step) return;
+    const bool short_of = std::abs(step->done) < stopped * std::abs(step->asked);
+    ui::paint_chip(theme, at,
+                   {(step->asked < 0 ? "pulled " : "pressed ") + metres(step->done) +
+                        (short_of ? ", would fold" : ""),
+                    short_of ? theme.color.bad : ui::Color{0}});
+}
+
+void PressTool::options(Session& session, const ui::Theme& theme, float width)
+{
+    const EvaluatedObject* laid = selected_placement(session);
+    const ui::NumberStyle length{.lo = 0, .hi = 1e6, .unit = "m", .zero = "auto"};
+    std::vector<ui::Option> options;
+    options.push_back(
+        {"Falls off", 296,
+         [&](float field) {
+             int kind = static_cast<int>(decay_);
+             ui::segments(theme, "decay", kind, {"Gaussian", "Hat", "Box", "Smooth"}, field);
+             decay_ = static_cast<Decay>(kind);
+         },
+         "How the press falls off from the ball's middle to its rim."});
+    double shown_radius = laid ? radius(*laid->placement) : radius_;
+    options.push_back({"Radius", 88,
+                       [&](float field) {
+                           if (ui::number_field(theme, "radius", shown_radius, length, field) !=
+                               ui::Edit::none)
+                               radius_ = shown_radius;
+                       },
+                       "Of the ball. The wheel changes it while the ball is pressed."});
+    options.push_back({"By", 144,
+                       [&](float field) {
+                           int by = static_cast<int>(by_);
+                           ui::segments(theme, "by", by, {"Drag", "Brush"}, field);
+                           by_ = static_cast<By>(by);
+                       },
+                       "Drag: the ball presses as deep as it is dragged, the other way it pulls. "
+                       "Brush: it presses wherever it is drawn; with Ctrl it pulls."});
+    double shown_strength = laid ? strength(*laid->placement) : strength_;
+    if (by_ == By::brush)
+        options.push_back({"Strength", 88,
+                           [&](float field) {
+                               if (ui::number_field(theme, "strength", shown_strength, length,
+                                                    field) != ui::Edit::none)
+                                   strength_ = shown_strength;
+                           },
+                           "How deep the ball presses as it is drawn over its own radius."});
+    const auto check = [&](const char* words, const char* id, bool& value, float wide,
+                           const char* help) {
+        options.push_back({words, wide,
+                           [&theme, id, &value](float) { ui::check_box(theme, id, value, ""); },
+                           help});
+    };
+    check("Mirror", "mirror", mirror_, 20, "The same on the other side of the middle.");
+    check("Guard", "guard", guard_, 20, "No deeper than is proven not to fold the volume.");
+    check("Into the scene", "into scene", into_scene_, 20,
+          "What lies on the scene may be drawn into it.");
+    (void)session;
+    ui::option_bar(theme, options, width);
+}
+
+std::vector<Hint> PressTool::hints(const Session& session) const
+{
+    if (gesture_) {
+        std::vector<Hint> hints;
+        if (typed_.open())
+            hints.push_back(
+                {{}, "Depth " + typed_.words(0, " m", metres(gesture_->press.samples.back().w))});
+        hints.push_back({{"left"}, "Let go when done"});
+        hints.push_back({{"wheel"}, "Radius"});
+        if (gesture_->by == By::drag && !typed_.open())
+            hints.push_back({{"0", "-", "9"}, "Type the depth"});
+        hints.push_back({{"Esc", "/", "right"}, "Cancel"});
+        return hints;
+    }
+    if (!selected_placement(session))
+        return {{{}, "Select a placed object"}, {{"left"}, "Select"}, {{"Esc"}, "Select"}};
+    std::vector<Hint> hints;
+    if (by_ == By::drag)
+        hints.push_back({{"left"}, "Drag in to press, out to pull"});
+    else {
+        hints.push_back({{"left"}, "Drag to press"});
+        hints.push_back({{"Ctrl", "left"}, "Pull"});
+    }
+    hints.push_back({{"@Smaller tool", "@Larger tool"}, "Radius"});
+    hints.push_back({{"middle"}, "Orbit"});
+    hints.push_back({{"Esc"}, "Select"});
+    return hints;
+}
+
+} // namespace trivar

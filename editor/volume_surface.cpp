@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/volume_surface.h"
+
+#include "core/mesh/primitives.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trivar {
+namespace {
+
+void add_box(VolumeSurface& out, const Lattice& volume, const glm::dvec3& lo, const glm::dvec3& hi,
+             const std::array<int, 3>& steps)
+{
+    for (std::size_t across = 0; across < 3; ++across) {
+        const std::size_t s = (across + 1) % 3, t = (across + 2) % 3;
+        for (const bool end : {false, true}) {
+            const auto first = static_cast<std::uint32_t>(out.points.size());
+            const auto row = static_cast<std::uint32_t>(steps[t] + 1);
+            for (int i = 0; i <= steps[s]; ++i)
+                for (int j = 0; j <= steps[t]; ++j) {
+                    glm::dvec3 at(0);
+                    at[static_cast<int>(across)] = end ? 1 : 0;
+                    at[static_cast<int>(s)] = static_cast<double>(i) / steps[s];
+                    at[static_cast<int>(t)] = static_cast<double>(j) / steps[t];
+                    out.uvw.push_back(lo + at * (hi - lo));
+                    out.points.push_back(evaluate(volume, out.uvw.back()).value);
+                    if (i == 0 || j == 0) continue;
+                    const std::uint32_t d =
+                        first + static_cast<std::uint32_t>(i) * row + static_cast<std::uint32_t>(j);
+                    const std::uint32_t a = d - row - 1, b = d - 1, c = d - row; // b: i, c: j
+                    if (end)
+                        out.triangles.insert(out.triangles.end(), {a, b, d, a, d, c});
+                    else
+                        out.triangles.insert(out.triangles.end(), {a, d, b, a, c, d});
+                }
+        }
+    }
+}
+
+} // namespace
+
+VolumeSurface volume_surface(const Lattice& volume)
+{
+    VolumeSurface out;
+    add_box(out, volume, glm::dvec3(0), glm::dvec3(1), {96, 12, 8});
+    return out;
+}
+
+VolumeSurface cells_surface(const Lattice& volume, const CellVerdicts& verdicts, Verdict of)
+{
+    VolumeSurface out;
+    const glm::ivec3 n = verdicts.size();
+    std::size_t cell = 0;
+    for (int i = 0; i < n.x; ++i)
+        for (int j = 0; j < n.y; ++j)
+            for (int k = 0; k < n.z; ++k, ++cell) {
+                if (verdicts.of[cell] != of) continue;
+                const auto corner = [&](int di) {
+                    return glm::dvec3(verdicts.breaks[0][static_cast<std::size_t>(i + di)],
+                                      verdicts.breaks[1][static_cast<std::size_t>(j + di)],
+                                      verdicts.breaks[2][static_cast<std::size_t>(k + di)]);
+                };
+                add_box(out, volume, corner(0), corner(1), {3, 3, 3});
+            }
+    return out;
+}
+
+std::optional<OnVolume> on_volume(const VolumeSurface& surface, const Ray& ray)
+{
+    std::optional<OnVolume> nearest;
+    double distance = std::numeric_limits<double>::infinity();
+    for (std::size_t t = 0; t + 2 < surface.triangles.size(); t += 3) {
+        const std::uint32_t a = surface.triangles[t], b = surface.triangles[t + 1],
+                            c = surface.triangles[t + 2];
+        // Moeller and Trumbore 1997.
+        const glm::dvec3 e1 = surface.points[b] - surface.points[a],
+                         e2 = surface.points[c] - surface.points[a];
+        const glm::dvec3 p = glm::cross(ray.direction, e2);
+        const double det = glm::dot(e1, p);
+        if (det == 0) continue;
+        const glm::dvec3 s = (ray.origin - surface.points[a]) / det;
+        const double x = glm::dot(s, p);
+        const glm::dvec3 q = glm::cross(s, e1);
+        const double y = glm::dot(ray.direction, q), far = glm::dot(e2, q);
+        if (!(x >= 0 && y >= 0 && x + y <= 1 && far > 0 && far < distance)) continue;
+        distance = far;
+        const glm::dvec3 uvw = surface.uvw[a] + x * (surface.uvw[b] - surface.uvw[a]) +
+                               y * (surface.uvw[c] - surface.uvw[a]);
+        nearest = {ray.origin + far * ray.direction, glm::clamp(uvw, 0.0, 1.0)};
+    }
+    return nearest;
+}
+
+gpu::Translucent veil_of(const VolumeSurface& surface, ui::Color color)
+{
+    gpu::Translucent veil;
+    veil.colors = {ui::linear_light(color)};
+    veil.points.assign(surface.points.begin(), surface.points.end());
+    veil.triangles = surface.triangles;
+    return veil;
+}
+
+gpu::Translucent ball_veil(const glm::dvec3& center, double radius, ui::Color color)
+{
+    static const Mesh ball = sphere_mesh(1, 48, 24);
+    gpu::Translucent veil;
+    veil.colors = {ui::linear_light(color)};
+    veil.normals = ball.normals;
+    for (const glm::vec3& p : ball.positions)
+        veil.points.emplace_back(center + radius * glm::dvec3(p));
+    for (std::size_t f = 0; f + 1 < ball.face_begin.size(); ++f)
+        for (std::uint32_t c = ball.face_begin[f] + 2; c < ball.face_begin[f + 1]; ++c)
+            veil.triangles.insert(veil.triangles.end(), {ball.corners[ball.face_begin[f]],
+                                                         ball.corners[c - 1], ball.corners[c]});
+    return veil;
+}
+
+} // namespace trivar

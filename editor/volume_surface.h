@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/camera.h"
+#include "core/ffd/guard.h"
+#include "core/ffd/lattice.h"
+#include "gpu/picture.h"
+#include "ui/palette.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace trivar {
+
+// The faces of a volume as triangles, finer along the stroke.
+struct VolumeSurface {
+    std::vector<glm::dvec3> points, uvw;  // world; on [0, 1]^3
+    std::vector<std::uint32_t> triangles; // three points each, anticlockwise from outside
+};
+VolumeSurface volume_surface(const Lattice& volume);
+
+// The faces of the cells that are of one verdict, a few triangles each.
+VolumeSurface cells_surface(const Lattice& volume, const CellVerdicts& verdicts, Verdict of);
+
+// Where a ray first meets the faces, of either side. O(triangles).
+struct OnVolume {
+    glm::dvec3 p_world, uvw;
+};
+std::optional<OnVolume> on_volume(const VolumeSurface& surface, const Ray& ray);
+
+gpu::Translucent veil_of(const VolumeSurface& surface, ui::Color color);
+
+// A ball with a rim, for tools.
+gpu::Translucent ball_veil(const glm::dvec3& center, double radius, ui::Color color);
+
+} // namespace trivar
