@@ -2,7 +2,8 @@
 #include "core/placement/shaper.h"
 
 #include "core/base/rejected.h"
-#include "core/ffd/guard.h"
+#include "core/ffd/repair.h"
+#include "core/ffd/resolution.h"
 #include "core/placement/finish.h"
 #include "core/spline/iso.h"
 
@@ -16,14 +17,48 @@ namespace {
 
 LaidVolume with_knots(LaidVolume v, const KnotInsertion& insertion)
 {
-    const std::array<const std::vector<double>*, 3> at{&insertion.along, &insertion.across,
-                                                       &insertion.up};
     for (Lattice* each : {&v.volume, &v.as_laid})
-        for (int axis = 0; axis < 3; ++axis)
-            if (const std::vector<double>& knots = *at[static_cast<std::size_t>(axis)];
-                !knots.empty())
-                each->displacement = insert_knots(each->displacement, axis, knots);
+        *each = refined(*each, {insertion.along, insertion.across, insertion.up});
     return v;
+}
+
+Coarsened with_fewer(LaidVolume& v, const Coarsening& coarsening)
+{
+    const int axis = static_cast<int>(coarsening.axis);
+    Coarsened fewer = coarsened(v.volume, axis, coarsening.count);
+    v.as_laid = coarsened(v.as_laid, axis, coarsening.count).lattice;
+    v.volume = fewer.lattice;
+    return fewer;
+}
+
+const char* words_of(RepairWay way)
+{
+    switch (way) {
+    case RepairWay::smoothed_directions: return "columns were turned toward their neighbours";
+    case RepairWay::lowered_heights: return "it was lowered";
+    case RepairWay::monotone_columns: return "layers were put back in order";
+    case RepairWay::evened: return "points round a fold were evened";
+    case RepairWay::relaxed: return "folds were opened";
+    }
+    return "";
+}
+
+// What is done where it folds; throws Rejected where nothing helps.
+Shaping mended(LaidVolume& v)
+{
+    RepairOptions options;
+    const Knots& up = v.volume.displacement.axes[2];
+    while (options.ground_layer + 1 < up.count() && up.greville(options.ground_layer) < v.ground)
+        ++options.ground_layer;
+    const Unfolded out = unfolded(v.volume, options);
+    if (!out.certified)
+        throw Rejected("the volume folds, and no change was found after which it does not; take "
+                       "the last steps back, or place it anew");
+    v.volume = out.lattice;
+    Shaping what;
+    what.asked = what.done = out.taken.moved_most;
+    what.words = out.moves.empty() ? "nothing folded" : words_of(out.taken.way);
+    return what;
 }
 
 // Where the points of a shift go; those mirrored the other way across.
@@ -158,9 +193,12 @@ Shaper::Done Shaper::done(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>& be
             what.done = share * what.asked;
         }
         if (edit->insertion) after = with_knots(std::move(after), *edit->insertion);
+        if (edit->coarsening)
+            what.asked = what.done = with_fewer(after, *edit->coarsening).deviation;
+        if (edit->mending) what = mended(after);
         return {edit, make_ref(std::move(after)), what};
     } catch (const Rejected& error) {
-        return {edit, before, {0, 0, error.what()}};
+        return {edit, before, {.notice = error.what()}};
     }
 }
 

@@ -9,8 +9,11 @@ namespace trivar {
 
 // What came of one step of shaping.
 struct Shaping {
-    double asked = 0, done = 0; // metres the ball or the points should go farthest, and went
-    std::string notice;         // why the step gave nothing, or how far off it is; else empty
+    // Metres that the ball or the points should go, and went; of what has no such wish both are
+    // how far the volume moved anywhere, at most.
+    double asked = 0, done = 0;
+    std::string words = {};  // what was done, where there was a choice
+    std::string notice = {}; // why the step gave nothing; else empty
 };
 
 struct ShapedVolume {

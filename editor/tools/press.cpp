@@ -2,6 +2,7 @@
 #include "editor/tools/press.h"
 
 #include "core/base/rounded.h"
+#include "core/ffd/resolution.h"
 #include "editor/tools/placement_handles.h"
 #include "editor/tools/select.h"
 #include "ui/icons.h"
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <imgui.h>
+#include <utility>
 
 namespace trivar {
 namespace {
@@ -53,6 +55,28 @@ std::vector<glm::dvec3> places(const Press& press, const glm::dvec3& uvw)
 {
     if (!press.mirror) return {uvw};
     return {uvw, {uvw.x, 1 - uvw.y, uvw.z}};
+}
+
+// Calls visit(index, weight) for each control point that balls of the press round those centres
+// hold; how many there are.
+int held_by(const Press& press, const Lattice& volume, const std::vector<glm::dvec3>& centers,
+            auto&& visit)
+{
+    int held = 0;
+    const std::array<Knots, 3>& axes = volume.displacement.axes;
+    for (int i = 0; i < axes[0].count(); ++i)
+        for (int j = 0; j < axes[1].count(); ++j)
+            for (int k = 0; k < axes[2].count(); ++k) {
+                const glm::dvec3 p = control_point(volume, i, j, k);
+                double weight = 0;
+                for (const glm::dvec3& center : centers)
+                    weight = std::max(weight,
+                                      decay(press.decay, glm::distance(p, center) / press.radius));
+                if (!(weight > 0)) continue;
+                ++held;
+                visit(glm::ivec3(i, j, k), weight);
+            }
+    return held;
 }
 
 // While it is only held over the volume: the picture is not drawn anew for it.
@@ -173,6 +197,7 @@ void PressTool::finish(Session& session)
     const bool nothing = gesture_->by == By::drag && gesture_->press.samples.back().w == 0;
     if (!nothing && session.propose(command())) {
         told_of_ = gesture_->object;
+        told_ = gesture_->press;
         session.commit();
     } else
         session.cancel();
@@ -183,21 +208,34 @@ void PressTool::tell(Session& session)
 {
     if (told_of_ == 0 || gesture_ || !session.up_to_date()) return;
     const Shaping* last = last_step(session, told_of_);
-    told_of_ = 0;
+    const Id id = std::exchange(told_of_, 0);
     if (!last) return;
     if (!last->notice.empty())
         session.notices.say(ui::NoticeKind::warning, "Nothing was pressed", last->notice,
-                            of_the_press);
-    else if (last->done == 0)
-        session.notices.say(ui::NoticeKind::warning, "Nothing was pressed",
-                            "The ball holds no control point that could move. Use a larger radius, "
-                            "or give the volume more control points.",
                             of_the_press);
     else if (std::abs(last->done) < stopped * std::abs(last->asked))
         session.notices.say(ui::NoticeKind::warning, "The volume would fold here",
                             "The press stopped at " + metres(last->done) +
                                 ". Use a larger radius, or turn the fold guard off.",
                             of_the_press);
+    else if (const EvaluatedObject* laid = selected_placement(session); laid && laid->id == id)
+        offer_points(session, id, laid->placement->volume);
+}
+
+void PressTool::offer_points(Session& session, Id id, const Lattice& volume) const
+{
+    const glm::dvec3 center = evaluate(volume, glm::dvec3(told_.samples.back())).value;
+    constexpr int few = 4;
+    if (held_by(told_, volume, {center}, [](const glm::ivec3&, double) {}) >= few) return;
+    const AxisKnots knots = knots_for_sphere(volume, center, told_.radius);
+    if (knots[0].empty() && knots[1].empty() && knots[2].empty()) return;
+    session.notices.say(ui::NoticeKind::warning, "The ball holds few control points",
+                        "So it presses coarsely, or nothing at all. More can be added there; the "
+                        "volume keeps its shape.",
+                        of_the_press,
+                        {{"Add control points", [&session, id, knots] {
+                              session.run(InsertKnots{id, {knots[0], knots[1], knots[2]}});
+                          }}});
 }
 
 void PressTool::cancel(Session& session)
@@ -249,26 +287,14 @@ void PressTool::overlay(const Session& session, const ui::Theme& theme,
         centers.push_back(evaluate(start, place).value);
         if (!gesture_) paint_ball(theme, input, session.camera, centers.back(), press.radius);
     }
-    const std::array<Knots, 3>& axes = now.displacement.axes;
-    int inside = 0;
     // The control points that the ball holds, as large as it moves them.
-    for (int i = 0; i < axes[0].count(); ++i)
-        for (int j = 0; j < axes[1].count(); ++j)
-            for (int k = 0; k < axes[2].count(); ++k) {
-                double weight = 0;
-                for (const glm::dvec3& center : centers)
-                    weight = std::max(
-                        weight,
-                        decay(press.decay,
-                              glm::distance(control_point(start, i, j, k), center) / press.radius));
-                if (!(weight > 0)) continue;
-                ++inside;
-                const Projected p = project(session.camera, control_point(now, i, j, k));
-                if (p.depth_world <= 0) continue;
-                const auto size = static_cast<float>(1.5 + 3 * weight);
-                ui::paint_dot(input.rect.lo + glm::vec2(p.p_px), size * theme.scale,
-                              theme.color.lattice, theme.color.halo, theme.scale);
-            }
+    const int inside = held_by(press, start, centers, [&](const glm::ivec3& at, double weight) {
+        const Projected p = project(session.camera, control_point(now, at.x, at.y, at.z));
+        if (p.depth_world <= 0) return;
+        ui::paint_dot(input.rect.lo + glm::vec2(p.p_px),
+                      static_cast<float>(1.5 + 3 * weight) * theme.scale, theme.color.lattice,
+                      theme.color.halo, theme.scale);
+    });
     const glm::vec2 mouse = input.rect.lo + glm::vec2(input.mouse);
     const glm::vec2 at = mouse + glm::vec2(theme.px(18), -theme.px(30));
     if (!gesture_) {

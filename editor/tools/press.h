@@ -51,6 +51,7 @@ private:
     void go_on(Session& session, const ViewportInput& input);
     void finish(Session& session);
     void tell(Session& session); // what became of the last stroke
+    void offer_points(Session& session, Id id, const Lattice& volume) const;
     Command command() const;
     double radius(const Placement& placement) const;
     double strength(const Placement& placement) const;
@@ -67,6 +68,7 @@ private:
     TypedAmounts typed_;
     bool retyped_ = false;
     Id told_of_ = 0; // whose last stroke is still to be told of
+    Press told_;     // that stroke
 };
 
 } // namespace trivar

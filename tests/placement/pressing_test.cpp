@@ -186,8 +186,7 @@ TEST(Shaper, GivesTheSameBitsStepByStepAndAtOnce)
 
 TEST(Shaper, InsertsControlPointsWithoutAChange)
 {
-    const auto finer = make_ref(
-        VolumeEdit{.insertion = KnotInsertion{.along = {0.31, 0.5, 0.5}}});
+    const auto finer = make_ref(VolumeEdit{.insertion = KnotInsertion{.along = {0.31, 0.5, 0.5}}});
     Shaper shaper;
     const auto after = shaper(placed_box(), {finer});
     EXPECT_EQ(after->placement->volume.displacement.axes[0].count(), 15);
@@ -230,6 +229,38 @@ TEST(Shaper, MovesMirroredPointsTheOtherWayAcross)
     EXPECT_NEAR(one.y, 0.1, 1e-12);
     EXPECT_NEAR(other.y, -0.1, 1e-12);
     EXPECT_NEAR(one.z, other.z, 1e-12);
+}
+
+TEST(Shaper, MendsWhatFoldsAndLeavesWhatDoesNot)
+{
+    VolumeEdit fold{.press = press_at({0.5, 0.5, 1, 1})};
+    fold.press->guard = false;
+    const auto mend = make_ref(VolumeEdit{.mending = Mending{}});
+    Shaper shaper;
+    const auto folded = shaper(placed_box(), {make_ref(fold)});
+    EXPECT_EQ(check_injectivity(folded->placement->volume).local, Verdict::proven_bad);
+    const auto after = shaper(placed_box(), {make_ref(fold), mend});
+    EXPECT_EQ(check_injectivity(after->placement->volume).local, Verdict::proven_good);
+    EXPECT_GT(after->steps[1].done, 0);
+    const auto nothing = shaper(placed_box(), {mend});
+    EXPECT_EQ(nothing->placement->volume, bent_box());
+    EXPECT_EQ(nothing->steps[0].words, "nothing folded");
+}
+
+TEST(Shaper, LeavesFewerControlPointsNoFurtherOffThanItSays)
+{
+    const auto fewer = make_ref(VolumeEdit{.coarsening = Coarsening{VolumeAxis::along, 7}});
+    Shaper shaper;
+    const auto after = shaper(placed_box(), {fewer});
+    EXPECT_EQ(after->placement->volume.displacement.axes[0].count(), 7);
+    double most = 0;
+    for (double u = 0; u <= 1; u += 1.0 / 256)
+        most = std::max(most, glm::distance(evaluate(after->placement->volume, {u, 0.5, 0.5}).value,
+                                            evaluate(bent_box(), {u, 0.5, 0.5}).value));
+    EXPECT_GT(most, 0);
+    EXPECT_LE(most, after->steps[0].done);
+    const auto more = make_ref(VolumeEdit{.coarsening = Coarsening{VolumeAxis::along, 70}});
+    EXPECT_FALSE(shaper(placed_box(), {more})->steps[0].notice.empty());
 }
 
 TEST(Press, WithNothingToPressIsRefused)
