@@ -64,7 +64,7 @@ double rms(const std::vector<PointMove>& moves, std::size_t points)
 }
 
 // A way is given up after so many passes that leave no fewer cells doubtful.
-constexpr int patience = 25;
+constexpr int patience = 16;
 // And where it has moved points so many times further than another one had to.
 constexpr double excess = 4;
 
