@@ -8,14 +8,18 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <hwy/aligned_allocator.h>
 #include <hwy/base.h>
 #include <limits>
 
 namespace trivar {
 namespace {
 
-// One number of two cells.
-using Pair = double __attribute__((vector_size(16)));
+// One number of two cells, or of four on processors with AVX2. Multiplications and additions are
+// not fused, so both give the same bits.
+using Two = double __attribute__((vector_size(16)));
+using Four = double __attribute__((vector_size(32)));
+template <class Lanes> inline constexpr std::size_t lanes = sizeof(Lanes) / sizeof(double);
 
 std::vector<double> binomial_row(int n)
 {
@@ -44,23 +48,24 @@ std::vector<double> binomials(const Net& net)
     return out;
 }
 
-struct Product {
-    const Pair *a, *b;
+template <class Lanes> struct Product {
+    const Lanes *a, *b;
 };
 
 // The sum of products of scaled polynomials, with a of la and b of lb coefficients along w. A row
 // of the result stays in registers.
-template <int la, int lb, std::size_t terms>
-void convolve(const Net& a, const Net& b, const std::array<Product, terms>& products, Pair* out)
+template <int la, int lb, std::size_t terms, class Lanes>
+HWY_INLINE void convolved(const Net& a, const Net& b,
+                          const std::array<Product<Lanes>, terms>& products, Lanes* out)
 {
     for (int I = 0; I < a.u + b.u - 1; ++I)
         for (int J = 0; J < a.v + b.v - 1; ++J) {
-            Pair row[la + lb - 1] = {};
-            for (const Product& p : products)
+            Lanes row[la + lb - 1] = {};
+            for (const Product<Lanes>& p : products)
                 for (int i = std::max(0, I - b.u + 1); i <= std::min(a.u - 1, I); ++i)
                     for (int j = std::max(0, J - b.v + 1); j <= std::min(a.v - 1, J); ++j) {
-                        const Pair* left = p.a + (i * a.v + j) * la;
-                        const Pair* right = p.b + ((I - i) * b.v + J - j) * lb;
+                        const Lanes* left = p.a + (i * a.v + j) * la;
+                        const Lanes* right = p.b + ((I - i) * b.v + J - j) * lb;
                         HWY_UNROLL(16)
                         for (int x = 0; x < la; ++x) HWY_UNROLL(16)
                         for (int y = 0; y < lb; ++y) row[x + y] += left[x] * right[y];
@@ -70,10 +75,25 @@ void convolve(const Net& a, const Net& b, const std::array<Product, terms>& prod
         }
 }
 
-// What the cells of a lattice have in common, and room for two of them.
-class TwoCells {
+template <int la, int lb, std::size_t terms>
+void convolve(const Net& a, const Net& b, const std::array<Product<Two>, terms>& products, Two* out)
+{
+    convolved<la, lb, terms, Two>(a, b, products, out);
+}
+
+#if defined(__x86_64__)
+template <int la, int lb, std::size_t terms>
+__attribute__((target("avx2"))) void
+convolve(const Net& a, const Net& b, const std::array<Product<Four>, terms>& products, Four* out)
+{
+    convolved<la, lb, terms, Four>(a, b, products, out);
+}
+#endif
+
+// What the cells of a lattice have in common, and room for as many as there are lanes.
+template <class Lanes> class SomeCells {
 public:
-    TwoCells(const CellGrid& grid, const Lattice& lattice) : grid_(grid), lattice_(lattice)
+    SomeCells(const CellGrid& grid, const Lattice& lattice) : grid_(grid), lattice_(lattice)
     {
         const auto& axes = lattice.displacement.axes;
         points_ = {axes[0].order(), axes[1].order(), axes[2].order()};
@@ -85,19 +105,20 @@ public:
         for (std::size_t a = 0; a < 3; ++a) binomials_[a] = binomials(slope_[a]);
         unscale_ = binomials(whole_);
         for (double& x : unscale_) x = 1 / x;
-        p_.resize(3 * points_.count());
-        q_.resize(p_.size());
-        for (std::size_t a = 0; a < 3; ++a) d_[a].resize(3 * slope_[a].count());
-        minus_.resize(d_[1].size());
-        c_.resize(3 * cross_.count());
-        det_.resize(whole_.count());
+        p_ = room(3 * points_.count());
+        q_ = room(3 * points_.count());
+        for (std::size_t a = 0; a < 3; ++a) d_[a] = room(3 * slope_[a].count());
+        minus_ = room(3 * slope_[1].count());
+        c_ = room(3 * cross_.count());
+        det_ = room(whole_.count());
         out_.f.degree = {whole_.u - 1, whole_.v - 1, whole_.w - 1};
         out_.f.coefficients.resize(whole_.count());
     }
 
-    void compute(std::size_t first, std::size_t second)
+    void compute(const std::array<std::size_t, lanes<Lanes>>& cells)
     {
-        spans_ = {grid_.spans(first), grid_.spans(second)};
+        for (std::size_t lane = 0; lane < cells.size(); ++lane)
+            spans_[lane] = grid_.spans(cells[lane]);
         gather();
         for (int axis = 0; axis < 3; ++axis) to_bezier(axis);
         for (int axis = 0; axis < 3; ++axis) take_slope(axis);
@@ -108,13 +129,13 @@ public:
         case 5: multiply<5>(); break;
         default: multiply<6>();
         }
-        for (std::size_t i = 0; i < det_.size(); ++i) det_[i] *= unscale_[i];
+        for (std::size_t i = 0; i < whole_.count(); ++i) det_[i] *= unscale_[i];
     }
 
     const CellDeterminant& of(std::size_t lane)
     {
         double least = std::numeric_limits<double>::infinity(), most = -least, sum = 0;
-        for (std::size_t i = 0; i < det_.size(); ++i) {
+        for (std::size_t i = 0; i < whole_.count(); ++i) {
             const double x = det_[i][lane];
             out_.f.coefficients[i] = x;
             least = std::min(least, x);
@@ -123,20 +144,24 @@ public:
         }
         out_.least = least;
         out_.most = most;
-        out_.mean = sum / static_cast<double>(det_.size());
+        out_.mean = sum / static_cast<double>(whole_.count());
         out_.doubt = doubt(lane);
         return out_;
     }
 
 private:
+    // Aligned for all lanes at once, which the language's own allocation knows nothing of.
+    using Room = hwy::AlignedFreeUniquePtr<Lanes[]>;
+    static Room room(std::size_t count) { return hwy::AllocateAligned<Lanes>(count); }
+
     void gather()
     {
         const Trivariate<glm::dvec3>& f = lattice_.displacement;
         const std::size_t n = points_.count();
-        for (std::size_t lane = 0; lane < 2; ++lane) {
+        for (std::size_t lane = 0; lane < lanes<Lanes>; ++lane) {
             const auto& [u, v, w] = spans_[lane];
             double most = 0;
-            Pair* to = p_.data();
+            Lanes* to = p_.get();
             for (int i = 0; i < points_.u; ++i)
                 for (int j = 0; j < points_.v; ++j)
                     for (int k = 0; k < points_.w; ++k, ++to) {
@@ -149,11 +174,6 @@ private:
         }
     }
 
-    Pair both(double CellGrid::Span::*member, int axis) const
-    {
-        return Pair{spans_[0][at(axis)]->*member, spans_[1][at(axis)]->*member};
-    }
-
     void to_bezier(int axis)
     {
         const int order = axis == 0 ? points_.u : axis == 1 ? points_.v : points_.w;
@@ -161,13 +181,14 @@ private:
                                   : axis == 1 ? at(points_.w)
                                               : 1;
         const std::size_t block = inner * at(order);
-        std::array<Pair, max_order * max_order> weight{};
+        std::array<Lanes, max_order * max_order> weight{};
         for (std::size_t i = 0; i < at(order * order); ++i)
-            weight[i] = Pair{spans_[0][at(axis)]->bezier[i], spans_[1][at(axis)]->bezier[i]};
-        for (std::size_t begin = 0; begin < p_.size(); begin += block)
+            for (std::size_t lane = 0; lane < lanes<Lanes>; ++lane)
+                weight[i][lane] = spans_[lane][at(axis)]->bezier[i];
+        for (std::size_t begin = 0; begin < 3 * points_.count(); begin += block)
             for (std::size_t i = 0; i < at(order); ++i)
                 for (std::size_t b = begin; b < begin + inner; ++b) {
-                    Pair sum{};
+                    Lanes sum{};
                     for (std::size_t r = 0; r < at(order); ++r)
                         sum += weight[i * at(order) + r] * p_[b + r * inner];
                     q_[b + i * inner] = sum;
@@ -181,28 +202,31 @@ private:
         const Net net = slope_[at(axis)];
         const int step = axis == 0 ? points_.v * points_.w : axis == 1 ? points_.w : 1;
         const int degree = (axis == 0 ? points_.u : axis == 1 ? points_.v : points_.w) - 1;
-        const Pair factor = static_cast<double>(degree) /
-                            (both(&CellGrid::Span::hi, axis) - both(&CellGrid::Span::lo, axis));
+        Lanes factor{};
+        for (std::size_t lane = 0; lane < lanes<Lanes>; ++lane) {
+            const CellGrid::Span& span = *spans_[lane][at(axis)];
+            factor[lane] = degree / (span.hi - span.lo);
+        }
         const std::size_t n = points_.count(), m = net.count();
         const glm::dvec3 rest(lattice_.rest[axis]);
         const std::vector<double>& scale = binomials_[at(axis)];
-        Pair most{};
-        Pair* to = d_[at(axis)].data();
+        Lanes most{};
+        Lanes* to = d_[at(axis)].get();
         std::size_t which = 0;
         for (int i = 0; i < net.u; ++i)
             for (int j = 0; j < net.v; ++j)
                 for (int k = 0; k < net.w; ++k, ++to, ++which) {
-                    const Pair* from = p_.data() + (i * points_.v + j) * points_.w + k;
-                    Pair square{};
+                    const Lanes* from = p_.get() + (i * points_.v + j) * points_.w + k;
+                    Lanes square{};
                     for (std::size_t c = 0; c < 3; ++c) {
-                        const Pair slope = (from[at(step) + c * n] - from[c * n]) * factor +
-                                           rest[static_cast<int>(c)];
+                        const Lanes slope = (from[at(step) + c * n] - from[c * n]) * factor +
+                                            rest[static_cast<int>(c)];
                         square += slope * slope;
                         to[c * m] = slope * scale[which];
                     }
                     most = square > most ? square : most;
                 }
-        for (std::size_t lane = 0; lane < 2; ++lane) {
+        for (std::size_t lane = 0; lane < lanes<Lanes>; ++lane) {
             steepest_[lane][axis] = std::sqrt(most[lane]);
             // A Bezier point is a mean of control points by weights of some twenty roundings an
             // axis, and the sums have as many: 64 of 2^-52 of the largest cover both of a
@@ -216,20 +240,20 @@ private:
     {
         const std::size_t nv = slope_[1].count(), nw = slope_[2].count(), nu = slope_[0].count(),
                           nc = cross_.count();
-        const Pair *u = d_[0].data(), *v = d_[1].data(), *w = d_[2].data();
-        for (std::size_t i = 0; i < minus_.size(); ++i) minus_[i] = -v[i];
+        const Lanes *u = d_[0].get(), *v = d_[1].get(), *w = d_[2].get();
+        for (std::size_t i = 0; i < 3 * nv; ++i) minus_[i] = -v[i];
         for (std::size_t c = 0; c < 3; ++c) {
             const std::size_t d = (c + 1) % 3, e = (c + 2) % 3;
-            convolve<order_w, order_w - 1, 2>(
-                slope_[1], slope_[2],
-                {Product{v + d * nv, w + e * nw}, Product{minus_.data() + e * nv, w + d * nw}},
-                c_.data() + c * nc);
+            convolve<order_w, order_w - 1, 2>(slope_[1], slope_[2],
+                                              {Product<Lanes>{v + d * nv, w + e * nw},
+                                               Product<Lanes>{minus_.get() + e * nv, w + d * nw}},
+                                              c_.get() + c * nc);
         }
         convolve<order_w, 2 * order_w - 2, 3>(slope_[0], cross_,
-                                              {Product{u, c_.data()},
-                                               Product{u + nu, c_.data() + nc},
-                                               Product{u + 2 * nu, c_.data() + 2 * nc}},
-                                              det_.data());
+                                              {Product<Lanes>{u, c_.get()},
+                                               Product<Lanes>{u + nu, c_.get() + nc},
+                                               Product<Lanes>{u + 2 * nu, c_.get() + 2 * nc}},
+                                              det_.get());
     }
 
     // A coefficient is a mean, with positive weights, of determinants of three coefficients of
@@ -250,12 +274,12 @@ private:
     std::array<Net, 3> slope_{};
     std::array<std::vector<double>, 3> binomials_;
     std::vector<double> unscale_;
-    std::array<std::array<const CellGrid::Span*, 3>, 2> spans_{};
+    std::array<std::array<const CellGrid::Span*, 3>, lanes<Lanes>> spans_{};
     // By coordinate, then net: Bezier points, slopes and minus F_v, F_v x F_w; and det J.
-    std::vector<Pair> p_, q_, minus_, c_, det_;
-    std::array<std::vector<Pair>, 3> d_;
-    std::array<double, 2> largest_{};
-    std::array<glm::dvec3, 2> steepest_{}, slope_doubt_{};
+    Room p_, q_, minus_, c_, det_;
+    std::array<Room, 3> d_;
+    std::array<double, lanes<Lanes>> largest_{};
+    std::array<glm::dvec3, lanes<Lanes>> steepest_{}, slope_doubt_{};
     CellDeterminant out_;
 };
 
@@ -349,18 +373,35 @@ std::vector<int> CellGrid::touched(std::span<const PointMove> moves) const
     return out;
 }
 
+namespace {
+
+template <class Lanes>
+void each_determinant_by(const CellGrid& grid, const Lattice& lattice, std::span<const int> cells,
+                         const std::function<void(std::size_t which, const CellDeterminant&)>& body)
+{
+    parallel_blocks(cells.size(), 16, [&](std::size_t begin, std::size_t end) {
+        SomeCells<Lanes> some(grid, lattice);
+        for (std::size_t i = begin; i < end; i += lanes<Lanes>) {
+            std::array<std::size_t, lanes<Lanes>> which{};
+            for (std::size_t lane = 0; lane < which.size(); ++lane)
+                which[lane] = at(cells[std::min(i + lane, end - 1)]);
+            some.compute(which);
+            for (std::size_t lane = 0; lane < which.size() && i + lane < end; ++lane)
+                body(i + lane, some.of(lane));
+        }
+    });
+}
+
+} // namespace
+
 void each_determinant(const CellGrid& grid, const Lattice& lattice, std::span<const int> cells,
                       const std::function<void(std::size_t which, const CellDeterminant&)>& body)
 {
-    parallel_blocks(cells.size(), 16, [&](std::size_t begin, std::size_t end) {
-        TwoCells two(grid, lattice);
-        for (std::size_t i = begin; i < end; i += 2) {
-            const std::size_t other = std::min(i + 1, end - 1);
-            two.compute(at(cells[i]), at(cells[other]));
-            body(i, two.of(0));
-            if (other > i) body(other, two.of(1));
-        }
-    });
+#if defined(__x86_64__)
+    if (cells.size() > 2 && __builtin_cpu_supports("avx2"))
+        return each_determinant_by<Four>(grid, lattice, cells, body);
+#endif
+    each_determinant_by<Two>(grid, lattice, cells, body);
 }
 
 } // namespace trivar

@@ -49,8 +49,8 @@ struct CellDeterminant {
 };
 
 // Calls body(which, determinant) for cells[which], in any order and on any thread; the determinant
-// lives as long as the call. 5 microseconds a tri-cubic cell, two at a time, none is allocated for;
-// the same bits on every machine. `grid` is that of the lattice's axes.
+// lives as long as the call. 5 microseconds a tri-cubic cell, two or four at a time, none is
+// allocated for; the same bits on every machine. `grid` is that of the lattice's axes.
 void each_determinant(const CellGrid& grid, const Lattice& lattice, std::span<const int> cells,
                       const std::function<void(std::size_t which, const CellDeterminant&)>& body);
 
