@@ -15,6 +15,8 @@ std::optional<Command> as_it_is(const Command& kind, Id id, const Document& docu
     if (std::holds_alternative<SetTransform>(kind)) return SetTransform{id, object.transform};
     if (std::holds_alternative<SetTravel>(kind)) return SetTravel{{id}, object.travel};
     if (std::holds_alternative<PlayClip>(kind)) return PlayClip{{id}, object.playing};
+    if (std::holds_alternative<Refine>(kind))
+        return Refine{{id}, object.refining.value_or(Refining{})};
     if (std::holds_alternative<EditImport>(kind))
         if (const auto* file = std::get_if<ImportedFile>(&object.source))
             return EditImport{id, *file};

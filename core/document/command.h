@@ -9,6 +9,7 @@
 #include "core/document/commands/place.h"
 #include "core/document/commands/play.h"
 #include "core/document/commands/primitives.h"
+#include "core/document/commands/refine.h"
 #include "core/document/commands/shape.h"
 #include "core/document/commands/travel.h"
 #include "core/document/commands/view.h"
@@ -24,9 +25,9 @@ using Command =
     std::variant<ImportModel, EditImport, Relink, AddPlane, AddBox, AddSphere, AddCylinder,
                  AddTorus, AddMoebius, AddTeapot, SetTransform, Arrange, SetMaterial, ClearMaterial,
                  Rename, Hide, Show, Lock, Unlock, Delete, Duplicate, Group, Ungroup, Reorder,
-                 Place, PlaceRound, EditPlacement, Unplace, SetTravel, PlayClip, PressVolume,
-                 MovePoints, InsertKnots, CoarsenVolume, MendVolume, Unshape, Paste, SaveCamera,
-                 DeleteCamera, SetRender, SetTime>;
+                 Place, PlaceRound, EditPlacement, Unplace, SetTravel, PlayClip, Refine,
+                 ClearRefine, PressVolume, MovePoints, InsertKnots, CoarsenVolume, MendVolume,
+                 Unshape, Paste, SaveCamera, DeleteCamera, SetRender, SetTime>;
 
 // The document after the command; objects that it does not touch keep their pointer. Pure: reads
 // no file. Throws Rejected (the field, what is wrong, what would be right) and nothing happened.

@@ -98,6 +98,10 @@ void add(Digest& digest, const Object& object)
         digest.add_text("playing");
         add(digest, object.playing);
     }
+    if (object.refining) { // there were scenes without it
+        digest.add_text("refining");
+        add(digest, *object.refining);
+    }
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 #include "core/placement/placement.h"
 #include "core/placement/shaping.h"
 #include "core/placement/travel.h"
+#include "core/refinement/methods.h"
 
 #include <map>
 #include <optional>
@@ -58,6 +59,16 @@ struct Playing {
     bool operator==(const Playing&) const = default;
 };
 
+// Into triangles so fine that, deformed, they are within a tolerance of the true surface.
+struct Refining {
+    double tolerance = 1e-3; // metres
+    SplitPoint split = SplitPoint::equidistributed;
+    RefinementRule rule = RefinementRule::edge_driven;
+    BoundMethod method = BoundMethod::composed_net;
+    int budget = 1000000; // triangles
+    bool operator==(const Refining&) const = default;
+};
+
 struct Object {
     std::string name;
     Source source;
@@ -67,11 +78,12 @@ struct Object {
     bool hidden = false;
     bool locked = false; // no hand takes it by accident; a command that names it may
     std::optional<PlacementStep>
-        placement;      // a placed object's translation waits; its rotation and scale turn it first
+        placement; // a placed object's translation waits; its rotation and scale turn it first
     // What was done to its volume after it was laid, one step after another.
     std::vector<Ref<VolumeEdit>> shaping = {};
-    Travel travel = {}; // along its stroke, if it lies on one
-    Playing playing = {}; // if it is an imported file
+    Travel travel = {};                    // along its stroke, if it lies on one
+    Playing playing = {};                  // if it is an imported file
+    std::optional<Refining> refining = {}; // if it lies on a stroke
     bool operator==(const Object&) const = default;
 };
 

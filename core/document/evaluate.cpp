@@ -5,6 +5,7 @@
 #include "core/base/parallel.h"
 #include "core/document/laying.h"
 #include "core/document/posing.h"
+#include "core/document/refining.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -82,6 +83,8 @@ EvaluatedObject evaluated_object(Id id, const Causes& causes)
         result.shaped = causes.laid->shaped;
         result.lies_on = causes.laid->scene;
         result.parts = causes.laid->parts;
+        result.refined = causes.laid->refined;
+        if (!causes.laid->not_refined.empty()) result.notices.push_back(causes.laid->not_refined);
         result.journey = causes.laid->journey;
         if (result.journey && !result.journey->has_room())
             result.notices.emplace_back(
@@ -149,6 +152,7 @@ struct Evaluator::Cache {
         Ref<Shape> shape;
         Laying laying;
         Posing posing;
+        RefiningLaid refining;
         std::vector<std::pair<Causes, Ref<EvaluatedObject>>> results; // the latest first
     };
     explicit Cache(Ref<AssetStore> assets) : shapes(std::move(assets)) {}
@@ -211,6 +215,8 @@ Evaluated Evaluator::operator()(const Document& document, double frame, const Pr
                                             glm::dmat3(ref->transform.matrix()), ref->travel,
                                             ref->placement->parameters,
                                             seconds_since(ref->travel.start_frame));
+            if (ref->refining)
+                causes.laid = kept.refining(causes.laid, *ref->refining, result.timings);
         }
         auto& results = kept.results;
         const auto found =

@@ -6,6 +6,7 @@
 #include "core/document/document.h"
 #include "core/document/part.h"
 #include "core/placement/shaper.h"
+#include "core/refinement/refine.h"
 
 #include <memory>
 
@@ -17,6 +18,7 @@ struct EvaluatedObject {
     Ref<std::vector<Material>> materials; // what face_material indexes
     Ref<Placement> placement;             // null where nothing was placed
     Ref<ShapedVolume> shaped;             // null where nothing was done to its volume
+    Ref<Refined> refined;                 // null where its triangles are those of the model
     Ref<Journey> journey;                 // null where it does not travel
     Ref<RayScene> lies_on;                // what its stroke falls on; null where there is none
     Lazy<Box> bounds;                     // world; asking for it deforms the parts

@@ -5,6 +5,7 @@
 #include "core/document/shapes.h"
 #include "core/placement/round.h"
 #include "core/placement/shaper.h"
+#include "core/refinement/refine.h"
 
 #include <set>
 
@@ -26,6 +27,8 @@ struct Laid {
     std::vector<Part> parts; // in the world
     Ref<Journey> journey;    // null: it does not travel
     std::string rejected;
+    Ref<Refined> refined = nullptr; // null: the parts have the triangles of the model
+    std::string not_refined = {};   // why, where they were to be
 };
 
 // Whether a box and the volume overlap in the picture that the stroke was drawn in, where a stroke

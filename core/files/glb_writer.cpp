@@ -37,6 +37,7 @@ public:
         std::vector<int> mesh_index;
         for (const Ref<Mesh>& mesh : model_.meshes) mesh_index.push_back(write_mesh(*mesh));
         write_nodes(mesh_index);
+        if (!model_.extras.empty()) json_["extras"] = Json::parse(model_.extras);
         if (emissive_strength_) json_["extensionsUsed"] = {"KHR_materials_emissive_strength"};
         return container();
     }

@@ -75,6 +75,7 @@ struct Model {
     std::vector<Skin> skins;
     std::vector<Clip> clips;
     std::vector<std::string> notices; // what was repaired on the way in, one sentence each
+    std::string extras;               // a JSON object that a GLB gets as its extras; empty: none
 };
 
 // Node to model space: the product of to_parent up to the root.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace trivar {
 namespace {
@@ -60,7 +61,8 @@ double longest_squared(const auto& net)
     double most = 0;
     for (const glm::dvec4& p : net) {
         const double squared = glm::dot(p, p);
-        if (!(squared <= most)) most = squared;
+        if (!(squared <= most))
+            most = std::isnan(squared) ? std::numeric_limits<double>::infinity() : squared;
     }
     return most;
 }

@@ -70,7 +70,7 @@ double from_linear(const NetPoints<corners>& net, int degree,
                          step[1] * static_cast<double>(r - c);
         if constexpr (corners == 3) off -= step[2] * static_cast<double>(c);
         const double squared = glm::dot(off, off);
-        if (!(squared <= most)) most = squared;
+        if (!(squared <= most)) most = std::isnan(squared) ? infinity : squared;
     });
     return std::sqrt(most);
 }
@@ -202,7 +202,7 @@ template <int corners> struct ErrorBounds::Work {
     // A number that was no number must not pass for a small one.
     static void raise(double& most, double by)
     {
-        if (!(by <= most)) most = by;
+        if (!(by <= most)) most = std::isnan(by) ? infinity : by;
     }
 
     double net(bool subdivided)

@@ -6,21 +6,6 @@
 
 namespace trivar {
 
-// Where an edge is split, at a fifth of its length from either end at least.
-enum class SplitPoint {
-    equidistributed, // equal halves of the integral of |E''|^(1/2): best for piecewise linear maps
-    midpoint,
-    greville,       // the node of its net's control point that is furthest off. The thesis, 2.4.2
-    greatest_error, // where the edge is furthest off
-};
-
-enum class RefinementRule {
-    edge_driven, // edges that are off, and the worst edge of a triangle that is: ours
-    // For comparison only:
-    thesis_four_split,     // a triangle that is off goes into four; its neighbours follow
-    chua_neumann_midpoint, // an edge whose middle is off. NOT certified. Chua and Neumann 2000
-};
-
 struct RefineOptions {
     double tolerance_world = 0;
     SplitPoint split = SplitPoint::equidistributed;

@@ -117,7 +117,8 @@ void SecondDerivatives<corners>::add(const NetPoints<corners>& net, int degree,
             d[n] = second(along[i], along[j], r, c);
             const double most =
                 glm::length(d[n]) + 4 * factor * size(along[i]) * size(along[j]) * doubt;
-            if (!(most <= greatest_[n])) greatest_[n] = most;
+            if (!(most <= greatest_[n]))
+                greatest_[n] = std::isnan(most) ? std::numeric_limits<double>::infinity() : most;
         }
         if (method_ != BoundMethod::waldron) return;
         if (directions_ == 1) {

@@ -8,6 +8,7 @@
 #include "editor/command_line/bench.h"
 #include "editor/command_line/info.h"
 #include "editor/command_line/replay.h"
+#include "editor/command_line/verify.h"
 #include "editor/places.h"
 #include "editor/tutorial.h"
 
@@ -23,6 +24,7 @@ struct Choices {
     std::vector<std::string> files;
     std::string shaders;
     ReplayOptions replay;
+    VerifyOptions verify;
     InfoOptions info;
     BenchOptions bench;
     bool commands_json = false, commands_markdown = false;
@@ -48,6 +50,7 @@ CLI::App* add_replay(CLI::App& app, ReplayOptions& o)
         "  trivar replay snake.trivar --export snake.glb snake.obj\n"
         "  trivar replay ants.trivar --frame 48 --image ants_048.png\n"
         "  trivar replay snake.trivar --set terrain.obj=/data/alps.obj --image alps.png\n"
+        "  trivar replay snake.trivar --epsilon 0.001 --export snake.glb\n"
         "  trivar replay snake.trivar --check          # status 3 if a digest differs");
     replay->add_option("LOG", o.log, "the scene")->required()->type_name("FILE");
     replay->add_option("--to", o.to, "stop after line N of the file")
@@ -82,6 +85,11 @@ CLI::App* add_replay(CLI::App& app, ReplayOptions& o)
                      "compare with the digests in the file, and one thread with all of them");
     replay->add_flag("--digest", o.digest, "print the digests as a line to append to the scene")
         ->excludes("--frame");
+    replay
+        ->add_option("--epsilon", o.epsilon,
+                     "split the triangles of all that lies in a volume until the surface is\n"
+                     "certified to be within E metres; a .glb says so, see trivar verify")
+        ->type_name("E");
     add_shaders(*replay, o.shaders);
     replay->add_option("--timings", o.timings, "write how long each stage took, as JSON")
         ->type_name("OUT.json");
@@ -89,6 +97,24 @@ CLI::App* add_replay(CLI::App& app, ReplayOptions& o)
         ->type_name("N")
         ->check(CLI::Range(1, 1024));
     return replay;
+}
+
+CLI::App* add_verify(CLI::App& app, VerifyOptions& o)
+{
+    CLI::App* verify = app.add_subcommand("verify", "check what an exported model claims");
+    verify->description(
+        "Runs the scene that a .glb was exported from and samples the file's triangles against\n"
+        "the true surfaces: whether they are as near as the file says.");
+    verify->footer("Example:\n  trivar verify snake.glb           # status 3 if they are not");
+    verify->add_option("FILE", o.file, "as trivar replay --epsilon wrote it")
+        ->required()
+        ->type_name("FILE.glb");
+    verify->add_option("--log", o.log, "the scene; the one that the file names if left out")
+        ->type_name("LOG");
+    verify->add_option("--set", o.relinked, "use FILE where the scene names the file NAME")
+        ->type_name("NAME=FILE")
+        ->allow_extra_args(false);
+    return verify;
 }
 
 CLI::App* add_info(CLI::App& app, InfoOptions& o)
@@ -174,6 +200,7 @@ Status dispatch(const std::vector<std::string>& arguments, const Streams& stream
     app.set_version_flag("--version", "Trivar " + program_version(), "print the version and exit");
     app.require_subcommand(0, 1);
     const CLI::App* replay = add_replay(app, choices.replay);
+    const CLI::App* verify = add_verify(app, choices.verify);
     const CLI::App* info = add_info(app, choices.info);
     const CLI::App* commands = add_commands(app, choices);
     const CLI::App* bench = add_bench(app, choices.bench);
@@ -183,6 +210,7 @@ Status dispatch(const std::vector<std::string>& arguments, const Streams& stream
         return app.exit(error, streams.out, streams.talk) == 0 ? Status::done : Status::usage;
     }
     if (replay->parsed()) return run_replay(choices.replay, streams);
+    if (verify->parsed()) return run_verify(choices.verify, streams);
     if (info->parsed()) return run_info(choices.info, streams);
     if (commands->parsed()) return list_commands(choices, streams);
     if (bench->parsed()) return run_bench(choices.bench, streams);

@@ -3,7 +3,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/text.h"
-#include "core/document/evaluate.h"
+#include "core/document/certificate.h"
 #include "core/document/log.h"
 #include "core/files/image.h"
 #include "core/files/write_model.h"
@@ -14,6 +14,7 @@
 #include "gpu/shader_folder.h"
 #include "ui/camera_control.h"
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <fmt/format.h>
@@ -52,18 +53,6 @@ gpu::DeformBy deform_of(const std::string& text)
                      ": must be processor, one_phase, two_phases, differences, raised or filtered");
 }
 
-std::map<std::string, std::string> relinked_files(const std::vector<std::string>& settings)
-{
-    std::map<std::string, std::string> files;
-    for (const std::string& setting : settings) {
-        const std::size_t equals = setting.find('=');
-        if (equals == 0 || equals == std::string::npos || equals + 1 == setting.size())
-            throw WrongUsage("--set " + setting + ": must be NAME=FILE");
-        files[setting.substr(0, equals)] = setting.substr(equals + 1);
-    }
-    return files;
-}
-
 Progress shown_progress(const Streams& streams)
 {
     if (!streams.terminal) return {};
@@ -98,7 +87,7 @@ void check_relinked(const ReplayOptions& options, const Document& document)
 }
 
 struct Replayed {
-    Document document;
+    Document document, shown; // shown: refined as --epsilon wants it
     Evaluated evaluated;
     Timings timings;
     bool same = true; // all that --check looked at
@@ -140,7 +129,7 @@ void check_result(Replayed& replayed, const ReplayOptions& options, const Stream
 {
     const ThreadLimit one_thread(1);
     Evaluator again(asset_store(options));
-    if (digest(again(replayed.document, frame_of(options, replayed.document))) !=
+    if (digest(again(replayed.shown, frame_of(options, replayed.document))) !=
         digest(replayed.evaluated))
         differs(replayed, streams,
                 fmt::format("{}: one thread gives another result than all of them", options.log));
@@ -172,8 +161,10 @@ Replayed replay(const ReplayOptions& options, const Streams& streams)
     }
     result.document = history.document();
     check_relinked(options, result.document);
+    result.shown =
+        options.epsilon ? refined_to(result.document, *options.epsilon) : result.document;
     result.evaluated =
-        evaluator(result.document, frame_of(options, result.document), shown_progress(streams));
+        evaluator(result.shown, frame_of(options, result.document), shown_progress(streams));
     if (deform_of(options.deform) == gpu::DeformBy::processor) deform_parts(result.evaluated);
     if (streams.terminal) streams.talk << "\r\x1b[K";
     result.timings.add(result.evaluated.timings);
@@ -226,7 +217,45 @@ void write_timings(const std::string& path, const Timings& timings)
     if (!file) throw Rejected(path + ": the timings cannot be written there");
 }
 
+// With a certificate where anything is refined.
+Model model_to_write(const Replayed& replayed, const ReplayOptions& options)
+{
+    Model model = model_of(replayed.evaluated, replayed.document);
+    const bool refined = std::ranges::any_of(replayed.evaluated.objects, [](const auto& object) {
+        return object.second->refined != nullptr;
+    });
+    if (!refined && !options.epsilon) return model;
+    Certificate certificate = certificate_of(replayed.document, replayed.shown, replayed.evaluated,
+                                             model, frame_of(options, replayed.document));
+    certificate.tolerance = options.epsilon.value_or(0);
+    certificate.log = std::filesystem::path(options.log).filename().string();
+    model.extras = to_json(certificate);
+    return model;
+}
+
+// Whether all that lies in a volume is within the tolerance that was asked for.
+bool certified(const Replayed& replayed, double tolerance)
+{
+    for (const auto& [id, object] : replayed.evaluated.objects)
+        if (object->placement && !object->parts.empty() &&
+            !(object->refined && object->refined->bound <= tolerance))
+            return false;
+    return true;
+}
+
 } // namespace
+
+std::map<std::string, std::string> relinked_files(const std::vector<std::string>& settings)
+{
+    std::map<std::string, std::string> files;
+    for (const std::string& setting : settings) {
+        const std::size_t equals = setting.find('=');
+        if (equals == 0 || equals == std::string::npos || equals + 1 == setting.size())
+            throw WrongUsage("--set " + setting + ": must be NAME=FILE");
+        files[setting.substr(0, equals)] = setting.substr(equals + 1);
+    }
+    return files;
+}
 
 Status run_replay(const ReplayOptions& options, const Streams& streams)
 {
@@ -234,13 +263,15 @@ Status run_replay(const ReplayOptions& options, const Streams& streams)
     level_of(options.quality);
     deform_of(options.deform);
     relinked_files(options.relinked);
+    if (options.epsilon && !(*options.epsilon > 0))
+        throw WrongUsage("--epsilon: must be a length above 0, in metres");
     if (!options.image.empty()) check_picture_name(options.image);
     for (const std::string& path : options.exports) check_model_name(path);
     std::optional<ThreadLimit> limit;
     if (options.threads > 0) limit.emplace(options.threads);
     Replayed replayed = replay(options, streams);
     if (!options.exports.empty()) {
-        const Model model = model_of(replayed.evaluated, replayed.document);
+        const Model model = model_to_write(replayed, options);
         for (const std::string& path : options.exports)
             timed(replayed.timings, "export", [&] { write_model(model, path); });
     }
@@ -248,6 +279,11 @@ Status run_replay(const ReplayOptions& options, const Streams& streams)
     if (!options.timings.empty()) write_timings(options.timings, replayed.timings);
     if (options.digest)
         streams.out << check_line(digest(replayed.document), digest(replayed.evaluated));
+    if (options.epsilon && !certified(replayed, *options.epsilon)) {
+        streams.talk << fmt::format("trivar: {}: not everything is certified to be within {} m\n",
+                                    options.log, shortest(*options.epsilon));
+        return Status::check_failed;
+    }
     if (!replayed.same) return Status::check_failed;
     if (options.check) streams.talk << "trivar: " << options.log << ": as it was meant\n";
     return Status::done;

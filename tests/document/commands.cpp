@@ -127,6 +127,8 @@ std::vector<Command> fitting_commands()
             Unplace{.object = 3},
             SetTravel{.objects = {3}, .travel = {.speed = 0.5, .ends = Ends::loop}},
             PlayClip{.objects = {5}, .playing = {.clip = "walk", .speed = 0.5}},
+            Refine{.objects = {3}, .refining = {.tolerance = 0.01, .split = SplitPoint::midpoint}},
+            ClearRefine{.objects = {3}},
             PressVolume{.object = 3, .press = {.samples = {{0.5, 0.5, 1, 0.02}}, .mirror = true}},
             MovePoints{.object = 3, .shift = {.points = {{1, 2, 3}}, .by = {0, 0.01, -0.02}}},
             InsertKnots{.object = 3, .insertion = {.up = {0.25, 0.75}}},

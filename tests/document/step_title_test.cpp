@@ -53,6 +53,8 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Take Pot off its stroke",
         "Let Pot travel 0.5 m/s",
         "Let snail play walk",
+        "Refine Pot 0.01 m",
+        "Give Pot its own triangles back",
         "Press Pot Gaussian 0.1 m",
         "Move a control point of Pot 0.0224 m",
         "Refine the volume of Pot 2 knots",

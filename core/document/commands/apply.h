@@ -42,6 +42,8 @@ Document applied(Document document, const SetRender& command);
 Document applied(Document document, const SetTime& command);
 Document applied(Document document, const SetTravel& command);
 Document applied(Document document, const PlayClip& command);
+Document applied(Document document, const Refine& command);
+Document applied(Document document, const ClearRefine& command);
 Document applied(Document document, const PressVolume& command);
 Document applied(Document document, const MovePoints& command);
 Document applied(Document document, const InsertKnots& command);

@@ -103,6 +103,7 @@ Document laid(Document document, Id id, const CopiedObject& copy, const std::vec
     for (const VolumeEdit& edit : copy.shaping) check(edit);
     document = with_changed(std::move(document), id, [&](Object& o) {
         for (const VolumeEdit& edit : copy.shaping) o.shaping.push_back(make_ref(edit));
+        o.refining = copy.refining;
     });
     if (!copy.travel) return document;
     return applied(std::move(document), SetTravel{{id}, *copy.travel});
@@ -137,6 +138,7 @@ CopiedObject copy_of(const Document& document, Id id, bool inside, const std::st
     for (const Id base : each.placement->onto)
         copy.placement->onto.push_back({base, object(document, base).name});
     for (const Ref<VolumeEdit>& edit : each.shaping) copy.shaping.push_back(*edit);
+    copy.refining = each.refining;
     if (each.travel != Travel{}) copy.travel = each.travel;
     return copy;
 }

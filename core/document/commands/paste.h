@@ -6,6 +6,7 @@
 #include "core/document/commands/place.h"
 #include "core/document/commands/play.h"
 #include "core/document/commands/primitives.h"
+#include "core/document/commands/refine.h"
 #include "core/document/commands/shape.h"
 #include "core/document/commands/travel.h"
 
@@ -51,6 +52,7 @@ struct CopiedObject {
     std::vector<VolumeEdit> shaping;
     std::optional<Travel> travel;
     std::optional<Playing> playing;
+    std::optional<Refining> refining;
     bool operator==(const CopiedObject&) const = default;
 };
 
@@ -94,6 +96,7 @@ template <> struct FieldsOf<CopiedObject> {
         field("shaping", c.shaping, "what was done to its volume after that, step by step");
         field("travel", c.travel, "how it goes along that");
         field("playing", c.playing, "how an imported model moves by a clip of its file");
+        field("refining", c.refining, "how finely its triangles are split");
     }
 };
 

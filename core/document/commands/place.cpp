@@ -194,6 +194,7 @@ Document applied(Document document, const Unplace& command)
         o.placement.reset();
         o.shaping.clear();
         o.travel = {};
+        o.refining.reset();
     });
 }
 

@@ -44,6 +44,8 @@ template <class T> std::string type_name()
         return "values of [set_travel](#set_travel)";
     else if constexpr (std::is_same_v<T, Playing>)
         return "values of [play_clip](#play_clip)";
+    else if constexpr (std::is_same_v<T, Refining>)
+        return "values of [refine](#refine)";
     else if constexpr (std::is_same_v<T, VolumeEdit>)
         return "[step](#step)";
     else if constexpr (std::is_same_v<T, Press>)

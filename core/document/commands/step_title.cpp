@@ -287,6 +287,14 @@ struct Titles {
         if (old.clip != now.clip) return {"Let " + names + " play", now.clip};
         return title_of_changes(changes(old, now), "Clip", names);
     }
+    StepTitle operator()(const Refine& c) const
+    {
+        return {"Refine " + names_in(before, c.objects), in_metres(c.refining.tolerance)};
+    }
+    StepTitle operator()(const ClearRefine& c) const
+    {
+        return {"Give " + names_in(before, c.objects) + " its own triangles back", {}};
+    }
     StepTitle operator()(const PressVolume& c) const
     {
         double amount = 0;

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/evaluate.h"
+
+namespace trivar {
+
+// What an exported file says of how close its flat triangles are to the true surfaces.
+struct Certificate {
+    double tolerance = 0; // metres; 0: each object's own
+    double bound = 0;     // the greatest of the parts
+    double frame = 1;
+    std::string log;    // the scene's file, without its folders
+    std::string scene;  // digest of the document
+    std::string result; // digest of all deformed positions
+    struct PartClaim {
+        Id object = 0;
+        int part = 0; // of the object
+        std::string name;
+        int node = 0; // of the file
+        std::size_t triangles_before = 0, triangles = 0, degenerate = 0, not_certified = 0;
+        double tolerance = 0, bound = 0;
+        std::string method, rule;
+    };
+    std::vector<PartClaim> parts; // what lies in a volume
+};
+
+// The same scene with everything that lies in a volume refined to a tolerance; other choices of
+// refined objects stay, but for those that certify nothing.
+Document refined_to(Document document, double tolerance);
+
+// `document` as the log makes it, `shown` as it was evaluated into `model`, by model_of.
+Certificate certificate_of(const Document& document, const Document& shown,
+                           const Evaluated& evaluated, const Model& model, double frame);
+
+// {"trivar_certificate": {...}}, for Model::extras, and back. Throws Rejected.
+std::string to_json(const Certificate& certificate);
+Certificate certificate_from_json(const std::string& text);
+
+// What a part of a file was found to be, by sampling its triangles.
+struct SampledPart {
+    std::size_t samples = 0;
+    double furthest = 0;          // of the flat triangles from the true surface, metres
+    bool other_triangles = false; // there are not as many as the claim's
+};
+// `corners` are three a triangle, grouped by material as write_glb() does. `steps` along an edge.
+SampledPart sampled(const Part& part, const std::vector<glm::vec3>& positions,
+                    const std::vector<std::uint32_t>& corners, int steps);
+
+} // namespace trivar

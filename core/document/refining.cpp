@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/refining.h"
+
+#include "core/base/rejected.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+Part in_the_same_volume(const Part& part, const Ref<Mesh>& mesh)
+{
+    if (mesh == part.before_volume()) return part;
+    const Ref<Bent> bent = part.bent;
+    const Lazy<Ref<Mesh>> out(
+        [=] { return make_ref(deform(*mesh, bent->embedding, *bent->volume)); });
+    return {.rest = mesh, .bent = make_ref(Bent{bent->embedding, bent->volume, out})};
+}
+
+Laid refined(const Laid& laid, const Refining& refining)
+{
+    Laid out = laid;
+    std::vector<RefinePart> parts;
+    for (const Part& part : laid.parts)
+        parts.push_back({part.before_volume(), part.bent->embedding});
+    try {
+        const Lattice& volume = *laid.parts.front().bent->volume; // of all of them
+        out.refined = make_ref(refine(parts, volume,
+                                      {.tolerance_world = refining.tolerance,
+                                       .split = refining.split,
+                                       .method = refining.method,
+                                       .rule = refining.rule,
+                                       .budget = static_cast<std::size_t>(refining.budget)}));
+    } catch (const Rejected& error) {
+        out.not_refined = std::string("it is not refined: ") + error.what();
+        return out;
+    }
+    for (std::size_t p = 0; p < laid.parts.size(); ++p)
+        out.parts[p] = in_the_same_volume(laid.parts[p], out.refined->parts[p].mesh);
+    out.not_refined = notice_of(*out.refined, refining);
+    return out;
+}
+
+} // namespace
+
+std::string notice_of(const Refined& refined, const Refining& refining)
+{
+    const std::size_t open = refined.not_certified();
+    if (open == 0) return {};
+    if (refining.rule == RefinementRule::chua_neumann_midpoint)
+        return "its triangles are refined by the middles of their edges, which certifies nothing";
+    return fmt::format("{} of its {} triangles are not certified to be within {:.3g} m: {}", open,
+                       refined.triangles(), refining.tolerance,
+                       refined.out_of_budget
+                           ? fmt::format("the budget of {} triangles is spent", refining.budget)
+                           : "the bound says nothing of them, or single precision is at its end");
+}
+
+Ref<Laid> RefiningLaid::operator()(const Ref<Laid>& laid, const Refining& refining,
+                                   Timings& timings)
+{
+    if (laid->parts.empty() || !laid->parts.front().bent) return laid;
+    const auto found = std::ranges::find_if(known_, [&](const Known& known) {
+        return known.laid == laid && known.refining == refining;
+    });
+    if (found != known_.end()) {
+        std::rotate(known_.begin(), found, found + 1);
+    } else {
+        Ref<Laid> out =
+            timed(timings, "refine", [&] { return make_ref(refined(*laid, refining)); });
+        known_.insert(known_.begin(), {laid, refining, std::move(out)});
+        constexpr std::size_t kept_results = 3; // as Laying keeps
+        if (known_.size() > kept_results) known_.pop_back();
+    }
+    return known_.front().refined;
+}
+
+} // namespace trivar

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/laying.h"
+
+namespace trivar {
+
+// Refines what lies in a volume, for the frame that it lies there in, and keeps the last few
+// results. Stage: refine.
+class RefiningLaid {
+public:
+    Ref<Laid> operator()(const Ref<Laid>& laid, const Refining& refining, Timings& timings);
+
+private:
+    struct Known {
+        Ref<Laid> laid;
+        Refining refining;
+        Ref<Laid> refined;
+    };
+    std::vector<Known> known_; // the latest first
+};
+
+// What is to be said of it: what is not certified, and why. Empty: all of it is.
+std::string notice_of(const Refined& refined, const Refining& refining);
+
+} // namespace trivar

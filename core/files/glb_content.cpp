@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/files/glb_content.h"
+
+#include "core/base/rejected.h"
+#include "core/base/text.h"
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <span>
+
+namespace trivar {
+namespace {
+
+using GlbJson = nlohmann::json;
+
+class GlbParts {
+public:
+    explicit GlbParts(const std::string& bytes)
+    {
+        if (bytes.size() < 20 || bytes.compare(0, 4, "glTF") != 0) fail("this is no GLB file");
+        const std::size_t length = word(bytes, 12);
+        if (length > bytes.size() - 20) fail("its JSON is cut off");
+        json = GlbJson::parse(bytes.substr(20, length));
+        const std::size_t next = 20 + length;
+        if (bytes.size() < next + 8) return;
+        const std::size_t size = word(bytes, next);
+        if (size > bytes.size() - next - 8) fail("its data is cut off");
+        binary = bytes.substr(next + 8, size);
+    }
+
+    // The values of an accessor, each of `Value`'s size.
+    template <class Value> std::vector<Value> values(const GlbJson& accessor_index) const
+    {
+        const GlbJson& accessor = json.at("accessors").at(accessor_index.get<std::size_t>());
+        const GlbJson& view =
+            json.at("bufferViews").at(accessor.at("bufferView").get<std::size_t>());
+        const auto count = accessor.at("count").get<std::size_t>(),
+                   begin = view.at("byteOffset").get<std::size_t>(),
+                   size = view.at("byteLength").get<std::size_t>();
+        if (begin > binary.size() || size > binary.size() - begin || count > size / sizeof(Value))
+            fail("an accessor reaches beyond the data");
+        std::vector<Value> out(count);
+        if (count > 0) std::memcpy(out.data(), binary.data() + begin, count * sizeof(Value));
+        return out;
+    }
+
+    [[noreturn]] static void fail(const std::string& what) { throw Rejected(what); }
+
+    GlbJson json;
+    std::string binary;
+
+private:
+    static std::size_t word(const std::string& bytes, std::size_t at)
+    {
+        std::uint32_t out;
+        std::memcpy(&out, bytes.data() + at, 4);
+        return out;
+    }
+};
+
+glm::dmat4 matrix_of(const GlbJson& node)
+{
+    glm::dmat4 out(1);
+    for (const char* other : {"translation", "rotation", "scale"})
+        if (node.contains(other)) GlbParts::fail("a node is moved otherwise than by a matrix");
+    if (!node.contains("matrix")) return out;
+    for (int i = 0; i < 16; ++i)
+        out[i / 4][i % 4] = node.at("matrix").at(static_cast<std::size_t>(i)).get<double>();
+    return out;
+}
+
+GlbContent::Node content_of(const GlbParts& parts, const GlbJson& node)
+{
+    GlbContent::Node out;
+    out.name = node.value("name", "");
+    out.to_file = matrix_of(node);
+    if (!node.contains("mesh")) return out;
+    const GlbJson& mesh = parts.json.at("meshes").at(node.at("mesh").get<std::size_t>());
+    GlbJson shared;
+    for (const GlbJson& primitive : mesh.at("primitives")) {
+        const GlbJson& positions = primitive.at("attributes").at("POSITION");
+        if (shared.is_null())
+            out.positions = parts.values<glm::vec3>(positions);
+        else if (positions != shared)
+            GlbParts::fail("the primitives of a mesh stand on different vertices");
+        shared = positions;
+        const std::vector<std::uint32_t> corners =
+            parts.values<std::uint32_t>(primitive.at("indices"));
+        out.corners.insert(out.corners.end(), corners.begin(), corners.end());
+    }
+    for (const std::uint32_t corner : out.corners)
+        if (corner >= out.positions.size()) GlbParts::fail("an index names no vertex");
+    return out;
+}
+
+} // namespace
+
+GlbContent glb_content(const std::string& path)
+{
+    try {
+        const GlbParts parts(read_text_file(path));
+        GlbContent out;
+        if (parts.json.contains("extras")) out.extras = parts.json.at("extras").dump();
+        const GlbJson nodes = parts.json.value("nodes", GlbJson::array());
+        for (const GlbJson& node : nodes) out.nodes.push_back(content_of(parts, node));
+        // Parents come before their children, as Trivar writes them.
+        for (std::size_t n = 0; n < nodes.size(); ++n)
+            for (const GlbJson& child : nodes[n].value("children", GlbJson::array())) {
+                const auto c = child.get<std::size_t>();
+                if (c <= n || c >= nodes.size()) GlbParts::fail("a node comes before its parent");
+                out.nodes[c].to_file = out.nodes[n].to_file * out.nodes[c].to_file;
+            }
+        return out;
+    } catch (const Rejected& error) {
+        throw Rejected(path + ": " + error.what());
+    } catch (const GlbJson::exception&) {
+        throw Rejected(path + ": this is no GLB file as Trivar writes them");
+    }
+}
+
+} // namespace trivar

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+namespace trivar {
+
+// What stands in a GLB file number for number, without the repairs of a reader: for checking what
+// Trivar wrote itself.
+struct GlbContent {
+    std::string extras; // JSON; empty: none
+    struct Node {
+        std::string name;
+        glm::dmat4 to_file{1}; // with those of its parents; Y up
+        std::vector<glm::vec3> positions;
+        std::vector<std::uint32_t> corners; // three a triangle, primitive by primitive
+    };
+    std::vector<Node> nodes;
+};
+
+// Triangles must be indexed by 32 bits and all primitives of a mesh stand on the same vertices, as
+// Trivar writes them. Throws Rejected where the file is no such GLB.
+GlbContent glb_content(const std::string& path);
+
+} // namespace trivar
