@@ -83,8 +83,7 @@ struct Editor {
         std::vector<std::string> before;       // the pages whose links were followed
         std::optional<std::size_t> show_block; // scroll to it
     } manual_dialog;
-    int width_point = -1, height_point = -1; // of the profiles, in the hand or last; -1: none
-    int across_point = -1, rise_point = -1;
+    int width_point = -1, height_point = -1, across_point = -1, rise_point = -1; // -1: none
     RecentScenes recent_scenes;
     struct StartCard {   // numbers of the session's scenes, for each of which it begins anew
         long asked = -1; // over whatever is there, by Help

@@ -23,6 +23,13 @@ bool turns_sharply(const glm::dvec3& before, const glm::dvec3& p, const glm::dve
 
 } // namespace
 
+bool creased(const Knots& knots, int control_point)
+{
+    const auto first = static_cast<std::size_t>(control_point) + 1;
+    const auto last = static_cast<std::size_t>(control_point + knots.order()) - 1;
+    return knots.values()[first] == knots.values()[last];
+}
+
 bool jumps(const std::array<Knots, 2>& axes, const std::vector<glm::dvec3>& nodes,
            const std::vector<glm::dvec3>& direction)
 {
@@ -34,10 +41,10 @@ bool jumps(const std::array<Knots, 2>& axes, const std::vector<glm::dvec3>& node
     for (int i = 0; i < rows; ++i)
         for (int j = 0; j < columns; ++j) {
             const std::size_t k = at(i, j);
-            if (i > 0 && i + 1 < rows &&
+            if (i > 0 && i + 1 < rows && !creased(axes[0], i) &&
                 turns_sharply(nodes[at(i - 1, j)], nodes[k], nodes[at(i + 1, j)], direction[k]))
                 return true;
-            if (j > 0 && j + 1 < columns &&
+            if (j > 0 && j + 1 < columns && !creased(axes[1], j) &&
                 turns_sharply(nodes[at(i, j - 1)], nodes[k], nodes[at(i, j + 1)], direction[k]))
                 return true;
         }

@@ -8,9 +8,13 @@
 
 namespace trivar {
 
+// Whether the spline may have a crease at the abscissa of a control point: order - 1 knots stand
+// there, and the control point lies on it.
+bool creased(const Knots& knots, int control_point);
+
 // Whether values on the grid turn so sharply along `direction` (of each node) that a surface
 // through them would overshoot: a node lies further from the line between its neighbours than half
-// of their distance seen along the direction.
+// of their distance seen along the direction. At creases they may.
 bool jumps(const std::array<Knots, 2>& axes, const std::vector<glm::dvec3>& nodes,
            const std::vector<glm::dvec3>& direction);
 

@@ -12,7 +12,8 @@ namespace {
 constexpr double edge_on = 0.01; // cosine between surface and ray below which steps mean nothing
 // Steps in cells: from which one more is not worth it, and the longest one to be trusted.
 constexpr double short_step = 0.03, longest_step = 0.5;
-constexpr int most_steps = 8;
+constexpr double exact_step = 1e-6; // where the last one may lead over a crease
+constexpr int most_steps = 8, most_over_creases = 16;
 constexpr double past_edge = 1e-6; // parameters outside by no more are rounding
 
 } // namespace
@@ -23,7 +24,8 @@ Gap gap_at(const SurfaceTable& s, const View& view, const SceneSample& sample, d
     const glm::dvec2 cell = 1.0 / s.cells();
     const glm::dvec2 lo = -more_cells * cell, hi = 1.0 - lo;
     glm::dvec2 uv = sample.uv;
-    for (int i = 0; i < most_steps; ++i) {
+    const double enough = s.creased() ? exact_step : short_step;
+    for (int i = 0; i < (s.creased() ? most_over_creases : most_steps); ++i) {
         const SurfaceTable::Jet jet = s.jet(uv);
         const glm::dvec3 r = sample.p_world - jet.value;
         const glm::dvec3 n = glm::cross(jet.u, jet.v);
@@ -38,7 +40,7 @@ Gap gap_at(const SurfaceTable& s, const View& view, const SceneSample& sample, d
                               glm::dot(glm::cross(jet.u, r), toward) / det);
         const glm::dvec2 to =
             glm::clamp(uv + glm::clamp(step, -longest_step * cell, longest_step * cell), lo, hi);
-        const bool stays = glm::all(glm::lessThan(glm::abs(to - uv), short_step * cell));
+        const bool stays = glm::all(glm::lessThan(glm::abs(to - uv), enough * cell));
         const glm::dvec2 beyond = glm::abs(uv + step - to);
         uv = to;
         if (stays) return {uv, -glm::dot(n, r) / det, std::max(beyond.x, beyond.y) <= past_edge};

@@ -5,6 +5,7 @@
 #include "core/placement/check.h"
 #include "core/placement/contact.h"
 #include "core/placement/profile.h"
+#include "core/placement/sharp.h"
 #include "core/placement/sketch.h"
 #include "core/placement/view.h"
 
@@ -64,7 +65,7 @@ std::vector<glm::dvec3> middle(const RayGrid& grid, const std::vector<glm::dvec3
     return out;
 }
 
-// Rows of the shrunk strip: from the first to the last that is mostly hit.
+// Rows of the shrunk strip, between those that are mostly hit.
 std::array<double, 2> hit_range(const RayGrid& grid)
 {
     std::array<double, 2> out{1, 0};
@@ -114,7 +115,9 @@ public:
             if (!measure(out)) break;
             cast(out, curve);
         }
+        if (parameters_.sharp) sharpen(out);
         relax(out, 4000, 1e-5);
+        std::erase_if(out.features, [&](const SceneSample& f) { return !lies_at(out, f.uv); });
         std::size_t contacts = 0;
         for (std::size_t k = 0; k < out.s.size(); ++k) contacts += out.touches(k);
         out.contact_share = static_cast<double>(contacts) / static_cast<double>(out.s.size());
@@ -226,6 +229,7 @@ private:
             for (const double t : across_) sheet.across.push_back(t * out.width);
             sheet.pull = 1 / std::pow(parameters_.stiffness * out.length, 2);
             sheet.bending = parameters_.bending;
+            sheet.on_edge = out.on_ridge;
             sheet.direction = spring_directions(grid);
             for (std::size_t k = 0; k < grid.rays.size(); ++k)
                 sheet.p0.push_back(grid.point(k) + parameters_.clearance * sheet.direction[k]);
@@ -249,8 +253,7 @@ private:
         });
     }
 
-    // The lines that nodes move on: toward the camera, toward the side the surface faces, or
-    // between.
+    // The lines that nodes move on: toward the camera, the side the surface faces, or between.
     std::vector<glm::dvec3> spring_directions(const RayGrid& grid) const
     {
         std::vector<glm::dvec3> out;
@@ -308,6 +311,24 @@ private:
                 sheet.hi[k] = std::max(0.0, above[k]->distance + start - parameters_.clearance);
     }
 
+    // Knots and nodes where the scene has creases.
+    void sharpen(StripLayout& out)
+    {
+        auto sharp = timed(timings_, "rays",
+                           [&] { return sharpened(out, View(camera_), scene_, parameters_); });
+        if (!sharp) return;
+        out = std::move(*sharp);
+        along_ = greville(out.axes[0]), across_ = greville(out.axes[1]), a_ = out.grid.a;
+    }
+
+    // Whether the nodes round a place touch the scene: springs hold none of them over it.
+    bool lies_at(const StripLayout& out, glm::dvec2 uv) const
+    {
+        const int i = bracket(along_, uv.x).first, j = bracket(across_, uv.y).first;
+        return out.touches(out.grid.index(i, j)) && out.touches(out.grid.index(i + 1, j)) &&
+               out.touches(out.grid.index(i, j + 1)) && out.touches(out.grid.index(i + 1, j + 1));
+    }
+
     // New parameters that put the nodes at equal lengths on the surface as it is; false when they
     // are the old ones.
     bool measure(StripLayout& out)
@@ -322,7 +343,6 @@ private:
             change = std::max(change, std::abs(a[i] - a_[i]));
         const double old_width = out.width, old_length = out.length;
         set_sizes(out, length.back());
-
         std::vector<double> factor;
         for (int i = 0; i < grid.rows; ++i) {
             const std::vector<double> walked =

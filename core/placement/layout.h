@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/placement/embed.h"
+#include "core/placement/gap.h"
 #include "core/placement/ray_grid.h"
 #include "core/placement/springs.h"
 
@@ -20,6 +21,8 @@ struct StripLayout {
     double contact_share = 0;                 // of the nodes: hit, and not lifted by the springs
     int spring_iterations = 0;
     int narrowed = 0;
+    std::vector<char> on_ridge{};        // #nodes or empty: they lie on an edge of the scene
+    std::vector<SceneSample> features{}; // points of oblique creases that the surface is drawn to
 
     std::vector<glm::dvec3> points() const; // the nodes, on their springs
     bool touches(std::size_t node) const;   // it was hit, and the springs do not hold it up

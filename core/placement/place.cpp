@@ -7,6 +7,7 @@
 #include "core/placement/layout.h"
 #include "core/placement/lift.h"
 #include "core/placement/profile.h"
+#include "core/placement/sharp.h"
 #include "core/placement/volume.h"
 
 #include <algorithm>
@@ -103,7 +104,11 @@ Placement finished(const StripLayout& layout, const std::vector<double>& s, cons
     for (std::size_t k = 0; k < s.size(); ++k) points[k] = layout.sheet.point(k, s);
     const bool through_nodes = !jumps(layout.axes, points, layout.sheet.direction);
     const Lifted lift = timed(timings, "lift", [&] {
-        return lifted(contact_surface(layout.axes, points, through_nodes), camera, scene,
+        Surface<glm::dvec3> surface = contact_surface(layout.axes, points, through_nodes);
+        if (!layout.features.empty())
+            surface =
+                drawn_to(std::move(surface), View(camera), layout.features, parameters.clearance);
+        return lifted(std::move(surface), camera, scene,
                       {.tolerance = parameters.lift_tolerance * layout.height,
                        .clearance = parameters.clearance,
                        .skip_back_faces = parameters.skip_back_faces,
@@ -161,7 +166,20 @@ Placement place(const Sketch& sketch, const PlacementParameters& parameters, con
 {
     const ModelFrame frame = model_frame(parameters, model);
     const StripLayout layout = lay_out(sketch, parameters, frame, scene, timings);
-    return finished(layout, layout.s, sketch.camera, parameters, frame, scene, timings);
+    Placement out = finished(layout, layout.s, sketch.camera, parameters, frame, scene, timings);
+    if (!parameters.sharp) return out;
+    // Not every edge can be taken on: what would pierce the scene or fold is laid round it.
+    const auto stands = [&](const PlacementReport& r) {
+        return r.penetration <= parameters.lift_tolerance && r.smallest_jacobian > 0;
+    };
+    if (stands(out.report)) return out;
+    PlacementParameters round = parameters;
+    round.sharp = false;
+    Placement rounded = place(sketch, round, model, scene, timings);
+    if (!stands(rounded.report) && rounded.report.smallest_jacobian < out.report.smallest_jacobian)
+        return out;
+    rounded.report.notices.emplace_back("the edges under it are too sharp for it and are rounded");
+    return rounded;
 }
 
 } // namespace trivar

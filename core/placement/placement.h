@@ -62,6 +62,7 @@ struct PlacementParameters {
     std::vector<glm::dvec2> rise_profile{};
     double contact_level = 0;         // the w that lies on the scene: 0 its floor, 1 its roof
     LengthAxis along = LengthAxis::x; // turned first of all, then rolled, then reversed
+    bool sharp = false; // the surface has the creases of the scene under it
     bool operator==(const PlacementParameters&) const = default;
 };
 

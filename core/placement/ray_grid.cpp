@@ -12,8 +12,6 @@
 namespace trivar {
 namespace {
 
-constexpr double grazing = 0.02; // cosine between normal and ray
-
 // Distances of the nearest hits in grid steps, spread outward ring by ring.
 std::vector<double> nearest_hits(const RayGrid& grid)
 {
@@ -81,6 +79,12 @@ RayGrid shoot(const Strip& strip, std::vector<double> a, std::vector<double> v,
         for (std::size_t k = i * columns; k < (i + 1) * columns; ++k)
             grid.rays[k] = view.ray(across.at(grid.v[k]));
     }
+    return met(std::move(grid), scene, skip_back_faces);
+}
+
+RayGrid met(RayGrid grid, const RayScene& scene, bool skip_back_faces)
+{
+    const std::size_t n = grid.rays.size();
     const std::vector<std::optional<Hit>> hits = scene.hits(grid.rays, skip_back_faces);
     grid.distance.assign(n, 0);
     grid.hit.assign(n, 0);

@@ -29,8 +29,12 @@ struct RayGrid {
     double missed_share() const;
 };
 
-// One ray a node. A surface met at less than about a degree counts as missed: such a hit jumps
-// with the smallest move of the strip.
+// What the grid's rays meet. A surface met at less than about a degree counts as missed: such a hit
+// jumps with the smallest move of the strip.
+RayGrid met(RayGrid grid, const RayScene& scene, bool skip_back_faces);
+inline constexpr double grazing = 0.02; // cosine between normal and ray
+
+// The same with one ray a node.
 RayGrid shoot(const Strip& strip, std::vector<double> a, std::vector<double> v,
               const Camera& camera, const RayScene& scene, bool skip_back_faces);
 

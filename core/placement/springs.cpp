@@ -190,6 +190,7 @@ std::vector<char> rough_nodes(const SpringSheet& sheet, const std::vector<double
             std::array<glm::dvec3, 4> normal;
             std::size_t count = 0;
             const std::size_t k = sheet.index(i, j);
+            if (!sheet.on_edge.empty() && sheet.on_edge[k]) continue;
             for (std::size_t q = 0; q < 4; ++q) {
                 const auto [ai, aj] = around[q];
                 const auto [bi, bj] = around[(q + 1) % 4];

@@ -17,6 +17,7 @@ struct SpringSheet {
     std::vector<double> along, across;     // #rows, #columns: ascending positions, metres
     std::vector<glm::dvec3> p0, direction; // #nodes; unit directions
     std::vector<double> lo, hi;            // #nodes; infinite where there is nothing
+    std::vector<char> on_edge;             // #nodes or empty: 1: a fold there is meant, not rough
     double bending = 0;                    // relative to the springs, >= 0
     double pull = 0; // toward s = 0, 1/square metre: a span of length pull^(-1/2) sags by a tenth
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/placement/surface_table.h"
 
+#include "core/placement/contact.h"
+
 #include <algorithm>
 #include <cassert>
 
@@ -96,6 +98,9 @@ SurfaceTable::SurfaceTable(const Surface<glm::dvec3>& surface)
       axes_{AxisTable(surface.axes[0]), AxisTable(surface.axes[1])},
       cells_(surface.axes[0].count() - 1, surface.axes[1].count() - 1)
 {
+    for (const Knots& knots : surface.axes)
+        for (int i = 1; i + 1 < knots.count() && knots.order() > 2; ++i)
+            creased_ = creased_ || trivar::creased(knots, i);
 }
 
 // The orders, where they are known while compiling, or 0.

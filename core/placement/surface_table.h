@@ -46,6 +46,7 @@ public:
     };
     Jet jet(glm::dvec2 uv) const;
     const glm::dvec2& cells() const { return cells_; } // of control points, along both axes
+    bool creased() const { return creased_; } // it may fold along a line of control points
 
     // At every u with every v, which ascend, v fastest: two matrix products.
     std::vector<glm::dvec3> grid(std::span<const double> u, std::span<const double> v) const;
@@ -71,6 +72,7 @@ private:
     const Surface<glm::dvec3>& surface_;
     std::array<AxisTable, 2> axes_;
     glm::dvec2 cells_;
+    bool creased_ = false;
 };
 
 } // namespace trivar

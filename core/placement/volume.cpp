@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/placement/volume.h"
 
+#include "core/placement/contact.h"
 #include "core/spline/greville_grid.h"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ constexpr double share_of_radius = 0.8;
 constexpr double told = 0.5; // of the height: what is lowered less is hardly seen
 constexpr int most_smoothings = 40;
 
-glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& otherwise)
+glm::dvec3 direction_or(const glm::dvec3& v, const glm::dvec3& otherwise)
 {
     const double length = glm::length(v);
     return length > 0 ? v / length : otherwise;
@@ -97,8 +98,8 @@ Extrusion extrusion(const Surface<glm::dvec3>& contact, const View& view,
             rise[k] = wanted * v;
             continue;
         }
-        const glm::dvec3 n = unit_or(glm::cross(s.u, s.v), v);
-        const glm::dvec3 d = unit_or(glm::mix(v, n, offset), v);
+        const glm::dvec3 n = direction_or(glm::cross(s.u, s.v), v);
+        const glm::dvec3 d = direction_or(glm::mix(v, n, offset), v);
         const glm::dvec2 curvature = curvatures(s, n); // the roof bends in hollows, the floor over
                                                        // ridges
         const double bend =
@@ -107,6 +108,20 @@ Extrusion extrusion(const Surface<glm::dvec3>& contact, const View& view,
         if (highest < told * wanted) ++lowered;
         rise[k] = std::min(wanted, highest) * d;
     }
+    // On a crease both sides count alike.
+    for (int axis = 0; offset > 0 && axis < 2; ++axis)
+        for (int i = 1; i + 1 < contact.axes[static_cast<std::size_t>(axis)].count(); ++i) {
+            if (!creased(contact.axes[static_cast<std::size_t>(axis)], i)) continue;
+            for (int j = 0; j < (axis == 0 ? columns : rows); ++j) {
+                const auto at = [&](int step) {
+                    return axis == 0 ? contact.index(i + step, j) : contact.index(j, i + step);
+                };
+                const glm::dvec3 &before = rise[at(-1)], &after = rise[at(1)];
+                glm::dvec3& on = rise[at(0)];
+                on = glm::length(before + after) / 2 *
+                     direction_or(before + after, direction_or(on, glm::dvec3(0)));
+            }
+        }
     const auto surface = [&](const Points& values) {
         Surface<glm::dvec3> control{contact.axes, values};
         if (!through_nodes) return control;

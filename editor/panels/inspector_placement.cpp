@@ -135,6 +135,7 @@ void contact_rows(ValueRows& rows, PlacementParameters& p)
                              at.width));
         p.misses = static_cast<Misses>(misses);
     }
+    rows.check("Edges", p.sharp, rest.sharp, "stay sharp", help_of("sharp"));
     rows.number("Clearance", p.clearance, rest.clearance, {.lo = 0, .hi = 1e6, .unit = "m"},
                 help_of("clearance"));
     rows.number("Sinking", p.lift_tolerance, rest.lift_tolerance, {.lo = 0, .hi = 1},

@@ -44,7 +44,9 @@ Sketch wavy_stroke()
 void stroke_to_result(benchmark::State& state)
 {
     const ThreadLimit limit(static_cast<int>(state.range(0)));
-    const PlacementParameters p{.grid = {64, 32, 4}, .offset = static_cast<double>(state.range(1))};
+    const PlacementParameters p{.grid = {64, 32, 4},
+                                .offset = static_cast<double>(state.range(1)),
+                                .sharp = state.range(2) != 0};
     const Sketch sketch = wavy_stroke();
     const Ref<Mesh> model = make_ref(box_mesh({10, 2, 1}, {100, 40, 20}));
     terrain();
@@ -64,8 +66,41 @@ void stroke_to_result(benchmark::State& state)
     state.counters["penetration"] = penetration;
 }
 BENCHMARK(stroke_to_result)
-    ->ArgNames({"threads", "offset"})
-    ->ArgsProduct({{1, 2}, {0, 1}})
+    ->ArgNames({"threads", "offset", "sharp"})
+    ->ArgsProduct({{1, 2}, {0, 1}, {0, 1}})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+// The same over the edge of a box, 1.2 m wide and seen from the corner.
+void stroke_over_an_edge(benchmark::State& state)
+{
+    const ThreadLimit limit(2);
+    static const RayScene box(
+        {{std::make_shared<const RayMesh>(make_ref(box_mesh({1.2, 3, 1.2}, {60, 60, 60})))}});
+    const PlacementParameters p{
+        .width = 0.4, .height = 0.2, .grid = {64, 32, 4}, .sharp = state.range(0) != 0};
+    Sketch sketch;
+    sketch.camera.eye = {4, -0.6, 3.6};
+    sketch.camera.size_px = {1500, 1000};
+    for (int i = 0; i <= 200; ++i) {
+        const double along = i / 200.0 - 0.5;
+        const glm::dvec3 p_world = along < 0 ? glm::dvec3(0.6 + along, along / 3, 0.6)
+                                             : glm::dvec3(0.6, along / 3, 0.6 - along);
+        sketch.samples.push_back({project(sketch.camera, p_world).p_px, 0.01 * i});
+    }
+    Timings timings;
+    const Box model{{-5, -1, 0}, {5, 1, 1}};
+    for (auto _ : state) {
+        const Placement placed = place(sketch, p, model, box, timings);
+        state.counters["control_points"] =
+            static_cast<double>(placed.volume.displacement.points.size());
+        state.counters["penetration"] = placed.report.penetration;
+    }
+}
+BENCHMARK(stroke_over_an_edge)
+    ->ArgName("sharp")
+    ->Arg(0)
+    ->Arg(1)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 

@@ -119,6 +119,7 @@ Changes changes(const PlacementParameters& before, const PlacementParameters& af
     compare("Ends", a.free_ends, b.free_ends, either("free", "fixed"));
     compare("Misses", a.misses, b.misses, misses);
     compare("Back faces", a.skip_back_faces, b.skip_back_faces, either("let through", "hit"));
+    compare("Edges", a.sharp, b.sharp, either("sharp", "rounded"));
     compare("Start", a.start, b.start, plain);
     compare("Fill", a.fill, b.fill, plain);
     compare("Sinking", a.lift_tolerance, b.lift_tolerance, plain);

@@ -63,6 +63,8 @@ template <> struct FieldsOf<PlacementParameters> {
               later_between(0, 1));
         field("along", p.along,
               "the axis of the model that runs along the stroke; turned before the roll", later);
+        field("sharp", p.sharp,
+              "it takes on the scene's sharp edges: control points are added where they are", later);
     }
 };
 
