@@ -6,7 +6,6 @@
 #include "editor/command_field.h"
 #include "editor/command_palette.h"
 #include "editor/files.h"
-#include "editor/fold_colors.h"
 #include "editor/held_keys.h"
 #include "editor/hints.h"
 #include "editor/manual.h"
@@ -38,7 +37,6 @@ struct Editor {
     Session session;
     Files files{session};
     Viewport viewport;
-    FoldColors fold_colors; // of the volume that is shown
     std::vector<std::unique_ptr<Tool>> tools = all_tools();
     std::size_t tool = 0; // index of the active one
     std::vector<Action> actions;

@@ -3,16 +3,19 @@
 
 #include "core/placement/placement.h"
 #include "editor/volume_surface.h"
-#include "ui/theme.h"
+#include "ui/palette.h"
 
 namespace trivar {
 
-// Where a volume is proven to fold, and where that is not known; worked out once for each volume.
-// Nothing for what is proven good, nor for more cells than can be judged between two frames.
+// The cells where a volume is proven to fold, and where that is not known. Nothing for what is
+// proven good, nor for more cells than can be judged between two frames.
+std::vector<gpu::Translucent> fold_veils(const Lattice& volume, const ui::Palette& color);
+
+// The same, worked out once for each volume.
 class FoldColors {
 public:
     const std::vector<gpu::Translucent>& of(const Ref<Placement>& placement,
-                                            const ui::Theme& theme);
+                                            const ui::Palette& color);
 
 private:
     Ref<Placement> placement_;

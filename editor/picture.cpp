@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/picture.h"
 
+#include "editor/volume_picture.h"
 #include "ui/camera_control.h"
+
+#include <algorithm>
 
 namespace trivar {
 
@@ -31,6 +34,12 @@ gpu::Picture picture_of(const Evaluated& evaluated, const Document& document, co
             if (stretch) instance.values = stretches.of(part);
             picture.instances.push_back(std::move(instance));
         }
+    if (document.render->volumes) {
+        constexpr double usual_height_px = 720;
+        const ui::Palette color = ui::palette_of({.light = document.render->look != "dark"});
+        const double wider = std::max(1.0, camera.size_px.y / usual_height_px);
+        add_volumes(picture, evaluated, document, color, static_cast<float>(wider));
+    }
     return picture;
 }
 

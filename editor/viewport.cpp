@@ -3,7 +3,6 @@
 
 #include "core/base/rejected.h"
 #include "editor/picture.h"
-#include "editor/volume_surface.h"
 #include "gpu/context.h"
 #include "ui/camera_control.h"
 
@@ -11,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <imgui.h>
+#include <iterator>
 #include <utility>
 
 namespace trivar {
@@ -194,8 +194,8 @@ void Viewport::draw_wanted(const Shown& wanted, const Session& session, ui::Fram
         picture.outline = style_.outline;
         picture.shaders = shaders_;
         Helpers shown = helpers();
-        picture.lines = std::move(shown.lines);
-        picture.translucent = std::move(shown.veils);
+        std::ranges::move(shown.lines, std::back_inserter(picture.lines));
+        std::ranges::move(shown.veils, std::back_inserter(picture.translucent));
         ++pictures_;
         begun_.reset();
         if (wanted.draft) {
@@ -277,43 +277,6 @@ ui::Theme theme_over_picture(const ui::Theme& theme, const RenderSettings& setti
     look.light = settings.look != "dark";
     over.color = ui::with_overlays(theme.color, look);
     return over;
-}
-
-std::vector<gpu::Line> placement_lines(const Placement& placement, const ui::Theme& theme)
-{
-    std::vector<gpu::Line> lines;
-    // Along the twelve edges of the volume, and every tenth of the way round it.
-    const auto add = [&](glm::dvec3 from, glm::dvec3 to, int steps, float alpha, float width) {
-        gpu::Line line{
-            {}, ui::linear_light(ui::faded(theme.color.lattice, alpha)), theme.line(width)};
-        for (int i = 0; i <= steps; ++i) {
-            const glm::dvec3 uvw = glm::mix(from, to, static_cast<double>(i) / steps);
-            line.points.emplace_back(evaluate(placement.volume, uvw).value);
-        }
-        lines.push_back(std::move(line));
-    };
-    for (const glm::dvec2 vw : {glm::dvec2(0, 0), {1, 0}, {0, 1}, {1, 1}})
-        add({0, vw.x, vw.y}, {1, vw.x, vw.y}, 96, 0.95f, 1.6f);
-    constexpr int ribs = 10;
-    for (int i = 0; i <= ribs; ++i) {
-        const double u = static_cast<double>(i) / ribs;
-        const bool end = i == 0 || i == ribs;
-        const float alpha = end ? 0.95f : 0.32f, width = end ? 1.6f : 1.0f;
-        add({u, 0, 0}, {u, 1, 0}, 12, alpha, width);
-        add({u, 0, 1}, {u, 1, 1}, 12, alpha, width);
-        add({u, 0, 0}, {u, 0, 1}, 8, alpha, width);
-        add({u, 1, 0}, {u, 1, 1}, 8, alpha, width);
-    }
-    if (placement.strip.empty()) return lines;
-    gpu::Line stroke{{}, ui::linear_light(theme.color.stroke), theme.line(2)};
-    stroke.points.assign(placement.strip.front().begin(), placement.strip.front().end());
-    lines.push_back(std::move(stroke));
-    return lines;
-}
-
-gpu::Translucent placement_veil(const Placement& placement, const ui::Theme& theme)
-{
-    return veil_of(volume_surface(placement.volume), theme.color.lattice_fill);
 }
 
 } // namespace trivar

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "editor/draft_pace.h"
+#include "editor/fold_colors.h"
 #include "editor/mouse_manners.h"
 #include "editor/stretch.h"
 #include "editor/tools/tool.h"
@@ -73,6 +74,7 @@ public:
     const Ref<gpu::ShaderTexts>& shaders() const { return shaders_; }
     unsigned texture() const { return renderer_ ? renderer_->texture() : 0; } // what shows
     WayComparison& ways() { return ways_; }
+    FoldColors& fold_colors() { return fold_colors_; } // of the volume that is shown
     const ui::TimingHistory& drafts() const { return drafts_; }
     double draft_scale() const { return pace_ ? pace_->scale() : 1; } // of the next draft's size
     const Timings& full_timings() const { return full_timings_; }     // of the last one
@@ -115,6 +117,7 @@ private:
     Ref<gpu::ShaderTexts> shaders_;
     Stretches stretches_;
     WayComparison ways_;
+    FoldColors fold_colors_;
     std::unique_ptr<gpu::Renderer> renderer_; // made at the first picture
     std::optional<DraftPace> pace_;           // as well
     std::optional<Shown> shown_;
@@ -139,10 +142,5 @@ bool is_fine_scroll(glm::dvec2 steps);
 
 // Where a ray first meets an object, by trying its triangles one after another: for one click.
 std::optional<glm::dvec3> first_hit(const EvaluatedObject& object, const Ray& ray);
-
-// The lines that show how a placed object lies: its stroke, the strip's rims and the volume.
-std::vector<gpu::Line> placement_lines(const Placement& placement, const ui::Theme& theme);
-// The outer faces of that volume.
-gpu::Translucent placement_veil(const Placement& placement, const ui::Theme& theme);
 
 } // namespace trivar

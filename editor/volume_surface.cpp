@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/volume_surface.h"
 
-#include "core/mesh/primitives.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -98,21 +96,6 @@ gpu::Translucent veil_of(const VolumeSurface& surface, ui::Color color)
     veil.colors = {ui::linear_light(color)};
     veil.points.assign(surface.points.begin(), surface.points.end());
     veil.triangles = surface.triangles;
-    return veil;
-}
-
-gpu::Translucent ball_veil(const glm::dvec3& center, double radius, ui::Color color)
-{
-    static const Mesh ball = sphere_mesh(1, 48, 24);
-    gpu::Translucent veil;
-    veil.colors = {ui::linear_light(color)};
-    veil.normals = ball.normals;
-    for (const glm::vec3& p : ball.positions)
-        veil.points.emplace_back(center + radius * glm::dvec3(p));
-    for (std::size_t f = 0; f + 1 < ball.face_begin.size(); ++f)
-        for (std::uint32_t c = ball.face_begin[f] + 2; c < ball.face_begin[f + 1]; ++c)
-            veil.triangles.insert(veil.triangles.end(), {ball.corners[ball.face_begin[f]],
-                                                         ball.corners[c - 1], ball.corners[c]});
     return veil;
 }
 

@@ -31,7 +31,4 @@ std::optional<OnVolume> on_volume(const VolumeSurface& surface, const Ray& ray);
 
 gpu::Translucent veil_of(const VolumeSurface& surface, ui::Color color);
 
-// A ball with a rim, for tools.
-gpu::Translucent ball_veil(const glm::dvec3& center, double radius, ui::Color color);
-
 } // namespace trivar

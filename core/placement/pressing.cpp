@@ -28,6 +28,10 @@ Pressing::Pressing(const LaidVolume& begun, const Press& press)
 {
     if (press_.guard) verdicts_ = judge(volume_);
     const glm::ivec3 n = counts(volume_);
+    for (int k = 0; k < n.z; ++k) {
+        const double side = volume_.displacement.axes[2].greville(k) - ground_;
+        toward_scene_.push_back(side > 1e-9 ? -1 : side < -1e-9 ? 1 : 0);
+    }
     points_.reserve(volume_.displacement.points.size());
     for (int i = 0; i < n.x; ++i)
         for (int j = 0; j < n.y; ++j) {
@@ -45,6 +49,12 @@ Pressing::Pressing(const LaidVolume& begun, const Press& press)
                                      : volume_frame(start_, greville(start_, {i, j, 0})).up);
             on_scene_.push_back(glm::dot(control_point(begun.as_laid, i, j, 0), up_.back()));
         }
+}
+
+double Pressing::height(std::size_t point, const glm::dvec3& up) const
+{
+    const glm::dvec3 moved = volume_.displacement.points[point] - start_.displacement.points[point];
+    return glm::dot(points_[point] + moved, up);
 }
 
 // How much of the ball reaches each control point; at two places of it, the more.
@@ -81,7 +91,6 @@ std::vector<PointMove> Pressing::moves(const glm::dvec4& sample, const std::vect
 std::vector<PointMove> Pressing::on_layers(const std::vector<double>& weights, double amount) const
 {
     const glm::ivec3 n = counts(volume_);
-    const Knots& above = volume_.displacement.axes[2];
     std::vector<PointMove> out;
     std::vector<double> before, after;
     for (int i = 0; i < n.x; ++i)
@@ -93,11 +102,9 @@ std::vector<PointMove> Pressing::on_layers(const std::vector<double>& weights, d
             before.clear();
             after.clear();
             for (int k = 0; k < n.z; ++k) {
-                const double side = above.greville(k) - ground_;
-                before.push_back(glm::dot(control_point(volume_, i, j, k), up));
-                const double toward = side > 1e-9 ? -1 : side < -1e-9 ? 1 : 0;
-                after.push_back(before.back() +
-                                toward * amount * column[static_cast<std::size_t>(k)]);
+                const auto layer = static_cast<std::size_t>(k);
+                before.push_back(height(first + layer, up));
+                after.push_back(before.back() + toward_scene_[layer] * amount * column[layer]);
             }
             if (press_.guard) {
                 const auto at = [](int k) { return static_cast<std::size_t>(k); };
@@ -130,8 +137,8 @@ std::vector<PointMove> Pressing::on_columns(const std::vector<double>& weights, 
             const auto column = static_cast<std::size_t>(i * n.y + j);
             double by = amount * weight;
             if (by < 0 && !press_.into_scene) {
-                const double height = glm::dot(control_point(volume_, i, j, 0), up_[column]);
-                by = std::max(by, std::min(0.0, on_scene_[column] - height));
+                const double now = height(volume_.displacement.index(i, j, 0), up_[column]);
+                by = std::max(by, std::min(0.0, on_scene_[column] - now));
             }
             if (by == 0) continue;
             for (int k = 0; k < n.z; ++k) out.push_back({{i, j, k}, by * up_[column]});

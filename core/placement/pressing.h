@@ -40,8 +40,11 @@ private:
     Press press_;
     double ground_;
     Lattice start_;
-    std::vector<glm::dvec3> points_;     // of start_, world
-    std::vector<glm::dvec3> up_;         // of each column, unit; n_u x n_v, v fastest
+    std::vector<glm::dvec3> points_; // of start_, world
+    std::vector<glm::dvec3> up_;     // of each column, unit; n_u x n_v, v fastest
+    double height(std::size_t point, const glm::dvec3& up) const; // as it is now, along that
+
+    std::vector<double> toward_scene_;   // of each layer: -1, 1, or 0 on the scene
     std::vector<double> gap_, on_scene_; // least |P_k - P_k-1|; height of the scene along up_
 };
 

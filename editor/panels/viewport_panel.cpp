@@ -5,6 +5,7 @@
 #include "core/base/text.h"
 #include "editor/file_words.h"
 #include "editor/panels/foot_cards.h"
+#include "editor/volume_picture.h"
 #include "ui/icons.h"
 #include "ui/timing_overlay.h"
 #include "ui/widgets.h"
@@ -27,10 +28,10 @@ Helpers helpers_of(Editor& editor, const ui::Theme& theme)
     if (found == objects.end() || !found->second->placement || !tool.shows_volume() ||
         std::ranges::binary_search(editor.session.aside, found->first))
         return helpers;
-    for (gpu::Line& line : placement_lines(*found->second->placement, theme))
+    for (gpu::Line& line : placement_lines(*found->second->placement, theme.color, theme.line(1)))
         helpers.lines.push_back(std::move(line));
-    helpers.veils.push_back(placement_veil(*found->second->placement, theme));
-    for (const gpu::Translucent& veil : editor.fold_colors.of(found->second->placement, theme))
+    helpers.veils.push_back(placement_veil(*found->second->placement, theme.color));
+    for (const gpu::Translucent& veil : editor.viewport.fold_colors().of(found->second->placement, theme.color))
         helpers.veils.push_back(veil);
     return helpers;
 }

@@ -5,6 +5,7 @@
 #include "core/ffd/resolution.h"
 #include "editor/tools/placement_handles.h"
 #include "editor/tools/select.h"
+#include "editor/volume_picture.h"
 #include "ui/icons.h"
 #include "ui/option_bar.h"
 #include "ui/widgets.h"
@@ -263,12 +264,7 @@ std::vector<gpu::Translucent> PressTool::veils(const Session& session, const ui:
 {
     const EvaluatedObject* laid = selected_placement(session);
     if (!laid || !gesture_) return {};
-    std::vector<gpu::Translucent> out;
-    const Press& press = gesture_->press;
-    for (const glm::dvec3& uvw : places(press, glm::dvec3(press.samples.back())))
-        out.push_back(ball_veil(evaluate(laid->placement->volume, uvw).value, press.radius,
-                                ui::faded(theme.color.sphere, 0.36f)));
-    return out;
+    return balls_of(gesture_->press, laid->placement->volume, theme.color);
 }
 
 void PressTool::overlay(const Session& session, const ui::Theme& theme,

@@ -164,6 +164,7 @@ Changes changes(const RenderSettings& before, const RenderSettings& after)
     compare("Colour by", before.color_by, after.color_by, [](ColorBy by) {
         return std::string(choice_names<ColorBy>[static_cast<std::size_t>(by)]);
     });
+    compare("Volumes", before.volumes, after.volumes, either("shown", "not shown"));
     compare("Ground", before.ground, after.ground, either("on", "off"));
     return compare.take();
 }

@@ -42,6 +42,10 @@ template <> struct FieldsOf<RenderSettings> {
         field("color_by", s.color_by,
               "what colours show: materials, or how what was placed is stretched and squeezed",
               later);
+        field("volumes", s.volumes,
+              "the volumes of what was placed are shown, with the ball of a press that was the "
+              "last step of shaping",
+              later);
         field("ground", s.ground, "a ground under the scene that catches shadows");
     }
 };

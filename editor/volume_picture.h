@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/evaluate.h"
+#include "gpu/picture.h"
+#include "ui/palette.h"
+
+namespace trivar {
+
+// What shows the volume of a placed object: its edges and ribs with the stroke, and its faces.
+// `line_px`: of a line that is one pixel wide at scale 1.
+std::vector<gpu::Line> placement_lines(const Placement& placement, const ui::Palette& color,
+                                       float line_px);
+gpu::Translucent placement_veil(const Placement& placement, const ui::Palette& color);
+
+// A ball with a rim, for tools.
+gpu::Translucent ball_veil(const glm::dvec3& center, double radius, const ui::Palette& color);
+// The balls of a press, mirrored too, where its last sample has come to lie in a volume.
+std::vector<gpu::Translucent> balls_of(const Press& press, const Lattice& volume,
+                                       const ui::Palette& color);
+
+// Adds all volumes, and the ball of each one's last step where that was a press.
+void add_volumes(gpu::Picture& picture, const Evaluated& evaluated, const Document& document,
+                 const ui::Palette& color, float line_px);
+
+} // namespace trivar
