@@ -3,6 +3,7 @@
 
 #include "core/base/rounded.h"
 #include "core/ffd/resolution.h"
+#include "editor/tools/last_shaping.h"
 #include "editor/tools/placement_handles.h"
 #include "editor/tools/select.h"
 #include "editor/volume_picture.h"
@@ -20,8 +21,6 @@ namespace trivar {
 namespace {
 
 constexpr double brush_step = 0.2; // of the radius, between samples; of the strength, each presses
-constexpr double stopped = 0.98;   // of what was asked: less is told
-constexpr const char* of_the_press = "press";
 
 // The ball lies on the side of the volume that lies on the scene: it lifts.
 bool at_scene(const Lattice& volume, double ground, const glm::dvec3& uvw)
@@ -41,14 +40,6 @@ glm::dvec2 metres_by_pixel(const Camera& camera, const glm::dvec3& center, const
     const double length = glm::length(way); // pixels a metre
     if (length * pixel < hardly_seen) return {0, pixel};
     return way / (length * length);
-}
-
-const Shaping* last_step(const Session& session, Id id)
-{
-    const auto found = session.evaluated().objects.find(id);
-    if (found == session.evaluated().objects.end() || !found->second->shaped) return nullptr;
-    const std::vector<Shaping>& steps = found->second->shaped->steps;
-    return steps.empty() ? nullptr : &steps.back();
 }
 
 // Where the ball is, and where it is mirrored.
@@ -90,11 +81,6 @@ void paint_ball(const ui::Theme& theme, const ViewportInput& input, const Camera
     ui::paint_dot(input.rect.lo + glm::vec2(at.p_px), radius_px,
                   ui::faded(theme.color.sphere, 0.22f), ui::faded(theme.color.sphere, 0.9f),
                   theme.line(1.6f));
-}
-
-std::string metres(double value)
-{
-    return ui::short_number(std::abs(value)) + " m";
 }
 
 } // namespace
@@ -139,7 +125,7 @@ void PressTool::begin(Session& session, const ViewportInput& input)
         g.press.samples.back().w = (g.pull ? -1 : 1) * brush_step * strength(laid);
     gesture_ = std::move(g);
     typed_ = {};
-    session.notices.forget(of_the_press);
+    session.notices.forget(of_a_step);
 }
 
 void PressTool::use(Session& session, const ViewportInput& input)
@@ -208,17 +194,14 @@ void PressTool::finish(Session& session)
 void PressTool::tell(Session& session)
 {
     if (told_of_ == 0 || gesture_ || !session.up_to_date()) return;
-    const Shaping* last = last_step(session, told_of_);
+    const Shaping* last = last_shaping(session, told_of_);
     const Id id = std::exchange(told_of_, 0);
     if (!last) return;
     if (!last->notice.empty())
         session.notices.say(ui::NoticeKind::warning, "Nothing was pressed", last->notice,
-                            of_the_press);
-    else if (std::abs(last->done) < stopped * std::abs(last->asked))
-        session.notices.say(ui::NoticeKind::warning, "The volume would fold here",
-                            "The press stopped at " + metres(last->done) +
-                                ". Use a larger radius, or turn the fold guard off.",
-                            of_the_press);
+                            of_a_step);
+    else if (stopped_short(*last))
+        tell_where_it_stopped(session, *last, "The press", "Use a larger radius");
     else if (const EvaluatedObject* laid = selected_placement(session); laid && laid->id == id)
         offer_points(session, id, laid->placement->volume);
 }
@@ -233,7 +216,7 @@ void PressTool::offer_points(Session& session, Id id, const Lattice& volume) con
     session.notices.say(ui::NoticeKind::warning, "The ball holds few control points",
                         "So it presses coarsely, or nothing at all. More can be added there; the "
                         "volume keeps its shape.",
-                        of_the_press,
+                        of_a_step,
                         {{"Add control points", [&session, id, knots] {
                               session.run(InsertKnots{id, {knots[0], knots[1], knots[2]}});
                           }}});
@@ -297,11 +280,11 @@ void PressTool::overlay(const Session& session, const ui::Theme& theme,
         if (inside == 0) ui::paint_chip(theme, at, {"holds no control point", theme.color.warn});
         return;
     }
-    const Shaping* step = session.proposing() ? last_step(session, gesture_->object) : nullptr;
+    const Shaping* step = session.proposing() ? last_shaping(session, gesture_->object) : nullptr;
     if (!step) return;
-    const bool short_of = std::abs(step->done) < stopped * std::abs(step->asked);
+    const bool short_of = stopped_short(*step);
     ui::paint_chip(theme, at,
-                   {(step->asked < 0 ? "pulled " : "pressed ") + metres(step->done) +
+                   {(step->asked < 0 ? "pulled " : "pressed ") + amount_words(step->done) +
                         (short_of ? ", would fold" : ""),
                     short_of ? theme.color.bad : ui::Color{0}});
 }
@@ -364,7 +347,8 @@ std::vector<Hint> PressTool::hints(const Session& session) const
         std::vector<Hint> hints;
         if (typed_.open())
             hints.push_back(
-                {{}, "Depth " + typed_.words(0, " m", metres(gesture_->press.samples.back().w))});
+                {{},
+                 "Depth " + typed_.words(0, " m", amount_words(gesture_->press.samples.back().w))});
         hints.push_back({{"left"}, "Let go when done"});
         hints.push_back({{"wheel"}, "Radius"});
         if (gesture_->by == By::drag && !typed_.open())

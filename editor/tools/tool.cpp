@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/tool.h"
 
+#include "editor/tools/lattice_points.h"
 #include "editor/tools/place.h"
 #include "editor/tools/press.h"
 #include "editor/tools/select.h"
@@ -18,6 +19,7 @@ std::vector<std::unique_ptr<Tool>> all_tools()
         tools.push_back(std::make_unique<TransformTool>(kind, choices));
     tools.push_back(std::make_unique<PlaceTool>(handles));
     tools.push_back(std::make_unique<PressTool>());
+    tools.push_back(std::make_unique<LatticePointsTool>());
     return tools;
 }
 

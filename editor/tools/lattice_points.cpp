@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/tools/lattice_points.h"
+
+#include "core/document/commands/apply.h"
+#include "editor/tools/last_shaping.h"
+#include "editor/tools/placement_handles.h"
+#include "editor/tools/select.h"
+#include "ui/icons.h"
+#include "ui/option_bar.h"
+#include "ui/widgets.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <imgui.h>
+
+namespace trivar {
+namespace {
+
+constexpr double point_reach_px = 10; // of the mouse, at scale 1
+constexpr std::size_t most_shown = 20000;
+
+glm::ivec3 size_of(const Lattice& volume)
+{
+    const std::array<Knots, 3>& axes = volume.displacement.axes;
+    return {axes[0].count(), axes[1].count(), axes[2].count()};
+}
+
+bool is_shown(const Lattice& volume)
+{
+    return volume.displacement.points.size() <= most_shown;
+}
+
+// Calls visit(index, pixel) for each control point before the eye.
+void each_point(const Lattice& volume, const Camera& camera, auto&& visit)
+{
+    if (!is_shown(volume)) return;
+    const glm::ivec3 n = size_of(volume);
+    for (int i = 0; i < n.x; ++i)
+        for (int j = 0; j < n.y; ++j)
+            for (int k = 0; k < n.z; ++k) {
+                const Projected p = project(camera, control_point(volume, i, j, k));
+                if (p.depth_world > 0) visit(glm::ivec3(i, j, k), p.p_px);
+            }
+}
+
+glm::dvec3 middle_of(const Lattice& volume, const std::vector<glm::ivec3>& points)
+{
+    glm::dvec3 sum(0);
+    for (const glm::ivec3& p : points) sum += control_point(volume, p.x, p.y, p.z);
+    return sum / static_cast<double>(points.size());
+}
+
+// The handles stand in the middle, along the directions at the first point.
+MotionFrame frame_of(const Lattice& volume, const std::vector<glm::ivec3>& points)
+{
+    const VolumeDirections at = volume_frame(volume, greville(volume, points.front()));
+    return {middle_of(volume, points), glm::dmat3(at.along, at.across, at.up)};
+}
+
+bool has(const std::vector<glm::ivec3>& points, const glm::ivec3& point)
+{
+    return std::ranges::find(points, point) != points.end();
+}
+
+} // namespace
+
+const char* LatticePointsTool::icon() const
+{
+    return ui::icon::volume;
+}
+
+Command LatticePointsTool::command() const
+{
+    return MovePoints{object_, {chosen_, shown_, mirror_, guard_}};
+}
+
+void LatticePointsTool::keep_what_is_there(const Session& session)
+{
+    const EvaluatedObject* laid = selected_placement(session);
+    if (!laid || laid->id != object_) chosen_.clear();
+    object_ = laid ? laid->id : 0;
+    if (!laid) return;
+    const glm::ivec3 n = size_of(laid->placement->volume);
+    std::erase_if(chosen_,
+                  [&](const glm::ivec3& p) { return p.x >= n.x || p.y >= n.y || p.z >= n.z; });
+}
+
+std::optional<glm::ivec3> LatticePointsTool::point_at(const Session& session,
+                                                      const ViewportInput& input) const
+{
+    std::optional<glm::ivec3> nearest;
+    double distance = point_reach_px * input.scale;
+    each_point(selected_placement(session)->placement->volume, session.camera,
+               [&](const glm::ivec3& p, glm::dvec2 at) {
+                   const double far = glm::distance(at, input.mouse);
+                   if (far >= distance) return;
+                   distance = far;
+                   nearest = p;
+               });
+    return nearest;
+}
+
+void LatticePointsTool::use(Session& session, const ViewportInput& input)
+{
+    tell(session);
+    if (gesture_) {
+        if (!selected_placement(session)) return cancel(session);
+        return go_on(session, input);
+    }
+    keep_what_is_there(session);
+    hovered_.reset();
+    hovered_handle_ = {};
+    if (object_ == 0) {
+        box_px_.reset();
+        if (input.pressed) select_by_click(session, input.under);
+        return;
+    }
+    const Lattice& volume = selected_placement(session)->placement->volume;
+    if (box_px_) {
+        if (!input.released && input.down) return;
+        if (glm::distance(*box_px_, input.mouse) >= click_slip_px)
+            choose_in_box(session, input);
+        else if (input.under != 0 && input.under != object_)
+            select_by_click(session, input.under);
+        else if (!ImGui::GetIO().KeyCtrl)
+            chosen_.clear();
+        box_px_.reset();
+        return;
+    }
+    if (!input.hovered && !input.pressed) return;
+    if (!chosen_.empty())
+        hovered_handle_ = handle_at(
+            gizmo_shapes(MotionKind::move, session.camera, frame_of(volume, chosen_), input.scale),
+            glm::vec2(input.mouse), input.scale);
+    // The middle of the handles covers a single chosen point: both move it.
+    if (hovered_handle_.grip == Grip::none) hovered_ = point_at(session, input);
+    if (hovered_ || hovered_handle_.grip != Grip::none)
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    if (!input.pressed || session.committing()) return;
+    if (hovered_handle_.grip != Grip::none)
+        begin(session, input, hovered_handle_);
+    else if (hovered_)
+        choose(session, input);
+    else
+        box_px_ = input.mouse;
+}
+
+void LatticePointsTool::choose(const Session& session, const ViewportInput& input)
+{
+    const glm::ivec3 point = *hovered_;
+    if (ImGui::GetIO().KeyCtrl) {
+        if (std::erase(chosen_, point) == 0) chosen_.push_back(point);
+        return;
+    }
+    if (!has(chosen_, point)) chosen_ = {point};
+    begin(session, input, {Grip::center, 0});
+}
+
+void LatticePointsTool::choose_in_box(const Session& session, const ViewportInput& input)
+{
+    const glm::dvec2 lo = glm::min(*box_px_, input.mouse), hi = glm::max(*box_px_, input.mouse);
+    if (!ImGui::GetIO().KeyCtrl) chosen_.clear();
+    each_point(selected_placement(session)->placement->volume, session.camera,
+               [&](const glm::ivec3& p, glm::dvec2 at) {
+                   const bool inside = glm::all(glm::greaterThanEqual(at, lo)) &&
+                                       glm::all(glm::lessThanEqual(at, hi));
+                   if (inside && !has(chosen_, p)) chosen_.push_back(p);
+               });
+}
+
+void LatticePointsTool::begin(const Session& session, const ViewportInput& input,
+                              const Handle& handle)
+{
+    const MotionFrame frame = frame_of(selected_placement(session)->placement->volume, chosen_);
+    // The gesture is that of an object which stands there, turned as the volume is.
+    const Stand stand{object_,
+                      {.translation = frame.pivot,
+                       .rotation_deg = decomposed(glm::dmat4(frame.axes)).rotation_deg},
+                      glm::dmat4(1)};
+    gesture_.emplace(MotionKind::move, std::vector<Stand>{stand}, object_,
+                     TransformChoices{.orientation = Orientation::local, .step_m = 0.01},
+                     session.camera, Grasp{frame.pivot, handle, input.mouse, input.scale});
+    shown_ = glm::dvec3(0);
+}
+
+void LatticePointsTool::go_on(Session& session, const ViewportInput& input)
+{
+    const ImGuiIO& io = ImGui::GetIO();
+    gesture_->move_hand(session.camera, input.mouse, {.snap = io.KeyCtrl, .fine = io.KeyShift});
+    if (input.released || !input.down) return finish(session);
+    if (!gesture_->typed().open() && gesture_->travelled_px() < click_slip_px) return;
+    const glm::dvec3 wanted = gesture_->motion().offset;
+    // One proposal at a time: the next waits until the last one can be seen.
+    if (wanted == shown_ || !session.up_to_date()) return;
+    shown_ = wanted;
+    session.propose_quietly(command());
+}
+
+void LatticePointsTool::finish(Session& session)
+{
+    shown_ = gesture_->motion().offset;
+    const bool meant = gesture_->travelled_px() >= click_slip_px || gesture_->typed().open();
+    gesture_.reset();
+    if (meant && shown_ != glm::dvec3(0) && session.propose(command())) {
+        told_of_ = object_;
+        session.commit();
+    } else
+        session.cancel();
+}
+
+void LatticePointsTool::tell(Session& session)
+{
+    if (told_of_ == 0 || gesture_ || !session.up_to_date()) return;
+    const Shaping* last = last_shaping(session, std::exchange(told_of_, 0));
+    if (last && stopped_short(*last))
+        tell_where_it_stopped(session, *last, "The control points", "Move their neighbours too");
+}
+
+void LatticePointsTool::cancel(Session& session)
+{
+    box_px_.reset();
+    if (!gesture_) return;
+    gesture_.reset();
+    session.cancel();
+}
+
+void LatticePointsTool::take_keys(Session& session)
+{
+    if (!gesture_) return;
+    TypedAmounts& typed = gesture_->typed();
+    const auto struck = [](int key) {
+        return !ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(key, false);
+    };
+    const bool writes = typed.text(typed.at()).starts_with('=');
+    for (int axis = 0; axis < 3 && !writes; ++axis)
+        if (struck('X' + axis)) gesture_->choose_axis(axis, ImGui::GetIO().KeyShift);
+    typed.take_letters();
+    if (struck(ui::key_tab)) typed.next(gesture_->numbers());
+    if (struck(ui::key_enter) || struck(ui::key_keypad_enter)) finish(session);
+}
+
+// The net of control points.
+std::vector<gpu::Line> LatticePointsTool::lines(const Session& session,
+                                                const ui::Theme& theme) const
+{
+    std::vector<gpu::Line> out;
+    const EvaluatedObject* laid = selected_placement(session);
+    if (!laid || !is_shown(laid->placement->volume)) return out;
+    const Lattice& volume = laid->placement->volume;
+    const glm::ivec3 n = size_of(volume);
+    for (int along = 0; along < 3; ++along) {
+        const int s = (along + 1) % 3, t = (along + 2) % 3;
+        for (int i = 0; i < n[s]; ++i)
+            for (int j = 0; j < n[t]; ++j) {
+                gpu::Line line{
+                    {}, ui::linear_light(ui::faded(theme.color.lattice, 0.3f)), theme.line(1)};
+                for (int k = 0; k < n[along]; ++k) {
+                    glm::ivec3 at(0);
+                    at[along] = k;
+                    at[s] = i;
+                    at[t] = j;
+                    line.points.emplace_back(control_point(volume, at.x, at.y, at.z));
+                }
+                out.push_back(std::move(line));
+            }
+    }
+    return out;
+}
+
+void LatticePointsTool::overlay(const Session& session, const ui::Theme& theme,
+                                const ViewportInput& input) const
+{
+    const EvaluatedObject* laid = selected_placement(session);
+    if (!laid) return;
+    const Lattice& volume = laid->placement->volume;
+    each_point(volume, session.camera, [&](const glm::ivec3& p, glm::dvec2 at) {
+        const bool chosen = has(chosen_, p), lit = hovered_ && *hovered_ == p;
+        ui::paint_dot(input.rect.lo + glm::vec2(at),
+                      theme.scale * (lit      ? 5.5f
+                                     : chosen ? 4.5f
+                                              : 2.5f),
+                      chosen || lit ? theme.color.selected : theme.color.lattice, theme.color.halo,
+                      theme.scale);
+    });
+    if (box_px_ && glm::distance(*box_px_, input.mouse) >= click_slip_px) {
+        const glm::vec2 a = input.rect.lo + glm::vec2(*box_px_),
+                        b = input.rect.lo + glm::vec2(input.mouse);
+        const ui::Rect box{glm::min(a, b), glm::max(a, b)};
+        ui::paint_box(box, ui::faded(theme.color.selected, 0.08f));
+        ui::paint_rim(box, theme.color.selected, 0, theme.size.hairline);
+    }
+    if (chosen_.empty() || box_px_) return;
+    paint_gizmo(
+        theme, input.rect.lo,
+        gizmo_shapes(MotionKind::move, session.camera, frame_of(volume, chosen_), input.scale),
+        gesture_ ? gesture_->constraint() : hovered_handle_);
+    const Shaping* step =
+        gesture_ && session.proposing() ? last_shaping(session, object_) : nullptr;
+    if (!step) return;
+    const bool short_of = stopped_short(*step);
+    ui::paint_chip(theme,
+                   input.rect.lo + glm::vec2(input.mouse) + glm::vec2(theme.px(18), -theme.px(30)),
+                   {amount_words(step->done) + (short_of ? ", would fold" : ""),
+                    short_of ? theme.color.bad : ui::Color{0}});
+}
+
+void LatticePointsTool::options(Session& session, const ui::Theme& theme, float width)
+{
+    const EvaluatedObject* laid = selected_placement(session);
+    std::vector<ui::Option> options;
+    options.push_back({"Mirror", 20, [&](float) { ui::check_box(theme, "mirror", mirror_, ""); },
+                       "Points on the other side of the middle go the other way across."});
+    options.push_back({"Guard", 20, [&](float) { ui::check_box(theme, "guard", guard_, ""); },
+                       "No further than is proven not to fold the volume."});
+    if (laid) {
+        const glm::ivec3 n = size_of(laid->placement->volume);
+        const std::string words = fmt::format("{} of {} x {} x {}", chosen_.size(), n.x, n.y, n.z);
+        options.push_back({"Points", 128,
+                           [&theme, words](float field) {
+                               const ImVec2 at = ImGui::GetCursorScreenPos();
+                               ui::name_text(theme.font.body,
+                                             ui::rect_at({at.x, at.y}, {field, theme.size.row}),
+                                             theme.color.text_2, words);
+                           },
+                           "Control points that are chosen, of those along, across and up."});
+    }
+    ui::option_bar(theme, options, width);
+}
+
+std::vector<Hint> LatticePointsTool::hints(const Session& session) const
+{
+    if (gesture_)
+        return {{{}, gesture_->words()},
+                {{"left"}, "Let go when done"},
+                {{"X", "Y", "Z"}, "Along, across, up"},
+                {{"0", "-", "9"}, "Type it"},
+                {{"Ctrl"}, "Snap"},
+                {{"Shift"}, "Fine"},
+                {{"Esc", "/", "right"}, "Cancel"}};
+    if (!selected_placement(session))
+        return {{{}, "Select a placed object"}, {{"left"}, "Select"}, {{"Esc"}, "Select"}};
+    std::vector<Hint> hints{
+        {{"left"}, chosen_.empty() ? "Choose a point" : "Drag a point or handle"},
+        {{"Ctrl", "left"}, "Add or remove"},
+        {{"left"}, "Drag a box"},
+        {{"middle"}, "Orbit"},
+        {{"Esc"}, "Select"}};
+    return hints;
+}
+
+} // namespace trivar
