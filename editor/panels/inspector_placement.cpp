@@ -170,6 +170,7 @@ void draw_placement(Editor& editor, const ui::Theme& theme, Id id)
     part("Fit", true, [&] { fit_rows(rows, p); });
     if (!round) part("Contact", false, [&] { contact_rows(rows, p); });
     draw_travel(editor, theme, {id});
+    draw_refinement(editor, theme, {id});
     if (placement) part("Checks", true, [&] { report_rows(theme, placement->report); });
     propose_edit(editor, rows.edit, [&] { return EditPlacement{id, p, {}, {}}; });
 }

@@ -164,10 +164,13 @@ void draw_several(Editor& editor, const ui::Theme& theme)
     ui::fact_row(theme, "Active", active->name);
     ui::gap(theme, 8);
     transforms(editor, theme);
-    std::vector<Id> travellers;
+    std::vector<Id> placed_ids;
     for (const Id id : session.selected.ids())
-        if (object(session.document(), id).placement) travellers.push_back(id);
-    if (!travellers.empty()) draw_travel(editor, theme, travellers);
+        if (object(session.document(), id).placement) placed_ids.push_back(id);
+    if (!placed_ids.empty()) {
+        draw_travel(editor, theme, placed_ids);
+        draw_refinement(editor, theme, placed_ids);
+    }
     const auto imported = [&](Id id) {
         return std::holds_alternative<ImportedFile>(object(session.document(), id).source);
     };

@@ -69,6 +69,7 @@ void draw_transform(Editor& editor, const ui::Theme& theme, Id id);
 void draw_material(Editor& editor, const ui::Theme& theme, Id id);
 void draw_placement(Editor& editor, const ui::Theme& theme, Id id);
 void draw_travel(Editor& editor, const ui::Theme& theme, const std::vector<Id>& placed);
+void draw_refinement(Editor& editor, const ui::Theme& theme, const std::vector<Id>& placed);
 void draw_clip(Editor& editor, const ui::Theme& theme, const std::vector<Id>& imported);
 void draw_several(Editor& editor, const ui::Theme& theme); // where several objects are selected
 void draw_picture_settings(Editor& editor, const ui::Theme& theme);

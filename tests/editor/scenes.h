@@ -103,6 +103,7 @@ inline SceneFile scene_of_long_names()
     scene.run(SetTransform{2, {.translation = {1, 2, 3}}});
     scene.run(placed(2, 1));
     scene.run(SetTravel{{2}, {.speed = 123.456, .ease_in = 0.125}});
+    scene.run(Refine{{2}, {.tolerance = 1e-4, .budget = 12}});
     ImportModel import;
     import.file.path = words + ".obj";
     import.name = words;

@@ -4,16 +4,34 @@
 #include "core/base/rejected.h"
 #include "core/document/commands/apply.h"
 
+#include <fmt/format.h>
+
 namespace trivar {
+namespace {
+
+void check_method(const Refining& refining)
+{
+    if (refining.method == BoundMethod::thesis_circumradius)
+        throw Rejected("field \"method\": thesis_circumradius is false and bounds nothing; "
+                       "circumradius is the same formula put right");
+}
+
+} // namespace
 
 Document applied(Document document, const Refine& command)
 {
     for (const Id id : distinct(document, command.objects)) check_placed(object(document, id), id);
-    if (command.refining.method == BoundMethod::thesis_circumradius)
-        throw Rejected("field \"method\": thesis_circumradius is false and bounds nothing; "
-                       "circumradius is the same formula put right");
-    return with_all_changed(std::move(document), command.objects,
-                            [&](Object& o) { o.refining = command.refining; });
+    const std::vector<Refining>& each = command.refinings;
+    if (!each.empty() && each.size() != command.objects.size())
+        throw Rejected(fmt::format("field \"refinings\" has {} entries for {} objects", each.size(),
+                                   command.objects.size()));
+    check_method(command.refining);
+    for (const Refining& one : each) check_method(one);
+    for (std::size_t i = 0; i < command.objects.size(); ++i)
+        document = with_changed(std::move(document), command.objects[i], [&](Object& o) {
+            o.refining = each.empty() ? command.refining : each[i];
+        });
+    return document;
 }
 
 Document applied(Document document, const ClearRefine& command)

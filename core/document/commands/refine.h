@@ -45,11 +45,15 @@ struct Refine {
                                                 "bent surface is certified within a tolerance.";
     std::vector<Id> objects;
     Refining refining;
+    std::vector<Refining> refinings = {};
     bool operator==(const Refine&) const = default;
     static void fields(auto& c, auto&& field)
     {
         field("objects", c.objects, "ids of placed objects", required);
         FieldsOf<Refining>::fields(c.refining, field);
+        field("refinings", c.refinings,
+              "one each, in the order of the objects, in place of these fields; empty: the same "
+              "for all");
     }
 };
 struct ClearRefine {

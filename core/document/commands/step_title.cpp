@@ -289,7 +289,8 @@ struct Titles {
     }
     StepTitle operator()(const Refine& c) const
     {
-        return {"Refine " + names_in(before, c.objects), in_metres(c.refining.tolerance)};
+        const Refining& now = c.refinings.empty() ? c.refining : c.refinings.front();
+        return {"Refine " + names_in(before, c.objects), in_metres(now.tolerance)};
     }
     StepTitle operator()(const ClearRefine& c) const
     {
