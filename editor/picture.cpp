@@ -8,17 +8,39 @@
 
 namespace trivar {
 
-gpu::Picture picture_of(const Evaluated& evaluated, const Document& document, const Camera& camera,
-                        Stretches& stretches, gpu::DeformBy by)
+namespace {
+
+std::optional<gpu::ValueColors> colors_of(ColorBy by)
 {
-    const bool stretch = document.render->color_by == ColorBy::stretch;
+    if (by == ColorBy::material) return std::nullopt;
+    if (by == ColorBy::stretch) return gpu::ValueColors{};
+    return gpu::ValueColors{.diverging = false, .range = shown_errors};
+}
+
+Ref<std::vector<float>> values_of(const EvaluatedObject& object, std::size_t part,
+                                  const Document& document, ShownValues& values)
+{
+    const ColorBy by = document.render->color_by;
+    if (by == ColorBy::material) return nullptr;
+    if (by == ColorBy::stretch) return values.stretch_of(object.parts[part]);
+    const auto cause = document.objects.find(object.id);
+    if (cause == document.objects.end()) return nullptr; // deleted since it was evaluated
+    return values.error_of(object, part, cause->second->refining.value_or(Refining{}));
+}
+
+} // namespace
+
+gpu::Picture picture_of(const Evaluated& evaluated, const Document& document, const Camera& camera,
+                        ShownValues& values, gpu::DeformBy by)
+{
     gpu::Picture picture;
     picture.camera = camera;
     picture.settings = *document.render;
     picture.deform_by = by;
-    if (stretch) picture.value_colors = gpu::ValueColors{};
+    picture.value_colors = colors_of(document.render->color_by);
     for (const auto& [id, ref] : evaluated.objects)
-        for (const Part& part : ref->parts) {
+        for (std::size_t p = 0; p < ref->parts.size(); ++p) {
+            const Part& part = ref->parts[p];
             gpu::Instance instance;
             instance.to_world = part.to_world;
             instance.materials = ref->materials;
@@ -31,7 +53,7 @@ gpu::Picture picture_of(const Evaluated& evaluated, const Document& document, co
                 instance.mesh = part.mesh();
                 if (part.bent || part.posed) instance.rest = part.rest;
             }
-            if (stretch) instance.values = stretches.of(part);
+            instance.values = values_of(*ref, p, document, values);
             picture.instances.push_back(std::move(instance));
         }
     if (document.render->volumes) {

@@ -2,16 +2,16 @@
 #pragma once
 
 #include "core/document/evaluate.h"
-#include "editor/stretch.h"
+#include "editor/shown_values.h"
 #include "gpu/picture.h"
 
 namespace trivar {
 
 // What the renderer draws of an evaluated document, seen from a camera. Objects can be picked by
-// their id. What colours show besides materials is kept in `stretches`. Placed objects are drawn as
+// their id. What colours show besides materials is kept in `values`. Placed objects are drawn as
 // they were evaluated, by the processor, or deformed by the renderer from what they were before.
 gpu::Picture picture_of(const Evaluated& evaluated, const Document& document, const Camera& camera,
-                        Stretches& stretches, gpu::DeformBy by = gpu::DeformBy::processor);
+                        ShownValues& values, gpu::DeformBy by = gpu::DeformBy::processor);
 
 // Adds the vertices of an object, in world space.
 void add_points(std::vector<glm::dvec3>& points, const EvaluatedObject& object);

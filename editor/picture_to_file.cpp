@@ -59,7 +59,7 @@ void PictureToFile::draw(const Session& session, const Ref<gpu::ShaderTexts>& sh
         width_px,
         std::max(1, static_cast<int>(std::lround(width_px * view.y / std::max(1.0, view.x)))));
     gpu::Picture picture = picture_of(session.evaluated(), session.document(),
-                                      ui::reshaped(session.camera, glm::dvec2(size_px)), stretches_,
+                                      ui::reshaped(session.camera, glm::dvec2(size_px)), values_,
                                       gpu::DeformBy::processor);
     gpu::set_level(picture, gpu::Level::high);
     picture.shaders = shaders;

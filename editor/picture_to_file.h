@@ -2,7 +2,7 @@
 #pragma once
 
 #include "editor/session.h"
-#include "editor/stretch.h"
+#include "editor/shown_values.h"
 #include "gpu/renderer.h"
 #include "ui/frame.h"
 
@@ -33,7 +33,7 @@ private:
     std::string path_;
     int width_px_ = 0;
     int wanted_px_ = 0; // till it begins
-    Stretches stretches_;
+    ShownValues values_;
 };
 
 } // namespace trivar

@@ -101,6 +101,8 @@ void add_view_actions(std::vector<Action>& a)
                  {},
                  colored_by(ColorBy::stretch),
                  by_other_than(ColorBy::stretch)});
+    a.push_back(
+        {"View", "Colour by error", {}, colored_by(ColorBy::error), by_other_than(ColorBy::error)});
     a.push_back({"View",
                  "Keep this view",
                  {},

@@ -41,10 +41,10 @@ void shade(gpu::Picture& picture, const ViewportStyle& style)
 }
 
 gpu::Picture picture_of(const Session& session, gpu::Level level, const ViewportStyle& style,
-                        Stretches& stretches)
+                        ShownValues& values)
 {
     gpu::Picture picture = picture_of(session.evaluated(), session.document(), session.camera,
-                                      stretches, style.deform_by);
+                                      values, style.deform_by);
     gpu::set_level(picture, level);
     std::erase_if(picture.instances, [&](const gpu::Instance& instance) {
         return std::ranges::binary_search(session.aside, instance.id);
@@ -188,7 +188,7 @@ void Viewport::draw_wanted(const Shown& wanted, const Session& session, ui::Fram
     if (wanted.draft || begun_ != wanted) {
         gpu::Picture picture = picture_of(
             session, wanted.draft ? std::min(pace_->level(), style_.level) : style_.level, style_,
-            stretches_);
+            values_);
         picture.backdrop = style_.backdrop;
         picture.grid = style_.backdrop.has_value() && style_.grid;
         picture.outline = style_.outline;

@@ -4,7 +4,7 @@
 #include "editor/draft_pace.h"
 #include "editor/fold_colors.h"
 #include "editor/mouse_manners.h"
-#include "editor/stretch.h"
+#include "editor/shown_values.h"
 #include "editor/tools/tool.h"
 #include "editor/way_comparison.h"
 #include "gpu/renderer.h"
@@ -115,7 +115,7 @@ private:
     ViewportStyle style_;
     std::optional<gpu::ShaderFolder> shader_folder_;
     Ref<gpu::ShaderTexts> shaders_;
-    Stretches stretches_;
+    ShownValues values_;
     WayComparison ways_;
     FoldColors fold_colors_;
     std::unique_ptr<gpu::Renderer> renderer_; // made at the first picture

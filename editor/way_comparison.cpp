@@ -12,7 +12,7 @@ void WayComparison::advance(const Evaluated& evaluated, const Document& document
                             const Ref<gpu::ShaderTexts>& shaders)
 {
     if (!running()) return;
-    Stretches none;
+    ShownValues none;
     gpu::Picture picture = picture_of(evaluated, document, {}, none, gpu::DeformBy::two_phases);
     picture.shaders = shaders;
     if (!timer_) timer_ = std::make_unique<gpu::WayTimer>();

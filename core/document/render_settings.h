@@ -6,8 +6,9 @@
 
 namespace trivar {
 
-// What colours show: the materials, or by which factor the volume of what was placed changed.
-enum class ColorBy { material, stretch };
+// What colours show: the materials, by which factor the volume of what was placed changed, or the
+// certified error of its triangles beside the tolerance.
+enum class ColorBy { material, stretch, error };
 
 // How the picture is made; part of the document. Colours are linear.
 struct RenderSettings {

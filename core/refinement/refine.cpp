@@ -31,7 +31,8 @@ public:
     {
         measure_rounding(parts);
     }
-    Refined operator()();
+    void split();
+    Refined result();
 
 private:
     void measure_rounding(const std::vector<RefinePart>& parts);
@@ -250,7 +251,7 @@ void Refinement::choose_split_points()
     });
 }
 
-Refined Refinement::operator()()
+void Refinement::split()
 {
     for (mark(); marked_; mark()) {
         keep_to_budget();
@@ -259,8 +260,11 @@ Refined Refinement::operator()()
         all_.split_marked();
         if (out_of_budget_) break;
     }
-    bound_triangles(true);
+}
 
+Refined Refinement::result()
+{
+    bound_triangles(true);
     Refined out;
     out.out_of_budget = out_of_budget_;
     double most_moved = 0;
@@ -277,12 +281,18 @@ Refined Refinement::operator()()
         if (bound > target(moved(t)))
             part.not_certified.push_back(static_cast<Index>(part.triangles));
         const auto [a, b, c] = all_.corners(t);
+        for (const Index v : t.vertices) {
+            if (v >= part.bound_at.size()) part.bound_at.resize(v + 1);
+            part.bound_at[v] =
+                std::max(part.bound_at[v], static_cast<float>(bound + rounding(moved(t))));
+        }
         part.degenerate += glm::cross(b.uvw - a.uvw, c.uvw - a.uvw) == glm::dvec3(0);
         ++part.triangles;
     }
     out.parts.resize(all_.part_count());
     for (std::size_t p = 0; p < out.parts.size(); ++p) {
         out.parts[p].mesh = all_.mesh(p);
+        out.parts[p].bound_at.resize(out.parts[p].mesh->vertex_count()); // some are of no face
         out.parts[p].triangles_before = all_.triangles_before(p);
         out.bound = std::max(out.bound, out.parts[p].bound);
     }
@@ -310,7 +320,15 @@ Refined refine(const std::vector<RefinePart>& parts, const Lattice& lattice,
 {
     if (!(options.tolerance_world > 0) || !std::isfinite(options.tolerance_world))
         throw Rejected("a tolerance has to be a length above 0 m");
-    return Refinement(parts, lattice, options)();
+    Refinement refinement(parts, lattice, options);
+    refinement.split();
+    return refinement.result();
+}
+
+Refined bounded(const std::vector<RefinePart>& parts, const Lattice& lattice,
+                const RefineOptions& options)
+{
+    return Refinement(parts, lattice, options).result();
 }
 
 } // namespace trivar

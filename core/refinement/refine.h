@@ -28,6 +28,7 @@ struct RefinedPart {
     // Infinite where a bound says nothing, and after chua_neumann_midpoint.
     double bound = 0;
     std::vector<std::uint32_t> not_certified; // faces of `mesh` whose bound exceeds the tolerance
+    std::vector<float> bound_at; // by vertex of `mesh`: the greatest bound of its triangles
 };
 
 struct Refined {
@@ -48,5 +49,8 @@ struct Refined {
 // number of threads. Throws Rejected for a tolerance that is not above 0, or finer than rounding.
 Refined refine(const std::vector<RefinePart>& parts, const Lattice& lattice,
                const RefineOptions& options);
+// What is proven of the triangles as they are: nothing is split.
+Refined bounded(const std::vector<RefinePart>& parts, const Lattice& lattice,
+                const RefineOptions& options);
 
 } // namespace trivar

@@ -189,8 +189,8 @@ void draw(const ReplayOptions& options, Replayed& replayed, const Streams& strea
     }
     const gpu::HeadlessContext context;
     gpu::Renderer renderer;
-    Stretches stretches;
-    gpu::Picture picture = picture_of(replayed.evaluated, replayed.document, camera, stretches,
+    ShownValues values;
+    gpu::Picture picture = picture_of(replayed.evaluated, replayed.document, camera, values,
                                       deform_of(options.deform));
     gpu::set_level(picture, level_of(options.quality));
     if (!options.shaders.empty()) picture.shaders = gpu::ShaderFolder(options.shaders).texts(0);

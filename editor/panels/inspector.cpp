@@ -311,7 +311,7 @@ void draw_picture_settings(Editor& editor, const ui::Theme& theme)
         take(one);
     };
     int color_by = static_cast<int>(s.color_by);
-    take(ui::segments(theme, "color by", color_by, {"Material", "Stretch"},
+    take(ui::segments(theme, "color by", color_by, {"Material", "Stretch", "Error"},
                       row_of("Colour by", "color_by")));
     s.color_by = static_cast<ColorBy>(color_by);
     number("Exposure", "exposure", s.exposure, 1, {.lo = -4, .hi = 4, .bar_hi = 4});

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/foot_cards.h"
 #include "editor/panels/panels.h"
+#include "editor/shown_values.h"
 #include "gpu/color_map.h"
 #include "ui/widgets.h"
 
+#include <array>
 #include <cmath>
 #include <imgui.h>
 
@@ -19,10 +21,57 @@ ui::Color screen_color(const glm::vec3& linear)
     return ui::rgb(byte(linear.r) << 16 | byte(linear.g) << 8 | byte(linear.b));
 }
 
+// What the colours of a picture are called.
+struct Legend {
+    std::string title;
+    std::array<std::string, 3> marks;      // at the lower end, in the middle and at the upper end
+    glm::vec3 (*color)(float t) = nullptr; // -1..1
+    bool folds = false;                    // what is turned inside out has a colour of its own
+};
+
+std::string millimetres(double metres)
+{
+    return ui::short_number(metres * 1000) + " mm";
+}
+
+std::optional<Legend> legend_of(const Document& document)
+{
+    const ColorBy by = document.render->color_by;
+    if (by == ColorBy::material) return std::nullopt;
+    if (by == ColorBy::stretch)
+        return Legend{"Volume, beside what is usual in it",
+                      {"half", "usual", "double"},
+                      gpu::diverging_color,
+                      true};
+    const auto color = [](float t) { return gpu::sequential_color((t + 1) / 2); };
+    const std::optional<double> tolerance = shown_tolerance(document);
+    if (!tolerance)
+        return Legend{"Certified error, by each tolerance", {"1/8", "tolerance", "8 times"}, color};
+    return Legend{"Certified error, the tolerance in the middle",
+                  {millimetres(*tolerance * std::exp2(shown_errors.x)), millimetres(*tolerance),
+                   millimetres(*tolerance * std::exp2(shown_errors.y))},
+                  color};
+}
+
+void draw_folded(const ui::Theme& theme, const ui::Rect& box)
+{
+    ui::paint_box(box, screen_color(gpu::folded_color(false)));
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float period = theme.px(10), slant = box.hi.y - box.lo.y;
+    list.PushClipRect({box.lo.x, box.lo.y}, {box.hi.x, box.hi.y}, true);
+    for (float at = box.lo.x; at < box.hi.x + slant; at += period)
+        list.AddLine({at, box.lo.y}, {at - slant, box.hi.y}, screen_color(gpu::folded_color(true)),
+                     period * 0.35f);
+    list.PopClipRect();
+}
+
 } // namespace
 
-std::optional<ui::Rect> draw_legend(const ui::Theme& theme, const FootCards& foot)
+std::optional<ui::Rect> draw_legend(const Document& document, const ui::Theme& theme,
+                                    const FootCards& foot)
 {
+    const std::optional<Legend> legend = legend_of(document);
+    if (!legend) return {};
     const glm::vec2 size(theme.px(292), theme.px(72));
     const float left_of_all = foot.view().lo.x + theme.px(12);
     const ui::Rect view = foot.above(left_of_all, left_of_all + size.x);
@@ -31,39 +80,37 @@ std::optional<ui::Rect> draw_legend(const ui::Theme& theme, const FootCards& foo
         ui::rect_at({view.lo.x + theme.px(12), view.hi.y - size.y - theme.px(12)}, size);
     ui::paint_card(theme, card);
     ui::lower_area("legend", card); // takes the clicks
-    const float left = card.lo.x + theme.px(12), width = theme.px(204);
-    const auto words = [&](float x, float y, float room, const char* text) {
+    const float left = card.lo.x + theme.px(12);
+    const float width = theme.px(legend->folds ? 204 : 268);
+    const auto words = [&](float from, float to, const std::string& text, ui::Align align) {
         ui::paint_text(theme.font.small,
-                       {{x, card.lo.y + theme.px(y)}, {x + room, card.lo.y + theme.px(y + 18)}},
-                       theme.color.text_2, text);
+                       {{from, card.lo.y + theme.px(46)}, {to, card.lo.y + theme.px(64)}},
+                       theme.color.text_2, text, align);
     };
     ui::paint_text(theme.font.small_strong,
                    {{left, card.lo.y + theme.px(6)}, {card.hi.x, card.lo.y + theme.px(24)}},
-                   theme.color.text, "Volume, beside what is usual in it");
+                   theme.color.text, legend->title);
     const float top = card.lo.y + theme.px(28), bottom = top + theme.px(14);
     constexpr int steps = 64;
     for (int i = 0; i < steps; ++i) {
         const float a = static_cast<float>(i) / steps, b = static_cast<float>(i + 1) / steps;
         ui::paint_box({{std::round(left + a * width), top}, {std::round(left + b * width), bottom}},
-                      screen_color(gpu::diverging_color(a + b - 1)));
+                      screen_color(legend->color(a + b - 1)));
     }
-    const auto rim = [&](float from, float to) { // white and pale ones stand on a white card
-        ui::paint_rim({{from, top}, {to, bottom}}, theme.color.text_3, 0, theme.size.hairline);
+    const auto rim = [&](const ui::Rect& box) { // white and pale ones stand on a white card
+        ui::paint_rim(box, theme.color.text_3, 0, theme.size.hairline);
     };
-    rim(left, std::round(left + width));
-    words(left, 46, width, "half");
-    words(left + width / 2 - ui::text_width(theme.font.small, "usual") / 2, 46, width, "usual");
-    words(left + width - ui::text_width(theme.font.small, "double"), 46, width, "double");
-    const float x = left + width + theme.px(12), right = x + theme.px(40), period = theme.px(10);
-    ui::paint_box({{x, top}, {right, bottom}}, screen_color(gpu::folded_color(false)));
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.PushClipRect({x, top}, {right, bottom}, true);
-    for (float at = x; at < right + (bottom - top); at += period)
-        list.AddLine({at, top}, {at - (bottom - top), bottom},
-                     screen_color(gpu::folded_color(true)), period * 0.35f);
-    list.PopClipRect();
-    rim(x, right);
-    words(x, 46, theme.px(52), "folded");
+    rim({{left, top}, {std::round(left + width), bottom}});
+    words(left, left + width, legend->marks[0], ui::Align::left);
+    words(left, left + width, legend->marks[1], ui::Align::center);
+    words(left, left + width, legend->marks[2], ui::Align::right);
+    if (legend->folds) {
+        const float x = left + width + theme.px(12);
+        const ui::Rect folded{{x, top}, {x + theme.px(40), bottom}};
+        draw_folded(theme, folded);
+        rim(folded);
+        words(x, x + theme.px(52), "folded", ui::Align::left);
+    }
     return card;
 }
 

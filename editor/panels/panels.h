@@ -49,7 +49,8 @@ void drag_splitters(Editor& editor, ui::Frame& frame, const Layout& layout);
 // Parts of the viewport, drawn inside its window.
 class FootCards;
 // Of the colours of stretch. Cards at the foot return where they lie, if they do.
-std::optional<ui::Rect> draw_legend(const ui::Theme& theme, const FootCards& foot);
+std::optional<ui::Rect> draw_legend(const Document& document, const ui::Theme& theme,
+                                    const FootCards& foot);
 void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
 bool log_lines_chosen(const Editor& editor); // in the log, which is shown
 bool copy_log_lines(Editor& editor);         // to the clipboard, as they stand; whether there were

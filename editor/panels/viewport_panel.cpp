@@ -223,7 +223,7 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     else
         foot.add(draw_hint_card(editor, theme, view));
     foot.add(progress(editor, frame, foot));
-    if (session.document().render->color_by == ColorBy::stretch) foot.add(draw_legend(theme, foot));
+    foot.add(draw_legend(session.document(), theme, foot));
     draw_adjustment(editor, theme, foot);
     ImGui::End();
     const float notices = ui::Notices::left_of(theme, view); // cover no card's buttons

@@ -71,9 +71,9 @@ TEST_P(Gallery, ShowsTheSceneAsItIs)
     const gpu::HeadlessContext context;
     gpu::Renderer renderer;
     const Camera camera = picture_camera(scene.evaluated, scene.document, gallery_size_px);
-    Stretches stretches;
-    const Image image = renderer.render(
-        picture_of(scene.evaluated, scene.document, camera, stretches), gallery_size_px);
+    ShownValues values;
+    const Image image = renderer.render(picture_of(scene.evaluated, scene.document, camera, values),
+                                        gallery_size_px);
     EXPECT_TRUE(testing::matches_picture(image, "docs/gallery/" + GetParam() + ".png"));
 }
 
@@ -108,7 +108,7 @@ TEST_P(Gallery, IsPosedAndDeformedAlikeInEveryWay)
     for (const int frame :
          {document.time.first_frame, (document.time.first_frame + document.time.last_frame) / 2}) {
         const Evaluated evaluated = evaluator(document, frame);
-        Stretches none;
+        ShownValues none;
         const gpu::Picture picture =
             picture_of(evaluated, document, {}, none, gpu::DeformBy::two_phases);
         for (const gpu::Instance& instance : picture.instances) {

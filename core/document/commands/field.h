@@ -62,7 +62,8 @@ inline constexpr std::array<std::string_view, 5> choice_names<Ends>{"stay", "hid
 template <>
 inline constexpr std::array<std::string_view, 3> choice_names<Solid>{"none", "wood", "flesh"};
 template <>
-inline constexpr std::array<std::string_view, 2> choice_names<ColorBy>{"material", "stretch"};
+inline constexpr std::array<std::string_view, 3> choice_names<ColorBy>{"material", "stretch",
+                                                                       "error"};
 
 // The fields of values that live inside commands; nested in JSON as they are here.
 template <class T> struct FieldsOf;

@@ -40,7 +40,8 @@ template <> struct FieldsOf<RenderSettings> {
         field("ambient_occlusion", s.ambient_occlusion, "corners are darker");
         field("wire", s.wire, "the edges of the faces are drawn over them", later);
         field("color_by", s.color_by,
-              "what colours show: materials, or how what was placed is stretched and squeezed",
+              "what colours show: materials, how what was placed is stretched and squeezed, or how "
+              "far its triangles may be from the true surface",
               later);
         field("volumes", s.volumes,
               "the volumes of what was placed are shown, with the ball of a press that was the "
