@@ -23,4 +23,7 @@ std::optional<std::string> file_inside(const std::string& folder, const std::str
 // Lower case, with the dot; empty if there is none.
 std::string extension_of(const std::string& path);
 
+// Whether JSON is nested more than 48 deep. Parsers and writers of JSON recurse; this does not.
+bool nested_too_deep(std::string_view json);
+
 } // namespace trivar

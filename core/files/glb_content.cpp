@@ -3,10 +3,11 @@
 
 #include "core/base/rejected.h"
 #include "core/base/text.h"
+#include "core/files/file_bytes.h"
 
 #include <cstring>
 #include <nlohmann/json.hpp>
-#include <span>
+#include <string_view>
 
 namespace trivar {
 namespace {
@@ -15,12 +16,14 @@ using GlbJson = nlohmann::json;
 
 class GlbParts {
 public:
-    explicit GlbParts(const std::string& bytes)
+    explicit GlbParts(const std::string& bytes) : left_(16 * bytes.size() + (std::size_t{1} << 20))
     {
         if (bytes.size() < 20 || bytes.compare(0, 4, "glTF") != 0) fail("this is no GLB file");
         const std::size_t length = word(bytes, 12);
         if (length > bytes.size() - 20) fail("its JSON is cut off");
-        json = GlbJson::parse(bytes.substr(20, length));
+        const std::string_view text = std::string_view(bytes).substr(20, length);
+        if (nested_too_deep(text)) fail("its JSON is nested too deep");
+        json = GlbJson::parse(text);
         const std::size_t next = 20 + length;
         if (bytes.size() < next + 8) return;
         const std::size_t size = word(bytes, next);
@@ -28,8 +31,8 @@ public:
         binary = bytes.substr(next + 8, size);
     }
 
-    // The values of an accessor, each of `Value`'s size.
-    template <class Value> std::vector<Value> values(const GlbJson& accessor_index) const
+    // The values of an accessor, each of `Value`'s size. An accessor may be shared, not multiplied.
+    template <class Value> std::vector<Value> values(const GlbJson& accessor_index)
     {
         const GlbJson& accessor = json.at("accessors").at(accessor_index.get<std::size_t>());
         const GlbJson& view =
@@ -39,6 +42,9 @@ public:
                    size = view.at("byteLength").get<std::size_t>();
         if (begin > binary.size() || size > binary.size() - begin || count > size / sizeof(Value))
             fail("an accessor reaches beyond the data");
+        const std::size_t taken = 64 + count * sizeof(Value);
+        if (taken > left_) fail("its nodes name the same data over and over");
+        left_ -= taken;
         std::vector<Value> out(count);
         if (count > 0) std::memcpy(out.data(), binary.data() + begin, count * sizeof(Value));
         return out;
@@ -50,6 +56,8 @@ public:
     std::string binary;
 
 private:
+    std::size_t left_; // bytes that may still be copied
+
     static std::size_t word(const std::string& bytes, std::size_t at)
     {
         std::uint32_t out;
@@ -69,7 +77,7 @@ glm::dmat4 matrix_of(const GlbJson& node)
     return out;
 }
 
-GlbContent::Node content_of(const GlbParts& parts, const GlbJson& node)
+GlbContent::Node content_of(GlbParts& parts, const GlbJson& node)
 {
     GlbContent::Node out;
     out.name = node.value("name", "");
@@ -98,7 +106,7 @@ GlbContent::Node content_of(const GlbParts& parts, const GlbJson& node)
 GlbContent glb_content(const std::string& path)
 {
     try {
-        const GlbParts parts(read_text_file(path));
+        GlbParts parts(read_text_file(path));
         GlbContent out;
         if (parts.json.contains("extras")) out.extras = parts.json.at("extras").dump();
         const GlbJson nodes = parts.json.value("nodes", GlbJson::array());

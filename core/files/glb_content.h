@@ -21,7 +21,8 @@ struct GlbContent {
 };
 
 // Triangles must be indexed by 32 bits and all primitives of a mesh stand on the same vertices, as
-// Trivar writes them. Throws Rejected where the file is no such GLB.
+// Trivar writes them. Throws Rejected where the file is no such GLB, its JSON is nested too deep or
+// its nodes together want more than 16 times its bytes.
 GlbContent glb_content(const std::string& path);
 
 } // namespace trivar

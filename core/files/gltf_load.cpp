@@ -15,7 +15,6 @@
 namespace trivar {
 namespace {
 
-constexpr int max_nesting = 48;
 constexpr std::uintmax_t max_side_file_bytes = std::uintmax_t{2} << 30;
 
 [[noreturn]] void fail(const FileText& file, const std::string& what)
@@ -45,28 +44,6 @@ std::string_view json_chunk(const FileText& file)
     if (end < length && (length - end < 8 || word_at(bytes, end) > length - end - 8))
         fail(file, "the binary chunk is cut off");
     return bytes.substr(20, text);
-}
-
-// Parsers of JSON recurse; this does not.
-void check_nesting(std::string_view source, const FileText& file)
-{
-    int depth = 0;
-    bool quoted = false;
-    for (std::size_t i = 0; i < source.size(); ++i) {
-        const char c = source[i];
-        if (quoted) {
-            if (c == '\\')
-                ++i;
-            else if (c == '"')
-                quoted = false;
-        } else if (c == '"') {
-            quoted = true;
-        } else if (c == '{' || c == '[') {
-            if (++depth > max_nesting) fail(file, "its JSON is nested too deep");
-        } else if (c == '}' || c == ']') {
-            --depth;
-        }
-    }
 }
 
 void check_structure(const nlohmann::json& root, bool binary, const FileText& file)
@@ -139,7 +116,7 @@ LoadedGltf load_gltf(const FileText& file, bool binary)
 {
     if (file.bytes.size() >= std::size_t{1} << 31) fail(file, "glTF files may have up to 2 GB");
     const std::string_view text = binary ? json_chunk(file) : file.bytes;
-    check_nesting(text, file);
+    if (nested_too_deep(text)) fail(file, "its JSON is nested too deep");
     try {
         check_structure(nlohmann::json::parse(text, nullptr, false), binary, file);
         LoadedGltf loaded{std::make_shared<tinygltf::Model>(), {}};

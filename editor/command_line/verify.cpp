@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
+#include <set>
 
 namespace trivar {
 namespace {
@@ -31,7 +32,17 @@ public:
     bool holds()
     {
         evaluate();
-        for (const Certificate::PartClaim& claim : claims_.parts) check(claim);
+        double furthest = 0;
+        std::set<std::pair<Id, int>> claimed;
+        for (const Certificate::PartClaim& claim : claims_.parts) {
+            check(claim);
+            furthest = std::max(furthest, claim.bound);
+            if (!claimed.emplace(claim.object, claim.part).second)
+                wrong(title(claim) + " is claimed twice");
+        }
+        if (claims_.bound != furthest)
+            wrong(fmt::format("it claims {:.3g} m where the furthest of its parts claims {:.3g} m",
+                              claims_.bound, furthest));
         std::size_t bent = 0;
         for (const auto& [id, object] : evaluated_.objects)
             bent += static_cast<std::size_t>(std::ranges::count_if(
@@ -43,6 +54,11 @@ public:
     }
 
 private:
+    static std::string title(const Certificate::PartClaim& claim)
+    {
+        return fmt::format("{} (part {})", printable(claim.name), claim.part + 1);
+    }
+
     void wrong(const std::string& sentence)
     {
         streams_.talk << fmt::format("trivar: {}: {}\n", options_.file, sentence);
@@ -78,9 +94,8 @@ private:
             std::filesystem::absolute(name).lexically_normal().parent_path().string();
         Evaluator evaluator(
             std::make_shared<const AssetStore>(folder, relinked_files(options_.relinked)));
-        evaluated_ =
-            evaluator(claims_.tolerance > 0 ? refined_to(document, claims_.tolerance) : document,
-                      claims_.frame);
+        shown_ = claims_.tolerance > 0 ? refined_to(document, claims_.tolerance) : document;
+        evaluated_ = evaluator(shown_, claims_.frame);
         if (digest(evaluated_) != claims_.result)
             wrong("the scene gives another result here than the one that was exported; a file "
                   "that it uses may have changed");
@@ -88,7 +103,7 @@ private:
 
     void check(const Certificate::PartClaim& claim)
     {
-        const std::string name = fmt::format("{} (part {})", printable(claim.name), claim.part + 1);
+        const std::string name = title(claim);
         const auto object = evaluated_.objects.find(claim.object);
         const auto part = static_cast<std::size_t>(claim.part);
         if (object == evaluated_.objects.end() || claim.part < 0 ||
@@ -113,7 +128,17 @@ private:
         streams_.out << figures << "\n";
         if (!(found.furthest <= claim.bound)) wrong(name + " is further off than it claims");
         if (!object->second->refined) return wrong(name + " is not certified: it is not refined");
-        const double proven = object->second->refined->parts[part].bound;
+        const RefinedPart& refined = object->second->refined->parts.at(part);
+        if (claim.triangles != refined.triangles ||
+            claim.triangles_before != refined.triangles_before ||
+            claim.degenerate != refined.degenerate ||
+            claim.not_certified != refined.not_certified.size())
+            wrong(name + " claims other numbers of triangles than the scene gives");
+        const double asked = trivar::object(shown_, claim.object).refining->tolerance;
+        if (!(claim.tolerance <= asked))
+            wrong(fmt::format("{} claims to be within {:.3g} m where {:.3g} m were asked for", name,
+                              claim.tolerance, asked));
+        const double proven = refined.bound;
         if (!(claim.bound >= proven))
             wrong(fmt::format("{} claims {:.3g} m where {:.3g} m are proven", name, claim.bound,
                               proven));
@@ -126,6 +151,7 @@ private:
     const Streams& streams_;
     GlbContent content_;
     Certificate claims_;
+    Document shown_; // as it was refined for the export
     Evaluated evaluated_;
     bool holds_ = true;
 };

@@ -47,6 +47,24 @@ protected:
                          folder.file("pot.glb")});
     }
     Ran verified() { return run_verb({"verify", folder.file("pot.glb")}); }
+    // What is said of the exported file once the JSON value behind a name is another.
+    std::string verified_with(const std::string& name, const std::string& value, bool last)
+    {
+        const std::string bytes = read_text_file(folder.file("pot.glb")), key = "\"" + name + "\":";
+        const std::size_t place = (last ? bytes.rfind(key) : bytes.find(key)) + key.size();
+        std::uint32_t length;
+        std::memcpy(&length, bytes.data() + 12, 4);
+        const std::string old = bytes.substr(place, bytes.find_first_of(",}]", place) - place);
+        std::string changed = bytes;
+        changed.replace(place, old.size(), value);
+        length += static_cast<std::uint32_t>(value.size() - old.size());
+        std::memcpy(changed.data() + 12, &length, 4);
+        write_file(folder.file("pot.glb"), changed);
+        const Ran ran = verified();
+        EXPECT_EQ(ran.status, Status::check_failed) << name << " " << value;
+        write_file(folder.file("pot.glb"), bytes);
+        return ran.text;
+    }
 
     TemporaryFolder folder;
 };
@@ -84,6 +102,50 @@ TEST_F(CertifiedExport, FailsForAnotherScene)
     const Ran ran = verified();
     EXPECT_EQ(ran.status, Status::check_failed);
     EXPECT_THAT(ran.text, HasSubstr("is not the scene"));
+}
+
+TEST_F(CertifiedExport, ChecksEveryFigureOfTheClaim)
+{
+    ASSERT_EQ(exported("0.001").status, Status::done);
+    EXPECT_THAT(verified_with("bound_m", "1e-9", false), HasSubstr("furthest of its parts"));
+    EXPECT_THAT(verified_with("bound_m", "1", false), HasSubstr("furthest of its parts"));
+    EXPECT_THAT(verified_with("tolerance_m", "0.5", true), HasSubstr("were asked for"));
+    for (const char* count : {"triangles_before", "triangles", "degenerate", "not_certified"})
+        EXPECT_THAT(verified_with(count, "7", true), HasSubstr("other numbers of triangles"));
+    // One part twice, as where another is left out.
+    const std::string bytes = read_text_file(folder.file("pot.glb"));
+    const std::size_t begin = bytes.find("[", bytes.find("\"parts\":")) + 1;
+    const std::string part = bytes.substr(begin, bytes.find("]", begin) - begin);
+    EXPECT_THAT(verified_with("rule", "\"\"}," + part.substr(0, part.size() - 1), true),
+                HasSubstr("is claimed twice"));
+    EXPECT_EQ(verified().status, Status::done);
+}
+
+TEST_F(CertifiedExport, IsRefusedWhereItNestsOrMultiplies)
+{
+    const auto refused = [&](const std::string& json, std::size_t data) {
+        std::string bytes = "glTF        ";
+        for (const std::size_t word : {json.size(), std::size_t{0}})
+            for (int i = 0; i < 4; ++i) bytes += static_cast<char>(word >> (8 * i));
+        bytes += json;
+        for (const std::size_t word : {data, std::size_t{0}})
+            for (int i = 0; i < 4; ++i) bytes += static_cast<char>(word >> (8 * i));
+        write_file(folder.file("bad.glb"), bytes + std::string(data, '\0'));
+        const Ran ran = run_verb({"verify", folder.file("bad.glb")});
+        EXPECT_EQ(ran.status, Status::rejected);
+        return ran.text;
+    };
+    const std::string deep = std::string(100000, '[') + std::string(100000, ']');
+    EXPECT_THAT(refused("{\"extras\":" + deep + "}", 0), HasSubstr("nested too deep"));
+    EXPECT_THAT(refused("{\"nodes\":" + deep + "}", 0), HasSubstr("nested too deep"));
+    std::string nodes = "{\"mesh\":0}";
+    for (int i = 0; i < 1000; ++i) nodes += ",{\"mesh\":0}";
+    EXPECT_THAT(refused(R"({"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":0}]}],)"
+                        R"("accessors":[{"bufferView":0,"count":9000}],)"
+                        R"("bufferViews":[{"byteOffset":0,"byteLength":120000}],"nodes":[)" +
+                            nodes + "]}",
+                        120000),
+                HasSubstr("over and over"));
 }
 
 TEST_F(CertifiedExport, SaysWhatIsWrongWithItsInput)
