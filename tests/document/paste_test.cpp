@@ -104,5 +104,18 @@ TEST(Paste, RefusesWhatNoCopyIs)
     EXPECT_THAT(copies(document, {99}).copies, IsEmpty());
 }
 
+TEST(Paste, RefusesShapingAndRefiningThatTheirCommandsRefuse)
+{
+    const Document document = small_document();
+    Paste paste = copies(document, {3});
+    paste.copies[0].refining.emplace().method = BoundMethod::thesis_circumradius;
+    EXPECT_THROW(after(document, paste), Rejected);
+    paste.copies[0].refining.reset();
+    paste.copies[0].shaping.assign(4097, VolumeEdit{.mending = Mending{}});
+    EXPECT_THROW(after(document, paste), Rejected);
+    paste.copies[0].shaping.pop_back();
+    EXPECT_NO_THROW(after(document, paste));
+}
+
 } // namespace
 } // namespace trivar

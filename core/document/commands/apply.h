@@ -75,6 +75,10 @@ Document with_all_changed(Document document, const std::vector<Id>& ids, auto&& 
 void check_placed(const Object& object, Id id);
 // Throws Rejected for what no step of shaping can be, whatever the volume.
 void check(const VolumeEdit& edit);
+void check(const Refining& refining);
+// Of the shaping of one object. A hand makes a few hundred; every one is done again when the stroke
+// changes.
+inline constexpr std::size_t most_shaping_steps = 4096;
 
 // The document with one object more, under the next id.
 Document with_added(Document document, Object object);

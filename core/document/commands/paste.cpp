@@ -101,6 +101,10 @@ Document laid(Document document, Id id, const CopiedObject& copy, const std::vec
     else
         return document;
     for (const VolumeEdit& edit : copy.shaping) check(edit);
+    if (copy.shaping.size() > most_shaping_steps)
+        throw Rejected(fmt::format("field \"shaping\": {} is shaped in {} steps; {} are the most",
+                                   copy.name, copy.shaping.size(), most_shaping_steps));
+    if (copy.refining) check(*copy.refining);
     document = with_changed(std::move(document), id, [&](Object& o) {
         for (const VolumeEdit& edit : copy.shaping) o.shaping.push_back(make_ref(edit));
         o.refining = copy.refining;

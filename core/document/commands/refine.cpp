@@ -7,16 +7,13 @@
 #include <fmt/format.h>
 
 namespace trivar {
-namespace {
 
-void check_method(const Refining& refining)
+void check(const Refining& refining)
 {
     if (refining.method == BoundMethod::thesis_circumradius)
         throw Rejected("field \"method\": thesis_circumradius is false and bounds nothing; "
                        "circumradius is the same formula put right");
 }
-
-} // namespace
 
 Document applied(Document document, const Refine& command)
 {
@@ -25,8 +22,8 @@ Document applied(Document document, const Refine& command)
     if (!each.empty() && each.size() != command.objects.size())
         throw Rejected(fmt::format("field \"refinings\" has {} entries for {} objects", each.size(),
                                    command.objects.size()));
-    check_method(command.refining);
-    for (const Refining& one : each) check_method(one);
+    check(command.refining);
+    for (const Refining& one : each) check(one);
     for (std::size_t i = 0; i < command.objects.size(); ++i)
         document = with_changed(std::move(document), command.objects[i], [&](Object& o) {
             o.refining = each.empty() ? command.refining : each[i];

@@ -10,16 +10,13 @@
 namespace trivar {
 namespace {
 
-// A hand makes a few hundred; every one is done again when the stroke changes.
-constexpr std::size_t most_steps = 4096;
-
 Document shaped(Document document, Id id, VolumeEdit edit)
 {
     const Object& o = object(document, id);
     check_placed(o, id);
-    if (o.shaping.size() >= most_steps)
+    if (o.shaping.size() >= most_shaping_steps)
         throw Rejected(fmt::format("object {} ({}) is shaped in {} steps already; take some back",
-                                   id, o.name, most_steps));
+                                   id, o.name, most_shaping_steps));
     return with_changed(std::move(document), id, [&](Object& changed) {
         changed.shaping.push_back(make_ref(std::move(edit)));
     });
