@@ -130,14 +130,24 @@ std::vector<Constraint> constraints(std::size_t cell, const CellDeterminant& det
 }
 
 // Where a point would lie as evenly between its neighbours along every axis as their sites do;
-// beyond an end, straight on. Displacements are enough: the rest map is affine.
+// beyond an end, straight on. Two points along an axis have no middle. Displacements are enough:
+// the rest map is affine.
 glm::dvec3 even_place(const Trivariate<glm::dvec3>& f, const glm::ivec3& index)
 {
     glm::dvec3 sum(0);
+    int lines = 0;
     for (int axis = 0; axis < 3; ++axis) {
         const Knots& knots = f.axes[at(axis)];
+        if (knots.unwrapped_count() < 3) continue;
+        ++lines;
         glm::ivec3 i = index;
-        if (knots.closure() != Closure::open && i[axis] == 0) i[axis] = knots.count();
+        if (knots.closure() != Closure::open && i[axis] == 0) {
+            // The same point one turn on.
+            if (knots.closure() == Closure::twisted)
+                for (int other = 0; other < 3; ++other)
+                    i[other] = f.axes[at(other)].count() - 1 - i[other];
+            i[axis] = knots.count();
+        }
         // The point and two others, whose line goes through it: neighbours, or the next two.
         const int step = i[axis] == 0 ? 1 : i[axis] + 1 == knots.unwrapped_count() ? -1 : 0;
         glm::ivec3 one = i, two = i;
@@ -148,7 +158,7 @@ glm::dvec3 even_place(const Trivariate<glm::dvec3>& f, const glm::ivec3& index)
         const double x = to == from ? 0.5 : (here - from) / (to - from);
         sum += (1 - x) * f.point(one.x, one.y, one.z) + x * f.point(two.x, two.y, two.z);
     }
-    return sum / 3.0;
+    return lines > 0 ? sum / double(lines) : f.point(index.x, index.y, index.z);
 }
 
 // Moves the points of the cell until det J is about what it should be.

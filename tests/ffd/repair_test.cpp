@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/ffd/injectivity.h"
-#include "core/ffd/repair.h"
+#include "core/ffd/repair_ways.h"
 #include "tests/ffd/samples.h"
 
 #include <gtest/gtest.h>
@@ -82,6 +82,68 @@ TEST(Repair, MendsNoiseOnClosedAndTwistedAxesAndMirroredSpace)
         if (closure == Closure::periodic) folded.rest[0] = -folded.rest[0];
         ASSERT_FALSE(judge(folded).good());
         expect_repaired(folded, unfolded(folded));
+    }
+}
+
+// The moves that even every point of a lattice whose cells are all in doubt.
+std::vector<glm::dvec3> evening_of(const Lattice& lattice)
+{
+    const RepairSite site(lattice, {});
+    CellVerdicts verdicts = judge(lattice);
+    std::fill(verdicts.of.begin(), verdicts.of.end(), Verdict::unknown);
+    std::vector<glm::dvec3> out(lattice.displacement.points.size());
+    for (const PointMove& move : evened(site, lattice, verdicts, true))
+        out[lattice.displacement.index(move.index.x, move.index.y, move.index.z)] = move.by;
+    return out;
+}
+
+TEST(Repair, LeavesEvenPointsWhereTheyAreWithTwoLayersToo)
+{
+    for (const int layers : {2, 3}) {
+        Lattice lattice = lattice_at_rest(
+            {Knots::uniform(3, 5), Knots::uniform(3, 6), Knots::uniform(2, layers)}, glm::dmat4(1));
+        Trivariate<glm::dvec3>& f = lattice.displacement;
+        for (int i = 0; i < 5; ++i)
+            for (int j = 0; j < 6; ++j)
+                for (int k = 0; k < layers; ++k)
+                    f.points[f.index(i, j, k)] = {f.axes[0].greville(i), -f.axes[1].greville(j),
+                                                  3 * f.axes[2].greville(k) +
+                                                      f.axes[0].greville(i)};
+        for (const glm::dvec3& by : evening_of(lattice)) EXPECT_LT(glm::length(by), 1e-12);
+    }
+}
+
+TEST(Repair, MendsAFoldOfTwoLayers)
+{
+    Lattice folded = lattice_at_rest(
+        {Knots::uniform(3, 6), Knots::uniform(3, 6), Knots::uniform(2, 2)}, glm::dmat4(1));
+    folded.displacement.points[folded.displacement.index(0, 0, 1)].x += 0.7;
+    ASSERT_FALSE(judge(folded).good());
+    expect_repaired(folded, unfolded(folded));
+}
+
+TEST(Repair, EvensTheSameWhereverTheSeamIs)
+{
+    for (const Closure closure : {Closure::periodic, Closure::twisted}) {
+        const Lattice lattice = random_lattice(
+            {Knots::periodic(3, 7, 0, 1, closure), Knots::uniform(3, 5), Knots::uniform(2, 3)},
+            0.1);
+        Lattice turned = lattice; // by one point
+        const Trivariate<glm::dvec3>& f = lattice.displacement;
+        const Trivariate<glm::dvec3> moves{f.axes, evening_of(lattice)};
+        const auto each = [&](auto&& visit) {
+            for (int i = 0; i < 7; ++i)
+                for (int j = 0; j < 5; ++j)
+                    for (int k = 0; k < 3; ++k) visit(i, j, k);
+        };
+        each([&](int i, int j, int k) {
+            turned.displacement.points[f.index(i, j, k)] = f.point(i + 1, j, k);
+        });
+        const std::vector<glm::dvec3> turned_moves = evening_of(turned);
+        each([&](int i, int j, int k) {
+            EXPECT_LT(glm::distance(turned_moves[f.index(i, j, k)], moves.point(i + 1, j, k)),
+                      1e-12);
+        });
     }
 }
 
