@@ -153,7 +153,7 @@ double warped(double place, double line, const std::vector<Crease>& creases)
 
 // The scene's vertices at the crossings that can be seen, and the crossings themselves.
 std::vector<SceneSample> features_of(const std::vector<CreasePoint>& oblique, const View& view,
-                                     const RayScene& scene)
+                                     const RayScene& scene, bool skip_back_faces)
 {
     std::vector<SceneSample> out;
     std::set<std::pair<const RayScene::Entry*, std::uint32_t>> known;
@@ -180,7 +180,7 @@ std::vector<SceneSample> features_of(const std::vector<CreasePoint>& oblique, co
                 }
             }
     }
-    const auto hidden = scene.hits(rays, false, to);
+    const auto hidden = scene.hits(rays, skip_back_faces, to);
     for (std::size_t k = 0; k < vertices.size(); ++k)
         if (!hidden[k]) out.push_back(vertices[k]);
     return out;
@@ -256,7 +256,7 @@ std::optional<SharpStrip> sharp_strip(const StripLayout& strip, const StripChart
         if (nodes <= most_more * old) break;
     }
     if (out.axes == strip.axes && oblique.empty()) return {};
-    out.features = features_of(oblique, view, scene);
+    out.features = features_of(oblique, view, scene, p.skip_back_faces);
 
     for (int i = 0; i < out.axes[0].count(); ++i)
         for (int j = 0; j < out.axes[1].count(); ++j) {

@@ -144,6 +144,22 @@ TEST(Sharp, TakesOnEveryStepOfStairs)
     }
 }
 
+TEST(Sharp, TakesNoNoticeOfBackFacesThatAreSkipped)
+{
+    const auto field = [](double x, double) { return -0.75 * std::abs(x); };
+    const auto ridge = std::make_shared<const RayMesh>(make_ref(height_field(12, 60, field)));
+    const auto lid = std::make_shared<const RayMesh>(make_ref(plane_mesh({20, 20}, {1, 1})));
+    const glm::dmat4 turned = glm::rotate(glm::dmat4(1), glm::radians(30.0), {0, 0, 1}),
+                     upside_down = glm::translate(glm::dmat4(1), {0, 0, 1}) *
+                                   glm::scale(glm::dmat4(1), {1, -1, -1});
+    PlacementParameters p = followed;
+    p.skip_back_faces = true;
+    const Placement open = across_it(RayScene({{ridge, turned, 1}}), true, p),
+                    under =
+                        across_it(RayScene({{ridge, turned, 1}, {lid, upside_down, 2}}), true, p);
+    EXPECT_EQ(under.volume, open.volume);
+}
+
 TEST(Sharp, NeverPenetratesFurtherThanAllowed)
 {
     for (NamedScene& named : scenes_to_cover())
