@@ -10,6 +10,7 @@
 #include "editor/reset_actions.h"
 #include "editor/selection_actions.h"
 #include "editor/time_actions.h"
+#include "editor/tools/placement_handles.h"
 #include "editor/view_actions.h"
 #include "ui/input.h"
 #include "ui/sentence.h"
@@ -82,6 +83,13 @@ std::vector<Action> all_actions(const Editor& editor)
         a.back().repeats = true;
         a.back().group_begins = factor < 1;
     }
+    a.push_back({"Edit",
+                 mend_action,
+                 {{.key = 'M', .shift = true}},
+                 [](Editor& e) { e.session.run(MendVolume{e.session.selected}); },
+                 {[](const Editor& e) { return selected_placement(e.session) != nullptr; },
+                  "select one placed object first"},
+                 true});
     add_help_actions(a);
     for (Action& each : a) each.usual_keys = each.keys;
     return a;

@@ -50,6 +50,7 @@ struct Action {
 inline constexpr const char* add_action_name = "Add...";
 inline constexpr const char* palette_action = "Find a command...";
 inline constexpr const char* isolate_action = "Isolate";
+inline constexpr const char* mend_action = "Mend the volume";
 inline constexpr const char* preferences_action = "Preferences...";
 
 std::vector<Action> all_actions(const Editor& editor);

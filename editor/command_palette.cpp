@@ -42,9 +42,9 @@ std::string words_of(std::string_view verb)
 // Commands that an action or a tool runs already, with all that they need.
 bool has_an_action(std::string_view verb)
 {
-    constexpr std::array<std::string_view, 10> known{"import",    "rename", "delete",  "paste",
-                                                     "duplicate", "group",  "ungroup", "place",
-                                                     "unplace",   "arrange"};
+    constexpr std::array<std::string_view, 13> known{
+        "import", "rename",  "delete",  "paste", "duplicate",   "group",      "ungroup",
+        "place",  "unplace", "arrange", "press", "move_points", "mend_volume"};
     return verb.starts_with("add_") || std::ranges::find(known, verb) != known.end();
 }
 

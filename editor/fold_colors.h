@@ -16,11 +16,19 @@ class FoldColors {
 public:
     const std::vector<gpu::Translucent>& of(const Ref<Placement>& placement,
                                             const ui::Palette& color);
+    // Null where there are too many cells.
+    const CellVerdicts* verdicts(const Ref<Placement>& placement);
+    // How far anything moves at most where an axis is left fewer_points(); none: that is not known.
+    const std::array<std::optional<double>, 3>& deviations(const Ref<Placement>& placement);
 
 private:
+    void judge_again(const Ref<Placement>& placement);
     Ref<Placement> placement_;
-    ui::Color bad_ = 0;
+    std::optional<CellVerdicts> verdicts_;
+    ui::Color bad_ = 0; // that the veils are drawn in; 0: they are not yet
     std::vector<gpu::Translucent> veils_;
+    Ref<Placement> coarsened_;
+    std::array<std::optional<double>, 3> deviations_;
 };
 
 } // namespace trivar

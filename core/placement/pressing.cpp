@@ -20,13 +20,32 @@ glm::ivec3 counts(const Lattice& lattice)
 
 } // namespace
 
+LaidVolume laid_volume(Lattice volume, double ground)
+{
+    LaidVolume laid{nullptr, make_ref(volume), ground, {}};
+    return with_volume(std::move(laid), std::move(volume));
+}
+
+LaidVolume with_volume(LaidVolume laid, Lattice volume, std::optional<CellVerdicts> verdicts)
+{
+    laid.volume = make_ref(std::move(volume));
+    laid.verdicts = Lazy<CellVerdicts>(
+        [now = laid.volume, known = std::move(verdicts)] { return known ? *known : judge(*now); });
+    return laid;
+}
+
+bool at_scene(const Lattice& volume, double ground, const glm::dvec3& uvw)
+{
+    return ground == 0 && uvw.z < volume.displacement.axes[2].greville(1) / 2;
+}
+
 Pressing::Pressing(const LaidVolume& begun, const Press& press)
-    : volume_(begun.volume),
+    : volume_(*begun.volume),
       press_(press),
       ground_(begun.ground),
-      start_(begun.volume)
+      start_(*begun.volume)
 {
-    if (press_.guard) verdicts_ = judge(volume_);
+    if (press_.guard) verdicts_ = *begun.verdicts;
     const glm::ivec3 n = counts(volume_);
     for (int k = 0; k < n.z; ++k) {
         const double side = volume_.displacement.axes[2].greville(k) - ground_;
@@ -37,9 +56,10 @@ Pressing::Pressing(const LaidVolume& begun, const Press& press)
         for (int j = 0; j < n.y; ++j) {
             for (int k = 0; k < n.z; ++k) {
                 points_.push_back(control_point(start_, i, j, k));
-                const double laid = k == 0 ? 0
-                                           : glm::length(control_point(begun.as_laid, i, j, k) -
-                                                         control_point(begun.as_laid, i, j, k - 1));
+                const double laid = k == 0
+                                        ? 0
+                                        : glm::length(control_point(*begun.as_laid, i, j, k) -
+                                                      control_point(*begun.as_laid, i, j, k - 1));
                 gap_.push_back(least_gap * laid);
             }
             const glm::dvec3& foot = points_[points_.size() - static_cast<std::size_t>(n.z)];
@@ -47,7 +67,7 @@ Pressing::Pressing(const LaidVolume& begun, const Press& press)
             const double height = glm::length(column);
             up_.push_back(height > 0 ? column / height
                                      : volume_frame(start_, greville(start_, {i, j, 0})).up);
-            on_scene_.push_back(glm::dot(control_point(begun.as_laid, i, j, 0), up_.back()));
+            on_scene_.push_back(glm::dot(control_point(*begun.as_laid, i, j, 0), up_.back()));
         }
 }
 
@@ -83,9 +103,8 @@ std::vector<PointMove> Pressing::moves(const glm::dvec4& sample) const
 
 std::vector<PointMove> Pressing::moves(const glm::dvec4& sample, const std::vector<double>& w) const
 {
-    const Knots& above = volume_.displacement.axes[2];
-    const bool at_scene = ground_ == 0 && sample.z < above.greville(1) / 2;
-    return at_scene ? on_columns(w, sample.w) : on_layers(w, sample.w);
+    return at_scene(volume_, ground_, glm::dvec3(sample)) ? on_columns(w, sample.w)
+                                                          : on_layers(w, sample.w);
 }
 
 std::vector<PointMove> Pressing::on_layers(const std::vector<double>& weights, double amount) const

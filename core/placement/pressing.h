@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/lazy.h"
+#include "core/base/ref.h"
 #include "core/ffd/guard.h"
 #include "core/placement/shaping.h"
 
@@ -8,9 +10,16 @@ namespace trivar {
 
 // A volume and what it was when it was laid, over the same knots.
 struct LaidVolume {
-    Lattice volume, as_laid;
+    Ref<Lattice> volume, as_laid;
     double ground = 0; // w of what lies on the scene
+    Lazy<CellVerdicts> verdicts;
 };
+LaidVolume laid_volume(Lattice volume, double ground);
+// The same with another volume over those knots, of which something is known already.
+LaidVolume with_volume(LaidVolume laid, Lattice volume, std::optional<CellVerdicts> verdicts = {});
+
+// Whether a ball there is at what lies on the scene, and moves whole columns.
+bool at_scene(const Lattice& volume, double ground, const glm::dvec3& uvw);
 
 // A press as it goes on, from one sample to the next. Control points move along their columns,
 // toward what lies on the scene; where the ball is at that itself, it lifts or drops whole columns
@@ -19,15 +28,20 @@ class Pressing {
 public:
     Pressing(const LaidVolume& begun, const Press& press);
 
-    // Where control points would go by one more sample, before anything is proven: not below what
-    // was laid on the scene, and, where guarded, no nearer to the next one of the column than 2 %
-    // of their distance as laid. O(control points).
+    // Where control points would go by one more sample, before anything is proven. Columns stay on
+    // the scene unless they may go into it; where guarded, no point comes nearer to the next one of
+    // its column than 2 % of their distance as laid. O(control points).
     std::vector<PointMove> moves(const glm::dvec4& sample) const;
     // Moves them, where guarded as far as that is proven not to fold. How far the ball came,
     // metres: between 0 and the sample's amount, as far as any control point could follow it.
     double add(const glm::dvec4& sample);
 
     const Lattice& volume() const { return volume_; }
+    // What is known of it; nothing where the press is not guarded.
+    std::optional<CellVerdicts> verdicts() const
+    {
+        return press_.guard ? std::optional(verdicts_) : std::nullopt;
+    }
 
 private:
     std::vector<double> weights(const glm::dvec4& sample) const;

@@ -15,20 +15,48 @@
 namespace trivar {
 namespace {
 
-LaidVolume with_knots(LaidVolume v, const KnotInsertion& insertion)
+// Throws Rejected for more control points than a volume may have, and for knots so near to each
+// other, or so many in one place, that nothing can be proven there.
+void check_knots(const Lattice& volume, const AxisKnots& inserted)
 {
-    for (Lattice* each : {&v.volume, &v.as_laid})
-        *each = refined(*each, {insertion.along, insertion.across, insertion.up});
-    return v;
+    constexpr double most_points = 1e6, least_span = 1e-6;
+    double points = 1;
+    for (std::size_t a = 0; a < 3; ++a) {
+        const Knots& axis = volume.displacement.axes[a];
+        points *= axis.count() + static_cast<double>(inserted[a].size());
+        std::vector<double> all = axis.breaks();
+        for (const double t : inserted[a]) {
+            const auto times = std::ranges::count(inserted[a], t) + axis.multiplicity(t);
+            if (times >= axis.order())
+                throw Rejected("so many knots in one place would tear the volume there");
+            if (!std::ranges::binary_search(all, t))
+                all.insert(std::ranges::upper_bound(all, t), t);
+        }
+        for (std::size_t i = 0; i + 1 < all.size(); ++i)
+            if (all[i + 1] - all[i] < least_span)
+                throw Rejected("two knots would be nearer to each other than a millionth");
+    }
+    if (points > most_points)
+        throw Rejected("the volume would have more than a million control points");
 }
 
-Coarsened with_fewer(LaidVolume& v, const Coarsening& coarsening)
+LaidVolume with_knots(const LaidVolume& v, const KnotInsertion& insertion)
+{
+    const AxisKnots knots{insertion.along, insertion.across, insertion.up};
+    check_knots(*v.volume, knots);
+    LaidVolume out = with_volume(v, refined(*v.volume, knots));
+    out.as_laid = make_ref(refined(*v.as_laid, knots));
+    return out;
+}
+
+LaidVolume with_fewer(const LaidVolume& v, const Coarsening& coarsening, double& deviation)
 {
     const int axis = static_cast<int>(coarsening.axis);
-    Coarsened fewer = coarsened(v.volume, axis, coarsening.count);
-    v.as_laid = coarsened(v.as_laid, axis, coarsening.count).lattice;
-    v.volume = fewer.lattice;
-    return fewer;
+    Coarsened fewer = coarsened(*v.volume, axis, coarsening.count);
+    deviation = fewer.deviation;
+    LaidVolume out = with_volume(v, std::move(fewer.lattice));
+    out.as_laid = make_ref(coarsened(*v.as_laid, axis, coarsening.count).lattice);
+    return out;
 }
 
 const char* words_of(RepairWay way)
@@ -44,21 +72,19 @@ const char* words_of(RepairWay way)
 }
 
 // What is done where it folds; throws Rejected where nothing helps.
-Shaping mended(LaidVolume& v)
+LaidVolume mended(const LaidVolume& v, Shaping& what)
 {
     RepairOptions options;
-    const Knots& up = v.volume.displacement.axes[2];
+    const Knots& up = v.volume->displacement.axes[2];
     while (options.ground_layer + 1 < up.count() && up.greville(options.ground_layer) < v.ground)
         ++options.ground_layer;
-    const Unfolded out = unfolded(v.volume, options);
+    const Unfolded out = unfolded(*v.volume, options);
     if (!out.certified)
         throw Rejected("the volume folds, and no change was found after which it does not; take "
                        "the last steps back, or place it anew");
-    v.volume = out.lattice;
-    Shaping what;
     what.asked = what.done = out.taken.moved_most;
     what.words = out.moves.empty() ? "nothing folded" : words_of(out.taken.way);
-    return what;
+    return with_volume(v, out.lattice);
 }
 
 // Where the points of a shift go; those mirrored the other way across.
@@ -72,25 +98,29 @@ std::vector<PointMove> moves_of(const Lattice& volume, const PointShift& shift)
                 throw Rejected(fmt::format("there is no control point {}, {}, {} any more; the "
                                            "volume has {} x {} x {}",
                                            p.x, p.y, p.z, n.x, n.y, n.z));
-    std::map<std::array<int, 3>, glm::dvec3> by; // each point once
-    const auto mirrored = [&](const glm::ivec3& p) { return glm::ivec3(p.x, n.y - 1 - p.y, p.z); };
-    const auto move = [&](const glm::ivec3& p, const glm::dvec3& world, bool in_middle) {
-        const VolumeDirections frame = volume_frame(volume, greville(volume, p));
-        const glm::dvec3 across =
-            in_middle ? glm::dot(world, frame.across) * frame.across : glm::dvec3(0);
-        by.emplace(std::array{p.x, p.y, p.z}, world - across);
-    };
-    const auto all = [&](bool other_side) {
-        const glm::ivec3 first = other_side ? mirrored(shift.points.front()) : shift.points.front();
-        const VolumeDirections frame = volume_frame(volume, greville(volume, first));
-        const glm::dvec3 world =
-            frame.to_world(other_side ? shift.by * glm::dvec3(1, -1, 1) : shift.by);
-        for (const glm::ivec3& p : shift.points)
-            move(other_side ? mirrored(p) : p, world, shift.mirror && 2 * p.y == n.y - 1);
-    };
-    if (!shift.points.empty()) all(false);
-    if (!shift.points.empty() && shift.mirror) all(true);
     std::vector<PointMove> out;
+    if (shift.points.empty()) return out;
+    const auto mirrored = [&](const glm::ivec3& p) { return glm::ivec3(p.x, n.y - 1 - p.y, p.z); };
+    const auto side = [&](const glm::ivec3& p) { return 2 * p.y - (n.y - 1); };
+    const auto directions = [&](const glm::ivec3& p) {
+        return volume_frame(volume, greville(volume, p));
+    };
+    const glm::ivec3 first = shift.points.front();
+    const glm::dvec3 here = directions(first).to_world(shift.by);
+    const glm::dvec3 there = directions(mirrored(first)).to_world(shift.by * glm::dvec3(1, -1, 1));
+    std::map<std::array<int, 3>, glm::dvec3> by; // each point once
+    const auto move = [&](const glm::ivec3& p) {
+        glm::dvec3 world = !shift.mirror || side(p) * side(first) >= 0 ? here : there;
+        if (shift.mirror && side(p) == 0) { // the middle keeps its side
+            const glm::dvec3 across = directions(p).across;
+            world -= glm::dot(world, across) * across;
+        }
+        by.emplace(std::array{p.x, p.y, p.z}, world);
+    };
+    for (const glm::ivec3& p : shift.points) {
+        move(p);
+        if (shift.mirror) move(mirrored(p));
+    }
     for (const auto& [p, world] : by) out.push_back({{p[0], p[1], p[2]}, world});
     return out;
 }
@@ -109,12 +139,16 @@ bool goes_on(const Press& press, Press so_far)
 // The surface that lies on the scene, in the world.
 Surface<glm::dvec3> contact_of(const LaidVolume& v)
 {
-    Surface<glm::dvec3> contact = iso_surface(v.volume.displacement, 2, v.ground);
+    const Trivariate<glm::dvec3>& f = v.volume->displacement;
+    // Over the volume's own axes: one that is closed stays so.
+    Surface<glm::dvec3> contact{
+        {f.axes[0], f.axes[1]},
+        contracted(axes_of(f), std::span<const glm::dvec3>(f.points), 2, v.ground)};
     for (int i = 0; i < contact.axes[0].count(); ++i)
         for (int j = 0; j < contact.axes[1].count(); ++j) {
             const glm::dvec3 uvw(contact.axes[0].greville(i), contact.axes[1].greville(j),
                                  v.ground);
-            contact.points[contact.index(i, j)] += glm::dvec3(v.volume.rest * glm::dvec4(uvw, 1));
+            contact.points[contact.index(i, j)] += glm::dvec3(v.volume->rest * glm::dvec4(uvw, 1));
         }
     return contact;
 }
@@ -130,13 +164,13 @@ double least_det(const Lattice& volume, const glm::dvec2& uv)
 }
 
 // The placement as if its stroke had given that volume.
-Placement with_volume(Placement placement, const LaidVolume& v)
+Placement as_shaped(Placement placement, const LaidVolume& v)
 {
     const Surface<glm::dvec3> laid = std::move(placement.contact);
-    placement.volume = v.volume;
+    placement.volume = *v.volume;
     placement.contact = contact_of(v);
     placement.strip = outline(placement.contact);
-    placement.embedding.to_rest = v.volume.rest * placement.embedding.to_uvw;
+    placement.embedding.to_rest = v.volume->rest * placement.embedding.to_uvw;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < placement.nodes.size(); ++k) {
         const auto columns = static_cast<std::size_t>(placement.node_columns);
@@ -144,13 +178,17 @@ Placement with_volume(Placement placement, const LaidVolume& v)
                             laid.axes[1].greville(static_cast<int>(k % columns)));
         StripNode& node = placement.nodes[k];
         node.p_world = evaluate(placement.contact, uv).value;
-        const double det = least_det(v.volume, uv);
+        const double det = least_det(*v.volume, uv);
         node.folds = !(det > 0);
         least = std::min(least, det);
     }
     PlacementReport& r = placement.report;
     if (!placement.nodes.empty())
         r.smallest_jacobian = least / (r.length_world * r.width_world * r.height_world);
+    // What the stroke said of folds was before.
+    std::erase_if(r.notices,
+                  [](const std::string& notice) { return notice.starts_with("the volume folds"); });
+    if (!(r.smallest_jacobian > 0)) r.notices.emplace_back("the volume folds; mend it");
     return placement;
 }
 
@@ -173,29 +211,41 @@ Shaper::Done Shaper::pressed(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>&
         so_far_.done += pressing_->add(sample);
         press_.samples.push_back(sample);
     }
-    LaidVolume after = *before;
-    after.volume = pressing_->volume();
-    return {edit, make_ref(std::move(after)), so_far_};
+    return {edit, make_ref(with_volume(*before, pressing_->volume(), pressing_->verdicts())),
+            so_far_};
+}
+
+Shaper::Done Shaper::shifted(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>& before)
+{
+    const PointShift& shift = *edit->shift;
+    std::vector<PointMove> moves = moves_of(*before->volume, shift);
+    std::optional<CellVerdicts> verdicts;
+    double share = 1;
+    if (shift.guard) {
+        CertifiedShare proven = certified_share(*before->volume, *before->verdicts, moves);
+        share = proven.share;
+        moves = scaled(moves, share);
+        verdicts = std::move(proven.after);
+    }
+    const double asked = glm::length(shift.by);
+    return {edit,
+            make_ref(with_volume(*before, moved(*before->volume, moves), std::move(verdicts))),
+            {.asked = asked, .done = share * asked}};
 }
 
 Shaper::Done Shaper::done(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>& before)
 {
     try {
         if (edit->press) return pressed(edit, before);
+        if (edit->shift) return shifted(edit, before);
         LaidVolume after = *before;
         Shaping what;
-        if (edit->shift) {
-            std::vector<PointMove> moves = moves_of(before->volume, *edit->shift);
-            const double share = edit->shift->guard ? certified_share(after.volume, moves) : 1;
-            for (PointMove& move : moves) move.by *= share;
-            after.volume = moved(std::move(after.volume), moves);
-            what.asked = glm::length(edit->shift->by);
-            what.done = share * what.asked;
+        if (edit->insertion) after = with_knots(after, *edit->insertion);
+        if (edit->coarsening) {
+            after = with_fewer(after, *edit->coarsening, what.done);
+            what.asked = what.done;
         }
-        if (edit->insertion) after = with_knots(std::move(after), *edit->insertion);
-        if (edit->coarsening)
-            what.asked = what.done = with_fewer(after, *edit->coarsening).deviation;
-        if (edit->mending) what = mended(after);
+        if (edit->mending) after = mended(after, what);
         return {edit, make_ref(std::move(after)), what};
     } catch (const Rejected& error) {
         return {edit, before, {.notice = error.what()}};
@@ -207,7 +257,7 @@ Ref<ShapedVolume> Shaper::operator()(const Ref<Placement>& laid,
 {
     if (laid != laid_) {
         laid_ = laid;
-        begun_ = make_ref(LaidVolume{laid->volume, laid->volume, laid->ground});
+        begun_ = make_ref(laid_volume(laid->volume, laid->ground));
         done_.clear();
         last_ = nullptr;
     }
@@ -220,7 +270,7 @@ Ref<ShapedVolume> Shaper::operator()(const Ref<Placement>& laid,
     while (done_.size() < edits.size())
         done_.push_back(done(edits[done_.size()], done_.empty() ? begun_ : done_.back().after));
     const Ref<LaidVolume>& after = done_.empty() ? begun_ : done_.back().after;
-    ShapedVolume out{edits.empty() ? laid : make_ref(with_volume(*laid, *after)), after, {}};
+    ShapedVolume out{edits.empty() ? laid : make_ref(as_shaped(*laid, *after)), after, {}};
     for (const Done& step : done_) out.steps.push_back(step.what);
     last_ = make_ref(std::move(out));
     return last_;

@@ -36,6 +36,7 @@ private:
         Shaping what;
     };
     Done done(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>& before);
+    Done shifted(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>& before);
     Done pressed(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>& before);
 
     Ref<Placement> laid_;

@@ -375,6 +375,7 @@ void draw_inspector(Editor& editor, const ui::Theme& theme, const Layout& layout
         if (editor.session.document().objects.contains(id)) draw(editor, theme, id);
     };
     if (each->placement) part(draw_placement);
+    if (each->placement) part(draw_shaping);
     if (std::holds_alternative<ImportedFile>(each->source))
         part([](Editor& e, const ui::Theme& t, Id one) { draw_clip(e, t, {one}); });
     part(draw_transform);

@@ -71,6 +71,8 @@ void draw_material(Editor& editor, const ui::Theme& theme, Id id);
 void draw_placement(Editor& editor, const ui::Theme& theme, Id id);
 void draw_travel(Editor& editor, const ui::Theme& theme, const std::vector<Id>& placed);
 void draw_refinement(Editor& editor, const ui::Theme& theme, const std::vector<Id>& placed);
+// The lattice of a placed object, and what was done to it.
+void draw_shaping(Editor& editor, const ui::Theme& theme, Id id);
 void draw_clip(Editor& editor, const ui::Theme& theme, const std::vector<Id>& imported);
 void draw_several(Editor& editor, const ui::Theme& theme); // where several objects are selected
 void draw_picture_settings(Editor& editor, const ui::Theme& theme);

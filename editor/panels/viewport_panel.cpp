@@ -31,7 +31,8 @@ Helpers helpers_of(Editor& editor, const ui::Theme& theme)
     for (gpu::Line& line : placement_lines(*found->second->placement, theme.color, theme.line(1)))
         helpers.lines.push_back(std::move(line));
     helpers.veils.push_back(placement_veil(*found->second->placement, theme.color));
-    for (const gpu::Translucent& veil : editor.viewport.fold_colors().of(found->second->placement, theme.color))
+    for (const gpu::Translucent& veil :
+         editor.viewport.fold_colors().of(found->second->placement, theme.color))
         helpers.veils.push_back(veil);
     return helpers;
 }

@@ -57,6 +57,14 @@ MotionFrame frame_of(const Lattice& volume, const std::vector<glm::ivec3>& point
     return {middle_of(volume, points), glm::dmat3(at.along, at.across, at.up)};
 }
 
+// Which of a volume's control points are among those, by their index.
+std::vector<char> flags_of(const Lattice& volume, const std::vector<glm::ivec3>& points)
+{
+    std::vector<char> out(volume.displacement.points.size());
+    for (const glm::ivec3& p : points) out[volume.displacement.index(p.x, p.y, p.z)] = 1;
+    return out;
+}
+
 bool has(const std::vector<glm::ivec3>& points, const glm::ivec3& point)
 {
     return std::ranges::find(points, point) != points.end();
@@ -160,12 +168,13 @@ void LatticePointsTool::choose_in_box(const Session& session, const ViewportInpu
 {
     const glm::dvec2 lo = glm::min(*box_px_, input.mouse), hi = glm::max(*box_px_, input.mouse);
     if (!ImGui::GetIO().KeyCtrl) chosen_.clear();
-    each_point(selected_placement(session)->placement->volume, session.camera,
-               [&](const glm::ivec3& p, glm::dvec2 at) {
-                   const bool inside = glm::all(glm::greaterThanEqual(at, lo)) &&
-                                       glm::all(glm::lessThanEqual(at, hi));
-                   if (inside && !has(chosen_, p)) chosen_.push_back(p);
-               });
+    const Lattice& volume = selected_placement(session)->placement->volume;
+    const std::vector<char> before = flags_of(volume, chosen_);
+    each_point(volume, session.camera, [&](const glm::ivec3& p, glm::dvec2 at) {
+        const bool inside =
+            glm::all(glm::greaterThanEqual(at, lo)) && glm::all(glm::lessThanEqual(at, hi));
+        if (inside && before[volume.displacement.index(p.x, p.y, p.z)] == 0) chosen_.push_back(p);
+    });
 }
 
 void LatticePointsTool::begin(const Session& session, const ViewportInput& input,
@@ -273,8 +282,10 @@ void LatticePointsTool::overlay(const Session& session, const ui::Theme& theme,
     const EvaluatedObject* laid = selected_placement(session);
     if (!laid) return;
     const Lattice& volume = laid->placement->volume;
+    const std::vector<char> flags = flags_of(volume, chosen_);
     each_point(volume, session.camera, [&](const glm::ivec3& p, glm::dvec2 at) {
-        const bool chosen = has(chosen_, p), lit = hovered_ && *hovered_ == p;
+        const bool chosen = flags[volume.displacement.index(p.x, p.y, p.z)] != 0,
+                   lit = hovered_ && *hovered_ == p;
         ui::paint_dot(input.rect.lo + glm::vec2(at),
                       theme.scale * (lit      ? 5.5f
                                      : chosen ? 4.5f

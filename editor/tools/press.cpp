@@ -22,12 +22,6 @@ namespace {
 
 constexpr double brush_step = 0.2; // of the radius, between samples; of the strength, each presses
 
-// The ball lies on the side of the volume that lies on the scene: it lifts.
-bool at_scene(const Lattice& volume, double ground, const glm::dvec3& uvw)
-{
-    return ground == 0 && uvw.z < volume.displacement.axes[2].greville(1) / 2;
-}
-
 // What one pixel of the mouse presses, as a vector: along the picture of the way into the volume,
 // or, where that is hardly seen, downwards.
 glm::dvec2 metres_by_pixel(const Camera& camera, const glm::dvec3& center, const glm::dvec3& into)
@@ -200,19 +194,20 @@ void PressTool::tell(Session& session)
     if (!last->notice.empty())
         session.notices.say(ui::NoticeKind::warning, "Nothing was pressed", last->notice,
                             of_a_step);
-    else if (stopped_short(*last))
+    else if (const EvaluatedObject* laid = selected_placement(session);
+             laid && laid->id == id && offer_points(session, id, laid->placement->volume))
+        return;
+    else if (stopped_short(*last) && told_.guard && last->asked > 0)
         tell_where_it_stopped(session, *last, "The press", "Use a larger radius");
-    else if (const EvaluatedObject* laid = selected_placement(session); laid && laid->id == id)
-        offer_points(session, id, laid->placement->volume);
 }
 
-void PressTool::offer_points(Session& session, Id id, const Lattice& volume) const
+bool PressTool::offer_points(Session& session, Id id, const Lattice& volume) const
 {
     const glm::dvec3 center = evaluate(volume, glm::dvec3(told_.samples.back())).value;
     constexpr int few = 4;
-    if (held_by(told_, volume, {center}, [](const glm::ivec3&, double) {}) >= few) return;
+    if (held_by(told_, volume, {center}, [](const glm::ivec3&, double) {}) >= few) return false;
     const AxisKnots knots = knots_for_sphere(volume, center, told_.radius);
-    if (knots[0].empty() && knots[1].empty() && knots[2].empty()) return;
+    if (knots[0].empty() && knots[1].empty() && knots[2].empty()) return false;
     session.notices.say(ui::NoticeKind::warning, "The ball holds few control points",
                         "So it presses coarsely, or nothing at all. More can be added there; the "
                         "volume keeps its shape.",
@@ -220,6 +215,7 @@ void PressTool::offer_points(Session& session, Id id, const Lattice& volume) con
                         {{"Add control points", [&session, id, knots] {
                               session.run(InsertKnots{id, {knots[0], knots[1], knots[2]}});
                           }}});
+    return true;
 }
 
 void PressTool::cancel(Session& session)

@@ -51,7 +51,7 @@ private:
     void go_on(Session& session, const ViewportInput& input);
     void finish(Session& session);
     void tell(Session& session); // what became of the last stroke
-    void offer_points(Session& session, Id id, const Lattice& volume) const;
+    bool offer_points(Session& session, Id id, const Lattice& volume) const;
     Command command() const;
     double radius(const Placement& placement) const;
     double strength(const Placement& placement) const;

@@ -13,7 +13,7 @@ LaidVolume ten_thousand_points()
                                     Knots::uniform(4, 10)};
     const Lattice box =
         lattice_at_rest(axes, glm::dmat4(5, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1));
-    return {box, box, 0};
+    return laid_volume(box, 0);
 }
 
 // One sample of a press: where its control points go; with the guard, also how far they may.

@@ -32,7 +32,7 @@ Press press_at(glm::dvec4 sample, Decay decay = Decay::gaussian)
 
 Lattice pressed(const Press& press)
 {
-    Pressing pressing({bent_box(), bent_box(), 0}, press);
+    Pressing pressing(laid_volume(bent_box(), 0), press);
     for (const glm::dvec4& sample : press.samples) pressing.add(sample);
     return pressing.volume();
 }
@@ -186,11 +186,12 @@ TEST(Shaper, GivesTheSameBitsStepByStepAndAtOnce)
 
 TEST(Shaper, InsertsControlPointsWithoutAChange)
 {
-    const auto finer = make_ref(VolumeEdit{.insertion = KnotInsertion{.along = {0.31, 0.5, 0.5}}});
+    const auto finer =
+        make_ref(VolumeEdit{.insertion = KnotInsertion{.along = {0.31, 0.55, 0.55}}});
     Shaper shaper;
     const auto after = shaper(placed_box(), {finer});
     EXPECT_EQ(after->placement->volume.displacement.axes[0].count(), 15);
-    EXPECT_EQ(after->volume->as_laid.displacement.axes[0].count(), 15);
+    EXPECT_EQ(after->volume->as_laid->displacement.axes[0].count(), 15);
     for (double u = 0; u <= 1; u += 0.0625)
         EXPECT_LT(glm::distance(evaluate(after->placement->volume, {u, 0.4, 0.7}).value,
                                 evaluate(bent_box(), {u, 0.4, 0.7}).value),
@@ -261,6 +262,34 @@ TEST(Shaper, LeavesFewerControlPointsNoFurtherOffThanItSays)
     EXPECT_LE(most, after->steps[0].done);
     const auto more = make_ref(VolumeEdit{.coarsening = Coarsening{VolumeAxis::along, 70}});
     EXPECT_FALSE(shaper(placed_box(), {more})->steps[0].notice.empty());
+}
+
+TEST(Shaper, MovesARowAcrossTheMiddleApartOnBothSides)
+{
+    const auto row = make_ref(
+        VolumeEdit{.shift = PointShift{.points = {{5, 0, 4}, {5, 3, 4}, {5, 4, 4}, {5, 7, 4}},
+                                       .by = {0, -0.02, 0},
+                                       .mirror = true}});
+    Shaper shaper;
+    const Lattice after = shaper(placed_box(), {row})->placement->volume, before = bent_box();
+    for (const int j : {0, 3, 4, 7})
+        EXPECT_NEAR(control_point(after, 5, j, 4).y - control_point(before, 5, j, 4).y,
+                    j < 4 ? -0.02 : 0.02, 1e-12);
+}
+
+TEST(Shaper, RefusesKnotsThatWouldTearOrCannotBeJudged)
+{
+    Shaper shaper;
+    std::vector<double> many;
+    for (int i = 1; i < 20000; ++i) many.push_back(i / 20000.0);
+    for (const KnotInsertion& knots :
+         {KnotInsertion{.along = {0.55, 0.55, 0.55}}, KnotInsertion{.up = {1e-12}},
+          KnotInsertion{.along = many, .across = {0.33, 0.66}}}) {
+        const auto edit = make_ref(VolumeEdit{.insertion = knots});
+        const auto after = shaper(placed_box(), {edit});
+        EXPECT_FALSE(after->steps[0].notice.empty());
+        EXPECT_EQ(after->placement->volume, bent_box());
+    }
 }
 
 TEST(Press, WithNothingToPressIsRefused)

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/ffd/resolution.h"
+#include "editor/panels/panels.h"
+#include "editor/volume_words.h"
+#include "ui/icons.h"
+#include "ui/widgets.h"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <imgui.h>
+
+namespace trivar {
+namespace {
+
+constexpr std::array<const char*, 3> axis_labels{"Along", "Across", "Up"};
+
+// The middle of every span of an axis.
+std::vector<double> span_middles(const Knots& axis)
+{
+    const std::vector<double> breaks = axis.breaks();
+    std::vector<double> out;
+    for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
+        out.push_back((breaks[i] + breaks[i + 1]) / 2);
+    return out;
+}
+
+// Control points along one axis, and buttons for more and for fewer. Fewer says beforehand how far
+// it moves anything; null: it is not known.
+void density_row(Editor& editor, const ui::Theme& theme, Id id, int axis, const Knots& knots,
+                 const double* deviation)
+{
+    ui::label_row(theme, axis_labels[static_cast<std::size_t>(axis)]);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float side = theme.size.row;
+    ui::paint_text(theme.font.body, ui::rect_at({at.x, at.y}, {theme.px(60), side}),
+                   theme.color.text, std::to_string(knots.count()));
+    ImGui::PushID(axis);
+    ImGui::SetCursorScreenPos({at.x + theme.px(64), at.y});
+    const bool open = knots.closure() == Closure::open;
+    KnotInsertion finer;
+    (axis == 0 ? finer.along : axis == 1 ? finer.across : finer.up) = span_middles(knots);
+    if (ui::icon_button(theme, "finer", ui::icon::add, {side, side},
+                        {"Finer", {}, "A control point more in each span; nothing moves."}))
+        editor.session.run(InsertKnots{id, finer});
+    ImGui::SetCursorScreenPos({at.x + theme.px(68) + side, at.y});
+    const int fewer = fewer_points(knots);
+    const std::string off =
+        deviation ? " Nothing moves further than " + ui::short_number(*deviation) + " m." : "";
+    if (ui::icon_button(theme, "coarser", ui::icon::minus, {side, side},
+                        {"Coarser", {}, fmt::format("{} control points are left.{}", fewer, off)},
+                        {.enabled = open && fewer < knots.count()}))
+        editor.session.run(CoarsenVolume{id, {static_cast<VolumeAxis>(axis), fewer}});
+    ImGui::PopID();
+    ImGui::SetCursorScreenPos({at.x, at.y + side + theme.px(4)});
+    ImGui::Dummy({1, 0});
+}
+
+void verdict_row(const ui::Theme& theme, const CellVerdicts* verdicts)
+{
+    const auto tell = [&](const std::string& words, ui::Color color) {
+        ui::fact_row(theme, "Folds", words, color,
+                     "whether the volume turns inside out anywhere, as far as that is proven");
+    };
+    if (!verdicts) return tell("too many cells to say", theme.color.text_2);
+    const auto count = [&](Verdict of) { return std::ranges::count(verdicts->of, of); };
+    if (const auto bad = count(Verdict::proven_bad); bad > 0)
+        return tell(fmt::format("{} of {} cells", bad, verdicts->of.size()), theme.color.bad);
+    if (const auto unknown = count(Verdict::unknown); unknown > 0)
+        return tell(fmt::format("{} cells unproven", unknown), theme.color.warn);
+    tell("nowhere, proven", theme.color.good);
+}
+
+} // namespace
+
+void draw_shaping(Editor& editor, const ui::Theme& theme, Id id)
+{
+    Session& session = editor.session;
+    const auto found = session.evaluated().objects.find(id);
+    if (found == session.evaluated().objects.end() || !found->second->placement) return;
+    if (!ui::section(theme, "Lattice", false)) return;
+    const Ref<Placement> placement = found->second->placement;
+    const CellVerdicts* verdicts = editor.viewport.fold_colors().verdicts(placement);
+    verdict_row(theme, verdicts);
+    const std::array<std::optional<double>, 3>& off =
+        editor.viewport.fold_colors().deviations(placement);
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto a = static_cast<std::size_t>(axis);
+        density_row(editor, theme, id, axis, placement->volume.displacement.axes[a],
+                    off[a] ? &*off[a] : nullptr);
+    }
+    const std::vector<Ref<VolumeEdit>> steps = object(session.document(), id).shaping;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        const float side = theme.size.row;
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const float width = ImGui::GetContentRegionAvail().x - side - theme.px(8);
+        ImGui::PushID(static_cast<int>(i));
+        ui::name_text(theme.font.body, ui::rect_at({at.x + theme.px(2), at.y}, {width, side}),
+                      theme.color.text_2, fmt::format("{}  {}", i + 1, words_of(*steps[i])));
+        ImGui::SetCursorScreenPos({at.x + width + theme.px(4), at.y});
+        if (ui::icon_button(theme, "take back", ui::icon::trash, {side, side},
+                            {"Take it back", {}, "The other steps stay."}))
+            session.run(Unshape{id, {static_cast<int>(i) + 1}});
+        ImGui::SetCursorScreenPos({at.x, at.y + side + theme.px(2)});
+        ImGui::Dummy({1, 0});
+        ImGui::PopID();
+    }
+    ui::gap(theme, 4);
+    if (verdicts && !verdicts->good() &&
+        ui::button(theme, "Mend", ui::ButtonKind::primary, {0, 0}, ui::icon::guard,
+                   key_text(action(editor, mend_action))))
+        action(editor, mend_action).run(editor);
+    ui::gap(theme, 8);
+}
+
+} // namespace trivar
