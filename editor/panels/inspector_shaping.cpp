@@ -90,12 +90,13 @@ void draw_shaping(Editor& editor, const ui::Theme& theme, Id id)
                     off[a] ? &*off[a] : nullptr);
     }
     const std::vector<Ref<VolumeEdit>> steps = object(session.document(), id).shaping;
+    const float edge = theme.px(12); // as rows have it
     for (std::size_t i = 0; i < steps.size(); ++i) {
         const float side = theme.size.row;
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float width = ImGui::GetContentRegionAvail().x - side - theme.px(8);
         ImGui::PushID(static_cast<int>(i));
-        ui::name_text(theme.font.body, ui::rect_at({at.x + theme.px(2), at.y}, {width, side}),
+        ui::name_text(theme.font.body, ui::rect_at({at.x + edge, at.y}, {width - edge, side}),
                       theme.color.text_2, fmt::format("{}  {}", i + 1, words_of(*steps[i])));
         ImGui::SetCursorScreenPos({at.x + width + theme.px(4), at.y});
         if (ui::icon_button(theme, "take back", ui::icon::trash, {side, side},
@@ -106,10 +107,13 @@ void draw_shaping(Editor& editor, const ui::Theme& theme, Id id)
         ImGui::PopID();
     }
     ui::gap(theme, 4);
-    if (verdicts && !verdicts->good() &&
-        ui::button(theme, "Mend", ui::ButtonKind::primary, {0, 0}, ui::icon::guard,
-                   key_text(action(editor, mend_action))))
-        action(editor, mend_action).run(editor);
+    if (verdicts && !verdicts->good()) {
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        ImGui::SetCursorScreenPos({at.x + edge, at.y});
+        if (ui::button(theme, "Mend", ui::ButtonKind::primary, {theme.px(160), 0}, ui::icon::guard,
+                       key_text(action(editor, mend_action))))
+            action(editor, mend_action).run(editor);
+    }
     ui::gap(theme, 8);
 }
 
