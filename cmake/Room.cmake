@@ -7,11 +7,11 @@ set(common_headers <algorithm> <array> <chrono> <cmath> <cstdint> <filesystem> <
                    <limits> <map> <memory> <optional> <set> <span> <string> <string_view> <variant>
                    <vector> <fmt/format.h> <glm/glm.hpp>)
 set(test_headers ${common_headers} <gmock/gmock.h> <gtest/gtest.h>)
-# Neighbours of a room are compiled nine at a time: they share the templates of their headers, which
+# Neighbours of a room are compiled twelve at a time: they share the templates of their headers, which
 # halves a clean build. A name in an anonymous namespace is therefore the only one of its room.
 # -DCMAKE_UNITY_BUILD=OFF compiles each alone, as the style checks want it.
 option(CMAKE_UNITY_BUILD "compile several sources at once" ON)
-set(CMAKE_UNITY_BUILD_BATCH_SIZE 9)
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 12)
 if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   # A class of a source may have a member of that source's own; said wrongly of several together.
   add_compile_options(-Wno-subobject-linkage)
