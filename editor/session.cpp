@@ -136,7 +136,7 @@ void Session::finish_check()
     }
     if (!commit()) return;
     notices.forget(of_a_step);
-    const std::vector<std::string>& lines = found->second->placement->report.notices;
+    const std::vector<std::string> lines = found->second->placement->report.all_notices();
     if (!lines.empty())
         notices.say_all(ui::NoticeKind::warning, name_of(document(), check.object) + " was placed",
                         lines, of_a_step);

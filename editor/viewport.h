@@ -2,10 +2,10 @@
 #pragma once
 
 #include "editor/draft_pace.h"
-#include "editor/fold_colors.h"
 #include "editor/mouse_manners.h"
 #include "editor/shown_values.h"
 #include "editor/tools/tool.h"
+#include "editor/volume_facts.h"
 #include "editor/way_comparison.h"
 #include "gpu/renderer.h"
 #include "gpu/shader_folder.h"
@@ -74,7 +74,7 @@ public:
     const Ref<gpu::ShaderTexts>& shaders() const { return shaders_; }
     unsigned texture() const { return renderer_ ? renderer_->texture() : 0; } // what shows
     WayComparison& ways() { return ways_; }
-    FoldColors& fold_colors() { return fold_colors_; } // of the volume that is shown
+    VolumeFacts& volume_facts() { return volume_facts_; } // of the volume that is shown
     const ui::TimingHistory& drafts() const { return drafts_; }
     double draft_scale() const { return pace_ ? pace_->scale() : 1; } // of the next draft's size
     const Timings& full_timings() const { return full_timings_; }     // of the last one
@@ -117,7 +117,7 @@ private:
     Ref<gpu::ShaderTexts> shaders_;
     ShownValues values_;
     WayComparison ways_;
-    FoldColors fold_colors_;
+    VolumeFacts volume_facts_;
     std::unique_ptr<gpu::Renderer> renderer_; // made at the first picture
     std::optional<DraftPace> pace_;           // as well
     std::optional<Shown> shown_;

@@ -2,7 +2,7 @@
 #include "editor/volume_picture.h"
 
 #include "core/mesh/primitives.h"
-#include "editor/fold_colors.h"
+#include "editor/volume_facts.h"
 #include "editor/volume_surface.h"
 
 #include <algorithm>

@@ -3,7 +3,6 @@
 
 #include "ui/widgets.h"
 
-#include <algorithm>
 #include <array>
 #include <fmt/format.h>
 
@@ -37,9 +36,9 @@ std::string words_of(const VolumeEdit& edit)
     return "Mended";
 }
 
-int fewer_points(const Knots& axis)
+std::string words_of(const VolumeEdit& edit, const Shaping& done)
 {
-    return std::max(axis.order(), axis.count() * 3 / 4);
+    return words_of(edit) + (done.words.empty() ? "" : ", " + done.words);
 }
 
 } // namespace trivar

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/placement/shaping.h"
+#include "core/placement/shaper.h"
 
 #include <string>
 
@@ -9,8 +9,7 @@ namespace trivar {
 
 // What a step of shaping is, for a list: "Press, Gaussian 0.34 m".
 std::string words_of(const VolumeEdit& edit);
-
-// How many control points of an axis are left where they are made a quarter fewer.
-int fewer_points(const Knots& axis);
+// The same once it is done, with what was chosen then: "Mended, it was lowered".
+std::string words_of(const VolumeEdit& edit, const Shaping& done);
 
 } // namespace trivar

@@ -89,7 +89,7 @@ EvaluatedObject evaluated_object(Id id, const Causes& causes)
         if (result.journey && !result.journey->has_room())
             result.notices.emplace_back(
                 "it fills its whole stroke and has no room to travel; make its fill smaller");
-        const std::vector<std::string>& more = causes.laid->placement->report.notices;
+        const std::vector<std::string> more = causes.laid->placement->report.all_notices();
         result.notices.insert(result.notices.end(), more.begin(), more.end());
         if (result.shaped)
             for (std::size_t i = 0; i < result.shaped->steps.size(); ++i)

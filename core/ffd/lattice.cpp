@@ -4,14 +4,12 @@
 #include <limits>
 
 namespace trivar {
-namespace {
 
-glm::dvec3 greville(const std::array<Knots, 3>& axes, int i, int j, int k)
+glm::dvec3 greville(const Lattice& lattice, const glm::ivec3& index)
 {
-    return {axes[0].greville(i), axes[1].greville(j), axes[2].greville(k)};
+    const std::array<Knots, 3>& axes = lattice.displacement.axes;
+    return {axes[0].greville(index.x), axes[1].greville(index.y), axes[2].greville(index.z)};
 }
-
-} // namespace
 
 Lattice moved(Lattice lattice, std::span<const PointMove> moves)
 {
@@ -43,7 +41,7 @@ Lattice lattice_at_rest(const std::array<Knots, 3>& axes, const glm::dmat4& rest
 glm::dvec3 control_point(const Lattice& lattice, int i, int j, int k)
 {
     const auto& d = lattice.displacement;
-    return glm::dvec3(lattice.rest * glm::dvec4(greville(d.axes, i, j, k), 1)) +
+    return glm::dvec3(lattice.rest * glm::dvec4(greville(lattice, {i, j, k}), 1)) +
            d.points[d.index(i, j, k)];
 }
 

@@ -21,6 +21,9 @@ struct Lattice {
 // n_u x n_v x n_w zero displacements over [0,1]^3.
 Lattice lattice_at_rest(const std::array<Knots, 3>& axes, const glm::dmat4& rest);
 
+// uvw of a stored control point, by its indices along u, v and w: the Greville abscissae.
+glm::dvec3 greville(const Lattice& lattice, const glm::ivec3& index);
+
 // World position of stored control point (i, j, k), and the lattice with control points at given
 // world positions. The latter takes `rest` as a translation to their mean, which keeps digits.
 glm::dvec3 control_point(const Lattice& lattice, int i, int j, int k);

@@ -10,7 +10,7 @@
 namespace trivar {
 namespace {
 
-constexpr int most_control_points = 400; // along or across
+constexpr int most_along_or_across = 400; // control points
 constexpr int most_layers = 64;
 
 void in_range(double value, double lo, double hi, const char* name)
@@ -30,7 +30,7 @@ void check(const PlacementParameters& p)
     in_range(p.offset, 0, 1, "the offset");
     in_range(p.stiffness, 1e-3, 1e3, "the stiffness");
     in_range(p.bending, 0, 10, "the bending");
-    in_range(p.neighborhood, 0, most_control_points, "the neighbourhood");
+    in_range(p.neighborhood, 0, most_along_or_across, "the neighbourhood");
     in_range(p.roughness_deg, 1, 90, "the roughness angle");
     in_range(p.start, 0, 1, "the start");
     in_range(p.fill, 1e-6, 1, "the fill");
@@ -47,7 +47,7 @@ void check(const PlacementParameters& p)
     for (int a = 0; a < 3; ++a) {
         const char* name = axis[static_cast<std::size_t>(a)];
         in_range(p.orders[a], 2, max_order, fmt::format("the order {} the stroke", name).c_str());
-        in_range(p.grid[a], p.orders[a], a < 2 ? most_control_points : most_layers,
+        in_range(p.grid[a], p.orders[a], a < 2 ? most_along_or_across : most_layers,
                  fmt::format("the number of control points {} the stroke", name).c_str());
     }
 }

@@ -28,6 +28,11 @@ void check_reach(const Surface<glm::dvec3>& contact, const View& view, double he
                                        height));
 }
 
+bool pierced(const PlacementReport& r, const PlacementParameters& p)
+{
+    return r.penetration > p.lift_tolerance;
+}
+
 std::vector<std::string> notices(const PlacementReport& r, const Extrusion& e,
                                  const PlacementParameters& p)
 {
@@ -52,13 +57,9 @@ std::vector<std::string> notices(const PlacementReport& r, const Extrusion& e,
                                   "reduce the height or the offset",
                                   some(e.lowered, "one place", "places")));
     // Where both go wrong the number of control points helps the one and harms the other.
-    const bool pierced = r.penetration > p.lift_tolerance, folds = !(r.smallest_jacobian > 0);
-    if (pierced)
+    if (pierced(r, p))
         out.push_back(fmt::format("{:.2g} of the height still penetrates{}", r.penetration,
-                                  folds ? "" : "; use more control points"));
-    if (folds)
-        out.push_back(fmt::format("the volume folds; use {}a wider turn or less height",
-                                  pierced ? "" : "fewer control points, "));
+                                  r.folds.empty() ? "; use more control points" : ""));
     return out;
 }
 
@@ -154,11 +155,21 @@ Placement finished(const StripLayout& layout, const std::vector<double>& s, cons
         r.spring_iterations = layout.spring_iterations;
         r.narrowed = layout.narrowed;
         r.smallest_jacobian = e.least_det() / (layout.length * layout.width * layout.height);
+        if (!(r.smallest_jacobian > 0))
+            r.folds = fmt::format("the volume folds; use {}a wider turn or less height",
+                                  pierced(r, parameters) ? "" : "fewer control points, ");
         r.notices = notices(r, e, parameters);
         out.node_columns = contact.axes[1].count();
         out.nodes = nodes_of(layout, contact, e, parameters);
         return out;
     });
+}
+
+std::vector<std::string> PlacementReport::all_notices() const
+{
+    std::vector<std::string> all = notices;
+    if (!folds.empty()) all.push_back(folds);
+    return all;
 }
 
 Placement place(const Sketch& sketch, const PlacementParameters& parameters, const Box& model,
@@ -170,7 +181,7 @@ Placement place(const Sketch& sketch, const PlacementParameters& parameters, con
     if (!parameters.sharp) return out;
     // Not every edge can be taken on: what would pierce the scene or fold is laid round it.
     const auto stands = [&](const PlacementReport& r) {
-        return r.penetration <= parameters.lift_tolerance && r.smallest_jacobian > 0;
+        return !pierced(r, parameters) && r.smallest_jacobian > 0;
     };
     if (stands(out.report)) return out;
     PlacementParameters round = parameters;

@@ -62,7 +62,7 @@ struct PlacementParameters {
     std::vector<glm::dvec2> rise_profile{};
     double contact_level = 0;         // the w that lies on the scene: 0 its floor, 1 its roof
     LengthAxis along = LengthAxis::x; // turned first of all, then rolled, then reversed
-    bool sharp = false; // the surface has the creases of the scene under it
+    bool sharp = false;               // the surface has the creases of the scene under it
     bool operator==(const PlacementParameters&) const = default;
 };
 
@@ -77,7 +77,12 @@ struct PlacementReport {
     int narrowed = 0;                 // columns narrowed so that the strip does not fold
     double smallest_jacobian = 0;     // sampled at the nodes, relative to the undeformed volume's
     std::vector<std::string> notices; // sentences for the user
+    std::string folds;                // one more of them where the volume folds; else empty
+    std::vector<std::string> all_notices() const;
 };
+
+// The volume's control points are held in memory, 24 bytes each.
+inline constexpr double most_control_points = 1e6;
 
 // How a node of the strip came to rest, for whoever shows it.
 enum class Contact : char { touches, bridges, missed };

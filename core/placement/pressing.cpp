@@ -66,7 +66,7 @@ Pressing::Pressing(const LaidVolume& begun, const Press& press)
             const glm::dvec3 column = points_.back() - foot;
             const double height = glm::length(column);
             up_.push_back(height > 0 ? column / height
-                                     : volume_frame(start_, greville(start_, {i, j, 0})).up);
+                                     : volume_directions(start_, greville(start_, {i, j, 0})).up);
             on_scene_.push_back(glm::dot(control_point(*begun.as_laid, i, j, 0), up_.back()));
         }
 }
@@ -165,20 +165,29 @@ std::vector<PointMove> Pressing::on_columns(const std::vector<double>& weights, 
     return out;
 }
 
-double Pressing::add(const glm::dvec4& sample)
+Pressing::Came Pressing::add(const glm::dvec4& sample)
 {
     const std::vector<double> w = weights(sample);
     std::vector<PointMove> taken = moves(sample, w);
+    bool would_fold = false;
     if (press_.guard) {
         CertifiedShare proven = certified_share(volume_, verdicts_, taken);
         taken = scaled(taken, proven.share);
+        would_fold = proven.share < 1;
         verdicts_ = std::move(proven.after);
     }
     double weight = 0, far = 0;
     for (const double each : w) weight = std::max(weight, each);
     for (const PointMove& move : taken) far = std::max(far, glm::length(move.by));
     volume_ = moved(std::move(volume_), taken);
-    return weight > 0 ? std::copysign(far / weight, sample.w) : 0;
+    if (!(weight > 0)) return {};
+    const double metres = far / weight;
+    // Layers that came as near to each other as they may.
+    constexpr double nearly_all = 0.98;
+    const bool at_layers = !at_scene(volume_, ground_, glm::dvec3(sample));
+    would_fold =
+        would_fold || (press_.guard && at_layers && metres < nearly_all * std::abs(sample.w));
+    return {std::copysign(metres, sample.w), would_fold};
 }
 
 void check(const Press& press)

@@ -32,9 +32,14 @@ public:
     // the scene unless they may go into it; where guarded, no point comes nearer to the next one of
     // its column than 2 % of their distance as laid. O(control points).
     std::vector<PointMove> moves(const glm::dvec4& sample) const;
-    // Moves them, where guarded as far as that is proven not to fold. How far the ball came,
-    // metres: between 0 and the sample's amount, as far as any control point could follow it.
-    double add(const glm::dvec4& sample);
+    // How far the ball came, between 0 and the sample's amount, as far as any control point could
+    // follow it; and whether it was kept from folding the volume.
+    struct Came {
+        double metres = 0;
+        bool would_fold = false;
+    };
+    // Moves them, where guarded as far as that is proven not to fold.
+    Came add(const glm::dvec4& sample);
 
     const Lattice& volume() const { return volume_; }
     // What is known of it; nothing where the press is not guarded.

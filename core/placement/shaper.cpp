@@ -19,7 +19,7 @@ namespace {
 // other, or so many in one place, that nothing can be proven there.
 void check_knots(const Lattice& volume, const AxisKnots& inserted)
 {
-    constexpr double most_points = 1e6, least_span = 1e-6;
+    constexpr double least_span = 1e-6;
     double points = 1;
     for (std::size_t a = 0; a < 3; ++a) {
         const Knots& axis = volume.displacement.axes[a];
@@ -36,7 +36,7 @@ void check_knots(const Lattice& volume, const AxisKnots& inserted)
             if (all[i + 1] - all[i] < least_span)
                 throw Rejected("two knots would be nearer to each other than a millionth");
     }
-    if (points > most_points)
+    if (points > most_control_points)
         throw Rejected("the volume would have more than a million control points");
 }
 
@@ -103,7 +103,7 @@ std::vector<PointMove> moves_of(const Lattice& volume, const PointShift& shift)
     const auto mirrored = [&](const glm::ivec3& p) { return glm::ivec3(p.x, n.y - 1 - p.y, p.z); };
     const auto side = [&](const glm::ivec3& p) { return 2 * p.y - (n.y - 1); };
     const auto directions = [&](const glm::ivec3& p) {
-        return volume_frame(volume, greville(volume, p));
+        return volume_directions(volume, greville(volume, p));
     };
     const glm::ivec3 first = shift.points.front();
     const glm::dvec3 here = directions(first).to_world(shift.by);
@@ -186,9 +186,7 @@ Placement as_shaped(Placement placement, const LaidVolume& v)
     if (!placement.nodes.empty())
         r.smallest_jacobian = least / (r.length_world * r.width_world * r.height_world);
     // What the stroke said of folds was before.
-    std::erase_if(r.notices,
-                  [](const std::string& notice) { return notice.starts_with("the volume folds"); });
-    if (!(r.smallest_jacobian > 0)) r.notices.emplace_back("the volume folds; mend it");
+    r.folds = r.smallest_jacobian > 0 ? "" : "the volume folds; mend it";
     return placement;
 }
 
@@ -208,7 +206,9 @@ Shaper::Done Shaper::pressed(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>&
     while (press_.samples.size() < press.samples.size()) {
         const glm::dvec4 sample = press.samples[press_.samples.size()];
         so_far_.asked += sample.w;
-        so_far_.done += pressing_->add(sample);
+        const Pressing::Came came = pressing_->add(sample);
+        so_far_.done += came.metres;
+        so_far_.would_fold = so_far_.would_fold || came.would_fold;
         press_.samples.push_back(sample);
     }
     return {edit, make_ref(with_volume(*before, pressing_->volume(), pressing_->verdicts())),
@@ -230,7 +230,7 @@ Shaper::Done Shaper::shifted(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>&
     const double asked = glm::length(shift.by);
     return {edit,
             make_ref(with_volume(*before, moved(*before->volume, moves), std::move(verdicts))),
-            {.asked = asked, .done = share * asked}};
+            {.asked = asked, .done = share * asked, .would_fold = share < 1}};
 }
 
 Shaper::Done Shaper::done(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>& before)

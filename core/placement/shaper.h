@@ -12,6 +12,7 @@ struct Shaping {
     // Metres that the ball or the points should go, and went; of what has no such wish both are
     // how far the volume moved anywhere, at most.
     double asked = 0, done = 0;
+    bool would_fold = false; // why less was done than asked
     std::string words = {};  // what was done, where there was a choice
     std::string notice = {}; // why the step gave nothing; else empty
 };

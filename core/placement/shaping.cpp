@@ -36,7 +36,7 @@ double decay(Decay decay, double x)
     return 0;
 }
 
-VolumeDirections volume_frame(const Lattice& volume, const glm::dvec3& uvw)
+VolumeDirections volume_directions(const Lattice& volume, const glm::dvec3& uvw)
 {
     const Jet<glm::dvec3> f = evaluate(volume, uvw, 1);
     VolumeDirections frame;
@@ -45,12 +45,6 @@ VolumeDirections volume_frame(const Lattice& volume, const glm::dvec3& uvw)
     frame.along = unit_or(along, any_across(frame.up));
     frame.across = glm::cross(frame.up, frame.along);
     return frame;
-}
-
-glm::dvec3 greville(const Lattice& volume, const glm::ivec3& index)
-{
-    const std::array<Knots, 3>& axes = volume.displacement.axes;
-    return {axes[0].greville(index.x), axes[1].greville(index.y), axes[2].greville(index.z)};
 }
 
 } // namespace trivar

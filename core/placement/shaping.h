@@ -75,14 +75,7 @@ struct VolumeEdit {
 struct VolumeDirections {
     glm::dvec3 along{1, 0, 0}, across{0, 1, 0}, up{0, 0, 1};
     glm::dvec3 to_world(const glm::dvec3& v) const { return v.x * along + v.y * across + v.z * up; }
-    glm::dvec3 to_frame(const glm::dvec3& v) const
-    {
-        return {glm::dot(v, along), glm::dot(v, across), glm::dot(v, up)};
-    }
 };
-VolumeDirections volume_frame(const Lattice& volume, const glm::dvec3& uvw);
-
-// uvw of a stored control point, on [0, 1]^3.
-glm::dvec3 greville(const Lattice& volume, const glm::ivec3& index);
+VolumeDirections volume_directions(const Lattice& volume, const glm::dvec3& uvw);
 
 } // namespace trivar

@@ -80,16 +80,20 @@ void draw_shaping(Editor& editor, const ui::Theme& theme, Id id)
     if (found == session.evaluated().objects.end() || !found->second->placement) return;
     if (!ui::section(theme, "Lattice", false)) return;
     const Ref<Placement> placement = found->second->placement;
-    const CellVerdicts* verdicts = editor.viewport.fold_colors().verdicts(placement);
+    const CellVerdicts* verdicts = editor.viewport.volume_facts().verdicts(placement);
     verdict_row(theme, verdicts);
     const std::array<std::optional<double>, 3>& off =
-        editor.viewport.fold_colors().deviations(placement);
+        editor.viewport.volume_facts().deviations(placement);
     for (int axis = 0; axis < 3; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
         density_row(editor, theme, id, axis, placement->volume.displacement.axes[a],
                     off[a] ? &*off[a] : nullptr);
     }
     const std::vector<Ref<VolumeEdit>> steps = object(session.document(), id).shaping;
+    const Ref<ShapedVolume> shaped = found->second->shaped;
+    const auto done = [&](std::size_t i) { // a proposal may be ahead of what was evaluated
+        return shaped && i < shaped->steps.size() ? shaped->steps[i] : Shaping{};
+    };
     const float edge = theme.px(12); // as rows have it
     for (std::size_t i = 0; i < steps.size(); ++i) {
         const float side = theme.size.row;
@@ -97,7 +101,8 @@ void draw_shaping(Editor& editor, const ui::Theme& theme, Id id)
         const float width = ImGui::GetContentRegionAvail().x - side - theme.px(8);
         ImGui::PushID(static_cast<int>(i));
         ui::name_text(theme.font.body, ui::rect_at({at.x + edge, at.y}, {width - edge, side}),
-                      theme.color.text_2, fmt::format("{}  {}", i + 1, words_of(*steps[i])));
+                      theme.color.text_2,
+                      fmt::format("{}  {}", i + 1, words_of(*steps[i], done(i))));
         ImGui::SetCursorScreenPos({at.x + width + theme.px(4), at.y});
         if (ui::icon_button(theme, "take back", ui::icon::trash, {side, side},
                             {"Take it back", {}, "The other steps stay."}))

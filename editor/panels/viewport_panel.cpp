@@ -26,13 +26,14 @@ Helpers helpers_of(Editor& editor, const ui::Theme& theme)
     const auto& objects = editor.session.evaluated().objects;
     const auto found = objects.find(editor.session.selected);
     if (found == objects.end() || !found->second->placement || !tool.shows_volume() ||
+        editor.session.document().render->volumes || // the picture shows them
         std::ranges::binary_search(editor.session.aside, found->first))
         return helpers;
     for (gpu::Line& line : placement_lines(*found->second->placement, theme.color, theme.line(1)))
         helpers.lines.push_back(std::move(line));
     helpers.veils.push_back(placement_veil(*found->second->placement, theme.color));
     for (const gpu::Translucent& veil :
-         editor.viewport.fold_colors().of(found->second->placement, theme.color))
+         editor.viewport.volume_facts().folds(found->second->placement, theme.color))
         helpers.veils.push_back(veil);
     return helpers;
 }

@@ -15,12 +15,6 @@ const Shaping* last_shaping(const Session& session, Id id)
     return steps.empty() ? nullptr : &steps.back();
 }
 
-bool stopped_short(const Shaping& step)
-{
-    constexpr double nearly_all = 0.98;
-    return std::abs(step.done) < nearly_all * std::abs(step.asked);
-}
-
 std::string amount_words(double metres)
 {
     return ui::short_number(std::abs(metres)) + " m";

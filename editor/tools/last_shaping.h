@@ -8,9 +8,6 @@ namespace trivar {
 // What became of the last step that shaped an object's volume, proposed or done; null: none.
 const Shaping* last_shaping(const Session& session, Id id);
 
-// The guard let it go less far than it was asked to.
-bool stopped_short(const Shaping& step);
-
 // As metres, without the sign.
 std::string amount_words(double metres);
 

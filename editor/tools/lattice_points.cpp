@@ -2,6 +2,7 @@
 #include "editor/tools/lattice_points.h"
 
 #include "core/document/commands/apply.h"
+#include "editor/tools/gesture_keys.h"
 #include "editor/tools/last_shaping.h"
 #include "editor/tools/placement_handles.h"
 #include "editor/tools/select.h"
@@ -53,7 +54,7 @@ glm::dvec3 middle_of(const Lattice& volume, const std::vector<glm::ivec3>& point
 // The handles stand in the middle, along the directions at the first point.
 MotionFrame frame_of(const Lattice& volume, const std::vector<glm::ivec3>& points)
 {
-    const VolumeDirections at = volume_frame(volume, greville(volume, points.front()));
+    const VolumeDirections at = volume_directions(volume, greville(volume, points.front()));
     return {middle_of(volume, points), glm::dmat3(at.along, at.across, at.up)};
 }
 
@@ -221,7 +222,7 @@ void LatticePointsTool::tell(Session& session)
 {
     if (told_of_ == 0 || gesture_ || !session.up_to_date()) return;
     const Shaping* last = last_shaping(session, std::exchange(told_of_, 0));
-    if (last && stopped_short(*last))
+    if (last && last->would_fold)
         tell_where_it_stopped(session, *last, "The control points", "Move their neighbours too");
 }
 
@@ -235,17 +236,7 @@ void LatticePointsTool::cancel(Session& session)
 
 void LatticePointsTool::take_keys(Session& session)
 {
-    if (!gesture_) return;
-    TypedAmounts& typed = gesture_->typed();
-    const auto struck = [](int key) {
-        return !ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(key, false);
-    };
-    const bool writes = typed.text(typed.at()).starts_with('=');
-    for (int axis = 0; axis < 3 && !writes; ++axis)
-        if (struck('X' + axis)) gesture_->choose_axis(axis, ImGui::GetIO().KeyShift);
-    typed.take_letters();
-    if (struck(ui::key_tab)) typed.next(gesture_->numbers());
-    if (struck(ui::key_enter) || struck(ui::key_keypad_enter)) finish(session);
+    if (gesture_ && take_gesture_keys(*gesture_)) finish(session);
 }
 
 // The net of control points.
@@ -293,13 +284,8 @@ void LatticePointsTool::overlay(const Session& session, const ui::Theme& theme,
                       chosen || lit ? theme.color.selected : theme.color.lattice, theme.color.halo,
                       theme.scale);
     });
-    if (box_px_ && glm::distance(*box_px_, input.mouse) >= click_slip_px) {
-        const glm::vec2 a = input.rect.lo + glm::vec2(*box_px_),
-                        b = input.rect.lo + glm::vec2(input.mouse);
-        const ui::Rect box{glm::min(a, b), glm::max(a, b)};
-        ui::paint_box(box, ui::faded(theme.color.selected, 0.08f));
-        ui::paint_rim(box, theme.color.selected, 0, theme.size.hairline);
-    }
+    if (box_px_ && glm::distance(*box_px_, input.mouse) >= click_slip_px)
+        paint_choice_box(theme, input, *box_px_);
     if (chosen_.empty() || box_px_) return;
     paint_gizmo(
         theme, input.rect.lo,
@@ -308,7 +294,7 @@ void LatticePointsTool::overlay(const Session& session, const ui::Theme& theme,
     const Shaping* step =
         gesture_ && session.proposing() ? last_shaping(session, object_) : nullptr;
     if (!step) return;
-    const bool short_of = stopped_short(*step);
+    const bool short_of = step->would_fold;
     ui::paint_chip(theme,
                    input.rect.lo + glm::vec2(input.mouse) + glm::vec2(theme.px(18), -theme.px(30)),
                    {amount_words(step->done) + (short_of ? ", would fold" : ""),

@@ -111,7 +111,7 @@ void PressTool::begin(Session& session, const ViewportInput& input)
                .mirror = mirror_,
                .guard = guard_,
                .into_scene = into_scene_};
-    const glm::dvec3 up = volume_frame(laid.volume, at_->uvw).up;
+    const glm::dvec3 up = volume_directions(laid.volume, at_->uvw).up;
     const bool lifts = at_scene(laid.volume, laid.ground, at_->uvw);
     g.into_px = metres_by_pixel(session.camera, at_->p_world, lifts ? up : -up);
     g.pull = ImGui::GetIO().KeyCtrl;
@@ -197,7 +197,7 @@ void PressTool::tell(Session& session)
     else if (const EvaluatedObject* laid = selected_placement(session);
              laid && laid->id == id && offer_points(session, id, laid->placement->volume))
         return;
-    else if (stopped_short(*last) && told_.guard && last->asked > 0)
+    else if (last->would_fold && last->asked > 0)
         tell_where_it_stopped(session, *last, "The press", "Use a larger radius");
 }
 
@@ -278,7 +278,7 @@ void PressTool::overlay(const Session& session, const ui::Theme& theme,
     }
     const Shaping* step = session.proposing() ? last_shaping(session, gesture_->object) : nullptr;
     if (!step) return;
-    const bool short_of = stopped_short(*step);
+    const bool short_of = step->would_fold;
     ui::paint_chip(theme, at,
                    {(step->asked < 0 ? "pulled " : "pressed ") + amount_words(step->done) +
                         (short_of ? ", would fold" : ""),

@@ -60,12 +60,17 @@ void SelectTool::overlay(const Session& session, const ui::Theme& theme,
                          const ViewportInput& input) const
 {
     handles_.overlay(session, theme, input);
-    if (box_ != Box::drawn) return;
+    if (box_ == Box::drawn) paint_choice_box(theme, input, corner_px_);
+}
+
+void paint_choice_box(const ui::Theme& theme, const ViewportInput& input,
+                      const glm::dvec2& corner_px)
+{
     const glm::dvec2 size = input.rect.size();
     const auto corner = [&](glm::dvec2 p) {
         return glm::round(input.rect.lo + glm::vec2(glm::clamp(p, glm::dvec2(0), size)));
     };
-    const glm::vec2 a = corner(corner_px_), b = corner(input.mouse);
+    const glm::vec2 a = corner(corner_px), b = corner(input.mouse);
     const ui::Rect box{glm::min(a, b), glm::max(a, b)};
     ui::paint_box(box, ui::faded(theme.color.selected, 0.08f));
     ui::paint_rim(box.grown(theme.size.hairline), theme.color.halo, 0, theme.size.hairline);

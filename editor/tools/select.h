@@ -38,6 +38,10 @@ private:
     PlacementHandles handles_;
 };
 
+// The box of a choice that is being drawn from one corner to the mouse, in pixels of the picture.
+void paint_choice_box(const ui::Theme& theme, const ViewportInput& input,
+                      const glm::dvec2& corner_px);
+
 // What a click on an object, or on nothing, does to the selection.
 void select_by_click(Session& session, Id under);
 

@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/transform.h"
 
+#include "editor/tools/gesture_keys.h"
 #include "editor/tools/select.h"
 #include "ui/icons.h"
 
 #include <imgui.h>
 
 namespace trivar {
-namespace {
-
-// Whatever is held beside it: Ctrl and Shift say how the hand moves.
-bool struck_anyhow(int key)
-{
-    return !ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(key, false);
-}
-
-} // namespace
 
 std::string TransformTool::name() const
 {
@@ -154,16 +146,10 @@ void TransformTool::cancel(Session& session)
 void TransformTool::take_keys(Session& session)
 {
     if (!gesture_) return;
-    TypedAmounts& typed = gesture_->typed();
-    const bool writes = typed.text(typed.at()).starts_with('=');
-    for (int axis = 0; axis < 3 && !writes; ++axis)
-        if (struck_anyhow('X' + axis)) gesture_->choose_axis(axis, ImGui::GetIO().KeyShift);
-    typed.take_letters();
-    if (struck_anyhow(ui::key_tab)) typed.next(gesture_->numbers());
+    const bool ended = take_gesture_keys(*gesture_);
     // A click elsewhere in the window ends it too, before the panel there sees the click.
     const bool elsewhere = by_key_ && outside_ && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
-    if (struck_anyhow(ui::key_enter) || struck_anyhow(ui::key_keypad_enter) || elsewhere)
-        finish(session);
+    if (ended || elsewhere) finish(session);
 }
 
 } // namespace trivar

@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 #include "core/document/log.h"
 #include "core/files/image.h"
+#include "tests/editor/scenes.h"
 #include "tests/support/fixtures.h"
 
 #include <filesystem>
@@ -15,7 +16,7 @@ namespace trivar {
 namespace {
 
 using ::testing::HasSubstr, ::testing::IsEmpty, ::testing::Not;
-using testing::TemporaryFolder, testing::write_file;
+using testing::scene_text, testing::TemporaryFolder, testing::write_file;
 
 struct Ran {
     Status status;
@@ -27,20 +28,6 @@ Ran run(const std::vector<std::string>& arguments)
     std::ostringstream out, talk;
     const Status status = run_program(arguments, {out, talk});
     return {status, out.str(), talk.str()};
-}
-
-// A teapot laid over a table.
-std::string scene_text()
-{
-    AddBox table;
-    table.shape.size = {4, 4, 0.5};
-    AddTeapot pot;
-    pot.shape = {.height = 0.3, .resolution = 4};
-    Sketch sketch;
-    sketch.camera.eye = {0, -4, 4};
-    for (int i = 0; i < 9; ++i) sketch.samples.push_back({{440 + 50 * i, 360}, 0.1 * i, 1});
-    return log_header() + command_line(table) + command_line(pot) +
-           command_line(Place{2, sketch, {}, {1}});
 }
 
 TEST(CommandLine, HelpIsAResultAndSpeaksOfExitStatuses)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/document/log.h"
 #include "core/document/scene_file.h"
 
 #include <string>
@@ -29,6 +30,20 @@ inline Place placed(Id object, Id onto)
     place.parameters.fill = 0.4;
     place.onto = {onto};
     return place;
+}
+
+// A teapot laid over a table, as the text of a scene.
+inline std::string scene_text()
+{
+    AddBox table;
+    table.shape.size = {4, 4, 0.5};
+    AddTeapot pot;
+    pot.shape = {.height = 0.3, .resolution = 4};
+    Sketch sketch;
+    sketch.camera.eye = {0, -4, 4};
+    for (int i = 0; i < 9; ++i) sketch.samples.push_back({{440 + 50 * i, 360}, 0.1 * i, 1});
+    return log_header() + command_line(table) + command_line(pot) +
+           command_line(Place{2, sketch, {}, {1}});
 }
 
 // A table with a box that travels on it, a group, a hidden and a locked object.

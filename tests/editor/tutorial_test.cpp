@@ -71,7 +71,7 @@ TEST(Tutorial, EveryOneReplaysWithoutANoticeAndHasANoteOnEachLine)
             for (const auto& [id, effects] : evaluated.objects) {
                 EXPECT_THAT(effects->notices, IsEmpty()) << path << ": " << step.note;
                 if (!effects->placement) continue;
-                EXPECT_THAT(effects->placement->report.notices, IsEmpty())
+                EXPECT_THAT(effects->placement->report.all_notices(), IsEmpty())
                     << path << ": " << step.note;
             }
         }

@@ -3,6 +3,7 @@
 #include "core/document/log.h"
 #include "core/files/glb_content.h"
 #include "editor/command_line/command_line.h"
+#include "tests/editor/scenes.h"
 #include "tests/support/fixtures.h"
 
 #include <cstring>
@@ -28,19 +29,7 @@ protected:
         const Status status = run_program(arguments, {out, talk});
         return {status, out.str() + talk.str()};
     }
-    void SetUp() override
-    {
-        AddBox table;
-        table.shape.size = {4, 4, 0.5};
-        AddTeapot pot;
-        pot.shape = {.height = 0.3, .resolution = 4};
-        Sketch sketch;
-        sketch.camera.eye = {0, -4, 4};
-        for (int i = 0; i < 9; ++i) sketch.samples.push_back({{440 + 50 * i, 360}, 0.1 * i, 1});
-        write_file(folder.file("pot.trivar"), log_header() + command_line(table) +
-                                                  command_line(pot) +
-                                                  command_line(Place{2, sketch, {}, {1}}));
-    }
+    void SetUp() override { write_file(folder.file("pot.trivar"), testing::scene_text()); }
     Ran exported(const std::string& tolerance)
     {
         return run_verb({"replay", folder.file("pot.trivar"), "--epsilon", tolerance, "--export",

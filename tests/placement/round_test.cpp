@@ -2,6 +2,7 @@
 #include "core/placement/round.h"
 
 #include "core/base/rejected.h"
+#include "core/placement/shaper.h"
 #include "core/placement/travel.h"
 #include "tests/placement/scenes.h"
 
@@ -102,6 +103,30 @@ TEST(Round, TravelsAtOneSpeedAndIsBackAfterOneRoundOrTwo)
     }
 }
 
+TEST(Round, GoesOnGoingRoundAfterItsVolumeWasPressed)
+{
+    for (const Band& band : all_bands()) {
+        const auto laid = make_ref(place_round(band, a_sixth(), snake_box()));
+        const double height = laid->report.height_world;
+        Shaper shaper;
+        // Where the ends of u meet.
+        VolumeEdit edit{.press =
+                            Press{.radius = 3 * height, .samples = {{0, 0.5, 1, 0.1 * height}}}};
+        const Ref<ShapedVolume> after = shaper(laid, {make_ref(edit)});
+        EXPECT_GT(after->steps[0].done, 0);
+        const Placement& out = *after->placement;
+        for (int a = 0; a < 2; ++a) {
+            const auto axis = static_cast<std::size_t>(a);
+            EXPECT_EQ(out.contact.axes[axis].closure(), laid->contact.axes[axis].closure());
+        }
+        for (double u = -0.1; u < 1.1; u += 0.05)
+            for (const double v : {0.1, 0.5, 0.9})
+                EXPECT_LT(glm::distance(evaluate(out.contact, {u, v}).value,
+                                        evaluate(out.volume, {u, v, out.ground}).value),
+                          1e-9 * out.report.length_world);
+    }
+}
+
 TEST(Round, SaysWhyItCannotBe)
 {
     PlacementParameters wide = a_sixth();
@@ -115,7 +140,7 @@ TEST(Round, SaysWhyItCannotBe)
         p.height = 5;
         return place_round({.of = Band::Of::moebius, .radius = 1}, p, snake_box());
     }();
-    EXPECT_FALSE(high.report.notices.empty()); // it reaches through the axis
+    EXPECT_FALSE(high.report.folds.empty()); // it reaches through the axis
 }
 
 } // namespace

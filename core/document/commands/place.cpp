@@ -86,8 +86,6 @@ void check_sketch(const Sketch& sketch)
 
 void check_parameters(const PlacementParameters& p)
 {
-    // The volume's control points are held in memory, 24 bytes each.
-    constexpr double most_control_points = 1e6;
     if (static_cast<double>(p.grid.x) * p.grid.y * p.grid.z > most_control_points)
         throw Rejected(fmt::format("field \"grid\" makes more than {} control points",
                                    static_cast<int>(most_control_points)));

@@ -7,15 +7,19 @@
 
 namespace trivar {
 
+// How many control points of an axis are left where they are made a quarter fewer.
+int fewer_points(const Knots& axis);
+
 // The cells where a volume is proven to fold, and where that is not known. Nothing for what is
 // proven good, nor for more cells than can be judged between two frames.
 std::vector<gpu::Translucent> fold_veils(const Lattice& volume, const ui::Palette& color);
 
-// The same, worked out once for each volume.
-class FoldColors {
+// What is known of the volume that is looked at, worked out once for each.
+class VolumeFacts {
 public:
-    const std::vector<gpu::Translucent>& of(const Ref<Placement>& placement,
-                                            const ui::Palette& color);
+    // As fold_veils.
+    const std::vector<gpu::Translucent>& folds(const Ref<Placement>& placement,
+                                               const ui::Palette& color);
     // Null where there are too many cells.
     const CellVerdicts* verdicts(const Ref<Placement>& placement);
     // How far anything moves at most where an axis is left fewer_points(); none: that is not known.

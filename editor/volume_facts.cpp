@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/fold_colors.h"
+#include "editor/volume_facts.h"
 
 #include "core/ffd/resolution.h"
-#include "editor/volume_words.h"
+
+#include <algorithm>
 
 namespace trivar {
 namespace {
@@ -30,13 +31,18 @@ std::vector<gpu::Translucent> veils_of(const Lattice& volume, const CellVerdicts
 
 } // namespace
 
+int fewer_points(const Knots& axis)
+{
+    return std::max(axis.order(), axis.count() * 3 / 4);
+}
+
 std::vector<gpu::Translucent> fold_veils(const Lattice& volume, const ui::Palette& color)
 {
     const std::optional<CellVerdicts> verdicts = judged(volume);
     return verdicts ? veils_of(volume, *verdicts, color) : std::vector<gpu::Translucent>{};
 }
 
-void FoldColors::judge_again(const Ref<Placement>& placement)
+void VolumeFacts::judge_again(const Ref<Placement>& placement)
 {
     if (placement == placement_) return;
     placement_ = placement;
@@ -44,8 +50,8 @@ void FoldColors::judge_again(const Ref<Placement>& placement)
     bad_ = 0;
 }
 
-const std::vector<gpu::Translucent>& FoldColors::of(const Ref<Placement>& placement,
-                                                    const ui::Palette& color)
+const std::vector<gpu::Translucent>& VolumeFacts::folds(const Ref<Placement>& placement,
+                                                        const ui::Palette& color)
 {
     judge_again(placement);
     if (bad_ == color.fold) return veils_;
@@ -55,7 +61,7 @@ const std::vector<gpu::Translucent>& FoldColors::of(const Ref<Placement>& placem
     return veils_;
 }
 
-const std::array<std::optional<double>, 3>& FoldColors::deviations(const Ref<Placement>& placement)
+const std::array<std::optional<double>, 3>& VolumeFacts::deviations(const Ref<Placement>& placement)
 {
     if (placement == coarsened_) return deviations_;
     coarsened_ = placement;
@@ -72,7 +78,7 @@ const std::array<std::optional<double>, 3>& FoldColors::deviations(const Ref<Pla
     return deviations_;
 }
 
-const CellVerdicts* FoldColors::verdicts(const Ref<Placement>& placement)
+const CellVerdicts* VolumeFacts::verdicts(const Ref<Placement>& placement)
 {
     judge_again(placement);
     return verdicts_ ? &*verdicts_ : nullptr;

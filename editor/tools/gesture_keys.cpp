@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/tools/gesture_keys.h"
+
+#include "ui/widgets.h"
+
+#include <imgui.h>
+
+namespace trivar {
+namespace {
+
+// Whatever is held beside it: Ctrl and Shift say how the hand moves.
+bool struck_anyhow(int key)
+{
+    return !ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(key, false);
+}
+
+} // namespace
+
+bool take_gesture_keys(TransformGesture& gesture)
+{
+    TypedAmounts& typed = gesture.typed();
+    const bool writes = typed.text(typed.at()).starts_with('=');
+    for (int axis = 0; axis < 3 && !writes; ++axis)
+        if (struck_anyhow('X' + axis)) gesture.choose_axis(axis, ImGui::GetIO().KeyShift);
+    typed.take_letters();
+    if (struck_anyhow(ui::key_tab)) typed.next(gesture.numbers());
+    return struck_anyhow(ui::key_enter) || struck_anyhow(ui::key_keypad_enter);
+}
+
+} // namespace trivar
