@@ -129,22 +129,22 @@ public:
         case 5: multiply<5>(); break;
         default: multiply<6>();
         }
-        for (std::size_t i = 0; i < whole_.count(); ++i) det_[i] *= unscale_[i];
+        least_ = most_ = det_[0] * unscale_[0];
+        sum_ = Lanes{};
+        for (std::size_t i = 0; i < whole_.count(); ++i) {
+            const Lanes x = det_[i] *= unscale_[i];
+            least_ = x < least_ ? x : least_;
+            most_ = x > most_ ? x : most_;
+            sum_ += x;
+        }
     }
 
     const CellDeterminant& of(std::size_t lane)
     {
-        double least = std::numeric_limits<double>::infinity(), most = -least, sum = 0;
-        for (std::size_t i = 0; i < whole_.count(); ++i) {
-            const double x = det_[i][lane];
-            out_.f.coefficients[i] = x;
-            least = std::min(least, x);
-            most = std::max(most, x);
-            sum += x;
-        }
-        out_.least = least;
-        out_.most = most;
-        out_.mean = sum / static_cast<double>(whole_.count());
+        for (std::size_t i = 0; i < whole_.count(); ++i) out_.f.coefficients[i] = det_[i][lane];
+        out_.least = least_[lane];
+        out_.most = most_[lane];
+        out_.mean = sum_[lane] / static_cast<double>(whole_.count());
         out_.doubt = doubt(lane);
         return out_;
     }
@@ -278,6 +278,7 @@ private:
     // By coordinate, then net: Bezier points, slopes and minus F_v, F_v x F_w; and det J.
     Room p_, q_, minus_, c_, det_;
     std::array<Room, 3> d_;
+    Lanes least_, most_, sum_; // of det J's coefficients
     std::array<double, lanes<Lanes>> largest_{};
     std::array<glm::dvec3, lanes<Lanes>> steepest_{}, slope_doubt_{};
     CellDeterminant out_;
@@ -375,33 +376,55 @@ std::vector<int> CellGrid::touched(std::span<const PointMove> moves) const
 
 namespace {
 
+using Body = std::function<void(std::size_t which, const CellDeterminant&)>;
+
+struct Block {
+    std::size_t begin, end;
+};
+
 template <class Lanes>
-void each_determinant_by(const CellGrid& grid, const Lattice& lattice, std::span<const int> cells,
-                         const std::function<void(std::size_t which, const CellDeterminant&)>& body)
+HWY_INLINE void each_of_block(const CellGrid& grid, const Lattice& lattice,
+                              std::span<const int> cells, const Block& block, const Body& body)
 {
-    parallel_blocks(cells.size(), 16, [&](std::size_t begin, std::size_t end) {
-        SomeCells<Lanes> some(grid, lattice);
-        for (std::size_t i = begin; i < end; i += lanes<Lanes>) {
-            std::array<std::size_t, lanes<Lanes>> which{};
-            for (std::size_t lane = 0; lane < which.size(); ++lane)
-                which[lane] = at(cells[std::min(i + lane, end - 1)]);
-            some.compute(which);
-            for (std::size_t lane = 0; lane < which.size() && i + lane < end; ++lane)
-                body(i + lane, some.of(lane));
-        }
-    });
+    SomeCells<Lanes> some(grid, lattice);
+    for (std::size_t i = block.begin; i < block.end; i += lanes<Lanes>) {
+        std::array<std::size_t, lanes<Lanes>> which{};
+        for (std::size_t lane = 0; lane < which.size(); ++lane)
+            which[lane] = at(cells[std::min(i + lane, block.end - 1)]);
+        some.compute(which);
+        for (std::size_t lane = 0; lane < which.size() && i + lane < block.end; ++lane)
+            body(i + lane, some.of(lane));
+    }
 }
+
+void two_by_two(const CellGrid& grid, const Lattice& lattice, std::span<const int> cells,
+                const Block& block, const Body& body)
+{
+    each_of_block<Two>(grid, lattice, cells, block, body);
+}
+
+#if defined(__x86_64__)
+__attribute__((target("avx2"), flatten)) void four_by_four(const CellGrid& grid,
+                                                           const Lattice& lattice,
+                                                           std::span<const int> cells,
+                                                           const Block& block, const Body& body)
+{
+    each_of_block<Four>(grid, lattice, cells, block, body);
+}
+#endif
 
 } // namespace
 
 void each_determinant(const CellGrid& grid, const Lattice& lattice, std::span<const int> cells,
                       const std::function<void(std::size_t which, const CellDeterminant&)>& body)
 {
+    auto* each = &two_by_two;
 #if defined(__x86_64__)
-    if (cells.size() > 2 && __builtin_cpu_supports("avx2"))
-        return each_determinant_by<Four>(grid, lattice, cells, body);
+    if (cells.size() > 2 && __builtin_cpu_supports("avx2")) each = &four_by_four;
 #endif
-    each_determinant_by<Two>(grid, lattice, cells, body);
+    parallel_blocks(cells.size(), 16, [&](std::size_t begin, std::size_t end) {
+        each(grid, lattice, cells, {begin, end}, body);
+    });
 }
 
 } // namespace trivar

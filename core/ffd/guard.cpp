@@ -26,6 +26,13 @@ std::vector<int> not_excepted(const CellGrid& grid, std::vector<int> cells,
     return cells;
 }
 
+std::vector<int> without(std::vector<int> cells, std::vector<int> gone)
+{
+    std::ranges::sort(gone);
+    std::erase_if(cells, [&](int cell) { return std::ranges::binary_search(gone, cell); });
+    return cells;
+}
+
 std::vector<int> all_cells(const CellGrid& grid)
 {
     std::vector<int> out(grid.count());
@@ -77,6 +84,125 @@ bool allowed(const Judged& before, const Judged& after)
     if (after.verdict == Verdict::proven_good) return true;
     return before.verdict != Verdict::proven_good && after.least >= before.least;
 }
+
+// A move of control points, tried at shares of it.
+class TriedMove {
+public:
+    TriedMove(const Lattice& from, const CellVerdicts& before, std::span<const PointMove> moves,
+              const GuardOptions& options)
+        : from_(from),
+          before_(before),
+          moves_(moves),
+          options_(options),
+          grid_(from.displacement.axes),
+          trial_(from)
+    {
+        assert(options.steps > 0 && before.of.size() == grid_.count());
+    }
+
+    std::vector<int> touched() const
+    {
+        return not_excepted(grid_, grid_.touched(moves_), options_);
+    }
+
+    // Those of them at the site of the point that goes farthest, where most is bent.
+    std::vector<int> at_the_middle(const std::vector<int>& touched) const
+    {
+        const auto farthest = std::ranges::max_element(
+            moves_, {}, [](const PointMove& m) { return glm::dot(m.by, m.by); });
+        if (farthest == moves_.end()) return {};
+        Box site;
+        for (int a = 0; a < 3; ++a) {
+            const Knots& axis = from_.displacement.axes[static_cast<std::size_t>(a)];
+            const double at = axis.greville(farthest->index[a]);
+            const double off = (axis.end() - axis.begin()) / (2.0 * grid_.size()[a]);
+            site.lo[a] = at - off;
+            site.hi[a] = at + off;
+        }
+        std::vector<int> out;
+        for (const int cell : touched)
+            if (overlap(grid_.place(static_cast<std::size_t>(cell)), site)) out.push_back(cell);
+        return out;
+    }
+
+    void move_by(int step)
+    {
+        Trivariate<glm::dvec3>& d = trial_.displacement;
+        const auto index = [&](const PointMove& m) {
+            return d.index(m.index.x, m.index.y, m.index.z);
+        };
+        for (const PointMove& move : moves_)
+            d.points[index(move)] = from_.displacement.points[index(move)];
+        for (const PointMove& move : scaled(moves_, static_cast<double>(step) / options_.steps))
+            d.points[index(move)] += move.by;
+    }
+
+    struct Answer {
+        std::vector<Judged> judged;
+        std::vector<int> forbidding; // the worst first
+    };
+    // What cells say of the move as it is. Where some that forbid it are bad at a glance, no others
+    // are looked at more closely.
+    Answer answer(const std::vector<int>& cells) const
+    {
+        GuardOptions at_a_glance = options_;
+        at_a_glance.halving = {0, 0, true};
+        Answer out{judged(grid_, trial_, cells, before_.sign, at_a_glance), {}};
+        out.forbidding = forbidding(cells, out.judged, true);
+        if (!out.forbidding.empty()) return out;
+        std::vector<int> doubtful;
+        for (std::size_t i = 0; i < cells.size(); ++i)
+            if (out.judged[i].verdict == Verdict::unknown) doubtful.push_back(cells[i]);
+        const std::vector<Judged> closely = judged(grid_, trial_, doubtful, before_.sign, options_);
+        for (std::size_t i = 0, next = 0; i < cells.size(); ++i)
+            if (out.judged[i].verdict == Verdict::unknown) out.judged[i] = closely[next++];
+        out.forbidding = forbidding(cells, out.judged, false);
+        return out;
+    }
+
+    // By halving, from a step that the cell forbids down to one that it allows, or 0. The cell is
+    // asked alone.
+    int allowed_by(int cell, int step)
+    {
+        int low = 0;
+        while (step - low > 1) {
+            const int middle = low + (step - low) / 2;
+            move_by(middle);
+            const Judged now = judged(grid_, trial_, {cell}, before_.sign, options_).front();
+            (allows(cell, now) ? low : step) = middle;
+        }
+        return low;
+    }
+
+private:
+    bool allows(int cell, const Judged& now) const
+    {
+        const auto c = static_cast<std::size_t>(cell);
+        return allowed({before_.of[c], before_.least[c]}, now);
+    }
+    std::vector<int> forbidding(const std::vector<int>& cells, const std::vector<Judged>& now,
+                                bool surely) const
+    {
+        std::vector<int> out;
+        double least = 0;
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            if ((surely && now[i].verdict != Verdict::proven_bad) || allows(cells[i], now[i]))
+                continue;
+            out.push_back(cells[i]);
+            if (out.size() > 1 && !(now[i].least < least)) continue;
+            least = now[i].least;
+            std::swap(out.front(), out.back());
+        }
+        return out;
+    }
+
+    const Lattice& from_;
+    const CellVerdicts& before_;
+    std::span<const PointMove> moves_;
+    const GuardOptions& options_;
+    CellGrid grid_;
+    Lattice trial_;
+};
 
 } // namespace
 
@@ -137,56 +263,30 @@ std::vector<PointMove> scaled(std::span<const PointMove> moves, double share)
 CertifiedShare certified_share(const Lattice& from, const CellVerdicts& before,
                                std::span<const PointMove> moves, const GuardOptions& options)
 {
-    assert(options.steps > 0);
-    const CellGrid grid(from.displacement.axes);
-    assert(before.of.size() == grid.count());
-    const std::vector<int> cells = not_excepted(grid, grid.touched(moves), options);
-    Lattice trial = from;
-    const auto judged_at = [&](const std::vector<int>& which, int step) {
-        Trivariate<glm::dvec3>& d = trial.displacement;
-        const auto index = [&](const PointMove& m) {
-            return d.index(m.index.x, m.index.y, m.index.z);
-        };
-        for (const PointMove& move : moves)
-            d.points[index(move)] = from.displacement.points[index(move)];
-        for (const PointMove& move : scaled(moves, static_cast<double>(step) / options.steps))
-            d.points[index(move)] += move.by;
-        return judged(grid, trial, which, before.sign, options);
-    };
-    const auto forbids = [&](int cell, const Judged& now) {
-        const auto c = static_cast<std::size_t>(cell);
-        return !allowed({before.of[c], before.least[c]}, now);
-    };
-
-    // All cells are judged at the largest share not yet forbidden; the worst of those that forbid
-    // it is asked alone how far it lets them go, until none forbids.
+    TriedMove move(from, before, moves, options);
+    // Those that forbade a share are asked first about a smaller one, and the others only when
+    // those allow it.
+    const std::vector<int> touched = move.touched();
+    std::vector<int> suspects = move.at_the_middle(touched), others = without(touched, suspects);
     CertifiedShare out;
     out.after = before;
     for (int step = options.steps; step > 0;) {
-        const std::vector<Judged> now = judged_at(cells, step);
-        std::vector<int> stopping;
-        int worst = -1;
-        double least = 0;
-        for (std::size_t i = 0; i < cells.size(); ++i)
-            if (forbids(cells[i], now[i])) {
-                if (stopping.empty() || now[i].least < least) {
-                    worst = cells[i];
-                    least = now[i].least;
-                }
-                stopping.push_back(cells[i]);
-            }
         out.share = static_cast<double>(step) / options.steps;
-        if (stopping.empty()) {
-            out.after = with(before, cells, now);
-            return out;
+        move.move_by(step);
+        const TriedMove::Answer first = move.answer(suspects);
+        std::vector<int> forbidding = first.forbidding;
+        if (forbidding.empty()) {
+            const TriedMove::Answer then = move.answer(others);
+            if (then.forbidding.empty()) {
+                out.after = with(with(before, suspects, first.judged), others, then.judged);
+                return out;
+            }
+            forbidding = then.forbidding;
+            others = without(std::move(others), forbidding);
+            suspects.insert(suspects.end(), forbidding.begin(), forbidding.end());
         }
-        out.stopping = std::move(stopping);
-        int low = 0;
-        while (step - low > 1) {
-            const int middle = low + (step - low) / 2;
-            (forbids(worst, judged_at({worst}, middle).front()) ? step : low) = middle;
-        }
-        step = low;
+        step = move.allowed_by(forbidding.front(), step);
+        out.stopping = std::move(forbidding);
     }
     out.share = 0;
     return out;

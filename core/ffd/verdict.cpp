@@ -2,6 +2,7 @@
 #include "core/ffd/verdict.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace trivar {
@@ -9,9 +10,16 @@ namespace {
 
 double signed_least(const Bernstein& f, int sign)
 {
-    double least = sign * f.coefficients.front();
-    for (const double x : f.coefficients) least = std::min(least, sign * x);
-    return least;
+    const double* x = f.coefficients.data();
+    const std::size_t n = f.coefficients.size();
+    const double factor = sign;
+    // Four at a time: none waits for the one before.
+    std::array<double, 4> least;
+    least.fill(factor * *x);
+    for (std::size_t i = 0; i + 4 <= n; i += 4)
+        for (std::size_t j = 0; j < 4; ++j) least[j] = std::min(least[j], factor * x[i + j]);
+    for (std::size_t i = n - n % 4; i < n; ++i) least[0] = std::min(least[0], factor * x[i]);
+    return *std::ranges::min_element(least);
 }
 
 bool bad_at_a_corner(const Bernstein& f, int sign, double doubt)
@@ -26,11 +34,10 @@ bool bad_at_a_corner(const Bernstein& f, int sign, double doubt)
 }
 
 // Looks where the least coefficient is: det J is often least near there.
-bool bad_at_the_least(const Bernstein& f, int sign, double doubt)
+bool bad_at_the_least(const Bernstein& f, double signed_least, int sign, double doubt)
 {
-    std::size_t least = 0;
-    for (std::size_t i = 1; i < f.coefficients.size(); ++i)
-        if (sign * f.coefficients[i] < sign * f.coefficients[least]) least = i;
+    const auto found = std::ranges::find(f.coefficients, sign * signed_least);
+    const auto least = static_cast<std::size_t>(found - f.coefficients.begin());
     const std::size_t nv = static_cast<std::size_t>(f.degree[1]) + 1,
                       nw = static_cast<std::size_t>(f.degree[2]) + 1;
     const glm::dvec3 at(least / nw / nv, least / nw % nv, least % nw);
@@ -63,8 +70,9 @@ std::vector<DoubtfulPart> doubtful_parts(const CellGrid::Place& cell, const Cell
         const Part part = std::move(open.back());
         open.pop_back();
         if (part.least > det.doubt) continue;
-        const bool bad = bad_at_a_corner(part.f, sign, det.doubt) ||
-                         (halving.until_bad && bad_at_the_least(part.f, sign, det.doubt));
+        const bool bad =
+            bad_at_a_corner(part.f, sign, det.doubt) ||
+            (halving.until_bad && bad_at_the_least(part.f, part.least, sign, det.doubt));
         if (bad || part.halvings == 3 * halving.depth || used >= halving.boxes) {
             out.push_back({part.lo, part.hi, bad ? Verdict::proven_bad : Verdict::unknown});
             if (bad && halving.until_bad) return out;
