@@ -83,7 +83,8 @@ void BackgroundEvaluator::work(const std::stop_token& stop)
             result.evaluated = evaluator_(asked.document, asked.frame, progress);
             if (asked.deform_parts) deform_parts(result.evaluated);
         } catch (const Cancelled&) {
-            result.problem = "The evaluation was stopped.";
+            result.problem = "What is shown is the scene as it was before.";
+            result.stopped = true;
         } catch (const std::exception& trouble) {
             result.problem = trouble.what();
         }

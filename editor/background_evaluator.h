@@ -28,7 +28,8 @@ public:
     struct Result {
         long ticket = 0;
         Evaluated evaluated;
-        std::string problem; // why there is no result; empty: there is one
+        std::string problem;  // why there is no result; empty: there is one
+        bool stopped = false; // that is why
     };
     std::optional<Result> poll(); // what was finished since the last call
 

@@ -402,7 +402,13 @@ void Session::poll()
             ++evaluation_;
         } else {
             check_.reset();
-            notices.say(ui::NoticeKind::error, "The scene could not be evaluated", result->problem);
+            if (result->stopped)
+                notices.say(
+                    ui::NoticeKind::warning, "Stopped", result->problem, of_a_step,
+                    {{"Take the step back", [this] { undo(); }}, {"Go on", [this] { refresh(); }}});
+            else
+                notices.say(ui::NoticeKind::error, "The scene could not be evaluated",
+                            result->problem);
         }
         if (up_to_date()) tell_what_is_missing();
         if (frame_all_when_evaluated && up_to_date() && !evaluated_.objects.empty()) {

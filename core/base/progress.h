@@ -15,4 +15,13 @@ inline void report(const Progress& progress, double fraction, std::string_view s
     if (progress) progress(fraction, stage);
 }
 
+// Of a piece of that work, which is all of it from one fraction to another.
+inline Progress between(const Progress& progress, double from, double to)
+{
+    if (!progress) return {};
+    return [=, &progress](double fraction, std::string_view stage) {
+        progress(from + fraction * (to - from), stage);
+    };
+}
+
 } // namespace trivar

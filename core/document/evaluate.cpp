@@ -201,7 +201,7 @@ Evaluated Evaluator::operator()(const Document& document, double frame, const Pr
             const auto laid_on = [&](const std::vector<Support>& supports) {
                 return kept.laying(kept.shape, glm::dmat3(ref->transform.matrix()), *ref->placement,
                                    band_of(document, *ref->placement), ref->shaping, supports,
-                                   cache_->ray_meshes, result.timings);
+                                   cache_->ray_meshes, result.timings, progress);
             };
             const Supports supports = supports_of(*ref->placement, done);
             if (supports.travelling.empty() || supports.still.empty()) {
@@ -216,7 +216,7 @@ Evaluated Evaluator::operator()(const Document& document, double frame, const Pr
                                             ref->placement->parameters,
                                             seconds_since(ref->travel.start_frame));
             if (ref->refining)
-                causes.laid = kept.refining(causes.laid, *ref->refining, result.timings);
+                causes.laid = kept.refining(causes.laid, *ref->refining, result.timings, progress);
         }
         auto& results = kept.results;
         const auto found =

@@ -123,7 +123,7 @@ Ref<Laid> Laying::operator()(const Ref<Shape>& shape, const glm::dmat3& turned,
                              const PlacementStep& step, const std::optional<Band>& band,
                              const std::vector<Ref<VolumeEdit>>& shaping,
                              const std::vector<Support>& supports, RayMeshes& ray_meshes,
-                             Timings& timings)
+                             Timings& timings, const Progress& progress)
 {
     const auto same_stroke = [&](const Known& k) {
         return k.shape == shape && k.turned == turned && k.supports == supports && k.step == step;
@@ -164,7 +164,7 @@ Ref<Laid> Laying::operator()(const Ref<Shape>& shape, const glm::dmat3& turned,
         }
     if (known.unshaped) {
         laid.shaped = shaping.empty() ? nullptr : timed(timings, "shape", [&] {
-            return shaper_(known.unshaped, shaping);
+            return shaper_(known.unshaped, shaping, progress);
         });
         laid.placement = laid.shaped ? laid.shaped->placement : known.unshaped;
         bend(laid, *shape, turned);

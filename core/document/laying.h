@@ -56,7 +56,7 @@ public:
                          const PlacementStep& step, const std::optional<Band>& band,
                          const std::vector<Ref<VolumeEdit>>& shaping,
                          const std::vector<Support>& supports, RayMeshes& ray_meshes,
-                         Timings& timings);
+                         Timings& timings, const Progress& progress = {});
     // The same some seconds after it set out, with the shape as it is posed then; null: as it came.
     // What rests is as it was.
     Ref<Laid> moved(const Ref<Laid>& at_rest, const Ref<Shape>& posed, const glm::dmat3& turned,

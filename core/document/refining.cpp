@@ -18,7 +18,7 @@ Part in_the_same_volume(const Part& part, const Ref<Mesh>& mesh)
     return {.rest = mesh, .bent = make_ref(Bent{bent->embedding, bent->volume, out})};
 }
 
-Laid refined(const Laid& laid, const Refining& refining)
+Laid refined(const Laid& laid, const Refining& refining, const Progress& progress)
 {
     Laid out = laid;
     std::vector<RefinePart> parts;
@@ -31,7 +31,8 @@ Laid refined(const Laid& laid, const Refining& refining)
                                        .split = refining.split,
                                        .method = refining.method,
                                        .rule = refining.rule,
-                                       .budget = static_cast<std::size_t>(refining.budget)}));
+                                       .budget = static_cast<std::size_t>(refining.budget)},
+                                      progress));
     } catch (const Rejected& error) {
         out.not_refined = std::string("it is not refined: ") + error.what();
         return out;
@@ -58,7 +59,7 @@ std::string notice_of(const Refined& refined, const Refining& refining)
 }
 
 Ref<Laid> RefiningLaid::operator()(const Ref<Laid>& laid, const Refining& refining,
-                                   Timings& timings)
+                                   Timings& timings, const Progress& progress)
 {
     if (laid->parts.empty() || !laid->parts.front().bent) return laid;
     const auto found = std::ranges::find_if(known_, [&](const Known& known) {
@@ -68,7 +69,7 @@ Ref<Laid> RefiningLaid::operator()(const Ref<Laid>& laid, const Refining& refini
         std::rotate(known_.begin(), found, found + 1);
     } else {
         Ref<Laid> out =
-            timed(timings, "refine", [&] { return make_ref(refined(*laid, refining)); });
+            timed(timings, "refine", [&] { return make_ref(refined(*laid, refining, progress)); });
         known_.insert(known_.begin(), {laid, refining, std::move(out)});
         constexpr std::size_t kept_results = 3; // as Laying keeps
         if (known_.size() > kept_results) known_.pop_back();

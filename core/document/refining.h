@@ -9,7 +9,8 @@ namespace trivar {
 // results. Stage: refine.
 class RefiningLaid {
 public:
-    Ref<Laid> operator()(const Ref<Laid>& laid, const Refining& refining, Timings& timings);
+    Ref<Laid> operator()(const Ref<Laid>& laid, const Refining& refining, Timings& timings,
+                         const Progress& progress = {});
 
 private:
     struct Known {

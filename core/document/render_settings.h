@@ -21,7 +21,7 @@ struct RenderSettings {
     bool wire = false; // the edges of the faces, drawn over them
     ColorBy color_by = ColorBy::material;
     bool volumes = false; // the volumes of what was placed, and the ball of each one's last press
-    bool ground = true; // a shadow-catching ground under the scene
+    bool ground = true;   // a shadow-catching ground under the scene
     bool operator==(const RenderSettings&) const = default;
 };
 

@@ -74,7 +74,7 @@ struct Attempted {
 };
 
 Attempted attempted(const RepairAttempt& how, const RepairSite& site, const Lattice& folded,
-                    const CellVerdicts& before, double best)
+                    const CellVerdicts& before, double best, const Progress& progress)
 {
     const RepairOptions& options = site.options();
     GuardOptions quick = options.guard;
@@ -84,7 +84,9 @@ Attempted attempted(const RepairAttempt& how, const RepairSite& site, const Latt
     std::vector<int> once_doubtful;
     std::size_t fewest = before.of.size();
     int since = 0;
-    for (int pass = 0; pass < most_passes(how.way, options); ++pass) {
+    const int passes = most_passes(how.way, options);
+    for (int pass = 0; pass < passes; ++pass) {
+        report(progress, static_cast<double>(pass) / passes, "mending");
         const std::vector<int> doubtful = doubtful_cells(verdicts);
         since = doubtful.size() < fewest ? 0 : since + 1;
         fewest = std::min(fewest, doubtful.size());
@@ -115,7 +117,7 @@ Attempted attempted(const RepairAttempt& how, const RepairSite& site, const Latt
 
 } // namespace
 
-Unfolded unfolded(const Lattice& lattice, const RepairOptions& options)
+Unfolded unfolded(const Lattice& lattice, const RepairOptions& options, const Progress& progress)
 {
     Unfolded out{lattice, false, {}, {}, {}};
     const CellVerdicts before = judge(lattice, options.guard);
@@ -128,9 +130,13 @@ Unfolded unfolded(const Lattice& lattice, const RepairOptions& options)
     if (closure == Closure::open)
         ways.insert(ways.end(), {RepairWay::monotone_columns, RepairWay::smoothed_directions,
                                  RepairWay::lowered_heights});
+    const double most_ways = static_cast<double>(ways.size()) + 2;
+    double tried = 0;
     const auto attempt = [&](RepairWay way, bool ground_yields) {
         Attempted next = attempted({way, ground_yields}, site, lattice, before,
-                                   out.certified ? out.taken.moved_rms : 1e300);
+                                   out.certified ? out.taken.moved_rms : 1e300,
+                                   between(progress, tried / most_ways, (tried + 1) / most_ways));
+        ++tried;
         out.tried.push_back(next.attempt);
         if (!next.attempt.certified ||
             (out.certified && !(next.attempt.moved_rms < out.taken.moved_rms)))

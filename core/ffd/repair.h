@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/ffd/guard.h"
 
 namespace trivar {
@@ -40,6 +41,7 @@ struct Unfolded {
     RepairAttempt taken;          // of no move where nothing was wrong
     std::vector<RepairAttempt> tried;
 };
-Unfolded unfolded(const Lattice& lattice, const RepairOptions& options = {});
+Unfolded unfolded(const Lattice& lattice, const RepairOptions& options = {},
+                  const Progress& progress = {});
 
 } // namespace trivar

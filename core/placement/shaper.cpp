@@ -72,13 +72,13 @@ const char* words_of(RepairWay way)
 }
 
 // What is done where it folds; throws Rejected where nothing helps.
-LaidVolume mended(const LaidVolume& v, Shaping& what)
+LaidVolume mended(const LaidVolume& v, Shaping& what, const Progress& progress)
 {
     RepairOptions options;
     const Knots& up = v.volume->displacement.axes[2];
     while (options.ground_layer + 1 < up.count() && up.greville(options.ground_layer) < v.ground)
         ++options.ground_layer;
-    const Unfolded out = unfolded(*v.volume, options);
+    const Unfolded out = unfolded(*v.volume, options, progress);
     if (!out.certified)
         throw Rejected("the volume folds, and no change was found after which it does not; take "
                        "the last steps back, or place it anew");
@@ -192,7 +192,8 @@ Placement as_shaped(Placement placement, const LaidVolume& v)
 
 } // namespace
 
-Shaper::Done Shaper::pressed(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>& before)
+Shaper::Done Shaper::pressed(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>& before,
+                             const Progress& progress)
 {
     const Press& press = *edit->press;
     check(press);
@@ -204,7 +205,10 @@ Shaper::Done Shaper::pressed(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>&
         press_.samples.clear();
     }
     while (press_.samples.size() < press.samples.size()) {
-        const glm::dvec4 sample = press.samples[press_.samples.size()];
+        const std::size_t known = press_.samples.size();
+        report(progress, static_cast<double>(known) / static_cast<double>(press.samples.size()),
+               "pressing");
+        const glm::dvec4 sample = press.samples[known];
         so_far_.asked += sample.w;
         const Pressing::Came came = pressing_->add(sample);
         so_far_.done += came.metres;
@@ -233,10 +237,11 @@ Shaper::Done Shaper::shifted(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>&
             {.asked = asked, .done = share * asked, .would_fold = share < 1}};
 }
 
-Shaper::Done Shaper::done(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>& before)
+Shaper::Done Shaper::done(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>& before,
+                          const Progress& progress)
 {
     try {
-        if (edit->press) return pressed(edit, before);
+        if (edit->press) return pressed(edit, before, progress);
         if (edit->shift) return shifted(edit, before);
         LaidVolume after = *before;
         Shaping what;
@@ -245,7 +250,7 @@ Shaper::Done Shaper::done(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>& be
             after = with_fewer(after, *edit->coarsening, what.done);
             what.asked = what.done;
         }
-        if (edit->mending) after = mended(after, what);
+        if (edit->mending) after = mended(after, what, progress);
         return {edit, make_ref(std::move(after)), what};
     } catch (const Rejected& error) {
         return {edit, before, {.notice = error.what()}};
@@ -253,7 +258,8 @@ Shaper::Done Shaper::done(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>& be
 }
 
 Ref<ShapedVolume> Shaper::operator()(const Ref<Placement>& laid,
-                                     const std::vector<Ref<VolumeEdit>>& edits)
+                                     const std::vector<Ref<VolumeEdit>>& edits,
+                                     const Progress& progress)
 {
     if (laid != laid_) {
         laid_ = laid;
@@ -266,9 +272,17 @@ Ref<ShapedVolume> Shaper::operator()(const Ref<Placement>& laid,
            (edits[same] == done_[same].edit || *edits[same] == *done_[same].edit))
         ++same;
     if (last_ && same == edits.size() && same == done_.size()) return last_;
+    last_ = nullptr;
     done_.resize(same);
-    while (done_.size() < edits.size())
-        done_.push_back(done(edits[done_.size()], done_.empty() ? begun_ : done_.back().after));
+    const auto share = [&](std::size_t step) {
+        return static_cast<double>(step) / static_cast<double>(edits.size());
+    };
+    while (done_.size() < edits.size()) {
+        const std::size_t step = done_.size();
+        report(progress, share(step), "shaping");
+        done_.push_back(done(edits[step], done_.empty() ? begun_ : done_.back().after,
+                             between(progress, share(step), share(step + 1))));
+    }
     const Ref<LaidVolume>& after = done_.empty() ? begun_ : done_.back().after;
     ShapedVolume out{edits.empty() ? laid : make_ref(as_shaped(*laid, *after)), after, {}};
     for (const Done& step : done_) out.steps.push_back(step.what);

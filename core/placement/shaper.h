@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/base/ref.h"
 #include "core/placement/placement.h"
 #include "core/placement/pressing.h"
@@ -24,11 +25,12 @@ struct ShapedVolume {
 };
 
 // Does the steps one after another, and remembers the volume after each: a step at the end, or one
-// more sample of the last press, costs that much.
+// more sample of the last press, costs that much. After Cancelled it goes on where it was.
 class Shaper {
 public:
     Ref<ShapedVolume> operator()(const Ref<Placement>& laid,
-                                 const std::vector<Ref<VolumeEdit>>& edits);
+                                 const std::vector<Ref<VolumeEdit>>& edits,
+                                 const Progress& progress = {});
 
 private:
     struct Done {
@@ -36,9 +38,10 @@ private:
         Ref<LaidVolume> after;
         Shaping what;
     };
-    Done done(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>& before);
+    Done done(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>& before, const Progress& progress);
     Done shifted(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>& before);
-    Done pressed(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>& before);
+    Done pressed(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>& before,
+                 const Progress& progress);
 
     Ref<Placement> laid_;
     Ref<LaidVolume> begun_;

@@ -24,8 +24,9 @@ constexpr int most_depth = 20;
 class Refinement {
 public:
     Refinement(const std::vector<RefinePart>& parts, const Lattice& lattice,
-               const RefineOptions& options)
+               const RefineOptions& options, const Progress& progress)
         : options_(options),
+          progress_(progress),
           cells_(std::make_shared<const DisplacementCells>(lattice.displacement)),
           all_(parts, lattice)
     {
@@ -36,6 +37,17 @@ public:
 
 private:
     void measure_rounding(const std::vector<RefinePart>& parts);
+    // parallel_blocks, with a word in between on what is a matter of seconds.
+    void each_block(std::size_t count, std::size_t grain, const auto& work) const
+    {
+        constexpr std::size_t slice = 65536;
+        for (std::size_t first = 0; first < count; first += slice) {
+            report(progress_, done_, "refining");
+            parallel_blocks(
+                std::min(slice, count - first), grain,
+                [&](std::size_t begin, std::size_t end) { work(first + begin, first + end); });
+        }
+    }
     void bound_edges();
     void bound_triangles(bool also_marked);
     void mark();
@@ -63,6 +75,8 @@ private:
     }
 
     RefineOptions options_;
+    const Progress& progress_;
+    double done_ = 0; // of the edges there were last
     Ref<DisplacementCells> cells_;
     SharedTriangles all_;
     std::size_t first_new_edge_ = 0;
@@ -124,7 +138,7 @@ void Refinement::bound_edges()
     first_new_edge_ = edges.size();
     if (options_.rule == RefinementRule::thesis_four_split) return;
     const bool middles = options_.rule == RefinementRule::chua_neumann_midpoint;
-    parallel_blocks(edges.size() - first, 256, [&](std::size_t begin, std::size_t end) {
+    each_block(edges.size() - first, 256, [&](std::size_t begin, std::size_t end) {
         ErrorBounds bounds(cells_);
         for (std::size_t i = first + begin; i < first + end; ++i) {
             const auto [a, b] = all_.corners(edges[i]);
@@ -150,7 +164,7 @@ void Refinement::bound_triangles(bool also_marked)
         if (triangles[i].bound == SharedTriangles::unknown &&
             (also_marked || !any_marked(triangles[i])))
             wanted.push_back(i);
-    parallel_blocks(wanted.size(), 128, [&](std::size_t begin, std::size_t end) {
+    each_block(wanted.size(), 128, [&](std::size_t begin, std::size_t end) {
         ErrorBounds bounds(cells_);
         for (std::size_t i = begin; i < end; ++i) {
             Triangle& t = triangles[wanted[i]];
@@ -242,7 +256,7 @@ void Refinement::choose_split_points()
     std::vector<Index> marked;
     for (std::size_t e = 0; e < edges.size(); ++e)
         if (edges[e].marked) marked.push_back(static_cast<Index>(e));
-    parallel_blocks(marked.size(), 256, [&](std::size_t begin, std::size_t end) {
+    each_block(marked.size(), 256, [&](std::size_t begin, std::size_t end) {
         ErrorBounds bounds(cells_);
         for (std::size_t i = begin; i < end; ++i) {
             Edge& edge = edges[marked[i]];
@@ -256,6 +270,8 @@ void Refinement::split()
     for (mark(); marked_; mark()) {
         keep_to_budget();
         if (!marked_) break;
+        const auto edges = static_cast<double>(all_.edges().size());
+        done_ = 1 - static_cast<double>(std::ranges::count_if(all_.edges(), &Edge::marked)) / edges;
         choose_split_points();
         all_.split_marked();
         if (out_of_budget_) break;
@@ -316,19 +332,19 @@ std::size_t Refined::not_certified() const
 }
 
 Refined refine(const std::vector<RefinePart>& parts, const Lattice& lattice,
-               const RefineOptions& options)
+               const RefineOptions& options, const Progress& progress)
 {
     if (!(options.tolerance_world > 0) || !std::isfinite(options.tolerance_world))
         throw Rejected("a tolerance has to be a length above 0 m");
-    Refinement refinement(parts, lattice, options);
+    Refinement refinement(parts, lattice, options, progress);
     refinement.split();
     return refinement.result();
 }
 
 Refined bounded(const std::vector<RefinePart>& parts, const Lattice& lattice,
-                const RefineOptions& options)
+                const RefineOptions& options, const Progress& progress)
 {
-    return Refinement(parts, lattice, options).result();
+    return Refinement(parts, lattice, options, progress).result();
 }
 
 } // namespace trivar

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/ffd/deform.h"
 #include "core/refinement/error_bounds.h"
 
@@ -46,11 +47,12 @@ struct Refined {
 // in parameter space bit by bit. Positions, normals, tangents, colours, texture coordinates,
 // influences and morph targets of new vertices are those of the flat triangle; seams stay seams.
 // Each triangle that comes into being is bounded once, 2 to 5 us tri-cubic; the same bits for any
-// number of threads. Throws Rejected for a tolerance that is not above 0, or finer than rounding.
+// number of threads. Throws Rejected for a tolerance that is not above 0, or finer than rounding;
+// progress is the share of the edges that need no split, over and over.
 Refined refine(const std::vector<RefinePart>& parts, const Lattice& lattice,
-               const RefineOptions& options);
+               const RefineOptions& options, const Progress& progress = {});
 // What is proven of the triangles as they are: nothing is split.
 Refined bounded(const std::vector<RefinePart>& parts, const Lattice& lattice,
-                const RefineOptions& options);
+                const RefineOptions& options, const Progress& progress = {});
 
 } // namespace trivar

@@ -184,6 +184,25 @@ TEST(Shaper, GivesTheSameBitsStepByStepAndAtOnce)
     EXPECT_EQ(live(laid, {})->placement, laid);
 }
 
+TEST(Shaper, GoesOnWhereItWasStopped)
+{
+    const Ref<Placement> laid = placed_box();
+    const auto one = press_edit({{0.3, 0.5, 1, 0.05}}), two = press_edit({{0.6, 0.5, 1, 0.05}}),
+               three = press_edit({{0.5, 0.4, 1, 0.02}, {0.5, 0.6, 1, 0.02}});
+    Shaper shaper;
+    shaper(laid, {one, two});
+    double last = 0;
+    const Progress stop = [&](double fraction, std::string_view) {
+        EXPECT_GE(fraction, last);
+        EXPECT_LE(fraction, 1);
+        if ((last = fraction) > 0.6) throw Cancelled();
+    };
+    EXPECT_THROW(shaper(laid, {one, three}, stop), Cancelled);
+    EXPECT_EQ(shaper(laid, {one})->placement->volume, Shaper()(laid, {one})->placement->volume);
+    EXPECT_EQ(shaper(laid, {one, three})->placement->volume,
+              Shaper()(laid, {one, three})->placement->volume);
+}
+
 TEST(Shaper, InsertsControlPointsWithoutAChange)
 {
     const auto finer =

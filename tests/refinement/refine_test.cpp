@@ -44,6 +44,19 @@ TEST(Refining, LeavesNoTJunctions)
     EXPECT_NEAR(volume(*out.parts[0].mesh), 1, 1e-6);
 }
 
+TEST(Refining, CanBeStopped)
+{
+    int told = 0;
+    const Progress stop = [&](double fraction, std::string_view) {
+        EXPECT_GE(fraction, 0);
+        EXPECT_LE(fraction, 1);
+        if (++told == 5) throw Cancelled();
+    };
+    EXPECT_THROW(refine({{make_ref(unit_cube()), {}}}, noisy(4), {.tolerance_world = 0.005}, stop),
+                 Cancelled);
+    EXPECT_EQ(told, 5);
+}
+
 TEST(Refining, SplitsNothingWhereTheMapIsAffine)
 {
     const Lattice lattice = one_cell(

@@ -64,7 +64,8 @@ template <> struct FieldsOf<PlacementParameters> {
         field("along", p.along,
               "the axis of the model that runs along the stroke; turned before the roll", later);
         field("sharp", p.sharp,
-              "it takes on the scene's sharp edges: control points are added where they are", later);
+              "it takes on the scene's sharp edges: control points are added where they are",
+              later);
     }
 };
 
