@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 namespace trivar {
@@ -43,7 +44,30 @@ std::vector<int> all_cells(const CellGrid& grid)
 struct Judged {
     Verdict verdict = Verdict::unknown;
     double least = 0;
+    bool worse = false; // than it was before, somewhere
 };
+
+// Of cells that are not good: how far below 0 each coefficient of sign * det J is, else 0.
+using Floors = std::map<int, std::vector<double>>;
+
+Floors floors_of(const CellGrid& grid, const Lattice& lattice, const std::vector<int>& cells,
+                 int sign)
+{
+    std::vector<std::vector<double>> found(cells.size());
+    each_determinant(grid, lattice, cells, [&](std::size_t i, const CellDeterminant& det) {
+        for (const double c : det.f.coefficients) found[i].push_back(std::min(0.0, sign * c));
+    });
+    Floors out;
+    for (std::size_t i = 0; i < cells.size(); ++i) out[cells[i]] = std::move(found[i]);
+    return out;
+}
+
+bool below(const CellDeterminant& det, int sign, const std::vector<double>& floor)
+{
+    for (std::size_t i = 0; i < floor.size(); ++i)
+        if (!(sign * det.f.coefficients[i] >= floor[i])) return true;
+    return false;
+}
 
 Judged judged(const CellGrid::Place& place, const CellDeterminant& det, int sign,
               const GuardOptions& options)
@@ -58,11 +82,14 @@ Judged judged(const CellGrid::Place& place, const CellDeterminant& det, int sign
 }
 
 std::vector<Judged> judged(const CellGrid& grid, const Lattice& lattice,
-                           const std::vector<int>& cells, int sign, const GuardOptions& options)
+                           const std::vector<int>& cells, int sign, const GuardOptions& options,
+                           const Floors& floors = {})
 {
     std::vector<Judged> out(cells.size());
     each_determinant(grid, lattice, cells, [&](std::size_t i, const CellDeterminant& det) {
         out[i] = judged(grid.place(static_cast<std::size_t>(cells[i])), det, sign, options);
+        if (const auto floor = floors.find(cells[i]); floor != floors.end())
+            out[i].worse = below(det, sign, floor->second);
     });
     return out;
 }
@@ -78,13 +105,6 @@ CellVerdicts with(CellVerdicts verdicts, const std::vector<int>& cells,
     return verdicts;
 }
 
-// Whether a cell that was like `before` may become like `after`.
-bool allowed(const Judged& before, const Judged& after)
-{
-    if (after.verdict == Verdict::proven_good) return true;
-    return before.verdict != Verdict::proven_good && after.least >= before.least;
-}
-
 // A move of control points, tried at shares of it.
 class TriedMove {
 public:
@@ -98,6 +118,11 @@ public:
           trial_(from)
     {
         assert(options.steps > 0 && before.of.size() == grid_.count());
+        std::vector<int> open;
+        for (const int cell : touched())
+            if (before.of[static_cast<std::size_t>(cell)] != Verdict::proven_good)
+                open.push_back(cell);
+        floors_ = floors_of(grid_, from, open, before.sign);
     }
 
     std::vector<int> touched() const
@@ -147,13 +172,14 @@ public:
     {
         GuardOptions at_a_glance = options_;
         at_a_glance.halving = {0, 0, true};
-        Answer out{judged(grid_, trial_, cells, before_.sign, at_a_glance), {}};
+        Answer out{judged(grid_, trial_, cells, before_.sign, at_a_glance, floors_), {}};
         out.forbidding = forbidding(cells, out.judged, true);
         if (!out.forbidding.empty()) return out;
         std::vector<int> doubtful;
         for (std::size_t i = 0; i < cells.size(); ++i)
             if (out.judged[i].verdict == Verdict::unknown) doubtful.push_back(cells[i]);
-        const std::vector<Judged> closely = judged(grid_, trial_, doubtful, before_.sign, options_);
+        const std::vector<Judged> closely =
+            judged(grid_, trial_, doubtful, before_.sign, options_, floors_);
         for (std::size_t i = 0, next = 0; i < cells.size(); ++i)
             if (out.judged[i].verdict == Verdict::unknown) out.judged[i] = closely[next++];
         out.forbidding = forbidding(cells, out.judged, false);
@@ -168,17 +194,21 @@ public:
         while (step - low > 1) {
             const int middle = low + (step - low) / 2;
             move_by(middle);
-            const Judged now = judged(grid_, trial_, {cell}, before_.sign, options_).front();
+            const Judged now =
+                judged(grid_, trial_, {cell}, before_.sign, options_, floors_).front();
             (allows(cell, now) ? low : step) = middle;
         }
         return low;
     }
 
 private:
+    // What was good stays good; what was not becomes so, or worse nowhere.
     bool allows(int cell, const Judged& now) const
     {
-        const auto c = static_cast<std::size_t>(cell);
-        return allowed({before_.of[c], before_.least[c]}, now);
+        if (now.verdict == Verdict::proven_good) return true;
+        const Verdict before = before_.of[static_cast<std::size_t>(cell)];
+        return before != Verdict::proven_good && !now.worse &&
+               !(before == Verdict::unknown && now.verdict == Verdict::proven_bad);
     }
     std::vector<int> forbidding(const std::vector<int>& cells, const std::vector<Judged>& now,
                                 bool surely) const
@@ -202,6 +232,7 @@ private:
     const GuardOptions& options_;
     CellGrid grid_;
     Lattice trial_;
+    Floors floors_; // of the touched cells that are not good
 };
 
 } // namespace

@@ -151,6 +151,20 @@ TEST(Guard, DoesNotLetAFoldGrowButLetsItBeMended)
     EXPECT_EQ(certified_share(folded, before, std::span(&mend, 1)).share, 1);
 }
 
+TEST(Guard, DoesNotLetASecondFoldJoinADeeperOneInTheSameCell)
+{
+    const Lattice good = lattice_at_rest(axes_of_order(4, 4, 4, 4), glm::dmat4(1));
+    const PointMove first{{1, 0, 0}, {-0.9, 0, 0}}, second{{3, 3, 3}, {-0.6, 0, 0}};
+    const Lattice folded = moved(good, std::span(&first, 1));
+    const CellVerdicts before = judge(folded);
+    ASSERT_EQ(before.of, std::vector{Verdict::proven_bad});
+    const CertifiedShare out = certified_share(folded, before, std::span(&second, 1));
+    EXPECT_LT(out.share, 1);
+    const Lattice after = moved(folded, scaled(std::span(&second, 1), out.share));
+    EXPECT_GT(determinant_at(after, {1, 1, 1}), 0);
+    EXPECT_EQ(judge(moved(folded, std::span(&second, 1))).least, before.least);
+}
+
 TEST(Guard, LeavesExceptedPartsAlone)
 {
     const Lattice lattice = lattice_at_rest(axes_of_order(4, 8, 6, 6), glm::dmat4(1));
