@@ -20,16 +20,22 @@ bool mirrored_by_another(const std::array<Knots, 3>& axes, int axis)
     return false;
 }
 
-// With the mirror images of those that have none.
+// With the mirror images of those that have none; those that nearly have one get it.
 std::vector<double> symmetric(const Knots& knots, std::vector<double> inserted)
 {
     const double sum = knots.begin() + knots.end(), near = 1e-9 * (knots.end() - knots.begin());
-    std::sort(inserted.begin(), inserted.end());
-    std::vector<double> out = inserted;
-    for (const double t : inserted) {
-        const double image = sum - t;
-        const auto found = std::lower_bound(inserted.begin(), inserted.end(), image - near);
-        if (found == inserted.end() || *found > image + near) out.push_back(image);
+    const auto lower = [&](double t) { return std::min(t, sum - t); };
+    std::ranges::sort(inserted, {}, lower);
+    std::vector<double> out;
+    for (std::size_t i = 0; i < inserted.size();) {
+        const double t = lower(inserted[i]);
+        std::size_t below = 0, above = 0;
+        for (; i < inserted.size() && lower(inserted[i]) - t <= near; ++i)
+            ++(inserted[i] <= sum / 2 ? below : above);
+        const bool middle = sum / 2 - t <= near; // its own image
+        out.insert(out.end(), middle ? below + above : std::max(below, above),
+                   middle ? sum / 2 : t);
+        if (!middle) out.insert(out.end(), std::max(below, above), sum - t);
     }
     return out;
 }
@@ -159,16 +165,22 @@ Knots united(const Knots& a, const Knots& b)
 
 } // namespace
 
+AxisKnots with_images(const Lattice& lattice, AxisKnots inserted)
+{
+    const std::array<Knots, 3>& axes = lattice.displacement.axes;
+    for (int axis = 0; axis < 3; ++axis)
+        if (mirrored_by_another(axes, axis))
+            inserted[at(axis)] = symmetric(axes[at(axis)], std::move(inserted[at(axis)]));
+    return inserted;
+}
+
 Lattice refined(const Lattice& lattice, const AxisKnots& inserted)
 {
     Lattice out = lattice;
-    for (int axis = 0; axis < 3; ++axis) {
-        std::vector<double> knots = inserted[at(axis)];
-        if (knots.empty()) continue;
-        const std::array<Knots, 3>& axes = out.displacement.axes;
-        if (mirrored_by_another(axes, axis)) knots = symmetric(axes[at(axis)], std::move(knots));
-        out.displacement = insert_knots(out.displacement, axis, knots);
-    }
+    const AxisKnots all = with_images(lattice, inserted);
+    for (int axis = 0; axis < 3; ++axis)
+        if (!all[at(axis)].empty())
+            out.displacement = insert_knots(out.displacement, axis, all[at(axis)]);
     return out;
 }
 
@@ -185,10 +197,8 @@ AxisKnots knots_for_sphere(const Lattice& lattice, const glm::dvec3& center_worl
         // Not to the sphere's ends: control points lie beside the line through its centre.
         const double half = std::min(0.8 * radius_world / speed, knots.end() - knots.begin());
         out[at(axis)] = middles(knots, uvw[axis] - half, uvw[axis] + half, across);
-        if (mirrored_by_another(lattice.displacement.axes, axis))
-            out[at(axis)] = symmetric(knots, std::move(out[at(axis)]));
     }
-    return out;
+    return with_images(lattice, std::move(out));
 }
 
 Coarsened coarsened(const Lattice& lattice, int axis, int count)

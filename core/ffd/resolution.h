@@ -10,8 +10,11 @@ namespace trivar {
 // Further knots of one axis, in any order.
 using AxisKnots = std::array<std::vector<double>, 3>;
 
-// The same map with further knots: exact but for rounding, at most 1e-12 of its size. Beside a
-// twisted axis knots go in with their mirror images. Throws Rejected as with_inserted() does.
+// All that go in with those: beside a twisted axis, their mirror images too.
+AxisKnots with_images(const Lattice& lattice, AxisKnots inserted);
+
+// The same map with further knots, and their images: exact but for rounding, at most 1e-12 of its
+// size. Throws Rejected as with_inserted() does.
 // O(control points x order) an axis.
 Lattice refined(const Lattice& lattice, const AxisKnots& inserted);
 

@@ -20,29 +20,32 @@ namespace {
 void check_knots(const Lattice& volume, const AxisKnots& inserted)
 {
     constexpr double least_span = 1e-6;
+    const std::array<Knots, 3>& axes = volume.displacement.axes;
     double points = 1;
-    for (std::size_t a = 0; a < 3; ++a) {
-        const Knots& axis = volume.displacement.axes[a];
-        points *= axis.count() + static_cast<double>(inserted[a].size());
-        std::vector<double> all = axis.breaks();
-        for (const double t : inserted[a]) {
-            const auto times = std::ranges::count(inserted[a], t) + axis.multiplicity(t);
-            if (times >= axis.order())
-                throw Rejected("so many knots in one place would tear the volume there");
-            if (!std::ranges::binary_search(all, t))
-                all.insert(std::ranges::upper_bound(all, t), t);
-        }
-        for (std::size_t i = 0; i + 1 < all.size(); ++i)
-            if (all[i + 1] - all[i] < least_span)
-                throw Rejected("two knots would be nearer to each other than a millionth");
-    }
+    for (std::size_t a = 0; a < 3; ++a)
+        points *= axes[a].count() + static_cast<double>(inserted[a].size());
     if (points > most_control_points)
         throw Rejected("the volume would have more than a million control points");
+    for (std::size_t a = 0; a < 3; ++a) {
+        std::vector<double> all = axes[a].breaks();
+        all.insert(all.end(), inserted[a].begin(), inserted[a].end());
+        std::ranges::sort(all);
+        for (std::size_t i = 0, next = 0; i < all.size(); i = next) {
+            while (next < all.size() && all[next] == all[i]) ++next;
+            const int known = axes[a].multiplicity(all[i]);
+            const auto further = static_cast<int>(next - i) - (known > 0 ? 1 : 0);
+            if (further > 0 && known + further >= axes[a].order())
+                throw Rejected("so many knots in one place would tear the volume there");
+            if (next < all.size() && all[next] - all[i] < least_span)
+                throw Rejected("two knots would be nearer to each other than a millionth");
+        }
+    }
 }
 
 LaidVolume with_knots(const LaidVolume& v, const KnotInsertion& insertion)
 {
-    const AxisKnots knots{insertion.along, insertion.across, insertion.up};
+    const AxisKnots knots =
+        with_images(*v.volume, {insertion.along, insertion.across, insertion.up});
     check_knots(*v.volume, knots);
     LaidVolume out = with_volume(v, refined(*v.volume, knots));
     out.as_laid = make_ref(refined(*v.as_laid, knots));

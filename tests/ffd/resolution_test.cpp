@@ -3,6 +3,7 @@
 #include "core/ffd/resolution.h"
 #include "tests/ffd/samples.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace trivar {
@@ -123,6 +124,20 @@ int most_in_sphere(const Lattice& lattice, int axis, const glm::dvec3& center, d
     int most = 0;
     for (const auto& line : lines) most = std::max(most, line.second);
     return most;
+}
+
+TEST(Resolution, PutsExactMirrorImagesInBesideATwistedAxis)
+{
+    const Lattice band = random_lattice(
+        {Knots::periodic(3, 8, 0, 1, Closure::twisted), Knots::uniform(3, 6), Knots::uniform(3, 4)},
+        0.01);
+    const AxisKnots all = with_images(band, {{{0.1}, {0.3, 0.7000000001, 0.2, 0.2, 0.8}, {0.5}}});
+    EXPECT_EQ(all[0], std::vector{0.1});
+    ASSERT_EQ(all[1].size(), 6u);
+    for (const double t : all[1])
+        EXPECT_EQ(std::ranges::count(all[1], 1 - t), t < 0.25 || t > 0.75 ? 2 : 1);
+    EXPECT_EQ(all[2], std::vector{0.5});
+    EXPECT_LT(largest_difference(band, refined(band, all)), 1e-12);
 }
 
 TEST(Resolution, PutsThreePointsAcrossASphere)
