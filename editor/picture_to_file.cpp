@@ -58,8 +58,11 @@ void PictureToFile::draw(const Session& session, const Ref<gpu::ShaderTexts>& sh
     const glm::ivec2 size_px(
         width_px,
         std::max(1, static_cast<int>(std::lround(width_px * view.y / std::max(1.0, view.x)))));
-    gpu::Picture picture = picture_of(session.evaluated(), session.document(),
-                                      ui::reshaped(session.camera, glm::dvec2(size_px)), values_,
+    camera_ = ui::reshaped(session.camera, glm::dvec2(size_px));
+    captions_ = session.document().render->captions
+                    ? captions_of(session.evaluated(), session.document())
+                    : std::vector<Caption>{};
+    gpu::Picture picture = picture_of(session.evaluated(), session.document(), camera_, values_,
                                       gpu::DeformBy::processor);
     gpu::set_level(picture, gpu::Level::high);
     picture.shaders = shaders;
@@ -84,14 +87,16 @@ bool PictureToFile::is_whole(const Session& session, ui::Frame& frame,
 void PictureToFile::advance(Session& session, ui::Frame& frame,
                             const Ref<gpu::ShaderTexts>& shaders)
 {
+    Ref<Image> image;
     try {
         if (!is_whole(session, frame, shaders)) return;
+        image = make_ref(
+            with_captions(renderer_->image(), captions_, camera_, *session.document().render));
     } catch (const Rejected& error) {
         stop();
         tell_failed(session, path_, error.what());
         return;
     }
-    const auto image = std::make_shared<const Image>(renderer_->image());
     renderer_.reset();
     session.jobs().start(
         {"Writing " + file_name(path_),

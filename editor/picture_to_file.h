@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "editor/captions.h"
 #include "editor/session.h"
 #include "editor/shown_values.h"
 #include "gpu/renderer.h"
@@ -34,6 +35,8 @@ private:
     int width_px_ = 0;
     int wanted_px_ = 0; // till it begins
     ShownValues values_;
+    std::vector<Caption> captions_; // to be written over it
+    Camera camera_;
 };
 
 } // namespace trivar

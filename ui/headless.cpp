@@ -1,10 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/headless.h"
 
+#include "gpu/framebuffer.h"
+#include "gpu/state_guard.h"
+
 #include <algorithm>
+#include <cstdint>
 #include <epoxy/gl.h>
+#include <imgui.h>
 
 namespace trivar::ui {
+namespace {
+
+// The framebuffer's picture, first row on top, opaque.
+Image read_back(unsigned framebuffer, glm::ivec2 size_px)
+{
+    Image image{.name = "frame", .size_px = size_px, .rgba = {}, .source_bytes = {}, .mime = {}};
+    const auto row = static_cast<std::size_t>(size_px.x) * 4;
+    std::vector<std::uint8_t> upside_down(row * static_cast<std::size_t>(size_px.y));
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, size_px.x, size_px.y, GL_RGBA, GL_UNSIGNED_BYTE, upside_down.data());
+    image.rgba.reserve(upside_down.size());
+    for (std::size_t y = static_cast<std::size_t>(size_px.y); y-- > 0;)
+        for (std::size_t x = 0; x < row; ++x)
+            image.rgba.push_back(x % 4 == 3 ? 255 : upside_down[y * row + x]);
+    return image;
+}
+
+// As long as it lives ImGui is somebody else's.
+class OtherInterface {
+public:
+    OtherInterface() { ImGui::SetCurrentContext(nullptr); }
+    ~OtherInterface() { ImGui::SetCurrentContext(before_); }
+    OtherInterface(const OtherInterface&) = delete;
+    OtherInterface& operator=(const OtherInterface&) = delete;
+
+private:
+    ImGuiContext* before_ = ImGui::GetCurrentContext();
+};
+
+} // namespace
 
 HeadlessFrames::HeadlessFrames(glm::ivec2 size_px, const ThemeOptions& options)
     : gui_(options),
@@ -75,17 +111,33 @@ int HeadlessFrames::settle(const DrawFrame& body, int limit)
 
 Image HeadlessFrames::picture() const
 {
-    Image image{.name = "frame", .size_px = size_px_, .rgba = {}, .source_bytes = {}, .mime = {}};
-    const auto row = static_cast<std::size_t>(size_px_.x) * 4;
-    std::vector<std::uint8_t> upside_down(row * static_cast<std::size_t>(size_px_.y));
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, size_px_.x, size_px_.y, GL_RGBA, GL_UNSIGNED_BYTE, upside_down.data());
-    image.rgba.reserve(upside_down.size());
-    for (std::size_t y = static_cast<std::size_t>(size_px_.y); y-- > 0;)
-        for (std::size_t x = 0; x < row; ++x)
-            image.rgba.push_back(x % 4 == 3 ? 255 : upside_down[y * row + x]);
-    return image;
+    return read_back(framebuffer_, size_px_);
+}
+
+Image drawn_over(const Image& image, const ThemeOptions& options, const DrawFrame& body)
+{
+    const gpu::StateGuard guard;
+    const OtherInterface other;
+    gpu::Texture2D below(GL_RGBA8, image.size_px), all(GL_RGBA8, image.size_px);
+    below.write_rgba(image.rgba);
+    const gpu::Framebuffer framebuffer({&all}, nullptr);
+    Gui gui(options);
+    framebuffer.bind();
+    gui.frame(image.size_px, 0, false, [&](Frame& frame) {
+        const auto name = static_cast<std::uintptr_t>(below.name());
+        const ImVec2 size{frame.size_px.x, frame.size_px.y};
+        ImGui::SetNextWindowPos({0, 0});
+        ImGui::SetNextWindowSize(size);
+        ImGui::Begin("image", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs);
+        ImGui::GetWindowDrawList()->PushClipRectFullScreen();
+        ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(name), {0, 0}, size);
+        body(frame);
+        ImGui::GetWindowDrawList()->PopClipRect();
+        ImGui::End();
+    });
+    Image out = read_back(framebuffer.name(), image.size_px);
+    out.name = image.name;
+    return out;
 }
 
 } // namespace trivar::ui

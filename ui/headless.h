@@ -43,4 +43,9 @@ private:
     Pace pace_;
 };
 
+// The image with what `body` draws over it: one frame of an interface of its own, in the current
+// OpenGL context, whose state stays, beside whatever other interface there is. Throws Rejected
+// where fonts are missing.
+Image drawn_over(const Image& image, const ThemeOptions& options, const DrawFrame& body);
+
 } // namespace trivar::ui

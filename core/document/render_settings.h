@@ -20,8 +20,9 @@ struct RenderSettings {
     bool ambient_occlusion = true;
     bool wire = false; // the edges of the faces, drawn over them
     ColorBy color_by = ColorBy::material;
-    bool volumes = false; // the volumes of what was placed, and the ball of each one's last press
-    bool ground = true;   // a shadow-catching ground under the scene
+    bool volumes = false;  // the volumes of what was placed, and the ball of each one's last press
+    bool captions = false; // what is refined has its triangles and its certified error under it
+    bool ground = true;    // a shadow-catching ground under the scene
     bool operator==(const RenderSettings&) const = default;
 };
 

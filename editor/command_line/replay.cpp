@@ -7,6 +7,7 @@
 #include "core/document/log.h"
 #include "core/files/image.h"
 #include "core/files/write_model.h"
+#include "editor/captions.h"
 #include "editor/picture.h"
 #include "gpu/context.h"
 #include "gpu/level.h"
@@ -194,13 +195,16 @@ void draw(const ReplayOptions& options, Replayed& replayed, const Streams& strea
                                       deform_of(options.deform));
     gpu::set_level(picture, level_of(options.quality));
     if (!options.shaders.empty()) picture.shaders = gpu::ShaderFolder(options.shaders).texts(0);
-    const Image image = renderer.render(picture, size);
+    Image image = renderer.render(picture, size);
     if (!renderer.notice().empty())
         streams.talk << "trivar: deformed by the processor: " << renderer.notice() << "\n";
     if (!renderer.shader_trouble().empty())
         streams.talk << "trivar: a shader of the program itself was taken: "
                      << renderer.shader_trouble() << "\n";
     replayed.timings.add(renderer.timings());
+    if (picture.settings.captions)
+        image = with_captions(std::move(image), captions_of(replayed.evaluated, replayed.shown),
+                              camera, picture.settings);
     timed(replayed.timings, "write image", [&] { write_image(image, options.image); });
 }
 

@@ -327,6 +327,8 @@ void draw_picture_settings(Editor& editor, const ui::Theme& theme)
     take(ui::check_box(theme, "edges", s.wire, "drawn over faces"));
     row_of("Volumes", "volumes");
     take(ui::check_box(theme, "volumes", s.volumes, "drawn in cyan"));
+    row_of("Captions", "captions");
+    take(ui::check_box(theme, "captions", s.captions, "under what is refined"));
     row_of("Ground", "ground");
     take(ui::check_box(theme, "ground", s.ground, "catches shadows"));
     ui::gap(theme, 8);

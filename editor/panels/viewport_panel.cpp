@@ -3,6 +3,7 @@
 
 #include "core/base/memory.h"
 #include "core/base/text.h"
+#include "editor/captions.h"
 #include "editor/file_words.h"
 #include "editor/panels/foot_cards.h"
 #include "editor/volume_picture.h"
@@ -207,6 +208,9 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     if (texture != 0)
         ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(name), lo, hi, {0, 1},
                                              {1, 0});
+    if (session.shown().render->captions)
+        paint_captions(captions_of(session.evaluated(), session.shown(), session.aside), view,
+                       session.camera, over);
     tool.overlay(session, over, input);
     if (ImGui::IsMouseReleased(ImGuiMouseButton_Right)) {
         if (input.hovered && !tool.busy() && !editor.right_cancelled) open_menu(session, input);

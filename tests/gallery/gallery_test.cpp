@@ -3,6 +3,7 @@
 
 #include "core/base/text.h"
 #include "core/document/log.h"
+#include "editor/captions.h"
 #include "editor/picture.h"
 #include "gpu/context.h"
 #include "gpu/ffd/deform_timer.h"
@@ -72,8 +73,11 @@ TEST_P(Gallery, ShowsTheSceneAsItIs)
     gpu::Renderer renderer;
     const Camera camera = picture_camera(scene.evaluated, scene.document, gallery_size_px);
     ShownValues values;
-    const Image image = renderer.render(picture_of(scene.evaluated, scene.document, camera, values),
-                                        gallery_size_px);
+    Image image = renderer.render(picture_of(scene.evaluated, scene.document, camera, values),
+                                  gallery_size_px);
+    if (scene.document.render->captions)
+        image = with_captions(std::move(image), captions_of(scene.evaluated, scene.document),
+                              camera, *scene.document.render);
     EXPECT_TRUE(testing::matches_picture(image, "docs/gallery/" + GetParam() + ".png"));
 }
 

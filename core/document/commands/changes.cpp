@@ -165,6 +165,7 @@ Changes changes(const RenderSettings& before, const RenderSettings& after)
         return std::string(choice_names<ColorBy>[static_cast<std::size_t>(by)]);
     });
     compare("Volumes", before.volumes, after.volumes, either("shown", "not shown"));
+    compare("Captions", before.captions, after.captions, either("shown", "not shown"));
     compare("Ground", before.ground, after.ground, either("on", "off"));
     return compare.take();
 }

@@ -47,6 +47,10 @@ template <> struct FieldsOf<RenderSettings> {
               "the volumes of what was placed are shown, with the ball of a press that was the "
               "last step of shaping",
               later);
+        field("captions", s.captions,
+              "under what is refined stand its triangles, how they were split and what of their "
+              "error is certified",
+              later);
         field("ground", s.ground, "a ground under the scene that catches shadows");
     }
 };
