@@ -180,15 +180,18 @@ std::string typed_name(Id id, const std::string& name, std::size_t count, bool a
     return odd ? dumped(name) : name;
 }
 
-// Where the points are, or how many.
-std::string points_text(const json& points)
+// Where the points are, as far as they are few; of samples no more than that.
+std::string points_text(const json& points, bool samples)
 {
     constexpr std::size_t most = 4;
     if (points.empty()) return "none";
     if (points.size() > most) return std::to_string(points.size()) + " points";
     std::string text;
-    for (const json& each : points)
-        text += (text.empty() ? "" : ", ") + dumped(each[0]) + " " + dumped(each[1]);
+    for (const json& each : points) {
+        text += text.empty() ? "" : ", ";
+        for (std::size_t i = 0; i < (samples ? 2 : each.size()); ++i)
+            text += (i > 0 ? " " : "") + dumped(each[i]);
+    }
     return text;
 }
 
@@ -202,7 +205,7 @@ std::string present_text(const Field& field, const json& value, const Document& 
         return typed_name(number, called, count_called(document, called), among_others);
     };
     if (value.is_null()) return "as it is";
-    if (field.kind == Field::points) return points_text(value);
+    if (field.kind == Field::points) return points_text(value, field.name.ends_with("samples"));
     if (field.kind == Field::object) return name(value, false);
     std::string text;
     if (value.is_array()) {
@@ -245,7 +248,8 @@ bool add_fields(std::vector<Field>& fields, const json& list, const std::string&
             field.kind = Field::number;
         else if (type == "text")
             field.choices = range.empty() ? std::vector<std::string>{} : choices_in(range);
-        else if (type == "list of pairs of numbers" || type == "list of samples")
+        else if (type == "list of pairs of numbers" || type == "list of lists of numbers" ||
+                 type == "list of samples")
             field.kind = Field::points;
         else if (type.find(", ") != type.npos)
             field.choices = choices_in(type);

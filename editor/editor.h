@@ -81,7 +81,8 @@ struct Editor {
         std::vector<std::string> before;       // the pages whose links were followed
         std::optional<std::size_t> show_block; // scroll to it
     } manual_dialog;
-    int width_point = -1, height_point = -1, across_point = -1, rise_point = -1; // -1: none
+    int width_point = -1, height_point = -1, across_point = -1, rise_point = -1,
+        map_point = -1; // -1: none
     RecentScenes recent_scenes;
     struct StartCard {   // numbers of the session's scenes, for each of which it begins anew
         long asked = -1; // over whatever is there, by Help

@@ -51,7 +51,10 @@ template <class T> void add(Digest& digest, const T& value)
         if (value) add(digest, *value);
     } else if constexpr (is_list<T>) {
         digest.add(static_cast<std::uint64_t>(value.size()));
-        digest.add(std::span<const typename T::value_type>(value));
+        if constexpr (is_list<typename T::value_type>)
+            for (const auto& entry : value) add(digest, entry);
+        else
+            digest.add(std::span<const typename T::value_type>(value));
     } else
         digest.add(value);
 }

@@ -2,6 +2,7 @@
 #include "core/placement/check.h"
 
 #include "core/base/rejected.h"
+#include "core/placement/height_map.h"
 #include "core/placement/profile.h"
 
 #include <cmath>
@@ -41,6 +42,7 @@ void check(const PlacementParameters& p)
     check_profile(p.width_profile, "the profile of the width");
     check_profile(p.height_profile, "the profile of the height");
     check_profile(p.height_across, "the profile of the height across");
+    check_height_map(p.height_map, "the height map");
     check_rise(p.rise_profile, "the profile of the rise");
     in_range(p.contact_level, 0, 1, "the contact level");
     const std::array<const char*, 3> axis{"along", "across", "above"};

@@ -4,6 +4,7 @@
 #include "core/base/rejected.h"
 #include "core/placement/contact.h"
 #include "core/placement/finish.h"
+#include "core/placement/height_map.h"
 #include "core/placement/layout.h"
 #include "core/placement/lift.h"
 #include "core/placement/profile.h"
@@ -119,17 +120,21 @@ Placement finished(const StripLayout& layout, const std::vector<double>& s, cons
     return timed(timings, "volume", [&] {
         const View view(camera);
         const Profile along(parameters.height_profile), across(parameters.height_across);
+        const HeightMap map(parameters.height_map);
         const Knots above = Knots::uniform(parameters.orders.z, parameters.grid.z);
         const Rise rise(parameters.rise_profile, above);
         const double level = parameters.contact_level;
         const Levels levels = levels_of(rise, level);
         check_reach(contact, view,
-                    levels.roof * across.largest() * along.largest() * layout.height);
+                    levels.roof * across.largest() * along.largest() * map.largest() *
+                        layout.height);
         std::vector<double> heights;
         for (int i = 0; i < contact.axes[0].count(); ++i) {
-            const double row = layout.height * along.at(contact.axes[0].greville(i));
-            for (int j = 0; j < contact.axes[1].count(); ++j)
-                heights.push_back(row * across.at(contact.axes[1].greville(j)));
+            const double u = contact.axes[0].greville(i), row = layout.height * along.at(u);
+            for (int j = 0; j < contact.axes[1].count(); ++j) {
+                const double v = contact.axes[1].greville(j);
+                heights.push_back(row * across.at(v) * map.at(u, v));
+            }
         }
         const Extrusion e =
             extrusion(contact, view, heights, parameters.offset, through_nodes, levels);

@@ -57,6 +57,9 @@ struct PlacementParameters {
     // The same of the height across it, from its right to its left: the height at (u, v) is the
     // height times both factors.
     std::vector<glm::dvec2> height_across{};
+    // Factors of the height over the whole strip, as the control points of a HeightMap: rows along
+    // the stroke, in each from its right to its left; none: 1 everywhere. All three multiply.
+    std::vector<std::vector<double>> height_map{};
     // How far the volume has risen at a share of its height, as control points of a Rise; none: as
     // far as that.
     std::vector<glm::dvec2> rise_profile{};

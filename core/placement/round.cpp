@@ -4,6 +4,7 @@
 #include "core/base/rejected.h"
 #include "core/placement/embed.h"
 #include "core/placement/finish.h"
+#include "core/placement/height_map.h"
 #include "core/placement/profile.h"
 #include "core/spline/fit.h"
 
@@ -81,6 +82,7 @@ struct Sizes {
     double width;          // in the units of the surface
     double height, ground; // metres; the w of the surface
     Profile width_factor, height_factor, height_across;
+    HeightMap height_map;
     Rise rise;
 };
 
@@ -89,7 +91,8 @@ glm::dvec3 at(const Band& band, const Sizes& sizes, glm::dvec3 uvw)
     const double share = uvw.x - std::floor(uvw.x), angle = turn * uvw.x;
     const double across = (uvw.y - 0.5) * sizes.width * sizes.width_factor.at(share);
     const double up = (sizes.rise.at(uvw.z) - sizes.rise.at(sizes.ground)) * sizes.height *
-                      sizes.height_factor.at(share) * sizes.height_across.at(uvw.y);
+                      sizes.height_factor.at(share) * sizes.height_across.at(uvw.y) *
+                      sizes.height_map.at(share, uvw.y);
     return band.at(angle, across) + up * band.normal(angle, across);
 }
 
@@ -140,9 +143,10 @@ Placement place_round(const Band& band, const PlacementParameters& p, const Box&
 {
     const double det = glm::determinant(glm::dmat3(band.to_world));
     if (!(det > 0)) throw Rejected("what it goes round is mirrored; turn it instead");
-    if (band.twisted() && !(p.height_across.empty() && p.rise_profile.empty()))
+    if (band.twisted() &&
+        !(p.height_across.empty() && p.height_map.empty() && p.rise_profile.empty()))
         throw Rejected("after one round of a Moebius band left is right and the roof is the floor; "
-                       "take the height across and the rise away");
+                       "take the height across, the height map and the rise away");
     const ModelFrame frame = model_frame(p, model);
     const double length = length_round(band);
     const double width = strip_width(frame, p, length), height = volume_height(frame, p, length);
@@ -161,6 +165,7 @@ Placement place_round(const Band& band, const PlacementParameters& p, const Box&
                       Profile(p.width_profile),
                       Profile(p.height_profile),
                       Profile(p.height_across),
+                      HeightMap(p.height_map),
                       Rise(p.rise_profile, axes[2])};
     std::vector<glm::dvec3> ground;
     for (const double u : greville_sites(axes[0]))

@@ -29,8 +29,8 @@ struct Band {
 // profiles, the contact level (twisted bands have none), grid, orders, start, fill and how the
 // model is turned. The grid interpolates, so the error falls with the order'th power of the
 // spacing. Throws Rejected for what is mirrored, for a strip wider than its surface goes on, and
-// for a height across or a rise round a twisted band; a volume that folds says so in its report.
-// O(control points).
+// for a height across, a height map or a rise round a twisted band; a volume that folds says so in
+// its report. O(control points).
 Placement place_round(const Band& band, const PlacementParameters& parameters, const Box& model);
 
 } // namespace trivar

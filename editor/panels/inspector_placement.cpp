@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/placement/embed.h"
 #include "editor/field_words.h"
+#include "editor/panels/height_map_rows.h"
 #include "editor/panels/inspect.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/profile_rows.h"
@@ -70,6 +71,8 @@ void volume_rows(ValueRows& rows, PlacementParameters& p, bool round, const Plac
             p.height_profile, editor.height_point);
     profile("Height across", "height_across", height, c.lattice, ProfileKind::across,
             p.height_across, editor.across_point);
+    rows.take(
+        draw_height_map(rows.theme, help_of("height_map"), height, p.height_map, editor.map_point));
     profile("Rise", "rise_profile", height, c.contact, ProfileKind::rise, p.rise_profile,
             editor.rise_point);
     rows.number("Sunk", p.contact_level, rest.contact_level, {.lo = 0, .hi = 1, .bar_hi = 1},

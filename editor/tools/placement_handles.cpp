@@ -24,7 +24,8 @@ ui::Color color_of(const ui::Theme& theme, HoldKind kind)
     switch (kind) {
     case HoldKind::width: return c.free_node;
     case HoldKind::height:
-    case HoldKind::across: return c.lattice;
+    case HoldKind::across:
+    case HoldKind::map: return c.lattice;
     case HoldKind::rise:
     case HoldKind::contact:
     case HoldKind::sunk: return c.contact;
@@ -54,7 +55,8 @@ const char* drag_words(HoldKind kind)
     case HoldKind::stroke: return "Drag to bend the stroke";
     case HoldKind::width: return "Drag to widen";
     case HoldKind::height:
-    case HoldKind::across: return "Drag to raise";
+    case HoldKind::across:
+    case HoldKind::map: return "Drag to raise";
     case HoldKind::rise: return "Drag to share the height out";
     case HoldKind::start: return "Drag to move the start";
     case HoldKind::end: return "Drag to move the end";
@@ -156,7 +158,8 @@ void PlacementHandles::overlay(const Session& session, const ui::Theme& theme,
         const float radius = theme.scale * (on ? 6.5f : 5.0f);
         const ui::Color color = on ? theme.color.selected : color_of(theme, kind);
         const bool sized = kind == HoldKind::width || kind == HoldKind::height ||
-                           kind == HoldKind::across || kind == HoldKind::rise;
+                           kind == HoldKind::across || kind == HoldKind::map ||
+                           kind == HoldKind::rise;
         const bool stalk = glm::distance(p, at(point.p_world)) > 1;
         if (kind == HoldKind::start || kind == HoldKind::end) {
             paint_arrow(theme, p, p - from, radius, color);

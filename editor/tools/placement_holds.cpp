@@ -3,6 +3,7 @@
 
 #include "core/base/rounded.h"
 #include "core/document/commands/changes.h"
+#include "core/placement/height_map.h"
 #include "core/placement/profile.h"
 #include "core/placement/redraw.h"
 
@@ -47,7 +48,8 @@ double handy(double value, bool snap)
 bool end_on(const HoldPoint& point, const Camera& camera, double scale)
 {
     const HoldKind kind = point.hold.kind;
-    if (kind != HoldKind::height && kind != HoldKind::contact && kind != HoldKind::sunk)
+    if (kind != HoldKind::height && kind != HoldKind::map && kind != HoldKind::contact &&
+        kind != HoldKind::sunk)
         return false;
     return glm::distance(project(camera, point.p_world).p_px,
                          project(camera, point.base_world).p_px) < end_on_px * scale;
@@ -61,7 +63,8 @@ double growth(const HoldDrag& drag, glm::dvec2 by_px)
     if (end_on(drag.held, drag.camera, drag.scale)) { // a pixel upward is a pixel's length
         const double size = glm::distance(drag.held.p_world, drag.held.base_world);
         const double up = -by_px.y * pixel_size_world(drag.camera, base.depth_world);
-        const double sign = drag.held.hold.kind == HoldKind::height ? 1 : -1;
+        const HoldKind kind = drag.held.hold.kind;
+        const double sign = kind == HoldKind::height || kind == HoldKind::map ? 1 : -1;
         return std::clamp(1 + sign * up / size, least_ratio, most_ratio);
     }
     const double square = glm::dot(way, way);
@@ -90,6 +93,18 @@ void grow(double& size, std::vector<glm::dvec2>& profile, double present, std::s
     }
     raise(profile, point, Profile(profile).at(profile[point].x) * times, snap);
     profile[point].y = std::clamp(profile[point].y, least_profile, most_profile);
+}
+
+// The value of a height map so that the surface there is so many times as high.
+void raise(HeightGrid& grid, int index, double times, bool snap)
+{
+    const HeightMap map(grid);
+    const auto columns = static_cast<int>(grid.front().size());
+    const int i = index / columns, j = index % columns;
+    const auto I = static_cast<std::size_t>(i), J = static_cast<std::size_t>(j);
+    const double before = map.at(map.along()[I], map.across()[J]);
+    const double by = before * (times - 1) / std::max(0.1, map.weight(i, j));
+    grid[I][J] = std::clamp(handy(grid[I][J] + by, snap), least_profile, most_profile);
 }
 
 Sketch pulled(const HoldDrag& drag, glm::dvec2 to_px)
@@ -135,11 +150,16 @@ std::vector<HoldPoint> hold_points(const PlacementStep& step, const Placement& p
         add(HoldKind::width, index++, {u, 1, w0}, {u, 0.5, w0});
     }
     index = 0;
-    for (const double u : profile_shares(p.height_profile))
-        add(HoldKind::height, index++, {u, 0.5, far}, {u, 0.5, w0});
+    if (p.height_map.empty() || !p.height_profile.empty()) // else its own points are there
+        for (const double u : profile_shares(p.height_profile))
+            add(HoldKind::height, index++, {u, 0.5, far}, {u, 0.5, w0});
     for (std::size_t i = 0; i < p.height_across.size(); ++i)
         add(HoldKind::across, static_cast<int>(i), {across_at_u, p.height_across[i].x, far},
             {across_at_u, p.height_across[i].x, w0});
+    index = 0;
+    const HeightMap map(p.height_map);
+    for (const double u : map.along())
+        for (const double v : map.across()) add(HoldKind::map, index++, {u, v, far}, {u, v, w0});
     for (std::size_t i = 1; i + 1 < p.rise_profile.size(); ++i)
         add(HoldKind::rise, static_cast<int>(i), {2.0 / 3, 0, p.rise_profile[i].x},
             {2.0 / 3, 0, 0});
@@ -217,6 +237,7 @@ EditPlacement dragged(const HoldDrag& drag, glm::dvec2 to_px, bool snap)
         grow(p.height, p.height_across, report.height_world,
              static_cast<std::size_t>(drag.held.hold.index), growth(drag, by), snap);
         break;
+    case HoldKind::map: raise(p.height_map, drag.held.hold.index, growth(drag, by), snap); break;
     case HoldKind::rise: {
         const auto i = static_cast<std::size_t>(drag.held.hold.index);
         std::vector<glm::dvec2>& points = p.rise_profile;
@@ -259,6 +280,7 @@ std::string name_of(HoldKind kind)
     case HoldKind::width: return "Width";
     case HoldKind::height: return "Height";
     case HoldKind::across: return "Height across";
+    case HoldKind::map: return "Height map";
     case HoldKind::rise: return "Rise";
     case HoldKind::start: return "Start";
     case HoldKind::end: return "End";
@@ -284,6 +306,13 @@ std::string words_of(const Hold& hold, const PlacementParameters& p, const Place
     case HoldKind::height:
         return sized("height", report.height_world, p.height_profile, hold.index);
     case HoldKind::across: return sized("height", report.height_world, p.height_across, hold.index);
+    case HoldKind::map: {
+        const HeightMap map(p.height_map);
+        const auto columns = p.height_map.front().size(), at = static_cast<std::size_t>(hold.index);
+        const double u = map.along()[at / columns], v = map.across()[at % columns];
+        return "height " + in_metres(report.height_world * Profile(p.height_profile).at(u) *
+                                     Profile(p.height_across).at(v) * map.at(u, v));
+    }
     case HoldKind::rise: {
         const glm::dvec2 at = p.rise_profile[static_cast<std::size_t>(hold.index)];
         return fmt::format("{:.0f} % of the model in {:.0f} % of the height", at.x * 100,

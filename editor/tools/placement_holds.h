@@ -12,12 +12,13 @@ namespace trivar {
 
 // What a hand can take hold of on something that lies on a stroke: places of the stroke, the rims
 // and the roof of its volume (one for each point of their profiles, across: of the height across,
-// rise: of the rise, up a corner of it), where on the stroke the model begins and ends, the level
-// that lies on the scene, and how deep the floor is sunk under it.
-enum class HoldKind { none, stroke, width, height, across, rise, start, end, contact, sunk };
+// map: of the height map, rise: of the rise, up a corner of it), where on the stroke the model
+// begins and ends, the level that lies on the scene, and how deep the floor is sunk under it.
+enum class HoldKind { none, stroke, width, height, across, map, rise, start, end, contact, sunk };
 struct Hold {
     HoldKind kind = HoldKind::none;
-    int index = 0; // of the place or the point; of a rim 2 x point, and 1 more on the left one
+    int index = 0; // of the place or the point, of a map row by row; of a rim 2 x point, and 1 more
+                   // on the left one
     bool operator==(const Hold&) const = default;
 };
 

@@ -3,6 +3,7 @@
 #include "tests/document/commands.h"
 
 #include <gmock/gmock.h>
+#include <set>
 
 namespace trivar {
 namespace {
@@ -176,7 +177,26 @@ TEST(Place, SaysWhatIsWrongWithAClickAndWithParametersThatDoNotFit)
                     p.height_across = {{0, 1}, {1, 0}};
                 }),
                 HasSubstr("\"height_across\" has the factor 0"));
+    EXPECT_THAT(with_parameters([](auto& p) {
+                    p.height_map = {{1, 1}, {1, 1, 1}};
+                }),
+                HasSubstr("\"height_map\" has rows of 2 and of 3 values"));
     EXPECT_THAT(with_parameters([](auto& p) { p.offset = 2; }), HasSubstr("\"parameters.offset\""));
+}
+
+TEST(EditPlacement, TellsHeightMapsApart)
+{
+    const Document before = small_document();
+    PlacementParameters p = object(before, 3).placement->parameters;
+    std::set<std::string> digests{digest(before)};
+    for (const auto& map : std::vector<std::vector<std::vector<double>>>{
+             {{1, 1}, {1, 1}}, {{1, 1}, {1, 2}}, {{1, 2}, {1, 1}}, {{1, 1, 1}, {1, 1, 1}}}) {
+        p.height_map = map;
+        const Command edit = EditPlacement{3, p, {}, {}};
+        digests.insert(digest(after(before, edit)));
+        EXPECT_EQ(command_from_json_line(to_json_line(edit)), edit);
+    }
+    EXPECT_EQ(digests.size(), 5u);
 }
 
 TEST(EditPlacement, KeepsTheStrokeAndTheSupportsUnlessTheyAreGiven)

@@ -111,6 +111,8 @@ TEST(CommandForm, ReadsPointsAsPairsBetweenCommas)
     EXPECT_NO_THROW(filled(place, scene()));
     EditPlacement edit;
     edit.object = 1;
+    EXPECT_EQ(with(edit, "parameters.height_map", "1 1 1, 1 2 1"),
+              with(edit, "parameters.height_map", "[[1,1,1],[1,2,1]]"));
     EXPECT_EQ(with(edit, "parameters.width_profile", "0 1, 0.5 2, 1 1"),
               with(edit, "parameters.width_profile", "[[0,1],[0.5,2],[1,1]]"));
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/placement/height_map.h"
 #include "core/placement/profile.h"
 #include "core/placement/redraw.h"
 #include "editor/tools/placement_handles.h"
@@ -126,6 +127,28 @@ TEST(PlacementHandles, TheFloorIsPulledIntoTheSceneAndTheRiseUpAndDown)
     rig.pull(left, 0.5f * (rig.seen_at(left.p_world) - rig.seen_at(left.base_world)));
     EXPECT_NEAR(rig.step().parameters.height_across.back().y, 1.5, 0.05);
     EXPECT_EQ(rig.step().parameters.height_across.front().y, 1);
+}
+
+TEST(PlacementHandles, APointOfTheHeightMapIsRaisedOverTheRoof)
+{
+    PlacedRig rig;
+    PlacementParameters p = rig.step().parameters;
+    p.height_map = {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}};
+    ASSERT_TRUE(rig.editor.session.run(EditPlacement{2, p, {}, {}}));
+    rig.editor.session.camera.eye = {-4, -5, 2};
+    rig.wait();
+    const HoldPoint inner = rig.hold(HoldKind::map, 1 * 3 + 1);
+    EXPECT_LT(glm::distance(inner.p_world, evaluate(rig.laid().volume, {inner.u, 0.5, 1}).value),
+              1e-12);
+    const std::size_t before = rig.steps();
+    rig.pull(inner, 0.5f * (rig.seen_at(inner.p_world) - rig.seen_at(inner.base_world)));
+    EXPECT_EQ(rig.steps(), before + 1);
+    const HeightGrid& grid = rig.step().parameters.height_map;
+    EXPECT_NEAR(HeightMap(grid).at(inner.u, 0.5), 1.5, 0.05);
+    EXPECT_EQ(rig.step().parameters.height, p.height);
+    HeightGrid others = grid;
+    others[1][1] = 1;
+    EXPECT_EQ(others, p.height_map);
 }
 
 TEST(PlacementHandles, TheEndsOfTheModelSlideAlongTheStroke)

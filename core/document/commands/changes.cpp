@@ -106,6 +106,11 @@ Changes changes(const PlacementParameters& before, const PlacementParameters& af
     compare("Width profile", a.width_profile, b.width_profile, points);
     compare("Height profile", a.height_profile, b.height_profile, points);
     compare("Height across", a.height_across, b.height_across, points);
+    compare("Height map", a.height_map, b.height_map,
+            [](const std::vector<std::vector<double>>& grid) {
+                return grid.empty() ? "even"
+                                    : fmt::format("{} × {} points", grid.size(), grid[0].size());
+            });
     compare("Rise", a.rise_profile, b.rise_profile, points);
     compare("Contact level", a.contact_level, b.contact_level, plain);
     compare("Offset", a.offset, b.offset, plain);

@@ -3,6 +3,7 @@
 #include "core/document/commands/apply.h"
 #include "core/document/commands/check.h"
 #include "core/document/shapes.h"
+#include "core/placement/height_map.h"
 #include "core/placement/profile.h"
 
 #include <cmath>
@@ -99,6 +100,7 @@ void check_parameters(const PlacementParameters& p)
     check_profile(p.width_profile, "field \"width_profile\"");
     check_profile(p.height_profile, "field \"height_profile\"");
     check_profile(p.height_across, "field \"height_across\"");
+    check_height_map(p.height_map, "field \"height_map\"");
     check_rise(p.rise_profile, "field \"rise_profile\"");
     if (p.roll_deg != 90 * std::floor(p.roll_deg / 90))
         throw Rejected("field \"roll_deg\" must be 0, 90, 180 or 270");

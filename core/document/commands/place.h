@@ -54,6 +54,11 @@ template <> struct FieldsOf<PlacementParameters> {
               "how the height changes across the stroke, from its right to its left: control "
               "points as along it; both factors count",
               later_between(0, 20));
+        field("height_map", p.height_map,
+              "how the height changes over the whole strip: control points of a surface, 2 to 32 "
+              "rows along the stroke of as many factors across, from its right to its left; counts "
+              "beside both; none: it does not",
+              later_between(0, 20));
         field("rise_profile", p.rise_profile,
               "how the height is shared out from the floor to the roof: control points of an "
               "ascending curve, [share of the model's height, share of the volume's]; none: evenly",

@@ -66,6 +66,8 @@ template <class T> std::string type_name()
         return "list of pairs of numbers";
     else if constexpr (is_list<T> && requires { T::value_type::length(); })
         return "list of lists of " + type_name<typename T::value_type>();
+    else if constexpr (std::is_same_v<T, std::vector<std::vector<double>>>)
+        return "list of lists of numbers";
     else if constexpr (is_list<T>)
         return "list of " + type_name<typename T::value_type>() + "s";
     else
