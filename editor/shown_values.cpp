@@ -28,10 +28,10 @@ std::vector<float> bounds_at_vertices(const EvaluatedObject& object, std::size_t
 
 } // namespace
 
-Ref<std::vector<float>> ShownValues::kept(const Part& part, double tolerance, auto&& work_out)
+Ref<std::vector<float>> ShownValues::kept(const Part& part, const By& by, auto&& work_out)
 {
     if (!part.bent) return nullptr;
-    const std::pair key(part.bent.get(), tolerance);
+    const std::pair key(part.bent.get(), by);
     if (const auto found = known_.find(key);
         found != known_.end() && found->second.alive.lock() == part.bent)
         return found->second.values;
@@ -44,7 +44,7 @@ Ref<std::vector<float>> ShownValues::kept(const Part& part, double tolerance, au
 
 Ref<std::vector<float>> ShownValues::stretch_of(const Part& part)
 {
-    return kept(part, 0, [&] {
+    return kept(part, {}, [&] {
         std::vector<float> factors =
             volume_change(*part.before_volume(), part.bent->embedding, *part.bent->volume);
         std::vector<float> sizes(factors.size());
@@ -60,7 +60,8 @@ Ref<std::vector<float>> ShownValues::stretch_of(const Part& part)
 Ref<std::vector<float>> ShownValues::error_of(const EvaluatedObject& object, std::size_t part,
                                               const Refining& refining)
 {
-    return kept(object.parts.at(part), refining.tolerance, [&] {
+    const By by(refining.tolerance, refining.method, refining.rule);
+    return kept(object.parts.at(part), by, [&] {
         std::vector<float> values = bounds_at_vertices(object, part, refining);
         // Between a vertex and one of which nothing is known, colours are to be numbers, too; and
         // what is nothing at all is not folded.

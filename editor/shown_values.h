@@ -5,6 +5,7 @@
 
 #include <map>
 #include <optional>
+#include <tuple>
 
 namespace trivar {
 
@@ -21,12 +22,14 @@ public:
                                      const Refining& refining);
 
 private:
-    Ref<std::vector<float>> kept(const Part& part, double tolerance, auto&& work_out);
+    // What the numbers depend on beside the part; a tolerance of 0 is for the stretch.
+    using By = std::tuple<double, BoundMethod, RefinementRule>;
+    Ref<std::vector<float>> kept(const Part& part, const By& by, auto&& work_out);
     struct Known {
         std::weak_ptr<const Bent> alive;
         Ref<std::vector<float>> values;
     };
-    std::map<std::pair<const Bent*, double>, Known> known_; // the tolerance is 0 for stretch
+    std::map<std::pair<const Bent*, By>, Known> known_;
 };
 
 // What colours tell apart, the error over the tolerance by log2: from an eighth to eight times.

@@ -15,4 +15,13 @@ inline double rounded(double value, int digits)
                     : std::round(value / unit) * unit;
 }
 
+// The same, but never below the value: for what is at most so much.
+inline double rounded_up(double value, int digits)
+{
+    const double near = rounded(value, digits);
+    if (near >= value || near == 0) return near;
+    const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) - (digits - 1));
+    return rounded(near + unit, digits);
+}
+
 } // namespace trivar

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/command_line/verify.h"
 
+#include "core/base/rounded.h"
 #include "core/base/text.h"
 #include "core/document/certificate.h"
 #include "core/document/log.h"
@@ -124,7 +125,7 @@ private:
                                      node.corners.size() / 3, truth.before_volume()->face_count()));
         const std::string figures = fmt::format(
             "{}: {} triangles, {} samples, the furthest off by {:.3g} m, claimed {:.3g} m", name,
-            claim.triangles, found.samples, found.furthest, claim.bound);
+            claim.triangles, found.samples, found.furthest, rounded_up(claim.bound, 3));
         streams_.out << figures << "\n";
         if (!(found.furthest <= claim.bound)) wrong(name + " is further off than it claims");
         if (!object->second->refined) return wrong(name + " is not certified: it is not refined");

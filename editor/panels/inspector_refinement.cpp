@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/rounded.h"
 #include "editor/field_words.h"
 #include "editor/panels/inspect.h"
 #include "editor/panels/panels.h"
@@ -54,7 +55,7 @@ void refined_facts(const ui::Theme& theme, const Evaluated& evaluated, const std
     ui::fact_row(theme, "Triangles", ui::with_commas(after), 0, "once they are split");
     ui::fact_row(theme, "Before", ui::with_commas(before), 0, "triangles of the model");
     if (std::isfinite(bound))
-        ui::fact_row(theme, "Error", "at most " + ui::short_number(bound) + " m", 0,
+        ui::fact_row(theme, "Error", "at most " + ui::short_number(rounded_up(bound, 3)) + " m", 0,
                      "how far the flat triangles are proven to be from the true surface");
     ui::fact_row(theme, "Certified", open == 0 ? "all" : "all but " + ui::with_commas(open),
                  open == 0 ? theme.color.good : theme.color.warn,

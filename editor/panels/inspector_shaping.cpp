@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/rounded.h"
 #include "core/ffd/resolution.h"
 #include "editor/panels/panels.h"
 #include "editor/volume_words.h"
@@ -46,7 +47,7 @@ void density_row(Editor& editor, const ui::Theme& theme, Id id, int axis, const 
     ImGui::SetCursorScreenPos({at.x + theme.px(68) + side, at.y});
     const int fewer = fewer_points(knots);
     const std::string off =
-        deviation ? " Nothing moves further than " + ui::short_number(*deviation) + " m." : "";
+        deviation ? " Nothing moves further than " + ui::short_number(rounded_up(*deviation, 3)) + " m." : "";
     if (ui::icon_button(theme, "coarser", ui::icon::minus, {side, side},
                         {"Coarser", {}, fmt::format("{} control points are left.{}", fewer, off)},
                         {.enabled = open && fewer < knots.count()}))

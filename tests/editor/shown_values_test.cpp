@@ -67,6 +67,8 @@ TEST(Error, IsToldByTheToleranceAndIsTheSameWhoeverBoundsTheTriangles)
     ASSERT_EQ(values->size(), placed().parts[0].rest->vertex_count());
     EXPECT_EQ(shown.error_of(placed(), 0, coarse), values);
     EXPECT_NE(shown.error_of(placed(), 0, {.tolerance = 10}), values);
+    EXPECT_NE(shown.error_of(placed(), 0, {.tolerance = 100, .method = BoundMethod::thesis}),
+              values);
     const std::vector<float> before = *values;
 
     ASSERT_TRUE(rig.editor.session.run(Refine{{2}, coarse})); // nothing has to be split
