@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/refinement/cubic_error.h"
 
-#include "core/base/index.h"
-#include "core/refinement/simplex_net.h"
+#include "core/refinement/net_bisection.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace trivar {
 namespace {
@@ -36,60 +34,6 @@ Powers bernstein_powers(int order)
         for (int m = 0; m < order; ++m) out[at(m)][at(i)] = p[at(m)];
     }
     return out;
-}
-
-// The nets of degree 3 on a triangle (a, b, c), cut through the middle m of a and b: those on
-// (c, a, m) and (b, c, m), so that the next edge's turn comes next.
-using Net = std::array<glm::dvec4, 10>;
-void bisect(const Net& net, Net& p, Net& q)
-{
-    const auto index = [](int j, int k) { return at(net_index<3>(j + k, k)); };
-    for (int k = 0; k <= 3; ++k) {
-        const int n = 3 - k;
-        std::array<glm::dvec4, 4> row;
-        for (int j = 0; j <= n; ++j) row[at(j)] = net[index(j, k)];
-        for (int s = 0; s <= n; ++s) {
-            p[index(n - s, s)] = row[0];
-            q[index(k, s)] = row[at(n - s)];
-            for (int j = 0; j < n - s; ++j) row[at(j)] = (row[at(j)] + row[at(j + 1)]) * 0.5;
-        }
-    }
-}
-
-double longest_squared(const auto& net)
-{
-    double most = 0;
-    for (const glm::dvec4& p : net) {
-        const double squared = glm::dot(p, p);
-        if (!(squared <= most))
-            most = std::isnan(squared) ? std::numeric_limits<double>::infinity() : squared;
-    }
-    return most;
-}
-
-// The greatest control point after some bisections; parts that cannot raise it are left alone.
-double after_bisections(const Net& net, int levels, double most)
-{
-    const double here = longest_squared(net);
-    if (here <= most || levels == 0) return std::max(here, most);
-    Net p, q;
-    bisect(net, p, q);
-    most = after_bisections(p, levels - 1, most);
-    return after_bisections(q, levels - 1, most);
-}
-
-double after_bisections(const std::array<glm::dvec4, 4>& net, int levels, double most)
-{
-    const double here = longest_squared(net);
-    if (here <= most || levels == 0) return std::max(here, most);
-    std::array<glm::dvec4, 4> p, q, row = net;
-    for (std::size_t s = 0; s < 4; ++s) {
-        p[s] = row[0];
-        q[3 - s] = row[3 - s];
-        for (std::size_t j = 0; j + s < 3; ++j) row[j] = (row[j] + row[j + 1]) * 0.5;
-    }
-    most = after_bisections(p, levels - 1, most);
-    return after_bisections(q, levels - 1, most);
 }
 
 } // namespace
@@ -217,8 +161,9 @@ CubicError::Bound CubicError::operator()(const std::array<glm::dvec3, corners>& 
     for (std::size_t i = 0; i < corners; ++i)
         a[i] = f.value + f.first[0] * x[i].x + f.first[1] * x[i].y + f.first[2] * x[i].z -
                glm::dvec4(linear[i], 0);
-    std::conditional_t<corners == 3, Net, std::array<glm::dvec4, 4>> net;
-    each_term<int{corners}>(3, [&](int index, int r, int c) {
+    constexpr std::integral_constant<int, 3> degree;
+    std::array<glm::dvec4, at(net_size<int{corners}>(degree))> net;
+    each_term<int{corners}>(degree, [&](int index, int r, int c) {
         // 3 - r times corner 0, r - c times corner 1, c times corner 2
         const auto corner = [&](int n) { return at((n >= 3 - r) + (n >= 3 - c)); };
         const std::size_t i = corner(0), j = corner(1), k = corner(2);
@@ -226,7 +171,7 @@ CubicError::Bound CubicError::operator()(const std::array<glm::dvec3, corners>& 
     });
     // Then the net is some 3 % from what it bounds.
     constexpr int levels = corners == 3 ? 4 : 2;
-    return {std::sqrt(after_bisections(net, levels, 0)), f.left_out};
+    return {std::sqrt(longest_squared<int{corners}>(net, degree, levels, 0)), f.left_out};
 }
 
 template CubicError::Bound CubicError::operator()(const std::array<glm::dvec3, 2>&,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/refinement/error_bounds.h"
 
+#include "core/refinement/net_bisection.h"
 #include "core/refinement/second_derivatives.h"
-#include "core/refinement/simplex_net.h"
 #include "core/refinement/simplex_pieces.h"
 #include "core/spline/bezier.h"
 
@@ -32,47 +32,19 @@ int net_of(const DisplacementCells::Cell& cell, const glm::ivec3& orders,
     return compose<corners>(cell.points.data(), orders, local, net);
 }
 
-// The piece cut in four (an edge: in two) at the middles of its edges.
-template <int corners> void each_quarter(const SimplexPiece<corners>& piece, auto&& visit)
-{
-    const auto of = [&](const std::array<std::array<int, 2>, corners>& ends) {
-        SimplexPiece<corners> out = piece;
-        for (std::size_t i = 0; i < corners; ++i) {
-            const auto a = static_cast<std::size_t>(ends[i][0]),
-                       b = static_cast<std::size_t>(ends[i][1]);
-            out.weight[i] = (piece.weight[a] + piece.weight[b]) / 2.0;
-            out.uvw[i] = (piece.uvw[a] + piece.uvw[b]) / 2.0;
-        }
-        visit(out);
-    };
-    if constexpr (corners == 2) {
-        of({{{0, 0}, {0, 1}}});
-        of({{{0, 1}, {1, 1}}});
-    } else {
-        of({{{0, 0}, {0, 1}, {0, 2}}});
-        of({{{0, 1}, {1, 1}, {1, 2}}});
-        of({{{0, 2}, {1, 2}, {2, 2}}});
-        of({{{0, 1}, {1, 2}, {0, 2}}});
-    }
-}
-
-// The distance of a net from the linear one with these corners.
+// A net less the linear one with these corners.
 template <int corners>
-double from_linear(const NetPoints<corners>& net, int degree,
-                   const std::array<glm::dvec3, corners>& linear)
+void subtract_linear(NetPoints<corners>& net, int degree,
+                     const std::array<glm::dvec3, corners>& linear)
 {
     std::array<glm::dvec4, corners> step;
     for (std::size_t i = 0; i < corners; ++i)
         step[i] = glm::dvec4(linear[i] / static_cast<double>(degree), 0);
-    double most = 0;
     each_term<corners>(degree, [&](int index, int r, int c) {
-        glm::dvec4 off = net[at(index)] - step[0] * static_cast<double>(degree - r) -
-                         step[1] * static_cast<double>(r - c);
+        glm::dvec4& off = net[at(index)];
+        off -= step[0] * static_cast<double>(degree - r) + step[1] * static_cast<double>(r - c);
         if constexpr (corners == 3) off -= step[2] * static_cast<double>(c);
-        const double squared = glm::dot(off, off);
-        if (!(squared <= most)) most = std::isnan(squared) ? infinity : squared;
     });
-    return std::sqrt(most);
 }
 
 // What rounding may hide: of the coefficients, which are means of some hundred control points, and
@@ -218,17 +190,13 @@ template <int corners> struct ErrorBounds::Work {
                 NetPoints<corners> points;
                 const int degree =
                     net_of<corners>(cell, bounds.cells_->orders(), piece.uvw, points);
-                error = from_linear<corners>(points, degree, linear);
+                subtract_linear<corners>(points, degree, linear);
+                const int levels = subdivided ? 5 : 2;
+                error = std::sqrt(longest_squared<corners>(points, degree, levels, 0));
             }
             raise(most, error + doubt<corners>(*bounds.cells_, piece.uvw, cell.size));
         };
-        const Crossing crossing =
-            each_piece<corners>(*bounds.cells_, uvw, [&](const SimplexPiece<corners>& piece) {
-                if (subdivided)
-                    each_quarter<corners>(piece, one);
-                else
-                    one(piece);
-            });
+        const Crossing crossing = each_piece<corners>(*bounds.cells_, uvw, one);
         return crossing.jump ? infinity : most + extra;
     }
 
