@@ -56,22 +56,30 @@ private:
     bool can_split(const Edge& edge) const;
     bool any_marked(const Triangle& triangle) const;
     Index worst_edge(const Triangle& triangle) const;
+    Index edge_of_needle(const Triangle& triangle) const;
     // Of an edge or a triangle; not looked at again in four where that would not change what is
     // done.
     double bound(ErrorBounds& bounds, const auto& simplex, double target) const;
-    // What single precision takes away of the tolerance, by vertices that were rounded (`moved`)
-    // and by where they are taken, and what it leaves.
-    double rounding(double moved) const { return rounding_of_places_ + moved * stretch_; }
-    double target(double moved) const { return options_.tolerance_world - rounding(moved); }
-    double moved(const Edge& edge) const
+    // What single precision takes away of the tolerance at a point, by where its vertices are
+    // rounded to and by where those are taken; at most, in an edge or a triangle; and what it
+    // leaves.
+    double rounding(const SharedTriangles::Point& point) const
     {
-        return std::max(all_.points()[edge.a].moved, all_.points()[edge.b].moved);
+        return point.misplaced + point.moved * stretch_;
     }
-    double moved(const Triangle& triangle) const
+    double rounding(const Edge& edge) const
+    {
+        return std::max(rounding(all_.points()[edge.a]), rounding(all_.points()[edge.b]));
+    }
+    double rounding(const Triangle& triangle) const
     {
         double most = 0;
-        for (const Index e : triangle.edges) most = std::max(most, moved(all_.edges()[e]));
+        for (const Index e : triangle.edges) most = std::max(most, rounding(all_.edges()[e]));
         return most;
+    }
+    double target(const auto& simplex) const
+    {
+        return options_.tolerance_world - rounding(simplex);
     }
 
     RefineOptions options_;
@@ -80,8 +88,8 @@ private:
     Ref<DisplacementCells> cells_;
     SharedTriangles all_;
     std::size_t first_new_edge_ = 0;
-    double shortest_ = 0;                         // edges up to here are not split
-    double rounding_of_places_ = 0, stretch_ = 0; // no step becomes longer by more, deformed
+    double shortest_ = 0; // edges up to here are not split
+    double stretch_ = 0;  // no step becomes longer by more, deformed
     bool out_of_budget_ = false, marked_ = false;
 };
 
@@ -89,8 +97,11 @@ private:
 void Refinement::measure_rounding(const std::vector<RefinePart>& parts)
 {
     Box box;
-    for (const auto& point : all_.points()) box.add(point.rest_world);
-    double far_world = cells_->largest(), finest = 0;
+    double misplaced = 0, finest = 0;
+    for (const auto& point : all_.points()) {
+        box.add(point.rest_world);
+        misplaced = std::max(misplaced, point.misplaced);
+    }
     for (const RefinePart& part : parts) {
         double far = 0;
         for (const glm::vec3& x : part.mesh->positions)
@@ -105,15 +116,12 @@ void Refinement::measure_rounding(const std::vector<RefinePart>& parts)
                        glm::length(glm::dvec3(e.to_uvw[0][a], e.to_uvw[1][a], e.to_uvw[2][a]));
         stretch_ = std::max(stretch_, stretch);
         finest = std::max(finest, far * 0x1p-23);
-        far_world =
-            std::max(far_world, glm::length(glm::dvec3(e.to_rest[3])) + far * std::sqrt(squared));
     }
-    rounding_of_places_ = 1e-6 * cells_->largest() + 2.5e-7 * far_world;
     shortest_ = std::max(1e-6 * glm::length(box.size()), 16 * finest);
-    if (!(target(finest) > 0))
+    if (const double least = misplaced + finest * stretch_; !(options_.tolerance_world > least))
         throw Rejected(fmt::format("a tolerance of {:.3g} m is finer than single precision tells "
                                    "places apart here; it has to be above {:.3g} m",
-                                   options_.tolerance_world, rounding(finest)));
+                                   options_.tolerance_world, least));
 }
 
 double Refinement::bound(ErrorBounds& bounds, const auto& simplex, double target) const
@@ -125,7 +133,7 @@ double Refinement::bound(ErrorBounds& bounds, const auto& simplex, double target
             return bounds.triangle(simplex, method);
     };
     const double once = by(options_.method);
-    const bool nearly = once > target && once <= 1.25 * target;
+    const bool nearly = once > target && once <= 1.2 * target;
     return options_.method == BoundMethod::composed_net && nearly
                ? by(BoundMethod::composed_net_subdivided)
                : once;
@@ -145,7 +153,7 @@ void Refinement::bound_edges()
             edges[i].bound = middles
                                  ? glm::distance(bounds.corner((a.uvw + b.uvw) / 2.0).displacement,
                                                  (a.displacement + b.displacement) / 2.0)
-                                 : bound(bounds, std::array{a, b}, target(moved(edges[i])));
+                                 : bound(bounds, std::array{a, b}, target(edges[i]));
         }
     });
 }
@@ -168,7 +176,7 @@ void Refinement::bound_triangles(bool also_marked)
         ErrorBounds bounds(cells_);
         for (std::size_t i = begin; i < end; ++i) {
             Triangle& t = triangles[wanted[i]];
-            t.bound = bound(bounds, all_.corners(t), target(moved(t)));
+            t.bound = bound(bounds, all_.corners(t), target(t));
         }
     });
 }
@@ -176,7 +184,7 @@ void Refinement::bound_triangles(bool also_marked)
 bool Refinement::can_split(const Edge& edge) const
 {
     const int depth = std::max(all_.points()[edge.a].depth, all_.points()[edge.b].depth);
-    return depth < most_depth && target(moved(edge)) > 0 && all_.length_world(edge) > shortest_;
+    return depth < most_depth && target(edge) > 0 && all_.length_world(edge) > shortest_;
 }
 
 // The one with the greatest bound; where none is worth mentioning, the longest.
@@ -194,6 +202,29 @@ Index Refinement::worst_edge(const Triangle& triangle) const
     return worst;
 }
 
+// A needle whose longest edge is just within the tolerance while another is not. Where only that
+// one is split, the next needle on the longest edge may be off as well, ever nearer to it without
+// an end: half of an S is further off its chord than all of it. So it is split, too.
+Index Refinement::edge_of_needle(const Triangle& triangle) const
+{
+    constexpr double thin = 1.02;  // its other edges together, by the longest: a tenth as high
+    constexpr double share = 0.25; // of it that the other edge is long at least, along it then
+    constexpr double near = 0.8;   // of the tolerance
+    std::array<double, 3> length;
+    for (std::size_t i = 0; i < 3; ++i)
+        length[i] = all_.length_world(all_.edges()[triangle.edges[i]]);
+    const auto longest =
+        static_cast<std::size_t>(std::ranges::max_element(length) - length.begin());
+    const Edge& edge = all_.edges()[triangle.edges[longest]];
+    if (edge.marked || !(length[0] + length[1] + length[2] < (1 + thin) * length[longest]) ||
+        !(edge.bound > near * target(edge)) || edge.bound == infinite)
+        return SharedTriangles::none;
+    for (std::size_t i = 0; i < 3; ++i)
+        if (all_.edges()[triangle.edges[i]].marked && length[i] > share * length[longest])
+            return triangle.edges[longest];
+    return SharedTriangles::none;
+}
+
 void Refinement::mark()
 {
     marked_ = false;
@@ -206,16 +237,19 @@ void Refinement::mark()
     bound_edges();
     // A bound that says nothing says nothing of the halves either.
     for (std::size_t e = first; e < edges.size(); ++e)
-        if (edges[e].bound > target(moved(edges[e])) && edges[e].bound < infinite)
+        if (edges[e].bound > target(edges[e]) && edges[e].bound < infinite)
             mark_edge(static_cast<Index>(e));
     bound_triangles(false);
     for (const Triangle& t : all_.triangles()) {
-        if (!(t.bound > target(moved(t))) || t.bound == infinite) continue;
+        if (!(t.bound > target(t)) || t.bound == infinite) continue;
         if (options_.rule == RefinementRule::thesis_four_split)
             for (const Index e : t.edges) mark_edge(e);
         else if (!any_marked(t))
             mark_edge(worst_edge(t));
     }
+    if (!marked_ || options_.rule != RefinementRule::edge_driven) return;
+    for (const Triangle& t : all_.triangles())
+        if (any_marked(t)) mark_edge(edge_of_needle(t));
 }
 
 // Every marked edge adds a triangle to each of those that it is a side of. Where that is too many,
@@ -283,24 +317,20 @@ Refined Refinement::result()
     bound_triangles(true);
     Refined out;
     out.out_of_budget = out_of_budget_;
-    double most_moved = 0;
     for (const auto& point : all_.points()) {
         out.depth = std::max(out.depth, point.depth);
-        most_moved = std::max(most_moved, point.moved);
+        out.rounding = std::max(out.rounding, rounding(point));
     }
-    out.rounding = rounding(most_moved);
     for (const Triangle& t : all_.triangles()) {
         if (t.part >= out.parts.size()) out.parts.resize(t.part + 1);
         RefinedPart& part = out.parts[t.part];
         const double bound = t.bound == SharedTriangles::unknown ? infinite : t.bound;
-        part.bound = std::max(part.bound, bound + rounding(moved(t)));
-        if (bound > target(moved(t)))
-            part.not_certified.push_back(static_cast<Index>(part.triangles));
+        part.bound = std::max(part.bound, bound + rounding(t));
+        if (bound > target(t)) part.not_certified.push_back(static_cast<Index>(part.triangles));
         const auto [a, b, c] = all_.corners(t);
         for (const Index v : t.vertices) {
             if (v >= part.bound_at.size()) part.bound_at.resize(v + 1);
-            part.bound_at[v] =
-                std::max(part.bound_at[v], static_cast<float>(bound + rounding(moved(t))));
+            part.bound_at[v] = std::max(part.bound_at[v], static_cast<float>(bound + rounding(t)));
         }
         part.degenerate += glm::cross(b.uvw - a.uvw, c.uvw - a.uvw) == glm::dvec3(0);
         ++part.triangles;

@@ -4,6 +4,8 @@
 #include "core/base/parallel.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace trivar {
@@ -56,6 +58,27 @@ void SharedTriangles::take_vertices()
                            glm::dvec4(given_[from.part].mesh->positions[from.vertex], 1));
         }
     });
+    for (std::size_t p = 0; p < given_.size(); ++p) measure_places(p, 0);
+}
+
+// Deformed as they will be in the whole mesh, bit for bit.
+void SharedTriangles::measure_places(std::size_t p, std::size_t first)
+{
+    const State& part = parts_[p];
+    const Embedding& embedding = given_[p].embedding;
+    Mesh fresh;
+    fresh.positions.assign(part.mesh.positions.begin() + static_cast<std::ptrdiff_t>(first),
+                           part.mesh.positions.end());
+    if (fresh.positions.empty()) return;
+    const Mesh placed = deform(fresh, embedding, lattice_);
+    for (std::size_t v = 0; v < fresh.positions.size(); ++v) {
+        Point& point = points_[part.point_of[first + v]];
+        const glm::dvec3 rest(embedding.to_rest * glm::dvec4(fresh.positions[v], 1));
+        const double off =
+            glm::distance(glm::dvec3(placed.positions[v]), rest + point.displacement);
+        if (!(off <= point.misplaced))
+            point.misplaced = std::isfinite(off) ? off : std::numeric_limits<double>::infinity();
+    }
 }
 
 void SharedTriangles::take_triangles()
@@ -193,6 +216,8 @@ void SharedTriangles::split_marked()
             point.rest_world = glm::dvec3(embedding.to_rest * p);
         }
     });
+    for (std::size_t p = 0; p < parts_.size(); ++p)
+        measure_places(p, parts_[p].mesh.vertex_count() - parts_[p].born.size());
     std::vector<Triangle> out;
     out.reserve(triangles_.size() + 2 * makers.size());
     for (const Triangle& t : triangles_) split_triangle(t, out);

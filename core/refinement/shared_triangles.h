@@ -18,8 +18,9 @@ public:
     struct Point {
         glm::dvec3 uvw{0}, displacement{0}, rest_world{0};
         int depth = 0; // how often an edge was split to come here
-        double moved =
-            0; // from the flat triangles that were given, by rounding, at most; of the object
+        // By single precision, at most: its vertices from the flat triangles that were given, in
+        // the object, and from where the volume takes them, in the world.
+        double moved = 0, misplaced = 0;
         glm::dvec3 world() const { return rest_world + displacement; }
     };
     struct Edge {
@@ -78,6 +79,7 @@ private:
     };
     void take_vertices();
     void take_triangles();
+    void measure_places(std::size_t part, std::size_t first_vertex);
     void split_triangle(const Triangle& triangle, std::vector<Triangle>& out);
     Index add_edge(Index p, Index q);
     // Of an edge that is split; made where it is not there.

@@ -121,6 +121,17 @@ TEST(Refining, GivesTheSameBitsForAnyNumberOfThreads)
     EXPECT_EQ(many.bound, one.bound);
 }
 
+TEST(Refining, LeavesNoNeedlesBesideAnEdgeThatIsJustWithinTheTolerance)
+{
+    // Half of an S is further off its chord than all of it.
+    const Knots knots = Knots::uniform(4, 8);
+    const Lattice lattice{random_volume({knots, knots, Knots::uniform(3, 4)}, 8, 0.1),
+                          glm::dmat4(1)};
+    const Refined out = refine_one(unit_cube(), lattice, {.tolerance_world = 0.001});
+    EXPECT_EQ(out.not_certified(), 0u);
+    EXPECT_LT(out.depth, 14);
+}
+
 TEST(Refining, ListsWhatABudgetLeavesOver)
 {
     const Lattice lattice = noisy(4);
