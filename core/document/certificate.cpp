@@ -122,6 +122,7 @@ std::string to_json(const Certificate& c)
                               {"bound_m", finite_or_null(c.bound)},
                               {"frame", c.frame},
                               {"log", c.log},
+                              {"lines", c.lines},
                               {"scene", c.scene},
                               {"result", c.result},
                               {"parts", std::move(parts)}};
@@ -140,6 +141,7 @@ Certificate certificate_from_json(const std::string& text)
         out.bound = or_infinite(all.at("bound_m"));
         out.frame = all.at("frame").get<double>();
         out.log = all.at("log").get<std::string>();
+        out.lines = all.value("lines", 0); // not in the first ones
         out.scene = all.at("scene").get<std::string>();
         out.result = all.at("result").get<std::string>();
         for (const CertificateJson& p : all.at("parts"))

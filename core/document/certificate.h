@@ -11,6 +11,7 @@ struct Certificate {
     double bound = 0;     // the greatest of the parts
     double frame = 1;
     std::string log;    // the scene's file, without its folders
+    int lines = 0;      // of it, the last that was applied; 0: all
     std::string scene;  // digest of the document
     std::string result; // digest of all deformed positions
     struct PartClaim {

@@ -105,8 +105,13 @@ GlbContent::Node content_of(GlbParts& parts, const GlbJson& node)
 
 GlbContent glb_content(const std::string& path)
 {
+    return glb_content_of(read_text_file(path), path);
+}
+
+GlbContent glb_content_of(const std::string& bytes, const std::string& name)
+{
     try {
-        GlbParts parts(read_text_file(path));
+        GlbParts parts(bytes);
         GlbContent out;
         if (parts.json.contains("extras")) out.extras = parts.json.at("extras").dump();
         const GlbJson nodes = parts.json.value("nodes", GlbJson::array());
@@ -120,9 +125,9 @@ GlbContent glb_content(const std::string& path)
             }
         return out;
     } catch (const Rejected& error) {
-        throw Rejected(path + ": " + error.what());
+        throw Rejected(name + ": " + error.what());
     } catch (const GlbJson::exception&) {
-        throw Rejected(path + ": this is no GLB file as Trivar writes them");
+        throw Rejected(name + ": this is no GLB file as Trivar writes them");
     }
 }
 

@@ -24,5 +24,6 @@ struct GlbContent {
 // Trivar writes them. Throws Rejected where the file is no such GLB, its JSON is nested too deep or
 // its nodes together want more than 16 times its bytes.
 GlbContent glb_content(const std::string& path);
+GlbContent glb_content_of(const std::string& bytes, const std::string& name);
 
 } // namespace trivar

@@ -131,9 +131,9 @@ CLI::App* add_commands(CLI::App& app, Choices& choices)
 {
     CLI::App* commands = app.add_subcommand("commands", "list what a scene file may say");
     commands->description("Lists every command of a scene file with its fields.");
-    auto* json = commands->add_flag("--json", choices.commands_json, "as JSON, for programs");
+    auto* as_json = commands->add_flag("--json", choices.commands_json, "as JSON, for programs");
     commands->add_flag("--markdown", choices.commands_markdown, "as docs/commands.md")
-        ->excludes(json);
+        ->excludes(as_json);
     return commands;
 }
 

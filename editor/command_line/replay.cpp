@@ -232,6 +232,7 @@ Model model_to_write(const Replayed& replayed, const ReplayOptions& options)
     Certificate certificate = certificate_of(replayed.document, replayed.shown, replayed.evaluated,
                                              model, frame_of(options, replayed.document));
     certificate.tolerance = options.epsilon.value_or(0);
+    certificate.lines = options.to;
     certificate.log = std::filesystem::path(options.log).filename().string();
     model.extras = to_json(certificate);
     return model;

@@ -82,7 +82,10 @@ private:
         const std::string name = log_file();
         const Log log = read_log(read_text_file(name), name);
         History history;
-        for (const LogLine& line : log.lines) apply(history, line, log.name);
+        for (const LogLine& line : log.lines) {
+            if (claims_.lines > 0 && line.number > claims_.lines) break;
+            apply(history, line, log.name);
+        }
         const Document& document = history.document();
         if (digest(document) != claims_.scene)
             wrong(

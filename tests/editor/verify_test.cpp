@@ -6,6 +6,7 @@
 #include "tests/editor/scenes.h"
 #include "tests/support/fixtures.h"
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <gmock/gmock.h>
@@ -91,6 +92,23 @@ TEST_F(CertifiedExport, FailsForAnotherScene)
     const Ran ran = verified();
     EXPECT_EQ(ran.status, Status::check_failed);
     EXPECT_THAT(ran.text, HasSubstr("is not the scene"));
+}
+
+TEST_F(CertifiedExport, OfAnEarlierStepIsVerifiedAtThatStep)
+{
+    const std::string before = read_text_file(folder.file("pot.trivar"));
+    const auto lines = std::ranges::count(before, '\n');
+    write_file(folder.file("pot.trivar"), before + command_line(Hide{{2}}));
+    ASSERT_EQ(run_verb({"replay", folder.file("pot.trivar"), "--to", std::to_string(lines),
+                        "--epsilon", "0.001", "--export", folder.file("pot.glb")})
+                  .status,
+              Status::done);
+    const Ran ran = verified();
+    EXPECT_EQ(ran.status, Status::done) << ran.text;
+    EXPECT_THAT(ran.text, HasSubstr("samples"));
+    EXPECT_THAT(verified_with("lines", std::to_string(lines - 1), false),
+                HasSubstr("is not the scene"));
+    EXPECT_THAT(verified_with("lines", "0", false), HasSubstr("is not the scene"));
 }
 
 TEST_F(CertifiedExport, ChecksEveryFigureOfTheClaim)
