@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/document/evaluate.h"
+#include "core/document/view_refining.h"
 
 #include <condition_variable>
 #include <functional>
@@ -33,6 +33,22 @@ public:
     };
     std::optional<Result> poll(); // what was finished since the last call
 
+    // Splits effects as finely as a camera wants them, whenever there is no document to evaluate;
+    // one that comes meanwhile is evaluated first. The newest request counts here, too.
+    struct ViewRequest {
+        Evaluated evaluated;
+        Camera camera;
+        double tolerance_px = 1;
+        bool deform_parts = true;
+        double asked_s = 0; // on the asker's clock
+    };
+    void submit_view(ViewRequest request);
+    struct SeenResult {
+        ViewRequest request;
+        SeenEffects seen;
+    };
+    std::optional<SeenResult> poll_view(); // what was finished since the last call
+
     struct Status {
         bool busy = false;
         double seconds = 0; // since the present evaluation began
@@ -44,8 +60,11 @@ public:
 
 private:
     void work(const std::stop_token& stop);
+    void evaluate(const std::stop_token& stop, std::unique_lock<std::mutex>& lock);
+    void refine_view(const std::stop_token& stop, std::unique_lock<std::mutex>& lock);
 
-    Evaluator evaluator_; // touched by the thread only
+    Evaluator evaluator_; // both are touched by the thread only
+    ViewRefining view_refining_;
     std::function<void()> wake_;
     mutable std::mutex mutex_;
     std::condition_variable_any something_new_;
@@ -56,6 +75,8 @@ private:
     };
     std::optional<Asked> waiting_;
     std::optional<Result> finished_;
+    std::optional<ViewRequest> view_waiting_;
+    std::optional<SeenResult> view_finished_;
     Status status_;
     double started_s_ = 0;
     long submitted_ = 0;

@@ -153,6 +153,7 @@ void each_preference(auto& p, const auto& field)
     field("deform", p.deform,
           OneOf{"automatic", "processor", "one_phase", "two_phases", "differences", "raised",
                 "filtered"});
+    field("view_tolerance", p.view_tolerance, OneOf{"off", "2", "1", "0.5"});
     field("threads", p.threads, 0.0, 1024.0);
     field("mouse_device", p.mouse.device, OneOf{"automatic", "mouse", "trackpad"});
     field("mouse_emulation", p.mouse.emulation, OneOf{"alt", "super", "space", "none"});

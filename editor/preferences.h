@@ -28,6 +28,7 @@ struct Preferences {
     std::string quality = "automatic";    // of the viewport; or a level of the renderer
     std::string pace = "automatic";       // pictures a second while something moves; or a number
     std::string deform = "automatic";     // where the viewport's meshes are, or gpu::deform_names
+    std::string view_tolerance = "off";   // pixels that triangles may be off in the window, or off
     double threads = 0;                   // that evaluate at the same time; 0: all there are
     MouseManners mouse;
     KeyMap keys;

@@ -25,6 +25,24 @@ void open_tab(Editor& e, Editor::Tab tab)
     e.only_view = false;
 }
 
+// How finely the window shows what is placed; the scene and its pictures know nothing of it.
+void add_view_tolerances(std::vector<Action>& a)
+{
+    const auto tolerance = [&](const char* name, const char* value) {
+        a.push_back({"View",
+                     name,
+                     {},
+                     [value](Editor& e) { e.preferences.view_tolerance = value; },
+                     {[value](const Editor& e) { return e.preferences.view_tolerance != value; },
+                      "it is so"}});
+    };
+    tolerance("Triangles as they are", "off");
+    a.back().group_begins = true;
+    tolerance("Triangles within 2 px", "2");
+    tolerance("Triangles within 1 px", "1");
+    tolerance("Triangles within 0.5 px", "0.5");
+}
+
 } // namespace
 
 void add_view_actions(std::vector<Action>& a)
@@ -103,6 +121,7 @@ void add_view_actions(std::vector<Action>& a)
                  by_other_than(ColorBy::stretch)});
     a.push_back(
         {"View", "Colour by error", {}, colored_by(ColorBy::error), by_other_than(ColorBy::error)});
+    add_view_tolerances(a);
     a.push_back({"View",
                  "Keep this view",
                  {},

@@ -40,11 +40,11 @@ void shade(gpu::Picture& picture, const ViewportStyle& style)
             instance.opacity = s.wireframe ? unseen : glassy;
 }
 
-gpu::Picture picture_of(const Session& session, gpu::Level level, const ViewportStyle& style,
-                        ShownValues& values)
+gpu::Picture picture_of(const Session& session, const Evaluated& seen, gpu::Level level,
+                        const ViewportStyle& style, ShownValues& values)
 {
-    gpu::Picture picture = picture_of(session.evaluated(), session.document(), session.camera,
-                                      values, style.deform_by);
+    gpu::Picture picture =
+        picture_of(seen, session.document(), session.camera, values, style.deform_by);
     gpu::set_level(picture, level);
     std::erase_if(picture.instances, [&](const gpu::Instance& instance) {
         return std::ranges::binary_search(session.aside, instance.id);
@@ -142,7 +142,7 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
         frame.again_in(gpu::ShaderFolder::look_every_s);
     }
     Shown wanted{session.camera,
-                 session.evaluation(),
+                 refined_.number(),
                  session.selected,
                  session.aside,
                  size_px,
@@ -187,8 +187,8 @@ void Viewport::draw_wanted(const Shown& wanted, const Session& session, ui::Fram
     if (!pace_) pace_ = pace_of(style_.draft_ms);
     if (wanted.draft || begun_ != wanted) {
         gpu::Picture picture = picture_of(
-            session, wanted.draft ? std::min(pace_->level(), style_.level) : style_.level, style_,
-            values_);
+            session, refined_.seen(),
+            wanted.draft ? std::min(pace_->level(), style_.level) : style_.level, style_, values_);
         picture.backdrop = style_.backdrop;
         picture.grid = style_.backdrop.has_value() && style_.grid;
         picture.outline = style_.outline;

@@ -3,6 +3,7 @@
 
 #include "editor/draft_pace.h"
 #include "editor/mouse_manners.h"
+#include "editor/refined_view.h"
 #include "editor/shown_values.h"
 #include "editor/tools/tool.h"
 #include "editor/volume_facts.h"
@@ -74,6 +75,7 @@ public:
     const Ref<gpu::ShaderTexts>& shaders() const { return shaders_; }
     unsigned texture() const { return renderer_ ? renderer_->texture() : 0; } // what shows
     WayComparison& ways() { return ways_; }
+    RefinedView& refined() { return refined_; }           // what is drawn of the session's effects
     VolumeFacts& volume_facts() { return volume_facts_; } // of the volume that is shown
     const ui::TimingHistory& drafts() const { return drafts_; }
     double draft_scale() const { return pace_ ? pace_->scale() : 1; } // of the next draft's size
@@ -90,7 +92,7 @@ public:
 private:
     struct Shown { // what the present picture was drawn from
         Camera camera;
-        long evaluation = 0;
+        long effects = 0; // number of the refined view
         Selection selected;
         std::vector<Id> aside;
         glm::ivec2 size_px{0};
@@ -117,6 +119,7 @@ private:
     Ref<gpu::ShaderTexts> shaders_;
     ShownValues values_;
     WayComparison ways_;
+    RefinedView refined_;
     VolumeFacts volume_facts_;
     std::unique_ptr<gpu::Renderer> renderer_; // made at the first picture
     std::optional<DraftPace> pace_;           // as well

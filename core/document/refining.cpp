@@ -21,29 +21,37 @@ Part in_the_same_volume(const Part& part, const Ref<Mesh>& mesh)
 Laid refined(const Laid& laid, const Refining& refining, const Progress& progress)
 {
     Laid out = laid;
-    std::vector<RefinePart> parts;
-    for (const Part& part : laid.parts)
-        parts.push_back({part.before_volume(), part.bent->embedding});
     try {
-        const Lattice& volume = *laid.parts.front().bent->volume; // of all of them
-        out.refined = make_ref(refine(parts, volume,
-                                      {.tolerance_world = refining.tolerance,
-                                       .split = refining.split,
-                                       .method = refining.method,
-                                       .rule = refining.rule,
-                                       .budget = static_cast<std::size_t>(refining.budget)},
-                                      progress));
+        SplitParts made = split(laid.parts,
+                                {.tolerance_world = refining.tolerance,
+                                 .split = refining.split,
+                                 .method = refining.method,
+                                 .rule = refining.rule,
+                                 .budget = static_cast<std::size_t>(refining.budget)},
+                                progress);
+        out.refined = std::move(made.refined);
+        out.parts = std::move(made.parts);
     } catch (const Rejected& error) {
         out.not_refined = std::string("it is not refined: ") + error.what();
         return out;
     }
-    for (std::size_t p = 0; p < laid.parts.size(); ++p)
-        out.parts[p] = in_the_same_volume(laid.parts[p], out.refined->parts[p].mesh);
     out.not_refined = notice_of(*out.refined, refining);
     return out;
 }
 
 } // namespace
+
+SplitParts split(const std::vector<Part>& parts, const RefineOptions& options,
+                 const Progress& progress)
+{
+    std::vector<RefinePart> given;
+    for (const Part& part : parts) given.push_back({part.before_volume(), part.bent->embedding});
+    SplitParts out;
+    out.refined = make_ref(refine(given, *parts.front().bent->volume, options, progress));
+    for (std::size_t p = 0; p < parts.size(); ++p)
+        out.parts.push_back(in_the_same_volume(parts[p], out.refined->parts[p].mesh));
+    return out;
+}
 
 std::string notice_of(const Refined& refined, const Refining& refining)
 {

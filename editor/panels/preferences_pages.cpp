@@ -86,9 +86,12 @@ void draw_viewport_page(Editor& editor, const ui::Theme& theme, const ui::Rect& 
              "the axes in the corner, which turn the view");
     flag_row(theme, "Timing", p.show_timing, usual.show_timing,
              "how long a picture takes, in the other corner");
+    choice_row(theme, "Triangles", p.view_tolerance, usual.view_tolerance,
+               {{"off", "As they are"}, {"2", "2 px"}, {"1", "1 px"}, {"0.5", "0.5 px"}});
     foot_note(theme, r,
               "As in pictures the backdrop is the one of the scene's look: the window then shows "
-              "what a picture will show.");
+              "what a picture will show. Triangles of what is placed can be split for the window "
+              "alone, till none is seen further than so many pixels from the true surface.");
 }
 
 void draw_mouse_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r)

@@ -76,6 +76,8 @@ void labels(Editor& editor, const ui::Theme& theme, ui::Frame& frame, const ui::
         add("Preview of a step");
     else if (!name.empty())
         add(name);
+    if (const std::string words = editor.viewport.refined().words(frame.time_s); !words.empty())
+        add(words);
     glm::vec2 at = view.lo + theme.px(12);
     const float room = view.width() - theme.px(12 + 130); // the axes stand at the right
     ui::paint_chip(theme, at, {ui::elided(theme.font.small, label, room)});
@@ -197,6 +199,11 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     style.draft_ms = pace ? 1000 / *pace : 0;
     style.shading = editor.shading;
     editor.viewport.set_style(style);
+    RefinedView& refined = editor.viewport.refined();
+    refined.follow(session, parse_number(editor.preferences.view_tolerance).value_or(0), moving,
+                   frame.time_s);
+    constexpr double look_again_s = 0.3;
+    if (!refined.up_to_date()) frame.again_in(look_again_s);
     const unsigned texture = editor.viewport.draw(session, frame, size_px, moving, state,
                                                   [&] { return helpers_of(editor, over); });
     if (const std::string notice = editor.viewport.new_notice(); !notice.empty())

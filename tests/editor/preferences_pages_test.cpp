@@ -43,6 +43,7 @@ TEST(PreferencesPages, ResetWhatTheyShow)
         "lines":2,"tooltip_s":2,"show_dock":false,"hints":false,"at_start":"last",
         "ask_to_keep":false,"reduced_motion":true,"backdrop_as_in_pictures":true,"grid":false,
         "show_axes":false,"show_timing":false,"quality":"high","pace":"30","deform":"one_phase",
+        "view_tolerance":"1",
         "threads":1,"mouse_device":"mouse","mouse_emulation":"none","orbit_about":"origin",
         "zoom_to_cursor":false,"reversed_zoom":true,"orbit_speed":2,"pan_speed":2,"zoom_speed":2,
         "double_click_s":1,"click_holds":true,"keys":{"Undo":["U"]},"discarded_days":7,"most_recent":4,

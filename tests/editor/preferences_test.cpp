@@ -27,6 +27,7 @@ TEST(Preferences, ComeBackFromTheirText)
     p.at_start = "last";
     p.ask_to_keep = p.grid = p.show_axes = p.show_timing = false;
     p.pace = "30";
+    p.view_tolerance = "0.5";
     p.threads = 3;
     p.mouse = {"trackpad", "space", "origin", false, true, 0.5, 2, 3};
     p.discarded_days = 90;
