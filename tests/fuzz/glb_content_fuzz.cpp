@@ -5,6 +5,7 @@
 #include "core/files/glb_content.h"
 #include "core/mesh/primitives.h"
 
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 
@@ -17,7 +18,12 @@ const trivar::Part& bent_box()
         const trivar::Knots knots = trivar::Knots::uniform(3, 4);
         trivar::Lattice lattice = trivar::lattice_at_rest({knots, knots, knots}, glm::dmat4(1));
         lattice.displacement.points[5] = {0.1, 0.2, 0.3};
-        trivar::Mesh mesh = trivar::box_mesh({1, 1, 1}, {1, 1, 1});
+        const trivar::Mesh box = trivar::box_mesh({1, 1, 1}, {1, 1, 1});
+        trivar::Mesh mesh = box;
+        mesh.corners.clear();
+        mesh.face_begin = {0};
+        for (const glm::uvec3& t : trivar::triangles(box))
+            trivar::add_face(mesh, std::array{t.x, t.y, t.z});
         trivar::Part out{.rest = trivar::make_ref(std::move(mesh))};
         out.bent = trivar::make_ref(trivar::Bent{
             {}, trivar::make_ref(std::move(lattice)), trivar::Lazy<trivar::Ref<trivar::Mesh>>([] {
