@@ -27,7 +27,7 @@ using Command =
                  Rename, Hide, Show, Lock, Unlock, Delete, Duplicate, Group, Ungroup, Reorder,
                  Place, PlaceRound, EditPlacement, Unplace, SetTravel, PlayClip, Refine,
                  ClearRefine, PressVolume, MovePoints, InsertKnots, CoarsenVolume, MendVolume,
-                 Unshape, Paste, SaveCamera, DeleteCamera, SetRender, SetTime>;
+                 AllowFolds, Unshape, Paste, SaveCamera, DeleteCamera, SetRender, SetTime>;
 
 // The document after the command; objects that it does not touch keep their pointer. Pure: reads
 // no file. Throws Rejected (the field, what is wrong, what would be right) and nothing happened.

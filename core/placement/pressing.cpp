@@ -22,15 +22,31 @@ glm::ivec3 counts(const Lattice& lattice)
 
 LaidVolume laid_volume(Lattice volume, double ground)
 {
-    LaidVolume laid{nullptr, make_ref(volume), ground, {}};
+    LaidVolume laid{nullptr, make_ref(volume), ground};
     return with_volume(std::move(laid), std::move(volume));
 }
 
 LaidVolume with_volume(LaidVolume laid, Lattice volume, std::optional<CellVerdicts> verdicts)
 {
     laid.volume = make_ref(std::move(volume));
+    if (!verdicts) return allowing_folds(laid, laid.may_fold);
+    laid.verdicts = Lazy<CellVerdicts>([known = std::move(*verdicts)] { return known; });
+    (void)*laid.verdicts; // ready for whoever only looks
+    return laid;
+}
+
+GuardOptions LaidVolume::guard() const
+{
+    GuardOptions out;
+    for (const VolumePart& part : may_fold) out.excepted.push_back({part.lo, part.hi});
+    return out;
+}
+
+LaidVolume allowing_folds(LaidVolume laid, std::vector<VolumePart> boxes)
+{
+    laid.may_fold = std::move(boxes);
     laid.verdicts = Lazy<CellVerdicts>(
-        [now = laid.volume, known = std::move(verdicts)] { return known ? *known : judge(*now); });
+        [now = laid.volume, guard = laid.guard()] { return judge(*now, guard); });
     return laid;
 }
 
@@ -41,6 +57,7 @@ bool at_scene(const Lattice& volume, double ground, const glm::dvec3& uvw)
 
 Pressing::Pressing(const LaidVolume& begun, const Press& press)
     : volume_(*begun.volume),
+      guard_(begun.guard()),
       press_(press),
       ground_(begun.ground),
       start_(*begun.volume)
@@ -171,7 +188,7 @@ Pressing::Came Pressing::add(const glm::dvec4& sample)
     std::vector<PointMove> taken = moves(sample, w);
     bool would_fold = false;
     if (press_.guard) {
-        CertifiedShare proven = certified_share(volume_, verdicts_, taken);
+        CertifiedShare proven = certified_share(volume_, verdicts_, taken, guard_);
         taken = scaled(taken, proven.share);
         would_fold = proven.share < 1;
         verdicts_ = std::move(proven.after);

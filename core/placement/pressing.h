@@ -11,12 +11,17 @@ namespace trivar {
 // A volume and what it was when it was laid, over the same knots.
 struct LaidVolume {
     Ref<Lattice> volume, as_laid;
-    double ground = 0; // w of what lies on the scene
-    Lazy<CellVerdicts> verdicts;
+    double ground = 0;                     // w of what lies on the scene
+    std::vector<VolumePart> may_fold = {}; // not judged
+    Lazy<CellVerdicts> verdicts = {};
+    GuardOptions guard() const;
 };
 LaidVolume laid_volume(Lattice volume, double ground);
 // The same with another volume over those knots, of which something is known already.
 LaidVolume with_volume(LaidVolume laid, Lattice volume, std::optional<CellVerdicts> verdicts = {});
+
+// The same volume, which may fold in those boxes.
+LaidVolume allowing_folds(LaidVolume laid, std::vector<VolumePart> boxes);
 
 // Whether a ball there is at what lies on the scene, and moves whole columns.
 bool at_scene(const Lattice& volume, double ground, const glm::dvec3& uvw);
@@ -56,6 +61,7 @@ private:
 
     Lattice volume_;
     CellVerdicts verdicts_; // of that, where guarded
+    GuardOptions guard_;
     Press press_;
     double ground_;
     Lattice start_;

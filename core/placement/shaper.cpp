@@ -8,6 +8,7 @@
 #include "core/spline/iso.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <limits>
 #include <map>
@@ -78,6 +79,7 @@ const char* words_of(RepairWay way)
 LaidVolume mended(const LaidVolume& v, Shaping& what, const Progress& progress)
 {
     RepairOptions options;
+    options.guard = v.guard();
     const Knots& up = v.volume->displacement.axes[2];
     while (options.ground_layer + 1 < up.count() && up.greville(options.ground_layer) < v.ground)
         ++options.ground_layer;
@@ -88,6 +90,16 @@ LaidVolume mended(const LaidVolume& v, Shaping& what, const Progress& progress)
     what.asked = what.done = out.taken.moved_most;
     what.words = out.moves.empty() ? "nothing folded" : words_of(out.taken.way);
     return with_volume(v, out.lattice);
+}
+
+LaidVolume allowing(LaidVolume v, const std::vector<VolumePart>& boxes)
+{
+    std::vector<VolumePart> all = v.may_fold;
+    if (boxes.empty()) all.clear();
+    all.insert(all.end(), boxes.begin(), boxes.end());
+    if (constexpr std::size_t most = 256; all.size() > most) // each cell is compared with each
+        throw Rejected(fmt::format("the volume may fold in {} parts at most", most));
+    return allowing_folds(std::move(v), std::move(all));
 }
 
 // Where the points of a shift go; those mirrored the other way across.
@@ -156,11 +168,15 @@ Surface<glm::dvec3> contact_of(const LaidVolume& v)
     return contact;
 }
 
-double least_det(const Lattice& volume, const glm::dvec2& uv)
+// Of det J over a node, where it may not fold.
+double least_det(const Lattice& volume, const std::vector<Box>& may_fold, const glm::dvec2& uv)
 {
     double least = std::numeric_limits<double>::infinity();
     for (const double w : {0.0, 0.5, 1.0}) {
-        const auto [f_u, f_v, f_w] = evaluate(volume, {uv.x, uv.y, w}, 1).first;
+        const glm::dvec3 uvw(uv, w);
+        if (std::ranges::any_of(may_fold, [&](const Box& b) { return b.distance(uvw) == 0; }))
+            continue;
+        const auto [f_u, f_v, f_w] = evaluate(volume, uvw, 1).first;
         least = std::min(least, glm::dot(glm::cross(f_u, f_v), f_w));
     }
     return least;
@@ -174,6 +190,7 @@ Placement as_shaped(Placement placement, const LaidVolume& v)
     placement.contact = contact_of(v);
     placement.strip = outline(placement.contact);
     placement.embedding.to_rest = v.volume->rest * placement.embedding.to_uvw;
+    const std::vector<Box> may_fold = v.guard().excepted;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < placement.nodes.size(); ++k) {
         const auto columns = static_cast<std::size_t>(placement.node_columns);
@@ -181,13 +198,14 @@ Placement as_shaped(Placement placement, const LaidVolume& v)
                             laid.axes[1].greville(static_cast<int>(k % columns)));
         StripNode& node = placement.nodes[k];
         node.p_world = evaluate(placement.contact, uv).value;
-        const double det = least_det(*v.volume, uv);
+        const double det = least_det(*v.volume, may_fold, uv);
         node.folds = !(det > 0);
         least = std::min(least, det);
     }
     PlacementReport& r = placement.report;
-    if (!placement.nodes.empty())
-        r.smallest_jacobian = least / (r.length_world * r.width_world * r.height_world);
+    const double laid_volume = r.length_world * r.width_world * r.height_world;
+    if (!placement.nodes.empty()) // as undeformed where all may fold
+        r.smallest_jacobian = std::isfinite(least) ? least / laid_volume : 1;
     // What the stroke said of folds was before.
     r.folds = r.smallest_jacobian > 0 ? "" : "the volume folds; mend it";
     return placement;
@@ -229,7 +247,8 @@ Shaper::Done Shaper::shifted(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>&
     std::optional<CellVerdicts> verdicts;
     double share = 1;
     if (shift.guard) {
-        CertifiedShare proven = certified_share(*before->volume, *before->verdicts, moves);
+        CertifiedShare proven =
+            certified_share(*before->volume, *before->verdicts, moves, before->guard());
         share = proven.share;
         moves = scaled(moves, share);
         verdicts = std::move(proven.after);
@@ -254,10 +273,26 @@ Shaper::Done Shaper::done(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>& be
             what.asked = what.done;
         }
         if (edit->mending) after = mended(after, what, progress);
+        if (edit->allowance) after = allowing(std::move(after), edit->allowance->boxes);
         return {edit, make_ref(std::move(after)), what};
     } catch (const Rejected& error) {
         return {edit, before, {.notice = error.what()}};
     }
+}
+
+// The last few volumes stay, and before them the fewer, the longer they are ago: after step i while
+// fewer than 4 * 2^z more were done, where 2^z divides i.
+void Shaper::forget()
+{
+    const std::size_t n = done_.size();
+    for (std::size_t i = 1; i <= n; ++i)
+        if (const std::size_t ago = n - i; ago >= 4 * (i & (~i + 1))) done_[i - 1].after = nullptr;
+}
+
+std::size_t Shaper::remembered() const
+{
+    return static_cast<std::size_t>(
+        std::ranges::count_if(done_, [](const Done& step) { return step.after != nullptr; }));
 }
 
 Ref<ShapedVolume> Shaper::operator()(const Ref<Placement>& laid,
@@ -277,6 +312,8 @@ Ref<ShapedVolume> Shaper::operator()(const Ref<Placement>& laid,
     if (last_ && same == edits.size() && same == done_.size()) return last_;
     last_ = nullptr;
     done_.resize(same);
+    // What is not remembered is done again.
+    while (!done_.empty() && !done_.back().after) done_.pop_back();
     const auto share = [&](std::size_t step) {
         return static_cast<double>(step) / static_cast<double>(edits.size());
     };
@@ -285,8 +322,9 @@ Ref<ShapedVolume> Shaper::operator()(const Ref<Placement>& laid,
         report(progress, share(step), "shaping");
         done_.push_back(done(edits[step], done_.empty() ? begun_ : done_.back().after,
                              between(progress, share(step), share(step + 1))));
+        forget();
     }
-    const Ref<LaidVolume>& after = done_.empty() ? begun_ : done_.back().after;
+    const Ref<LaidVolume> after = done_.empty() ? begun_ : done_.back().after;
     ShapedVolume out{edits.empty() ? laid : make_ref(as_shaped(*laid, *after)), after, {}};
     for (const Done& step : done_) out.steps.push_back(step.what);
     last_ = make_ref(std::move(out));

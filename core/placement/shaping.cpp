@@ -21,6 +21,33 @@ glm::dvec3 any_across(const glm::dvec3& v)
 
 } // namespace
 
+VolumePart bent_by(const Lattice& volume, std::span<const glm::ivec3> points)
+{
+    VolumePart out{glm::dvec3(1), glm::dvec3(0)};
+    for (const glm::ivec3& p : points) {
+        VolumePart one;
+        bool mirrored = false; // goes across the seam of a twisted axis
+        for (int a = 0; a < 3; ++a) {
+            const Knots& axis = volume.displacement.axes[static_cast<std::size_t>(a)];
+            const auto first = static_cast<std::size_t>(p[a]);
+            const double begin = axis.values()[first],
+                         end = axis.values()[first + static_cast<std::size_t>(axis.order())];
+            if (begin < axis.begin() || end > axis.end()) {
+                mirrored = axis.closure() == Closure::twisted;
+                continue;
+            }
+            one.lo[a] = begin;
+            one.hi[a] = end;
+        }
+        out.lo = glm::min(out.lo, one.lo);
+        out.hi = glm::max(out.hi, one.hi);
+        if (!mirrored) continue;
+        out.lo = glm::min(out.lo, 1.0 - one.hi);
+        out.hi = glm::max(out.hi, 1.0 - one.lo);
+    }
+    return out;
+}
+
 double decay(Decay decay, double x)
 {
     if (!(x < 1)) return 0;

@@ -4,6 +4,7 @@
 #include "core/ffd/lattice.h"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 // What is done to a volume after it was laid, one value a step. Places are given in the volume's
@@ -60,6 +61,17 @@ struct Mending {
     bool operator==(const Mending&) const = default;
 };
 
+// A box of u, v, w.
+struct VolumePart {
+    glm::dvec3 lo{0}, hi{1};
+    bool operator==(const VolumePart&) const = default;
+};
+// Parts of the volume that may fold from then on: the guard leaves them alone.
+struct FoldAllowance {
+    std::vector<VolumePart> boxes = {}; // beside those of before. None: nothing may any more
+    bool operator==(const FoldAllowance&) const = default;
+};
+
 // Exactly one of them.
 struct VolumeEdit {
     std::optional<Press> press = {};
@@ -67,8 +79,13 @@ struct VolumeEdit {
     std::optional<KnotInsertion> insertion = {};
     std::optional<Coarsening> coarsening = {};
     std::optional<Mending> mending = {};
+    std::optional<FoldAllowance> allowance = {};
     bool operator==(const VolumeEdit&) const = default;
 };
+
+// The part of u, v, w that some control points bend: the least box round the spans of their basis
+// functions; all of a closed axis where one goes across its seam.
+VolumePart bent_by(const Lattice& volume, std::span<const glm::ivec3> points);
 
 // Unit directions of a volume at a place: along the stroke, across it and up from the scene, right
 // angles between them, right-handed.

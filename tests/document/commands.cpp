@@ -134,6 +134,7 @@ std::vector<Command> fitting_commands()
             InsertKnots{.object = 3, .insertion = {.up = {0.25, 0.75}}},
             CoarsenVolume{.object = 3, .coarsening = {.count = 8}},
             MendVolume{.object = 3},
+            AllowFolds{.object = 3, .allowance = {{{{0.25, 0, 0}, {0.5, 1, 1}}}}},
             Unshape{.object = 3, .steps = {}},
             copied(fitting_document(), {4, 3, 5}, "/models"),
             SaveCamera{.name = "side", .camera = {}},

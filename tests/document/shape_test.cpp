@@ -75,6 +75,32 @@ TEST_F(Shape, StepsAreTakenBackOneByOneOrAll)
     EXPECT_THROW(after(document, Unshape{3, {4}}), Rejected);
 }
 
+TEST_F(Shape, MayFoldWhereThatIsAllowedAndNowhereElse)
+{
+    const MovePoints far{3, {.points = {{16, 4, 3}}, .by = {1, 0, 0}}};
+    const auto done = [&](const Document& document) {
+        const Evaluated evaluated = evaluate_(after(document, far));
+        const ShapedVolume& shaped = *shown(evaluated).shaped;
+        EXPECT_TRUE((*shaped.volume->verdicts).good());
+        EXPECT_TRUE(shown(evaluated).placement->report.folds.empty());
+        return shaped.steps.back().done;
+    };
+    const auto allowed = [](const Document& document, std::vector<VolumePart> boxes) {
+        return after(document, AllowFolds{3, {std::move(boxes)}});
+    };
+    const double stopped = done(small_document());
+    EXPECT_LT(stopped, 1);
+    const Document everywhere = allowed(small_document(), {{{0, 0, 0}, {1, 1, 1}}});
+    EXPECT_EQ(done(everywhere), 1);
+    EXPECT_EQ(done(allowed(everywhere, {})), stopped);
+    EXPECT_EQ(done(allowed(small_document(), {{{0, 0, 0}, {0.2, 1, 1}}})), stopped);
+    EXPECT_EQ(done(allowed(allowed(small_document(), {{{0, 0, 0}, {0.6, 1, 1}}}),
+                           {{{0.5, 0, 0}, {1, 1, 1}}})),
+              1);
+    EXPECT_THROW(allowed(small_document(), {{{0, 0, 0}, {1, 1, 0}}}), Rejected);
+    EXPECT_THROW(allowed(small_document(), {{{0, -1, 0}, {1, 1, 1}}}), Rejected);
+}
+
 TEST_F(Shape, OfWhatIsNotPlacedIsRefusedAndSoIsWhatCannotBe)
 {
     EXPECT_THROW(after(small_document(), PressVolume{1, press()}), Rejected);

@@ -60,6 +60,7 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Refine the volume of Pot 2 knots",
         "Coarsen the volume of Pot 8 along",
         "Mend the volume of Pot",
+        "Let Pot fold in places",
         "Take back the shaping of Pot",
         "Paste 3 objects",
         "Keep side",

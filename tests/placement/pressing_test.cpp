@@ -5,7 +5,9 @@
 #include "core/ffd/injectivity.h"
 #include "core/placement/shaper.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
+#include <map>
 
 namespace trivar {
 namespace {
@@ -201,6 +203,41 @@ TEST(Shaper, GoesOnWhereItWasStopped)
     EXPECT_EQ(shaper(laid, {one})->placement->volume, Shaper()(laid, {one})->placement->volume);
     EXPECT_EQ(shaper(laid, {one, three})->placement->volume,
               Shaper()(laid, {one, three})->placement->volume);
+}
+
+TEST(Shaper, RemembersFewVolumesAndGivesTheSameOnTheWayBack)
+{
+    const Ref<Placement> laid = placed_box();
+    std::vector<Ref<VolumeEdit>> steps;
+    Shaper live;
+    std::map<std::size_t, Lattice> on_the_way;
+    const auto after = [&] { return live(laid, steps)->placement->volume; };
+    const auto few = [&] { return 1 + 2 * std::log2(static_cast<double>(steps.size())); };
+    for (int i = 0; i < 200; ++i) {
+        steps.push_back(press_edit({{0.005 * i, 0.5, 1, i % 2 == 0 ? 0.01 : -0.01}}));
+        on_the_way.emplace(steps.size(), after());
+        EXPECT_LE(static_cast<double>(live.remembered()), few());
+    }
+    while (steps.size() > 1) {
+        steps.pop_back();
+        EXPECT_EQ(after(), on_the_way.at(steps.size()));
+        EXPECT_LE(static_cast<double>(live.remembered()), few());
+    }
+}
+
+TEST(Shaper, MendsNothingWhereItMayFold)
+{
+    VolumeEdit fold{.shift = PointShift{.points = {{5, 4, 4}}, .by = {0, 0, -1}}};
+    fold.shift->guard = false;
+    const auto folded = make_ref(fold), mended = make_ref(VolumeEdit{.mending = Mending{}}),
+               allowed = make_ref(VolumeEdit{.allowance = FoldAllowance{{{{0, 0, 0}, {1, 1, 1}}}}});
+    Shaper shaper;
+    const Lattice as_folded = shaper(placed_box(), {folded})->placement->volume;
+    EXPECT_FALSE(judge(as_folded).good());
+    const auto after = shaper(placed_box(), {folded, allowed, mended});
+    EXPECT_EQ(after->placement->volume, as_folded);
+    EXPECT_TRUE((*after->volume->verdicts).good());
+    EXPECT_FALSE(shaper(placed_box(), {folded, mended})->placement->volume == as_folded);
 }
 
 TEST(Shaper, InsertsControlPointsWithoutAChange)

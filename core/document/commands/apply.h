@@ -49,6 +49,7 @@ Document applied(Document document, const MovePoints& command);
 Document applied(Document document, const InsertKnots& command);
 Document applied(Document document, const CoarsenVolume& command);
 Document applied(Document document, const MendVolume& command);
+Document applied(Document document, const AllowFolds& command);
 Document applied(Document document, const Unshape& command);
 Document applied(Document document, const Paste& command);
 

@@ -58,6 +58,10 @@ template <class T> std::string type_name()
         return "values of [coarsen_volume](#coarsen_volume)";
     else if constexpr (std::is_same_v<T, Mending>)
         return "nothing inside: `{}`";
+    else if constexpr (std::is_same_v<T, FoldAllowance>)
+        return "values of [allow_folds](#allow_folds)";
+    else if constexpr (std::is_same_v<T, VolumePart>)
+        return "[part](#part)";
     else if constexpr (Nested<T>) // a shape
         return fmt::format("values of [{0}](#{0})", FieldsOf<T>::verb);
     else if constexpr (is_optional<T>)
@@ -189,6 +193,7 @@ std::string commands_markdown()
     text += "## object\n\nAn object as it is copied.\n\n" + field_table(CopiedObject{});
     text += "## placement\n\nHow a copied object lies.\n\n" + field_table(CopiedPlacement{});
     text += "## step\n\nWhat was done to a volume; one of them.\n\n" + field_table(VolumeEdit{});
+    text += "## part\n\nA box in a volume's own u, v and w.\n\n" + field_table(VolumePart{});
     text += "## base\n\nWhat a copied object lay on.\n\n" + field_table(KnownObject{});
     text.pop_back();
     return text;

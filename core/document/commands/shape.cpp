@@ -28,11 +28,17 @@ void check(const VolumeEdit& edit)
 {
     const int kinds = int{edit.press.has_value()} + int{edit.shift.has_value()} +
                       int{edit.insertion.has_value()} + int{edit.coarsening.has_value()} +
-                      int{edit.mending.has_value()};
-    if (kinds != 1) throw Rejected("a step of shaping is one of its five kinds, not more or less");
+                      int{edit.mending.has_value()} + int{edit.allowance.has_value()};
+    if (kinds != 1) throw Rejected("a step of shaping is one of its six kinds, not more or less");
     if (edit.press) check(*edit.press);
     if (edit.shift && edit.shift->points.empty())
         throw Rejected("field \"points\" is empty; name the control points that move");
+    if (edit.allowance)
+        for (const VolumePart& box : edit.allowance->boxes)
+            for (int i = 0; i < 3; ++i)
+                if (!(box.lo[i] >= 0 && box.lo[i] < box.hi[i] && box.hi[i] <= 1))
+                    throw Rejected("field \"boxes\": a box lies between 0 and 1 along u, v and w, "
+                                   "with lo below hi");
     if (edit.insertion) {
         const KnotInsertion& k = *edit.insertion;
         if (k.along.empty() && k.across.empty() && k.up.empty())
@@ -75,6 +81,13 @@ Document applied(Document document, const CoarsenVolume& command)
 Document applied(Document document, const MendVolume& command)
 {
     return shaped(std::move(document), command.object, {.mending = Mending{}});
+}
+
+Document applied(Document document, const AllowFolds& command)
+{
+    VolumeEdit edit{.allowance = command.allowance};
+    check(edit);
+    return shaped(std::move(document), command.object, std::move(edit));
 }
 
 Document applied(Document document, const Unshape& command)

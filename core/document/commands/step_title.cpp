@@ -329,6 +329,12 @@ struct Titles {
     {
         return {"Mend the volume of " + name_in(before, c.object), {}};
     }
+    StepTitle operator()(const AllowFolds& c) const
+    {
+        const std::string name = name_in(before, c.object);
+        if (c.allowance.boxes.empty()) return {"Let " + name + " fold nowhere", {}};
+        return {"Let " + name + " fold in places", {}};
+    }
     StepTitle operator()(const Unshape& c) const
     {
         return {"Take back the shaping of " + name_in(before, c.object), {}};
