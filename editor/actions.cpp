@@ -10,6 +10,7 @@
 #include "editor/reset_actions.h"
 #include "editor/selection_actions.h"
 #include "editor/time_actions.h"
+#include "editor/tools/last_shaping.h"
 #include "editor/tools/placement_handles.h"
 #include "editor/view_actions.h"
 #include "ui/input.h"
@@ -90,6 +91,15 @@ std::vector<Action> all_actions(const Editor& editor)
                  {[](const Editor& e) { return selected_placement(e.session) != nullptr; },
                   "select one placed object first"},
                  true});
+    a.push_back({"Edit",
+                 allow_folds_action,
+                 {},
+                 [](Editor& e) {
+                     allow_folds(e.session, e.session.selected,
+                                 e.active_tool().held_parts(e.session));
+                 },
+                 {[](const Editor& e) { return !e.active_tool().held_parts(e.session).empty(); },
+                  "choose control points first, or hold the ball of the press somewhere"}});
     add_help_actions(a);
     for (Action& each : a) each.usual_keys = each.keys;
     return a;

@@ -81,8 +81,7 @@ void add_volumes(gpu::Picture& picture, const Evaluated& evaluated, const Docume
         std::ranges::move(placement_lines(*each->placement, color, line_px),
                           std::back_inserter(picture.lines));
         picture.translucent.push_back(placement_veil(*each->placement, color));
-        std::ranges::move(fold_veils(each->placement->volume, color),
-                          std::back_inserter(picture.translucent));
+        std::ranges::move(fold_veils(*each, color), std::back_inserter(picture.translucent));
         const std::vector<Ref<VolumeEdit>>& steps = object(document, id).shaping;
         if (!steps.empty() && steps.back()->press)
             std::ranges::move(balls_of(*steps.back()->press, each->placement->volume, color),

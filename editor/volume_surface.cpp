@@ -7,12 +7,14 @@
 namespace trivar {
 namespace {
 
+// `faces` tells which of the six at the low and the high end of each axis.
 void add_box(VolumeSurface& out, const Lattice& volume, const glm::dvec3& lo, const glm::dvec3& hi,
-             const std::array<int, 3>& steps)
+             const std::array<int, 3>& steps, auto&& faces)
 {
     for (std::size_t across = 0; across < 3; ++across) {
         const std::size_t s = (across + 1) % 3, t = (across + 2) % 3;
         for (const bool end : {false, true}) {
+            if (!faces(static_cast<int>(across), end)) continue;
             const auto first = static_cast<std::uint32_t>(out.points.size());
             const auto row = static_cast<std::uint32_t>(steps[t] + 1);
             for (int i = 0; i <= steps[s]; ++i)
@@ -36,31 +38,66 @@ void add_box(VolumeSurface& out, const Lattice& volume, const glm::dvec3& lo, co
     }
 }
 
-} // namespace
-
-VolumeSurface volume_surface(const Lattice& volume)
+bool all_faces(int, bool)
 {
-    VolumeSurface out;
-    add_box(out, volume, glm::dvec3(0), glm::dvec3(1), {96, 12, 8});
-    return out;
+    return true;
 }
 
 VolumeSurface cells_surface(const Lattice& volume, const CellVerdicts& verdicts, Verdict of)
 {
     VolumeSurface out;
     const glm::ivec3 n = verdicts.size();
-    std::size_t cell = 0;
-    for (int i = 0; i < n.x; ++i)
-        for (int j = 0; j < n.y; ++j)
-            for (int k = 0; k < n.z; ++k, ++cell) {
-                if (verdicts.of[cell] != of) continue;
-                const auto corner = [&](int di) {
-                    return glm::dvec3(verdicts.breaks[0][static_cast<std::size_t>(i + di)],
-                                      verdicts.breaks[1][static_cast<std::size_t>(j + di)],
-                                      verdicts.breaks[2][static_cast<std::size_t>(k + di)]);
-                };
-                add_box(out, volume, corner(0), corner(1), {3, 3, 3});
+    constexpr auto few = 4000;
+    const bool many = std::ranges::count(verdicts.of, of) > few,
+               outside = many || of == Verdict::excepted;
+    const std::array steps = many ? std::array{1, 1, 1} : std::array{3, 3, 3};
+    const auto is = [&](const glm::ivec3& cell) {
+        return verdicts.of[static_cast<std::size_t>((cell.x * n.y + cell.y) * n.z + cell.z)] == of;
+    };
+    for (glm::ivec3 cell(0); cell.x < n.x; ++cell.x)
+        for (cell.y = 0; cell.y < n.y; ++cell.y)
+            for (cell.z = 0; cell.z < n.z; ++cell.z) {
+                if (!is(cell)) continue;
+                glm::dvec3 lo, hi;
+                for (int a = 0; a < 3; ++a) {
+                    const auto& breaks = verdicts.breaks[static_cast<std::size_t>(a)];
+                    lo[a] = breaks[static_cast<std::size_t>(cell[a])];
+                    hi[a] = breaks[static_cast<std::size_t>(cell[a] + 1)];
+                }
+                add_box(out, volume, lo, hi, steps, [&](int axis, bool end) {
+                    if (!outside) return true;
+                    glm::ivec3 next = cell;
+                    next[axis] += end ? 1 : -1;
+                    return next[axis] < 0 || next[axis] >= n[axis] || !is(next);
+                });
             }
+    return out;
+}
+
+} // namespace
+
+VolumeSurface volume_surface(const Lattice& volume)
+{
+    VolumeSurface out;
+    add_box(out, volume, glm::dvec3(0), glm::dvec3(1), {96, 12, 8}, all_faces);
+    return out;
+}
+
+FoldSurfaces fold_surfaces(const Lattice& volume, const CellVerdicts& verdicts)
+{
+    return {cells_surface(volume, verdicts, Verdict::proven_bad),
+            cells_surface(volume, verdicts, Verdict::unknown),
+            cells_surface(volume, verdicts, Verdict::excepted)};
+}
+
+VolumeSurface slice_at(const Lattice& volume, double u)
+{
+    const std::vector<double> breaks = volume.displacement.axes[0].breaks();
+    const auto above = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, u);
+    const double lo = above - 1 == breaks.begin() ? breaks.front() : *(above - 2);
+    const double hi = above + 1 == breaks.end() ? breaks.back() : *(above + 1);
+    VolumeSurface out;
+    add_box(out, volume, {lo, 0, 0}, {hi, 1, 1}, {8, 12, 8}, all_faces);
     return out;
 }
 

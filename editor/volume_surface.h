@@ -20,8 +20,15 @@ struct VolumeSurface {
 };
 VolumeSurface volume_surface(const Lattice& volume);
 
-// The faces of the cells that are of one verdict, a few triangles each.
-VolumeSurface cells_surface(const Lattice& volume, const CellVerdicts& verdicts, Verdict of);
+// The faces of the cells that are proven bad, not known or not judged, a few triangles each; of
+// many cells, and of those not judged, only the faces round all of them.
+struct FoldSurfaces {
+    VolumeSurface bad, unknown, allowed;
+};
+FoldSurfaces fold_surfaces(const Lattice& volume, const CellVerdicts& verdicts);
+
+// The faces of the slice across the stroke that is three cells long, with that in the middle one.
+VolumeSurface slice_at(const Lattice& volume, double u);
 
 // Where a ray first meets the faces, of either side. O(triangles).
 struct OnVolume {

@@ -3,6 +3,7 @@
 
 #include "ui/widgets.h"
 
+#include <algorithm>
 #include <array>
 #include <fmt/format.h>
 
@@ -33,12 +34,39 @@ std::string words_of(const VolumeEdit& edit)
         return fmt::format("{} points {}", edit.coarsening->count,
                            axes[static_cast<std::size_t>(edit.coarsening->axis)]);
     }
+    if (edit.allowance) {
+        const std::size_t parts = edit.allowance->boxes.size();
+        return parts == 0 ? "May fold nowhere"
+                          : fmt::format("May fold in {} {}", parts, parts == 1 ? "part" : "parts");
+    }
     return "Mended";
 }
 
 std::string words_of(const VolumeEdit& edit, const Shaping& done)
 {
     return words_of(edit) + (done.words.empty() ? "" : ", " + done.words);
+}
+
+std::string words_of(const CellVerdicts& verdicts)
+{
+    const auto count = [&](Verdict of) { return std::ranges::count(verdicts.of, of); };
+    if (const auto bad = count(Verdict::proven_bad); bad > 0)
+        return fmt::format("folds in {} of {} cells", bad, verdicts.of.size());
+    if (const auto unknown = count(Verdict::unknown); unknown > 0)
+        return fmt::format("is not proven to be without folds in {} of {} cells", unknown,
+                           verdicts.of.size());
+    return count(Verdict::excepted) > 0 ? "folds only where that is allowed, proven"
+                                        : "folds nowhere, proven";
+}
+
+std::string words_of(const Overlap& overlap)
+{
+    if (overlap.verdict == Verdict::proven_good) return "meets itself nowhere, proven";
+    if (overlap.verdict == Verdict::unknown) return "is not proven to meet itself nowhere";
+    const glm::dvec3 &a = overlap.one, &b = overlap.other;
+    return fmt::format("meets itself: u, v, w {:.3f}, {:.3f}, {:.3f} and {:.3f}, {:.3f}, {:.3f} "
+                       "are one place",
+                       a.x, a.y, a.z, b.x, b.y, b.z);
 }
 
 } // namespace trivar

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/ffd/overlap.h"
 #include "core/placement/shaper.h"
 
 #include <string>
@@ -11,5 +12,9 @@ namespace trivar {
 std::string words_of(const VolumeEdit& edit);
 // The same once it is done, with what was chosen then: "Mended, it was lowered".
 std::string words_of(const VolumeEdit& edit, const Shaping& done);
+
+// What is proven of a volume, as the end of a sentence: "folds nowhere, proven".
+std::string words_of(const CellVerdicts& verdicts);
+std::string words_of(const Overlap& overlap);
 
 } // namespace trivar

@@ -96,7 +96,7 @@ public:
     {
     }
 
-    Overlap run()
+    Overlap run(const Progress& progress)
     {
         const ParameterBox domain = map_.domain();
         const int closed = map_.closed(0) + map_.closed(1) + map_.closed(2);
@@ -116,7 +116,7 @@ public:
         while (!open_.empty()) {
             const auto [a, b] = open_.back();
             open_.pop_back();
-            ++out.pairs;
+            if (++out.pairs % 256 == 0) report(progress, -1, "overlap");
             if (clear(a, b)) continue;
             if (a != b && find_witness(a, b, out)) return out;
             if (out.pairs >= options_.pairs || !split(a, b)) {
@@ -260,11 +260,11 @@ private:
 
 } // namespace
 
-Overlap overlap(const Lattice& lattice, const OverlapOptions& options)
+Overlap overlap(const Lattice& lattice, const OverlapOptions& options, const Progress& progress)
 {
     const auto map = UnrolledMap::of(lattice);
     if (!map) return {};
-    Overlap out = OverlapSearch(*map, options).run();
+    Overlap out = OverlapSearch(*map, options).run(progress);
     if (out.verdict == Verdict::proven_good && !judge(lattice).good())
         out.verdict = Verdict::unknown;
     return out;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/ffd/verdict.h"
 
 namespace trivar {
@@ -25,6 +26,7 @@ struct OverlapOptions {
 // meet where J stays nearer than 1 to its value in the middle of the box round both. Volumes closed
 // along two axes have two boundaries: there all cells are compared. Never good where judge() is
 // not. 0.05 s for 20 x 12 x 8.
-Overlap overlap(const Lattice& lattice, const OverlapOptions& options = {});
+Overlap overlap(const Lattice& lattice, const OverlapOptions& options = {},
+                const Progress& progress = {});
 
 } // namespace trivar

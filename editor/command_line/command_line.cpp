@@ -81,8 +81,10 @@ CLI::App* add_replay(CLI::App& app, ReplayOptions& o)
         ->add_option("--camera", o.camera,
                      "bookmark to look from; else the one named picture, else all is in view")
         ->type_name("NAME");
-    replay->add_flag("--check", o.check,
-                     "compare with the digests in the file, and one thread with all of them");
+    replay->add_flag(
+        "--check", o.check,
+        "compare with the digests in the file, and one thread with all of them, and\n"
+        "say what is proven of each volume: where it folds, and where it meets itself");
     replay->add_flag("--digest", o.digest, "print the digests as a line to append to the scene")
         ->excludes("--frame");
     replay

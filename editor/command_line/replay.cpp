@@ -9,6 +9,8 @@
 #include "core/files/write_model.h"
 #include "editor/captions.h"
 #include "editor/picture.h"
+#include "editor/volume_facts.h"
+#include "editor/volume_words.h"
 #include "gpu/context.h"
 #include "gpu/level.h"
 #include "gpu/renderer.h"
@@ -125,6 +127,17 @@ double frame_of(const ReplayOptions& options, const Document& document)
     return frame;
 }
 
+// What is proven of every volume. One that folds may be meant so: this is no check that fails.
+void tell_of_volumes(const Replayed& replayed, const Streams& streams)
+{
+    for (const auto& [id, ref] : replayed.evaluated.objects) {
+        if (!ref->placement) continue;
+        streams.talk << fmt::format(
+            "trivar: {}: its volume {}; it {}\n", object(replayed.document, id).name,
+            words_of(*verdicts_of(*ref)), words_of(overlap(ref->placement->volume)));
+    }
+}
+
 // One thread must give the same bits as many, and nothing may be missing.
 void check_result(Replayed& replayed, const ReplayOptions& options, const Streams& streams)
 {
@@ -173,7 +186,10 @@ Replayed replay(const ReplayOptions& options, const Streams& streams)
         for (const std::string& notice : ref->notices)
             streams.talk << "trivar: " << object(result.document, id).name << ": " << notice
                          << "\n";
-    if (options.check) check_result(result, options, streams);
+    if (options.check) {
+        tell_of_volumes(result, streams);
+        check_result(result, options, streams);
+    }
     return result;
 }
 

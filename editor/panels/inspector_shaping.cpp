@@ -46,8 +46,9 @@ void density_row(Editor& editor, const ui::Theme& theme, Id id, int axis, const 
         editor.session.run(InsertKnots{id, finer});
     ImGui::SetCursorScreenPos({at.x + theme.px(68) + side, at.y});
     const int fewer = fewer_points(knots);
-    const std::string off =
-        deviation ? " Nothing moves further than " + ui::short_number(rounded_up(*deviation, 3)) + " m." : "";
+    const std::string off = deviation ? " Nothing moves further than " +
+                                            ui::short_number(rounded_up(*deviation, 3)) + " m."
+                                      : "";
     if (ui::icon_button(theme, "coarser", ui::icon::minus, {side, side},
                         {"Coarser", {}, fmt::format("{} control points are left.{}", fewer, off)},
                         {.enabled = open && fewer < knots.count()}))
@@ -63,13 +64,44 @@ void verdict_row(const ui::Theme& theme, const CellVerdicts* verdicts)
         ui::fact_row(theme, "Folds", words, color,
                      "whether the volume turns inside out anywhere, as far as that is proven");
     };
-    if (!verdicts) return tell("too many cells to say", theme.color.text_2);
+    if (!verdicts) return tell("being looked for", theme.color.text_2);
     const auto count = [&](Verdict of) { return std::ranges::count(verdicts->of, of); };
     if (const auto bad = count(Verdict::proven_bad); bad > 0)
         return tell(fmt::format("{} of {} cells", bad, verdicts->of.size()), theme.color.bad);
     if (const auto unknown = count(Verdict::unknown); unknown > 0)
         return tell(fmt::format("{} cells unproven", unknown), theme.color.warn);
-    tell("nowhere, proven", theme.color.good);
+    const bool allowed = count(Verdict::excepted) > 0;
+    tell(allowed ? "only where allowed, proven" : "nowhere, proven", theme.color.good);
+}
+
+// Null where it is not known yet.
+void overlap_row(const ui::Theme& theme, const Overlap* overlap)
+{
+    const auto tell = [&](const std::string& words, ui::Color color) {
+        ui::fact_row(theme, "Overlap", words, color,
+                     "whether far parts of the volume meet, as far as that is proven");
+    };
+    if (!overlap) return tell("being looked for", theme.color.text_2);
+    if (overlap->verdict == Verdict::proven_good) return tell("nowhere, proven", theme.color.good);
+    if (overlap->verdict == Verdict::unknown) return tell("not known", theme.color.warn);
+    const glm::dvec3 &a = overlap->one, &b = overlap->other;
+    tell(fmt::format("{:.0f} % along meets {:.0f} %", 100 * a.x, 100 * b.x), theme.color.bad);
+}
+
+// In how many parts it may fold, with a button that takes that back.
+void allowance_row(Session& session, const ui::Theme& theme, Id id, std::size_t parts)
+{
+    ui::label_row(theme, "May fold");
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float side = theme.size.row, width = ImGui::GetContentRegionAvail().x;
+    ui::paint_text(theme.font.body, ui::rect_at({at.x, at.y}, {width - side, side}),
+                   theme.color.text, fmt::format("in {} {}", parts, parts == 1 ? "part" : "parts"));
+    ImGui::SetCursorScreenPos({at.x + theme.px(68) + side, at.y});
+    if (ui::icon_button(theme, "fold nowhere", ui::icon::trash, {side, side},
+                        {"Nowhere any more", {}, "What was done till then stays."}))
+        session.run(AllowFolds{id, {}});
+    ImGui::SetCursorScreenPos({at.x, at.y + side + theme.px(4)});
+    ImGui::Dummy({1, 0});
 }
 
 } // namespace
@@ -81,10 +113,16 @@ void draw_shaping(Editor& editor, const ui::Theme& theme, Id id)
     if (found == session.evaluated().objects.end() || !found->second->placement) return;
     if (!ui::section(theme, "Lattice", false)) return;
     const Ref<Placement> placement = found->second->placement;
-    const CellVerdicts* verdicts = editor.viewport.volume_facts().verdicts(placement);
+    VolumeFacts& facts = editor.viewport.volume_facts();
+    const CellVerdicts* verdicts = facts.verdicts(*found->second);
     verdict_row(theme, verdicts);
-    const std::array<std::optional<double>, 3>& off =
-        editor.viewport.volume_facts().deviations(placement);
+    // Not of every moment of a drag.
+    overlap_row(theme, session.proposing() ? nullptr : facts.overlap(*found->second));
+    if (const Ref<ShapedVolume>& shaped = found->second->shaped;
+        shaped && !shaped->volume->may_fold.empty())
+        allowance_row(session, theme, id, shaped->volume->may_fold.size());
+    const VolumeFacts::Deviations* deviations = facts.deviations(*found->second);
+    const VolumeFacts::Deviations off = deviations ? *deviations : VolumeFacts::Deviations{};
     for (int axis = 0; axis < 3; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
         density_row(editor, theme, id, axis, placement->volume.displacement.axes[a],

@@ -34,8 +34,11 @@ Helpers helpers_of(Editor& editor, const ui::Theme& theme)
         helpers.lines.push_back(std::move(line));
     helpers.veils.push_back(placement_veil(*found->second->placement, theme.color));
     for (const gpu::Translucent& veil :
-         editor.viewport.volume_facts().folds(found->second->placement, theme.color))
+         editor.viewport.volume_facts().folds(*found->second, theme.color))
         helpers.veils.push_back(veil);
+    for (gpu::Translucent& veil :
+         editor.viewport.volume_facts().meeting(*found->second, theme.color))
+        helpers.veils.push_back(std::move(veil));
     return helpers;
 }
 
@@ -187,7 +190,9 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     // A small window's picture must not jump: the picture is drawn after the camera moved.
     const bool moving = tool.busy() || editor.inspecting || !session.up_to_date() ||
                         (editor.playback.playing() && moves_in_time(session.shown()));
-    const int state = static_cast<int>(editor.tool) * 2 + (tool.busy() ? 1 : 0);
+    VolumeFacts& facts = editor.viewport.volume_facts();
+    const int state =
+        (static_cast<int>(editor.tool) * 2 + (tool.busy() ? 1 : 0)) * 4 + facts.known();
     const bool as_in_pictures = editor.preferences.backdrop_as_in_pictures;
     const ui::Theme over = theme_over_picture(theme, *session.document().render, as_in_pictures);
     ViewportStyle style = viewport_style(over, as_in_pictures);
@@ -211,6 +216,8 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     tell(session.notices, editor.viewport.new_trouble(), "The picture is one of before");
     tell(session.notices, editor.viewport.new_shader_trouble(),
          "A shader is drawn as it was before");
+    constexpr double soon_s = 0.05;
+    if (facts.busy()) frame.again_in(soon_s);
     const auto name = static_cast<std::uintptr_t>(texture);
     if (texture != 0)
         ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(name), lo, hi, {0, 1},

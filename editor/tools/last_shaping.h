@@ -5,14 +5,23 @@
 
 namespace trivar {
 
+inline constexpr const char* allow_folds_action = "Allow folds here";
+
 // What became of the last step that shaped an object's volume, proposed or done; null: none.
 const Shaping* last_shaping(const Session& session, Id id);
+
+// Of nothing: does nothing.
+void allow_folds(Session& session, Id id, const std::vector<VolumePart>& parts);
+
+// A part, and where wanted the one on the other side of the middle.
+std::vector<VolumePart> with_mirrored(const VolumePart& part, bool mirror);
 
 // As metres, without the sign.
 std::string amount_words(double metres);
 
-// Tells that the volume would have folded, and how far "The press" came.
+// Tells that the volume of that object would have folded, and how far "The press" came. Offers to
+// let it fold in those parts.
 void tell_where_it_stopped(Session& session, const Shaping& step, const std::string& what,
-                           const std::string& remedy);
+                           const std::string& remedy, Id id, const std::vector<VolumePart>& parts);
 
 } // namespace trivar

@@ -223,7 +223,15 @@ void LatticePointsTool::tell(Session& session)
     if (told_of_ == 0 || gesture_ || !session.up_to_date()) return;
     const Shaping* last = last_shaping(session, std::exchange(told_of_, 0));
     if (last && last->would_fold)
-        tell_where_it_stopped(session, *last, "The control points", "Move their neighbours too");
+        tell_where_it_stopped(session, *last, "The control points", "Move their neighbours too",
+                              object_, held_parts(session));
+}
+
+std::vector<VolumePart> LatticePointsTool::held_parts(const Session& session) const
+{
+    const EvaluatedObject* laid = selected_placement(session);
+    if (!laid || laid->id != object_ || chosen_.empty()) return {};
+    return with_mirrored(bent_by(laid->placement->volume, chosen_), mirror_);
 }
 
 void LatticePointsTool::cancel(Session& session)
@@ -320,6 +328,14 @@ void LatticePointsTool::options(Session& session, const ui::Theme& theme, float 
                                              theme.color.text_2, words);
                            },
                            "Control points that are chosen, of those along, across and up."});
+        if (!chosen_.empty())
+            options.push_back({"", 150,
+                               [&](float field) {
+                                   if (ui::button(theme, allow_folds_action, ui::ButtonKind::plain,
+                                                  {field, theme.size.row}))
+                                       allow_folds(session, object_, held_parts(session));
+                               },
+                               "All that bends with the chosen points may fold from then on."});
     }
     ui::option_bar(theme, options, width);
 }

@@ -26,6 +26,7 @@ public:
     bool shows_volume() const override { return true; }
     void take_keys(Session& session) override;
     void cancel(Session& session) override;
+    std::vector<VolumePart> held_parts(const Session& session) const override;
     std::vector<gpu::Line> lines(const Session& session, const ui::Theme& theme) const override;
     void overlay(const Session& session, const ui::Theme& theme,
                  const ViewportInput& input) const override;

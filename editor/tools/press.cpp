@@ -65,6 +65,19 @@ int held_by(const Press& press, const Lattice& volume, const std::vector<glm::dv
     return held;
 }
 
+// All that bends with the control points that a press holds; of a long stroke at some places of it.
+std::vector<VolumePart> parts_of(const Press& press, const Lattice& volume)
+{
+    std::vector<glm::ivec3> held;
+    constexpr std::size_t places = 16;
+    const std::size_t count = press.samples.size(), step = (count + places - 1) / places;
+    for (std::size_t i = 0; i < count; i += step)
+        held_by(press, volume, {evaluate(volume, glm::dvec3(press.samples[count - 1 - i])).value},
+                [&](const glm::ivec3& point, double) { held.push_back(point); });
+    if (held.empty()) return {};
+    return with_mirrored(bent_by(volume, held), press.mirror);
+}
+
 // While it is only held over the volume: the picture is not drawn anew for it.
 void paint_ball(const ui::Theme& theme, const ViewportInput& input, const Camera& camera,
                 const glm::dvec3& center, double radius)
@@ -138,6 +151,10 @@ void PressTool::use(Session& session, const ViewportInput& input)
     if (!laid) placement_ = nullptr;
     if (placement_ && (input.hovered || input.pressed))
         at_ = on_volume(surface_, ray_through(session.camera, input.mouse));
+    if (at_) {
+        last_at_ = at_->uvw;
+        last_of_ = laid->id;
+    }
     if (!input.pressed || session.committing()) return;
     if (at_)
         begin(session, input);
@@ -194,11 +211,25 @@ void PressTool::tell(Session& session)
     if (!last->notice.empty())
         session.notices.say(ui::NoticeKind::warning, "Nothing was pressed", last->notice,
                             of_a_step);
-    else if (const EvaluatedObject* laid = selected_placement(session);
-             laid && laid->id == id && offer_points(session, id, laid->placement->volume))
+    const EvaluatedObject* laid = selected_placement(session);
+    const bool same = laid && laid->id == id;
+    if (!last->notice.empty() || (same && offer_points(session, id, laid->placement->volume)))
         return;
-    else if (last->would_fold && last->asked > 0)
-        tell_where_it_stopped(session, *last, "The press", "Use a larger radius");
+    if (last->would_fold && last->asked > 0)
+        tell_where_it_stopped(session, *last, "The press", "Use a larger radius", id,
+                              same ? parts_of(told_, laid->placement->volume)
+                                   : std::vector<VolumePart>{});
+}
+
+std::vector<VolumePart> PressTool::held_parts(const Session& session) const
+{
+    const EvaluatedObject* laid = selected_placement(session);
+    if (!laid || laid->id != last_of_) return {};
+    return parts_of({.decay = decay_,
+                     .radius = radius(*laid->placement),
+                     .samples = {glm::dvec4(last_at_, 0)},
+                     .mirror = mirror_},
+                    laid->placement->volume);
 }
 
 bool PressTool::offer_points(Session& session, Id id, const Lattice& volume) const

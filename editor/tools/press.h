@@ -29,6 +29,7 @@ public:
     bool resize(Session& session, double factor) override;
     void take_keys(Session& session) override;
     void cancel(Session& session) override;
+    std::vector<VolumePart> held_parts(const Session& session) const override;
     std::vector<gpu::Translucent> veils(const Session& session,
                                         const ui::Theme& theme) const override;
     void overlay(const Session& session, const ui::Theme& theme,
@@ -64,6 +65,8 @@ private:
     Ref<Placement> placement_; // whose surface that is
     VolumeSurface surface_;
     std::optional<OnVolume> at_; // under the mouse
+    glm::dvec3 last_at_{0};      // uvw of that, also when it has left the volume
+    Id last_of_ = 0;             // of that object; 0: it never was there
     std::optional<Gesture> gesture_;
     TypedAmounts typed_;
     bool retyped_ = false;

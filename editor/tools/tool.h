@@ -70,6 +70,8 @@ public:
     // Whether the key was meant for a gesture that could not begin: then nobody else has it.
     virtual bool awaits(const ui::Chord&) const { return false; }
     virtual void cancel(Session& session) { (void)session; } // the gesture
+    // Of the volume of the selected placement all that bends with what it has hold of.
+    virtual std::vector<VolumePart> held_parts(const Session&) const { return {}; }
 
     // What it draws: in the scene, over the picture, and its settings in the options bar.
     virtual std::vector<gpu::Line> lines(const Session&, const ui::Theme&) const { return {}; }

@@ -105,6 +105,23 @@ TEST(Replay, ShowsWhatMovesInTheFrameThatIsAskedFor)
     EXPECT_THAT(beyond.talk, HasSubstr("--frame 241: the scene's frames are 1 to 240"));
 }
 
+TEST(Replay, SaysWhatIsProvenOfEachVolume)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.trivar");
+    write_file(path, scene_text());
+    EXPECT_THAT(run({"replay", path, "--check"}).talk,
+                HasSubstr("Teapot: its volume folds nowhere, proven; it meets itself nowhere, "
+                          "proven"));
+    PointShift far{.points = {{16, 4, 3}}, .by = {1, 0, 0}, .guard = false};
+    write_file(path, scene_text() + command_line(MovePoints{2, far}));
+    EXPECT_THAT(run({"replay", path, "--check"}).talk, HasSubstr("Teapot: its volume folds in "));
+    write_file(path, scene_text() + command_line(AllowFolds{2, FoldAllowance{{VolumePart{}}}}) +
+                         command_line(MovePoints{2, far}));
+    EXPECT_THAT(run({"replay", path, "--check"}).talk,
+                HasSubstr("Teapot: its volume folds only where that is allowed, proven"));
+}
+
 TEST(Replay, ChecksItsOwnDigestsWithAnyNumberOfThreads)
 {
     const TemporaryFolder folder;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/ffd/injectivity.h"
+#include "editor/tools/last_shaping.h"
 #include "tests/editor/rig.h"
 
 namespace trivar {
@@ -74,6 +75,35 @@ TEST(LatticePoints, StopBeforeTheVolumeFolds)
     const auto& notices = rig.editor.session.notices.all();
     ASSERT_FALSE(notices.empty());
     EXPECT_EQ(notices.back().title, "The volume would fold here");
+}
+
+TEST(LatticePoints, MayFoldTheVolumeWhereThatIsAllowed)
+{
+    LatticeRig rig;
+    const auto pull = [&] {
+        rig.drag(near_roof, {0, 12}, false);
+        rig.key({'Z'});
+        rig.type("-2");
+        rig.wait();
+        rig.screen.input().push(ui::press(ui::Button::left, false));
+        rig.wait();
+    };
+    const Action& allow = action(rig.editor, allow_folds_action);
+    EXPECT_FALSE(is_enabled(rig.editor, allow));
+    pull();
+    ASSERT_EQ(rig.editor.session.notices.all().back().actions.size(), 1u);
+    rig.editor.session.notices.all().back().actions.front().act();
+    rig.wait();
+    EXPECT_TRUE(is_enabled(rig.editor, allow)); // the point is still chosen
+    ASSERT_EQ(rig.shaped(), 2u);
+    const auto& allowance = *object(rig.editor.session.document(), 2).shaping.back()->allowance;
+    ASSERT_EQ(allowance.boxes.size(), 1u);
+    EXPECT_EQ(allowance.boxes.front(), bent_by(rig.volume(), std::vector{near_roof}));
+    pull();
+    const EvaluatedObject& placed = *rig.editor.session.evaluated().objects.at(2);
+    EXPECT_EQ(placed.shaped->steps.back().done, placed.shaped->steps.back().asked);
+    EXPECT_EQ(check_injectivity(rig.volume()).local, Verdict::proven_bad);
+    EXPECT_TRUE(rig.editor.viewport.volume_facts().verdicts(placed)->good());
 }
 
 TEST(LatticePoints, AreChosenByABoxAndMovedTogetherByATypedNumber)
