@@ -76,15 +76,21 @@ std::vector<gpu::Translucent> balls_of(const Press& press, const Lattice& volume
 void add_volumes(gpu::Picture& picture, const Evaluated& evaluated, const Document& document,
                  const ui::Palette& color, float line_px)
 {
+    std::vector<const Lattice*> drawn;
     for (const auto& [id, each] : evaluated.objects) {
         if (!each->placement) continue;
+        const Lattice& volume = each->placement->volume;
+        // Those that lie in one behind the other show it once.
+        if (std::ranges::any_of(drawn, [&](const Lattice* other) { return *other == volume; }))
+            continue;
+        drawn.push_back(&volume);
         std::ranges::move(placement_lines(*each->placement, color, line_px),
                           std::back_inserter(picture.lines));
         picture.translucent.push_back(placement_veil(*each->placement, color));
         std::ranges::move(fold_veils(*each, color), std::back_inserter(picture.translucent));
         const std::vector<Ref<VolumeEdit>>& steps = object(document, id).shaping;
         if (!steps.empty() && steps.back()->press)
-            std::ranges::move(balls_of(*steps.back()->press, each->placement->volume, color),
+            std::ranges::move(balls_of(*steps.back()->press, volume, color),
                               std::back_inserter(picture.translucent));
     }
 }

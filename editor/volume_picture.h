@@ -19,7 +19,8 @@ gpu::Translucent ball_veil(const glm::dvec3& center, double radius, const ui::Pa
 std::vector<gpu::Translucent> balls_of(const Press& press, const Lattice& volume,
                                        const ui::Palette& color);
 
-// Adds all volumes, and the ball of each one's last step where that was a press.
+// Adds all volumes, those that are the same once, and the ball of each one's last step where that
+// was a press.
 void add_volumes(gpu::Picture& picture, const Evaluated& evaluated, const Document& document,
                  const ui::Palette& color, float line_px);
 
