@@ -322,10 +322,10 @@ void PressTool::options(Session& session, const ui::Theme& theme, float width)
     const ui::NumberStyle length{.lo = 0, .hi = 1e6, .unit = "m", .zero = "auto"};
     std::vector<ui::Option> options;
     options.push_back(
-        {"Falls off", 296,
+        {"Falls off", 104,
          [&](float field) {
              int kind = static_cast<int>(decay_);
-             ui::segments(theme, "decay", kind, {"Gaussian", "Hat", "Box", "Smooth"}, field);
+             ui::choice(theme, "decay", kind, {"Gaussian", "Hat", "Box", "Smooth"}, field);
              decay_ = static_cast<Decay>(kind);
          },
          "How the press falls off from the ball's middle to its rim."});
@@ -337,7 +337,7 @@ void PressTool::options(Session& session, const ui::Theme& theme, float width)
                                radius_ = shown_radius;
                        },
                        "Of the ball. The wheel changes it while the ball is pressed."});
-    options.push_back({"By", 144,
+    options.push_back({"By", 120,
                        [&](float field) {
                            int by = static_cast<int>(by_);
                            ui::segments(theme, "by", by, {"Drag", "Brush"}, field);
