@@ -88,13 +88,13 @@ void paint_surface(const Theme& theme, const HeightPlot& plot, const HeightStyle
         for (int i = 0; i < steps_u; ++i) {
             const double along = (height(i + 1, j) - height(i, j)) * steps_u / plot.top,
                          across = (height(i, j + 1) - height(i, j)) * steps_v / plot.top;
-            const double light = (1 - 0.45 * along + 0.25 * across) /
+            const double light = (1 - 0.7 * along + 0.4 * across) /
                                  std::sqrt(1 + 0.5 * (along * along + across * across));
             const ImVec2 corners[] = {seen(i, j), seen(i + 1, j), seen(i + 1, j + 1),
                                       seen(i, j + 1)};
             draw.AddConvexPolyFilled(
                 corners, 4,
-                between(dark, style.color, static_cast<float>(std::clamp(0.72 * light, 0.0, 1.0))));
+                between(dark, style.color, static_cast<float>(std::clamp(0.6 * light, 0.0, 1.0))));
         }
     draw.Flags = flags;
     const auto line = [&](bool along, double at, float alpha) {
