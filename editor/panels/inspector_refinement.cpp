@@ -27,7 +27,7 @@ Command refine_each(const std::vector<Id>& ids, const std::vector<Refining>& all
 // What a hand took, if it did.
 std::optional<SplitPoint> split_row(ValueRows& rows, SplitPoint split, bool mixed)
 {
-    std::vector<std::string> words{"Evenly curved", "Midpoint", "Greville", "Greatest error"};
+    std::vector<std::string> words{"By curvature", "Midpoint", "Greville", "Greatest error"};
     if (mixed) words.insert(words.begin(), "Mixed"); // is shown; to take it changes nothing
     const int first = mixed ? 1 : 0, shown = mixed ? 0 : static_cast<int>(split);
     int chosen = shown;
