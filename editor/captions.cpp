@@ -1,26 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/captions.h"
 
+#include "core/base/rounded.h"
 #include "ui/headless.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <fmt/format.h>
 
 namespace trivar {
 namespace {
 
 constexpr std::size_t most_sampled = 600; // of a part, that tell where it is
 
-// Three digits, and never less than it is.
 std::string at_most_mm(double metres)
 {
-    const double mm = metres * 1000;
-    if (!(mm > 0)) return "0 mm";
-    const double unit = std::pow(10, std::floor(std::log10(mm)) - 2);
-    return fmt::format("{:.3g} mm", std::ceil(mm / unit * (1 - 1e-12)) * unit);
+    return ui::short_number(rounded_up(metres * 1000, 3)) + " mm";
 }
 
 std::string words_of(const Refined& refined, const Refining& refining)
