@@ -28,6 +28,7 @@ Helpers helpers_of(Editor& editor, const ui::Theme& theme)
     const auto found = objects.find(editor.session.selected);
     if (found == objects.end() || !found->second->placement || !tool.shows_volume() ||
         editor.session.document().render->volumes || // the picture shows them
+        editor.session.shown().render->volumes ||    // they are in the picture
         std::ranges::binary_search(editor.session.aside, found->first))
         return helpers;
     for (gpu::Line& line : placement_lines(*found->second->placement, theme.color, theme.line(1)))
