@@ -114,10 +114,19 @@ Image place()
     return window.taken();
 }
 
+// Only that of the selected object is shown.
+void without_volumes(Window& window)
+{
+    RenderSettings settings = *window.editor.session.document().render;
+    settings.volumes = false;
+    window.run(SetRender{settings});
+}
+
 Image profiles()
 {
     Window window({1440, 1000});
     window.open("variable_width");
+    without_volumes(window);
     window.select("Bulldozer, between");
     const Id id = window.editor.session.selected;
     EditPlacement edit{
@@ -125,6 +134,62 @@ Image profiles()
     edit.parameters.height_across = {{0, 0.8}, {0.5, 1.25}, {1, 0.8}};
     edit.parameters.rise_profile = {{0, 0}, {0.5, 0.38}, {1, 1}};
     window.run(edit);
+    return window.taken();
+}
+
+// The tool of that name over the crocodile's volume, seen from the side.
+void shape_crocodile(Window& window, const std::string& tool)
+{
+    window.open("crocodile_pressed");
+    without_volumes(window);
+    window.select("Crocodile");
+    window.run(Unshape{window.editor.session.selected, {}});
+    window.act(tool);
+    window.finish();
+}
+
+// Where a point of the selected volume is seen.
+glm::vec2 on_volume(const Window& window, const glm::dvec3& uvw)
+{
+    const auto& objects = window.editor.session.evaluated().objects;
+    const Placement& placement = *objects.at(window.editor.session.selected)->placement;
+    return window.seen_at(evaluate(placement.volume, uvw).value);
+}
+
+Image press()
+{
+    Window window;
+    shape_crocodile(window, "Press");
+    window.editor.active_tool().resize(window.editor.session, 0.6);
+    const glm::vec2 at = on_volume(window, {0.4, 0.5, 1});
+    window.draw({at, at + glm::vec2(0, 34)});
+    window.finish();
+    window.move(on_volume(window, {0.4, 0.5, 1}));
+    return window.taken();
+}
+
+Image lattice()
+{
+    Window window;
+    shape_crocodile(window, "Lattice");
+    const glm::vec2 at = on_volume(window, {0.45, 0.5, 1});
+    window.draw({at - glm::vec2(60, 50), at + glm::vec2(60, 30)});
+    window.finish();
+    return window.taken();
+}
+
+Image heights()
+{
+    Window window({1440, 1000});
+    window.open("cube_refined");
+    window.select("By curvature");
+    const Id id = window.editor.session.selected;
+    EditPlacement edit{
+        id, object(window.editor.session.document(), id).placement->parameters, {}, {}};
+    edit.parameters.height_map = {
+        {0.7, 0.7, 0.7}, {0.7, 1.6, 0.7}, {0.7, 2.2, 0.7}, {0.7, 1.6, 0.7}, {0.7, 0.7, 0.7}};
+    window.run(edit);
+    window.editor.map_point = 7;
     return window.taken();
 }
 
@@ -216,7 +281,9 @@ constexpr Picture pictures[] = {{"start", start},       {"place", place},
                                 {"profiles", profiles}, {"history", history},
                                 {"stretch", stretch},   {"timeline", timeline},
                                 {"outliner", outliner}, {"preferences", preferences},
-                                {"palette", palette},   {"move-rotate-scale", move}};
+                                {"palette", palette},   {"move-rotate-scale", move},
+                                {"press", press},       {"lattice", lattice},
+                                {"heights", heights}};
 
 } // namespace
 } // namespace trivar
