@@ -15,7 +15,7 @@ std::string words_of(const VolumeEdit& edit)
         static constexpr std::array<const char*, 4> decays{"Gaussian", "hat", "box", "smooth"};
         double amount = 0;
         for (const glm::dvec4& sample : edit.press->samples) amount += sample.w;
-        return fmt::format("{}, {} {} m", amount < 0 ? "Pull" : "Press",
+        return fmt::format("{}, {}, radius {} m", amount < 0 ? "Pull" : "Press",
                            decays[static_cast<std::size_t>(edit.press->decay)],
                            ui::short_number(edit.press->radius));
     }

@@ -8,7 +8,7 @@
 
 namespace trivar {
 
-// What a step of shaping is, for a list: "Press, Gaussian 0.34 m".
+// What a step of shaping is, for a list: "Press, Gaussian, radius 0.34 m".
 std::string words_of(const VolumeEdit& edit);
 // The same once it is done, with what was chosen then: "Mended, it was lowered".
 std::string words_of(const VolumeEdit& edit, const Shaping& done);

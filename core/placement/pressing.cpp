@@ -193,18 +193,29 @@ Pressing::Came Pressing::add(const glm::dvec4& sample)
         would_fold = proven.share < 1;
         verdicts_ = std::move(proven.after);
     }
-    double weight = 0, far = 0;
-    for (const double each : w) weight = std::max(weight, each);
+    const bool at_layers = !at_scene(volume_, ground_, glm::dvec3(sample));
+    double weight = 0, far = 0; // of what can follow the ball
+    for (std::size_t i = 0; i < w.size(); ++i)
+        if (!at_layers || toward_scene_[i % toward_scene_.size()] != 0)
+            weight = std::max(weight, w[i]);
     for (const PointMove& move : taken) far = std::max(far, glm::length(move.by));
     volume_ = moved(std::move(volume_), taken);
     if (!(weight > 0)) return {};
     const double metres = far / weight;
     // Layers that came as near to each other as they may.
     constexpr double nearly_all = 0.98;
-    const bool at_layers = !at_scene(volume_, ground_, glm::dvec3(sample));
     would_fold =
         would_fold || (press_.guard && at_layers && metres < nearly_all * std::abs(sample.w));
     return {std::copysign(metres, sample.w), would_fold};
+}
+
+double Pressing::farthest() const
+{
+    double far = 0;
+    for (std::size_t i = 0; i < points_.size(); ++i)
+        far = std::max(
+            far, glm::distance(volume_.displacement.points[i], start_.displacement.points[i]));
+    return far;
 }
 
 void check(const Press& press)

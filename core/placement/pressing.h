@@ -46,6 +46,7 @@ public:
     // Moves them, where guarded as far as that is proven not to fold.
     Came add(const glm::dvec4& sample);
 
+    double farthest() const; // that any control point went, metres
     const Lattice& volume() const { return volume_; }
     // What is known of it; nothing where the press is not guarded.
     std::optional<CellVerdicts> verdicts() const

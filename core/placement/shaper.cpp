@@ -107,6 +107,10 @@ std::vector<PointMove> moves_of(const Lattice& volume, const PointShift& shift)
 {
     const std::array<Knots, 3>& axes = volume.displacement.axes;
     const glm::ivec3 n(axes[0].count(), axes[1].count(), axes[2].count());
+    if (shift.of != glm::ivec3(0) && shift.of != n)
+        throw Rejected(fmt::format("it moves control points of a volume of {} x {} x {}, and there "
+                                   "are {} x {} x {} now",
+                                   shift.of.x, shift.of.y, shift.of.z, n.x, n.y, n.z));
     for (const glm::ivec3& p : shift.points)
         for (int a = 0; a < 3; ++a)
             if (p[a] < 0 || p[a] >= n[a])
@@ -236,6 +240,8 @@ Shaper::Done Shaper::pressed(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>&
         so_far_.would_fold = so_far_.would_fold || came.would_fold;
         press_.samples.push_back(sample);
     }
+    if (press.samples.size() > 1)
+        so_far_.done = std::copysign(pressing_->farthest(), so_far_.asked);
     return {edit, make_ref(with_volume(*before, pressing_->volume(), pressing_->verdicts())),
             so_far_};
 }

@@ -10,8 +10,9 @@ namespace trivar {
 
 // What came of one step of shaping.
 struct Shaping {
-    // Metres that the ball or the points should go, and went; of what has no such wish both are
-    // how far the volume moved anywhere, at most.
+    // Metres that the ball or the points should go, and went; of a ball that was drawn along, how
+    // far it took any point; of what has no such wish both are how far the volume moved anywhere,
+    // at most.
     double asked = 0, done = 0;
     bool would_fold = false; // why less was done than asked
     std::string words = {};  // what was done, where there was a choice

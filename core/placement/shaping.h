@@ -38,6 +38,9 @@ struct PointShift {
     glm::dvec3 by{0};                    // metres along, across and up
     bool mirror = false;                 // those on the other side of the middle the other way
     bool guard = true;
+    // How many the volume has along, across and up that they were numbered in: in another one they
+    // would be other points, and nothing is moved. 0: whichever there is.
+    glm::ivec3 of{0};
     bool operator==(const PointShift&) const = default;
 };
 

@@ -80,7 +80,7 @@ const char* LatticePointsTool::icon() const
 
 Command LatticePointsTool::command() const
 {
-    return MovePoints{object_, {chosen_, shown_, mirror_, guard_}};
+    return MovePoints{object_, {chosen_, shown_, mirror_, guard_, of_}};
 }
 
 void LatticePointsTool::keep_what_is_there(const Session& session)
@@ -181,7 +181,9 @@ void LatticePointsTool::choose_in_box(const Session& session, const ViewportInpu
 void LatticePointsTool::begin(const Session& session, const ViewportInput& input,
                               const Handle& handle)
 {
-    const MotionFrame frame = frame_of(selected_placement(session)->placement->volume, chosen_);
+    const Lattice& volume = selected_placement(session)->placement->volume;
+    const MotionFrame frame = frame_of(volume, chosen_);
+    of_ = size_of(volume);
     // The gesture is that of an object which stands there, turned as the volume is.
     const Stand stand{object_,
                       {.translation = frame.pivot,
@@ -350,8 +352,12 @@ std::vector<Hint> LatticePointsTool::hints(const Session& session) const
                 {{"Ctrl"}, "Snap"},
                 {{"Shift"}, "Fine"},
                 {{"Esc", "/", "right"}, "Cancel"}};
-    if (!selected_placement(session))
-        return {{{}, "Select a placed object"}, {{"left"}, "Select"}, {{"Esc"}, "Select"}};
+    const EvaluatedObject* laid = selected_placement(session);
+    if (laid && !is_shown(laid->placement->volume))
+        return {{{}, fmt::format("More than {} control points are not shown", most_shown)},
+                {{}, "Leave fewer in the inspector, Lattice"},
+                {{"Esc"}, "Select"}};
+    if (!laid) return {{{}, "Select a placed object"}, {{"left"}, "Select"}, {{"Esc"}, "Select"}};
     std::vector<Hint> hints{
         {{"left"}, chosen_.empty() ? "Choose a point" : "Drag a point or handle"},
         {{"Ctrl", "left"}, "Add or remove"},

@@ -45,6 +45,7 @@ private:
     Command command() const;
 
     Id object_ = 0;
+    glm::ivec3 of_{0};               // its control points along, across and up
     std::vector<glm::ivec3> chosen_; // of that one's volume, in the order they were chosen
     std::optional<glm::ivec3> hovered_;
     Handle hovered_handle_;

@@ -52,6 +52,8 @@ TEST(LatticePoints, OneIsDraggedWhereTheMouseGoesInOneStep)
     rig.drag(near_roof, {6, -20});
     ASSERT_EQ(rig.shaped(), 1u);
     ASSERT_EQ(rig.last().points, std::vector{near_roof});
+    EXPECT_EQ(rig.last().of.x * rig.last().of.y * rig.last().of.z,
+              static_cast<int>(rig.volume().displacement.points.size()));
     EXPECT_LT(glm::distance(rig.seen_at(rig.point(near_roof)), goal), 1);
     EXPECT_EQ(rig.point({5, 0, 2}), beside);
     rig.editor.session.undo();

@@ -240,6 +240,20 @@ TEST(Shaper, MendsNothingWhereItMayFold)
     EXPECT_FALSE(shaper(placed_box(), {folded, mended})->placement->volume == as_folded);
 }
 
+TEST(Pressing, BesideALayerThatStaysIsNotStoppedByIt)
+{
+    const std::array<Knots, 3> axes{Knots::uniform(3, 12), Knots::uniform(3, 8),
+                                    Knots::uniform(3, 5)};
+    const Lattice box =
+        lattice_at_rest(axes, glm::dmat4(2, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 1));
+    const double level = axes[2].greville(2); // lies on the scene, in the middle of the ball
+    Press press = press_at({0.5, 0, level, 0.01});
+    Pressing pressing(laid_volume(box, level), press);
+    const Pressing::Came came = pressing.add(press.samples.front());
+    EXPECT_FALSE(came.would_fold);
+    EXPECT_NEAR(came.metres, 0.01, 1e-12);
+}
+
 TEST(Shaper, InsertsControlPointsWithoutAChange)
 {
     const auto finer =
@@ -273,6 +287,18 @@ TEST(Shaper, PassesOverAStepThatDoesNotFitAndSaysSo)
     EXPECT_FALSE(after->steps[0].notice.empty());
     EXPECT_TRUE(after->steps[1].notice.empty());
     EXPECT_EQ(after->placement->volume, pressed(press_at({0.5, 0.5, 1, 0.05})));
+}
+
+TEST(Shaper, MovesNoOtherPointsThanThoseThatWereMeant)
+{
+    const auto shift = make_ref(VolumeEdit{
+        .shift = PointShift{.points = {{11, 4, 4}}, .by = {0, 0, 0.05}, .of = {12, 8, 5}}});
+    const auto finer = make_ref(VolumeEdit{.insertion = KnotInsertion{.along = {0.31}}});
+    Shaper shaper;
+    EXPECT_TRUE(shaper(placed_box(), {shift, finer})->steps[0].notice.empty());
+    const auto after = shaper(placed_box(), {finer, shift}); // another one has that number there
+    EXPECT_FALSE(after->steps[1].notice.empty());
+    EXPECT_EQ(after->placement->volume, shaper(placed_box(), {finer})->placement->volume);
 }
 
 TEST(Shaper, MovesMirroredPointsTheOtherWayAcross)

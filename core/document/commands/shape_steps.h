@@ -37,6 +37,9 @@ template <> struct FieldsOf<PointShift> {
         field("by", s.by, "metres along, across and up", required);
         field("mirror", s.mirror, "those on the other side of the middle go the other way across");
         field("guard", s.guard, "no further than is proven not to fold the volume");
+        field("of", s.of,
+              "how many control points the volume has along, across and up: where it has others, "
+              "the step is passed over; zeros: whichever there are");
     }
 };
 template <> struct FieldsOf<KnotInsertion> {
