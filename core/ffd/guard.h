@@ -37,8 +37,8 @@ CellVerdicts judged_again(CellVerdicts before, const Lattice& now, std::span<con
 
 // The largest share, a multiple of 1 / steps, by which control points may go: the moved lattice is
 // proven good in all touched cells that were, and where one was bad or unknown, it is proven good
-// or no coefficient that is below 0 has fallen, nor come to be below. Searched by halving, but what is returned was judged as
-// it is returned. 0: not at all.
+// or no coefficient that is below 0 has fallen, nor come to be below. Searched by halving, but what
+// is returned was judged as it is returned. 0: not at all.
 struct CertifiedShare {
     double share = 1;
     std::vector<int> stopping; // cells that forbade a larger one; empty where it is 1

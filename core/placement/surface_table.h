@@ -46,7 +46,7 @@ public:
     };
     Jet jet(glm::dvec2 uv) const;
     const glm::dvec2& cells() const { return cells_; } // of control points, along both axes
-    bool creased() const { return creased_; } // it may fold along a line of control points
+    bool creased() const { return creased_; }          // it may fold along a line of control points
 
     // At every u with every v, which ascend, v fastest: two matrix products.
     std::vector<glm::dvec3> grid(std::span<const double> u, std::span<const double> v) const;

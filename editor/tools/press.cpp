@@ -215,10 +215,10 @@ void PressTool::tell(Session& session)
     const bool same = laid && laid->id == id;
     if (!last->notice.empty() || (same && offer_points(session, id, laid->placement->volume)))
         return;
-    if (last->would_fold && last->asked > 0)
-        tell_where_it_stopped(session, *last, "The press", "Use a larger radius", id,
-                              same ? parts_of(told_, laid->placement->volume)
-                                   : std::vector<VolumePart>{});
+    if (last->would_fold)
+        tell_where_it_stopped(
+            session, *last, last->asked > 0 ? "The press" : "The pull", "Use a larger radius", id,
+            same ? parts_of(told_, laid->placement->volume) : std::vector<VolumePart>{});
 }
 
 std::vector<VolumePart> PressTool::held_parts(const Session& session) const
