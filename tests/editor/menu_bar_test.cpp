@@ -46,11 +46,11 @@ TEST(MenuBar, AnEntryRunsByItsLetter)
     const bool shown = rig.editor.preferences.show_dock;
     rig.key({.key = 'V', .alt = true});
     ASSERT_EQ(rig.editor.menu.open, "View");
-    std::vector<std::string> names;
+    std::vector<std::string> entries;
     for (const Action& each : rig.editor.actions)
-        if (each.menu == "View") names.push_back(each.name);
-    const std::vector<char> letters = menu_letters(names);
-    const auto at = std::ranges::find(names, "Side panels") - names.begin();
+        if (each.menu == "View") entries.push_back(each.name);
+    const std::vector<char> letters = menu_letters(entries);
+    const auto at = std::ranges::find(entries, "Side panels") - entries.begin();
     rig.key({letters[static_cast<std::size_t>(at)]});
     EXPECT_NE(rig.editor.preferences.show_dock, shown);
     EXPECT_EQ(rig.editor.menu.open, "");
