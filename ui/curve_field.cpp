@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/curve_field.h"
 
+#include "ui/held_value.h"
 #include "ui/input.h"
 #include "ui/keys.h"
 
@@ -8,7 +9,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <imgui.h>
-#include <imgui_internal.h>
 
 namespace trivar::ui {
 namespace {
@@ -157,8 +157,7 @@ Edit curve_field(const Theme& theme, const std::string& id, std::vector<glm::dve
 {
     ImGui::PushID(id.c_str());
     ImGuiStorage& kept = *ImGui::GetStateStorage();
-    const ImGuiID top_id = ImGui::GetID("top"), x_id = ImGui::GetID("x"), y_id = ImGui::GetID("y"),
-                  twice_id = ImGui::GetID("twice");
+    const ImGuiID top_id = ImGui::GetID("top"), x_id = ImGui::GetID("x"), y_id = ImGui::GetID("y");
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const Rect box = rect_at({at.x, at.y}, {width, theme.px(height_at_1)});
     ImGui::InvisibleButton("curve", {std::max(1.0f, width), box.height()});
@@ -204,7 +203,6 @@ Edit curve_field(const Theme& theme, const std::string& id, std::vector<glm::dve
         drag_point(points, static_cast<std::size_t>(chosen), to, style);
         if (points != before) edit = Edit::changed;
     }
-    if (active && chosen >= 0) hands().may_hold_on();
     if (hovered && chosen >= 0) {
         hands().keep_key(key_delete); // an end stays: nothing else is deleted in its place
         const bool inner = chosen > 0 && chosen + 1 < static_cast<int>(points.size());
@@ -214,17 +212,7 @@ Edit curve_field(const Theme& theme, const std::string& id, std::vector<glm::dve
             edit = Edit::changed;
         }
     }
-    // A double click that dragged nothing.
-    if (begun)
-        kept.SetBool(twice_id, chosen >= 0 && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left));
-    else if (edit != Edit::none)
-        kept.SetBool(twice_id, false);
-    else if (ImGui::IsItemDeactivated() && kept.GetBool(twice_id))
-        type_next_number();
-    if (active && ImGui::IsKeyPressed(key_escape, false)) {
-        ImGui::ClearActiveID();
-        edit = Edit::cancelled;
-    }
+    edit = after_drag(edit, chosen >= 0);
     if (hovered && (under >= 0 || io.KeyCtrl)) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     paint(theme, box, plot, points, chosen, hovered && !active ? under : -1, style);
     ImGui::PopID();

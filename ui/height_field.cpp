@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/height_field.h"
 
-#include "ui/input.h"
-#include "ui/keys.h"
+#include "ui/held_value.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <imgui.h>
-#include <imgui_internal.h>
 
 namespace trivar::ui {
 namespace {
@@ -24,15 +22,15 @@ using Grid = std::vector<std::vector<double>>;
 struct HeightPlot {
     Rect picture, cells;
     double top = 1;
-    int rows = 1, columns = 1; // along u, along v
+    int rows = 1, columns = 1;                           // along u, along v
+    static constexpr float shear = 0.24f, depth = 0.34f; // of the picture, from v = 0 to 1
     glm::vec2 seen(double u, double v, double h) const
     {
-        constexpr float shear = 0.24f, depth = 0.34f;
         const glm::vec2 size = picture.size();
         return {picture.lo.x + size.x * static_cast<float>(u * (1 - shear) + v * shear),
                 picture.hi.y - size.y * static_cast<float>(v * depth + h / top * (1 - depth))};
     }
-    double per_px() const { return top / (0.66 * static_cast<double>(picture.height())); }
+    double per_px() const { return top / ((1 - depth) * picture.height()); }
     Rect cell(int i, int j) const
     {
         const glm::vec2 size = cells.size() / glm::vec2(rows, columns);
@@ -173,8 +171,7 @@ Edit height_field(const Theme& theme, const std::string& id, Grid& values, int& 
 {
     ImGui::PushID(id.c_str());
     ImGuiStorage& kept = *ImGui::GetStateStorage();
-    const ImGuiID top_id = ImGui::GetID("top"), value_id = ImGui::GetID("value"),
-                  twice_id = ImGui::GetID("twice");
+    const ImGuiID top_id = ImGui::GetID("top"), value_id = ImGui::GetID("value");
     const auto rows = static_cast<int>(values.size()),
                columns = static_cast<int>(values.front().size());
     const float cells = std::max(
@@ -222,18 +219,7 @@ Edit height_field(const Theme& theme, const std::string& id, Grid& values, int& 
         if (now != value()) edit = Edit::changed;
         value() = now;
     }
-    if (active && chosen >= 0) hands().may_hold_on();
-    // A double click that dragged nothing.
-    if (begun)
-        kept.SetBool(twice_id, chosen >= 0 && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left));
-    else if (edit != Edit::none)
-        kept.SetBool(twice_id, false);
-    else if (ImGui::IsItemDeactivated() && kept.GetBool(twice_id))
-        type_next_number();
-    if (active && ImGui::IsKeyPressed(key_escape, false)) {
-        ImGui::ClearActiveID();
-        edit = Edit::cancelled;
-    }
+    edit = after_drag(edit, chosen >= 0);
     if (hovered && under >= 0) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
     paint_heights(theme, box, plot, values, chosen, hovered && !active ? under : -1, style);
     ImGui::PopID();

@@ -14,7 +14,7 @@ using HeightGrid = std::vector<std::vector<double>>;
 // How the height changes over the whole strip: the factor at (u, v) as a tensor-product B-spline
 // over [0, 1]^2 with the grid's values as control points, on uniform knots, quadratic where there
 // are three or more of them. It never leaves the range of its values. Without a grid it is 1
-// everywhere; where all values are one, exactly that.
+// everywhere; where all values are one, exactly that. Heights by u and v: Schein 2006, chapter 2.
 class HeightMap {
 public:
     // Throws Rejected as check_height_map does.

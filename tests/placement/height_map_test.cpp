@@ -16,16 +16,6 @@ using namespace trivar::testing;
 
 const HeightGrid hilly{{0.5, 0.8, 0.5, 0.6}, {1, 2, 1.5, 1}, {0.6, 1.2, 0.4, 0.3}};
 
-// A stroke over waves, seen from the side.
-Placement laid_on_waves(const PlacementParameters& p)
-{
-    static const RayScene waves = scene_of(height_field(
-        20, 200, [](double x, double y) { return 0.03 * std::sin(2 * x) * std::cos(2 * y); }));
-    Timings timings;
-    const Camera camera = from_the_side({0.5, -1.5, 4});
-    return place(stroke_over(camera, {{-1, 0, 0}, {1, 0.3, 0}}), p, snake_box(), waves, timings);
-}
-
 TEST(HeightMap, IsOneWithoutAGridAndTheFactorWhereAllAreOne)
 {
     EXPECT_EQ(HeightMap().at(0.3, 0.7), 1);
@@ -70,7 +60,7 @@ TEST(HeightMap, OfAnOuterProductIsTheProductOfTheProfiles)
     both.height_profile = along;
     both.height_across = across;
     one.height_map = grid;
-    const Lattice x = laid_on_waves(both).volume, y = laid_on_waves(one).volume;
+    const Lattice x = over_waves(both).volume, y = over_waves(one).volume;
     ASSERT_EQ(x.displacement.points.size(), y.displacement.points.size());
     for (std::size_t i = 0; i < x.displacement.points.size(); ++i)
         EXPECT_LT(glm::distance(x.displacement.points[i], y.displacement.points[i]), 1e-13);
@@ -109,10 +99,9 @@ TEST(Place, IsSoManyTimesAsHighWithAnEvenHeightMap)
         PlacementParameters even{.height = 0.1, .offset = offset}, profile = even;
         even.height_map = HeightGrid(3, std::vector<double>(2, 1.5));
         profile.height_profile = {{0, 1.5}, {1, 1.5}};
-        EXPECT_EQ(laid_on_waves(even).volume, laid_on_waves(profile).volume);
+        EXPECT_EQ(over_waves(even).volume, over_waves(profile).volume);
         even.height_map = {{1, 1}, {1, 1}};
-        EXPECT_EQ(laid_on_waves(even).volume,
-                  laid_on_waves({.height = 0.1, .offset = offset}).volume);
+        EXPECT_EQ(over_waves(even).volume, over_waves({.height = 0.1, .offset = offset}).volume);
     }
 }
 
@@ -121,7 +110,7 @@ TEST(Place, HasTheHeightOfTheMapAtItsNodesAndDoesNotFold)
     PlacementParameters p{.height = 0.1};
     p.height_map = hilly;
     p.height_profile = {{0, 0.5}, {0.4, 1.4}, {1, 0.3}};
-    const Placement out = laid_on_waves(p);
+    const Placement out = over_waves(p);
     const HeightMap map(hilly);
     const Profile along(p.height_profile);
     const auto& axes = out.contact.axes;

@@ -111,16 +111,6 @@ TEST(Rise, AscendsStrictlyAndIsItselfWithoutPoints)
     refuses({{0, 0}, {1, 0.9}}, "to 1 at the roof");
 }
 
-// A stroke over waves, seen from the side.
-Placement over_waves(const PlacementParameters& p)
-{
-    static const RayScene waves = scene_of(height_field(
-        20, 200, [](double x, double y) { return 0.03 * std::sin(2 * x) * std::cos(2 * y); }));
-    Timings timings;
-    const Camera camera = from_the_side({0.5, -1.5, 4});
-    return place(stroke_over(camera, {{-1, 0, 0}, {1, 0.3, 0}}), p, snake_box(), waves, timings);
-}
-
 TEST(Place, IsTheSameToTheBitWithProfilesThatChangeNothing)
 {
     for (const double offset : {0.0, 1.0}) {

@@ -110,6 +110,15 @@ Placement placed(const Sketch& sketch, const RayScene& scene, const PlacementPar
     return place(sketch, p, snake_box(), scene, timings);
 }
 
+Placement over_waves(const PlacementParameters& p)
+{
+    static const RayScene waves = scene_of(height_field(
+        20, 200, [](double x, double y) { return 0.03 * std::sin(2 * x) * std::cos(2 * y); }));
+    Timings timings;
+    const Camera camera = from_the_side({0.5, -1.5, 4});
+    return place(stroke_over(camera, {{-1, 0, 0}, {1, 0.3, 0}}), p, snake_box(), waves, timings);
+}
+
 double penetration(const Surface<glm::dvec3>& contact, const Camera& camera, const RayScene& scene,
                    int n)
 {

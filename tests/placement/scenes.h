@@ -34,6 +34,9 @@ Sketch stroke_to_cover(const Camera& camera);
 Box snake_box(); // ten long, two wide, one high
 Placement placed(const Sketch& sketch, const RayScene& scene, const PlacementParameters& p = {});
 
+// The snake along a stroke over waves, seen from the side.
+Placement over_waves(const PlacementParameters& p);
+
 // How far the contact surface lies behind what the camera sees, largest over an n x n grid.
 double penetration(const Surface<glm::dvec3>& contact, const Camera& camera, const RayScene& scene,
                    int n);
