@@ -271,10 +271,10 @@ ViewportStyle viewport_style(const ui::Theme& theme, bool as_in_pictures)
 ui::Theme theme_over_picture(const ui::Theme& theme, const RenderSettings& settings,
                              bool as_in_pictures)
 {
-    if (!as_in_pictures) return theme;
-    ui::Theme over = theme;
     ui::Look look = theme.look;
-    look.light = settings.look != "dark";
+    look.light = settings.look != "dark" && (as_in_pictures || theme.look.light);
+    if (look.light == theme.look.light) return theme;
+    ui::Theme over = theme;
     over.color = ui::with_overlays(theme.color, look);
     return over;
 }

@@ -47,7 +47,7 @@ struct ViewportStyle {
 // `as_in_pictures`: the backdrop of the scene's look, else the theme's own.
 ViewportStyle viewport_style(const ui::Theme& theme, bool as_in_pictures);
 
-// The theme with overlays that read on what is behind the scene.
+// The theme with the backdrop and the overlays that go with the scene: the look "dark" stays dark.
 ui::Theme theme_over_picture(const ui::Theme& theme, const RenderSettings& settings,
                              bool as_in_pictures);
 

@@ -162,7 +162,8 @@ Palette with_overlays(Palette palette, const Look& look)
     for (const auto field :
          {&Palette::selected, &Palette::hovered, &Palette::lattice, &Palette::lattice_fill,
           &Palette::stroke, &Palette::stroke_fill, &Palette::contact, &Palette::free_node,
-          &Palette::halo, &Palette::sphere, &Palette::incision, &Palette::fold, &Palette::path})
+          &Palette::halo, &Palette::sphere, &Palette::incision, &Palette::fold, &Palette::path,
+          &Palette::sky_top, &Palette::sky_bottom, &Palette::grid, &Palette::grid_major})
         palette.*field = from.*field;
     return palette;
 }

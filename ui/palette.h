@@ -57,7 +57,7 @@ struct Look {
 };
 Palette palette_of(const Look& look);
 
-// The same palette with the overlays that read on a light or a dark picture.
+// The same palette with the backdrop and the overlays of a light or a dark picture.
 Palette with_overlays(Palette palette, const Look& look);
 
 // Linear light with straight alpha, for what the renderer draws.

@@ -134,5 +134,24 @@ TEST(ViewportPicture, StaysAsItWasWhereTheDeviceHasNoRoomForMoreAndOneNoticeSays
     EXPECT_EQ(said(), 0);
 }
 
+TEST(ViewportPicture, OfADarkLookStaysDarkInALightInterface)
+{
+    ui::Theme theme;
+    const ui::Look light{.light = true}, dark;
+    theme.look = light;
+    theme.color = ui::palette_of(light);
+    RenderSettings settings;
+    for (const bool as_in_pictures : {false, true}) {
+        settings.look = "dark";
+        const ui::Palette over = theme_over_picture(theme, settings, as_in_pictures).color;
+        EXPECT_EQ(over.lattice, ui::palette_of(dark).lattice);
+        EXPECT_EQ(over.sky_top, ui::palette_of(dark).sky_top);
+        EXPECT_EQ(over.text, theme.color.text);
+        settings.look = "studio";
+        EXPECT_EQ(theme_over_picture(theme, settings, as_in_pictures).color.lattice,
+                  theme.color.lattice);
+    }
+}
+
 } // namespace
 } // namespace trivar
