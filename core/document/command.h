@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/document/asset_store.h"
+#include "core/document/commands/animate.h"
 #include "core/document/commands/arrange.h"
 #include "core/document/commands/import.h"
 #include "core/document/commands/material.h"
@@ -25,7 +26,7 @@ using Command =
     std::variant<ImportModel, EditImport, Relink, AddPlane, AddBox, AddSphere, AddCylinder,
                  AddTorus, AddMoebius, AddTeapot, SetTransform, Arrange, SetMaterial, ClearMaterial,
                  Rename, Hide, Show, Lock, Unlock, Delete, Duplicate, Group, Ungroup, Reorder,
-                 Place, PlaceRound, EditPlacement, Unplace, SetTravel, PlayClip, Refine,
+                 Place, PlaceRound, EditPlacement, Unplace, SetTravel, PlayClip, Animate, Refine,
                  ClearRefine, PressVolume, MovePoints, InsertKnots, CoarsenVolume, MendVolume,
                  AllowFolds, Unshape, Paste, SaveCamera, DeleteCamera, SetRender, SetTime>;
 

@@ -51,7 +51,7 @@ template <class T> void add(Digest& digest, const T& value)
         if (value) add(digest, *value);
     } else if constexpr (is_list<T>) {
         digest.add(static_cast<std::uint64_t>(value.size()));
-        if constexpr (is_list<typename T::value_type>)
+        if constexpr (is_list<typename T::value_type> || Nested<typename T::value_type>)
             for (const auto& entry : value) add(digest, entry);
         else
             digest.add(std::span<const typename T::value_type>(value));
@@ -104,6 +104,10 @@ void add(Digest& digest, const Object& object)
     if (object.refining) { // there were scenes without it
         digest.add_text("refining");
         add(digest, *object.refining);
+    }
+    if (!object.tracks.empty()) { // there were scenes without it
+        digest.add_text("tracks");
+        add(digest, object.tracks);
     }
 }
 
@@ -180,6 +184,10 @@ std::string digest(const Document& document)
     if (document.time != Time{}) { // there were scenes without it
         digest.add_text("time");
         add(digest, document.time);
+    }
+    if (!document.tracks->empty()) {
+        digest.add_text("tracks");
+        add(digest, *document.tracks);
     }
     return digest.hex();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/animation/track.h"
 #include "core/base/camera.h"
 #include "core/base/ref.h"
 #include "core/document/object_map.h"
@@ -46,9 +47,6 @@ struct PlacementStep {
     bool operator==(const PlacementStep&) const = default;
 };
 
-// What comes after the end of a clip: nothing, the clip again, or the way back.
-enum class Repeat { once, loop, back_and_forth };
-
 // How an object moves by a clip of its model (core/mesh/clip.h), whatever else moves it.
 struct Playing {
     std::string clip = {}; // by its name; empty: it stands as it came
@@ -84,6 +82,7 @@ struct Object {
     Travel travel = {};                    // along its stroke, if it lies on one
     Playing playing = {};                  // if it is an imported file
     std::optional<Refining> refining = {}; // if it lies on a stroke
+    std::vector<Track> tracks = {};        // of what changes in time, by parameter
     bool operator==(const Object&) const = default;
 };
 
@@ -101,6 +100,7 @@ struct Document {
     std::map<std::string, Camera> bookmarks;
     Ref<RenderSettings> render = make_ref(RenderSettings{});
     Time time = {};
+    Ref<std::vector<Track>> tracks = make_ref(std::vector<Track>{}); // of its own numbers
     // The order of the outliner's rows where it was arranged; the others follow by id.
     Ref<std::vector<Id>> rows = make_ref(std::vector<Id>{});
 };

@@ -4,6 +4,7 @@
 #include "core/base/digest.h"
 #include "core/base/parallel.h"
 #include "core/document/laying.h"
+#include "core/document/parameters.h"
 #include "core/document/posing.h"
 #include "core/document/refining.h"
 
@@ -176,8 +177,9 @@ Evaluator::Evaluator(Ref<AssetStore> assets) : cache_(std::make_unique<Cache>(st
 
 Evaluator::~Evaluator() = default;
 
-Evaluated Evaluator::operator()(const Document& document, double frame, const Progress& progress)
+Evaluated Evaluator::operator()(const Document& still, double frame, const Progress& progress)
 {
+    const Document document = document_at(still, frame);
     Evaluated result;
     std::map<Id, Ref<EvaluatedObject>> done;
     const std::vector<Id> order = order_of(document);

@@ -53,6 +53,7 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Take Pot off its stroke",
         "Let Pot travel 0.5 m/s",
         "Let snail play walk",
+        "Animate Pot 2 parameters",
         "Refine Pot 0.01 m",
         "Give Pot its own triangles back",
         "Press Pot Gaussian 0.1 m",

@@ -42,6 +42,7 @@ Document applied(Document document, const SetRender& command);
 Document applied(Document document, const SetTime& command);
 Document applied(Document document, const SetTravel& command);
 Document applied(Document document, const PlayClip& command);
+Document applied(Document document, const Animate& command);
 Document applied(Document document, const Refine& command);
 Document applied(Document document, const ClearRefine& command);
 Document applied(Document document, const PressVolume& command);

@@ -32,6 +32,10 @@ struct Rule {
                                 // where it is zero
 };
 constexpr Rule required{.required = true};
+constexpr Rule required_between(double lo, double hi)
+{
+    return {.required = true, .lo = lo, .hi = hi};
+}
 constexpr Rule between(double lo, double hi)
 {
     return {.lo = lo, .hi = hi};

@@ -4,6 +4,7 @@
 #include "core/base/rejected.h"
 #include "core/document/commands/apply.h"
 #include "core/document/commands/numbering.h"
+#include "core/document/parameters.h"
 #include "core/document/shapes.h"
 
 #include <algorithm>
@@ -113,6 +114,17 @@ Document laid(Document document, Id id, const CopiedObject& copy, const std::vec
     return applied(std::move(document), SetTravel{{id}, *copy.travel});
 }
 
+// Without the tracks of what it does not have here.
+Document animated(Document document, Id id, std::vector<Track> tracks)
+{
+    const std::vector<Parameter> known = parameters(object(document, id));
+    std::erase_if(tracks, [&](const Track& track) {
+        return std::ranges::find(known, track.parameter, &Parameter::name) == known.end();
+    });
+    if (tracks.empty()) return document;
+    return applied(std::move(document), Animate{id, std::move(tracks)});
+}
+
 CopiedObject copy_of(const Document& document, Id id, bool inside, const std::string& folder)
 {
     const Object& each = object(document, id);
@@ -133,6 +145,7 @@ CopiedObject copy_of(const Document& document, Id id, bool inside, const std::st
     copy.locked = each.locked;
     copy.material = each.surfacing;
     if (copy.file && each.playing != Playing{}) copy.playing = each.playing;
+    copy.tracks = each.tracks;
     if (!each.placement) return copy;
     copy.placement = {each.placement->sketch,
                       each.placement->parameters,
@@ -171,6 +184,8 @@ Document applied(Document document, const Paste& command)
             if (bases.empty() != known)
                 document = laid(std::move(document), made.at(copy.object), copy, bases);
         }
+    for (const CopiedObject& copy : command.copies)
+        document = animated(std::move(document), made.at(copy.object), copy.tracks);
     return document;
 }
 

@@ -53,6 +53,7 @@ struct CopiedObject {
     std::optional<Travel> travel;
     std::optional<Playing> playing;
     std::optional<Refining> refining;
+    std::vector<Track> tracks;
     bool operator==(const CopiedObject&) const = default;
 };
 
@@ -97,6 +98,7 @@ template <> struct FieldsOf<CopiedObject> {
         field("travel", c.travel, "how it goes along that");
         field("playing", c.playing, "how an imported model moves by a clip of its file");
         field("refining", c.refining, "how finely its triangles are split");
+        field("tracks", c.tracks, "how its parameters go from key to key", later);
     }
 };
 

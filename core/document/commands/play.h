@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/document/commands/field.h"
+#include "core/document/commands/animate.h"
 
 namespace trivar {
-
-template <>
-inline constexpr std::array<std::string_view, 3> choice_names<Repeat>{"once", "loop",
-                                                                      "back_and_forth"};
 
 template <> struct FieldsOf<Playing> {
     static void fields(auto& p, auto&& field)

@@ -62,6 +62,10 @@ template <class T> std::string type_name()
         return "values of [allow_folds](#allow_folds)";
     else if constexpr (std::is_same_v<T, VolumePart>)
         return "[part](#part)";
+    else if constexpr (std::is_same_v<T, Track>)
+        return "[track](#track)";
+    else if constexpr (std::is_same_v<T, Key>)
+        return "[key](#key)";
     else if constexpr (Nested<T>) // a shape
         return fmt::format("values of [{0}](#{0})", FieldsOf<T>::verb);
     else if constexpr (is_optional<T>)
@@ -193,6 +197,8 @@ std::string commands_markdown()
     text += "## object\n\nAn object as it is copied.\n\n" + field_table(CopiedObject{});
     text += "## placement\n\nHow a copied object lies.\n\n" + field_table(CopiedPlacement{});
     text += "## step\n\nWhat was done to a volume; one of them.\n\n" + field_table(VolumeEdit{});
+    text += "## track\n\nHow one number goes from key to key.\n\n" + field_table(Track{});
+    text += "## key\n\nA value in a frame, and how it goes on.\n\n" + field_table(Key{});
     text += "## part\n\nA box in a volume's own u, v and w.\n\n" + field_table(VolumePart{});
     text += "## base\n\nWhat a copied object lay on.\n\n" + field_table(KnownObject{});
     text.pop_back();

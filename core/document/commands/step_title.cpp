@@ -287,6 +287,16 @@ struct Titles {
         if (old.clip != now.clip) return {"Let " + names + " play", now.clip};
         return title_of_changes(changes(old, now), "Clip", names);
     }
+    StepTitle operator()(const Animate& c) const
+    {
+        const std::string of = c.object == 0 ? "the scene" : name_in(before, c.object);
+        std::size_t keys = 0;
+        for (const Track& track : c.tracks) keys += track.keys.size();
+        if (keys == 0) return {"Clear keys of " + of, {}};
+        return {"Animate " + of, c.tracks.size() == 1
+                                     ? c.tracks.front().parameter
+                                     : fmt::format("{} parameters", c.tracks.size())};
+    }
     StepTitle operator()(const Refine& c) const
     {
         const Refining& now = c.refinings.empty() ? c.refining : c.refinings.front();

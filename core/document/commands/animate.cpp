@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/commands/animate.h"
+
+#include "core/base/rejected.h"
+#include "core/document/commands/apply.h"
+#include "core/document/parameters.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+constexpr std::size_t most_tracks = 1000, most_keys = 100000;
+
+void check_keys(const Track& track, const Parameter& parameter)
+{
+    for (std::size_t i = 0; i < track.keys.size(); ++i) {
+        const Key& key = track.keys[i];
+        if (i > 0 && !(track.keys[i - 1].frame < key.frame))
+            throw Rejected(fmt::format("the keys of {} do not ascend: frame {} comes after {}",
+                                       track.parameter, key.frame, track.keys[i - 1].frame));
+        if (!(key.value >= parameter.lo && key.value <= parameter.hi))
+            throw Rejected(fmt::format("the key of {} in frame {} is {} but must lie between {} "
+                                       "and {}",
+                                       track.parameter, key.frame, key.value, parameter.lo,
+                                       parameter.hi));
+        if (key.before.x > 0 || key.after.x < 0)
+            throw Rejected(fmt::format("the handles of {} in frame {} point the wrong way in time",
+                                       track.parameter, key.frame));
+    }
+}
+
+std::vector<Track> merged(std::vector<Track> tracks, const std::vector<Track>& more,
+                          const std::vector<Parameter>& known, const std::string& whose)
+{
+    if (more.empty()) throw Rejected("field \"tracks\" is empty: say which parameter");
+    for (const Track& track : more) {
+        const auto had = std::ranges::lower_bound(tracks, track.parameter, {}, &Track::parameter);
+        const bool has = had != tracks.end() && had->parameter == track.parameter;
+        if (track.keys.empty()) { // of what is not there any more, too
+            if (has) tracks.erase(had);
+            continue;
+        }
+        const auto parameter = std::ranges::find(known, track.parameter, &Parameter::name);
+        if (parameter == known.end())
+            throw Rejected(fmt::format("{} has no parameter \"{}\"", whose, track.parameter));
+        check_keys(track, *parameter);
+        if (has)
+            *had = track;
+        else
+            tracks.insert(had, track);
+    }
+    std::size_t keys = 0;
+    for (const Track& track : tracks) keys += track.keys.size();
+    if (tracks.size() > most_tracks || keys > most_keys)
+        throw Rejected(fmt::format("{} would have {} animated parameters with {} keys but at most "
+                                   "{} and {} are taken",
+                                   whose, tracks.size(), keys, most_tracks, most_keys));
+    return tracks;
+}
+
+} // namespace
+
+Document applied(Document document, const Animate& command)
+{
+    if (command.object == 0) {
+        document.tracks = make_ref(
+            merged(*document.tracks, command.tracks, scene_parameters(document), "the scene"));
+        return document;
+    }
+    const std::vector<Parameter> known = parameters(object(document, command.object));
+    return with_changed(std::move(document), command.object, [&](Object& o) {
+        o.tracks = merged(std::move(o.tracks), command.tracks, known,
+                          fmt::format("object {} ({})", command.object, o.name));
+    });
+}
+
+} // namespace trivar
