@@ -91,6 +91,7 @@ struct Picture {
     DeformBy deform_by = DeformBy::two_phases; // instances that have stages
     int samples = 4;                           // of antialiasing
     bool draft = false; // leave out the slow parts while something is being dragged
+    bool deep = false;  // drawn with 16 bits a channel, and not dithered to 8
     double scale = 1;   // of the size: a draft drawn smaller is shown enlarged
     bool grid = false;  // lines on the ground, for orientation while working
     std::optional<Backdrop> backdrop = {}; // another than that of the look

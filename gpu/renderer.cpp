@@ -112,10 +112,10 @@ struct Renderer::State {
         });
         const Frame frame = frame_of(picture, camera, scene, look, light);
         std::optional<Targets>& targets = picture.draft ? drafts : pictures;
-        if (!targets || targets->size_px != size_px) {
+        if (!targets || targets->size_px != size_px || targets->deep != picture.deep) {
             if (targets && whole == &*targets) whole = nullptr;
             targets.reset(); // the old ones first: both at once may be too much
-            targets.emplace(size_px);
+            targets.emplace(size_px, picture.deep);
         }
         const int samples = picture.draft ? 1 : std::clamp(picture.samples, 1, 256);
         Quality quality = quality_for(samples, picture.draft);
@@ -182,6 +182,7 @@ struct Renderer::State {
         const Work& w = *work;
         tools.set_frame(w.frame);
         if (w.samples > 1) clock.pass("average", [&] { draw_average(tools, *w.targets); });
+        if (w.picture.deep) encode_color(tools, *w.targets);
         if (!w.picture.lines.empty())
             clock.pass("lines", [&] {
                 lines.draw(tools, *w.targets, w.frame, w.picture.lines, w.scene.origin_world);
@@ -267,6 +268,12 @@ Image Renderer::image() const
 {
     const StateGuard guard;
     return state_->whole ? read_back(*state_->whole) : Image{};
+}
+
+DeepImage Renderer::deep_image() const
+{
+    const StateGuard guard;
+    return state_->whole ? read_back_deep(*state_->whole) : DeepImage{};
 }
 
 int Renderer::pick(glm::ivec2 p_px)

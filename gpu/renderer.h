@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/timing.h"
+#include "core/mesh/deep_image.h"
 #include "gpu/picture.h"
 
 #include <memory>
@@ -29,7 +30,8 @@ public:
     bool advance(double budget_ms);
     unsigned texture() const;
 
-    Image image() const; // the last whole picture, read back
+    Image image() const;          // the last whole picture, read back
+    DeepImage deep_image() const; // the same, as finely as it was drawn
 
     // The same as draw(), read back.
     Image render(const Picture& picture, glm::ivec2 size_px);

@@ -77,7 +77,7 @@ std::vector<ProgramName> every_program()
             out.push_back(full_screen_program("occlusion", q.occlusion_defines()));
         }
     }
-    for (const Defines& more : {Defines{}, Defines{"GRID"}})
+    for (const Defines& more : {Defines{}, Defines{"GRID"}, Defines{"DEEP"}})
         out.push_back(full_screen_program("backdrop", more));
     for (const char* fragment : {"shade", "occlusion_blur", "contact", "contact_blur", "average",
                                  "outline", "layers_over"})

@@ -11,6 +11,8 @@
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <limits>
+#include <memory>
 
 namespace trivar {
 namespace {
@@ -95,44 +97,103 @@ void check_size(const OIIO::ImageSpec& spec, std::size_t bytes, const std::strin
                                name.empty() ? "picture" : name, extension));
 }
 
+// A picture file that was opened, by its bytes.
+struct Reading {
+    Reading(std::string_view bytes, const std::string& file_name,
+            OIIO::Filesystem::IOMemReader& memory)
+        : name(file_name),
+          format(format_of(bytes, name)),
+          input(OIIO::ImageInput::create(format.name, false))
+    {
+        OIIO::ImageSpec hints;
+        hints.attribute("oiio:UnassociatedAlpha", 1); // glTF's alpha is not multiplied in
+        if (!input || !input->supports("ioproxy")) refuse("no reader for this format");
+        OIIO::Filesystem::IOProxy* proxy = &memory;
+        hints.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+        input->set_ioproxy(proxy);
+        if (!input->open(name, spec, hints)) refuse(input->geterror());
+        check_size(spec, bytes.size(), name);
+    }
+    [[noreturn]] void refuse(const std::string& reason) const
+    {
+        throw Rejected(fmt::format("{}: the picture cannot be read ({})", name,
+                                   reason.substr(0, reason.find('\n'))));
+    }
+    std::size_t count() const
+    {
+        return static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
+    }
+
+    std::string name;
+    Format format;
+    std::unique_ptr<OIIO::ImageInput> input;
+    OIIO::ImageSpec spec;
+};
+
+template <class Channel> struct Pixels {
+    glm::ivec2 size_px;
+    const std::vector<Channel>& rgba;
+    std::string name;
+};
+
+template <class Channel>
+std::string encoded(const Pixels<Channel>& image, const std::string& extension,
+                    const ImageTags& tags)
+{
+    constexpr auto type = sizeof(Channel) == 1 ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16;
+    constexpr auto full = static_cast<float>(std::numeric_limits<Channel>::max());
+    std::vector<unsigned char> bytes;
+    OIIO::Filesystem::IOVecOutput memory(bytes);
+    const std::string name = "memory" + extension;
+    const auto output = OIIO::ImageOutput::create(name);
+    if (!output || !output->supports("ioproxy")) refuse_extension(image.name, extension);
+    output->set_ioproxy(&memory);
+    OIIO::ImageSpec spec(image.size_px.x, image.size_px.y, output->supports("alpha") ? 4 : 3, type);
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    spec.attribute("CompressionQuality", 95);
+    spec.attribute("DateTime", ""); // else some formats are given the present time
+    for (const auto& [tag, words] : tags) spec.attribute(tag, words);
+    bool written = false;
+    if (extension == ".exr" || extension == ".hdr") {
+        spec.format = extension == ".exr" ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT;
+        std::vector<float> linear(image.rgba.size());
+        for (std::size_t i = 0; i < linear.size(); ++i) {
+            const float value = image.rgba[i] / full;
+            linear[i] = i % 4 == 3 ? value : linear_from_srgb(value);
+        }
+        written = output->open(name, spec) &&
+                  output->write_image(OIIO::TypeDesc::FLOAT, linear.data(), 4 * sizeof(float));
+    } else {
+        written = output->open(name, spec) &&
+                  output->write_image(type, image.rgba.data(), 4 * sizeof(Channel));
+    }
+    if (!written || !output->close())
+        throw Rejected(fmt::format("{}: cannot be written ({})", image.name, output->geterror()));
+    return {bytes.begin(), bytes.end()};
+}
+
 } // namespace
 
 Image read_image_bytes(std::string_view bytes, const std::string& name)
 {
-    const Format format = format_of(bytes, name);
     OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
-    OIIO::ImageSpec hints;
-    hints.attribute("oiio:UnassociatedAlpha", 1); // glTF's alpha is not multiplied in
-    OIIO::Filesystem::IOProxy* proxy = &memory;
-    hints.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
-    const auto input = OIIO::ImageInput::create(format.name, false);
-    const auto refuse = [&](const std::string& reason) {
-        throw Rejected(fmt::format("{}: the picture cannot be read ({})", name,
-                                   reason.substr(0, reason.find('\n'))));
-    };
-    if (!input || !input->supports("ioproxy")) refuse("no reader for this format");
-    OIIO::ImageSpec spec;
-    input->set_ioproxy(proxy);
-    if (!input->open(name, spec, hints)) refuse(input->geterror());
-    check_size(spec, bytes.size(), name);
+    const Reading read(bytes, name, memory);
+    const OIIO::ImageSpec& spec = read.spec;
     const auto channels = static_cast<std::size_t>(spec.nchannels);
-    const std::size_t count =
-        static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
     Image image;
     image.name = std::filesystem::path(name).filename().string();
     image.size_px = {spec.width, spec.height};
-    image.mime = format.mime;
-    if (spec.format.is_floating_point()) {
-        std::vector<float> pixels(count * channels);
-        if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels.data()))
-            refuse(input->geterror());
-        image.rgba = display_bytes(to_rgba(pixels, count, channels, 1.0f));
-    } else {
-        std::vector<std::uint8_t> pixels(count * channels);
-        if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, pixels.data()))
-            refuse(input->geterror());
-        image.rgba = to_rgba<std::uint8_t>(pixels, count, channels, 255);
-    }
+    image.mime = read.format.mime;
+    const auto pixels_of = [&]<class T>(T full, OIIO::TypeDesc type) {
+        std::vector<T> pixels(read.count() * channels);
+        if (!read.input->read_image(0, 0, 0, spec.nchannels, type, pixels.data()))
+            read.refuse(read.input->geterror());
+        return to_rgba(pixels, read.count(), channels, full);
+    };
+    if (spec.format.is_floating_point())
+        image.rgba = display_bytes(pixels_of(1.0f, OIIO::TypeDesc::FLOAT));
+    else
+        image.rgba = pixels_of(std::uint8_t{255}, OIIO::TypeDesc::UINT8);
     image.source_bytes = bytes;
     return image;
 }
@@ -142,35 +203,34 @@ Image read_image(const std::string& path)
     return read_image_bytes(read_bytes(path, max_file_bytes), path);
 }
 
-std::string encoded_image(const Image& image, const std::string& extension)
+std::string encoded_image(const Image& image, const std::string& extension, const ImageTags& tags)
 {
-    std::vector<unsigned char> bytes;
-    OIIO::Filesystem::IOVecOutput memory(bytes);
-    const std::string name = "memory" + extension;
-    const auto output = OIIO::ImageOutput::create(name);
-    if (!output || !output->supports("ioproxy")) refuse_extension(image.name, extension);
-    output->set_ioproxy(&memory);
-    OIIO::ImageSpec spec(image.size_px.x, image.size_px.y, output->supports("alpha") ? 4 : 3,
-                         OIIO::TypeDesc::UINT8);
-    spec.attribute("oiio:UnassociatedAlpha", 1);
-    spec.attribute("CompressionQuality", 95);
-    bool written = false;
-    if (extension == ".exr" || extension == ".hdr") {
-        spec.format = extension == ".exr" ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT;
-        std::vector<float> linear(image.rgba.size());
-        for (std::size_t i = 0; i < linear.size(); ++i) {
-            const float value = image.rgba[i] / 255.0f;
-            linear[i] = i % 4 == 3 ? value : linear_from_srgb(value);
-        }
-        written = output->open(name, spec) &&
-                  output->write_image(OIIO::TypeDesc::FLOAT, linear.data(), 4 * sizeof(float));
-    } else {
-        written = output->open(name, spec) &&
-                  output->write_image(OIIO::TypeDesc::UINT8, image.rgba.data(), 4);
-    }
-    if (!written || !output->close())
-        throw Rejected(fmt::format("{}: cannot be written ({})", image.name, output->geterror()));
-    return {bytes.begin(), bytes.end()};
+    return encoded(Pixels<std::uint8_t>{image.size_px, image.rgba, image.name}, extension, tags);
+}
+
+std::string encoded_image(const DeepImage& image, const std::string& extension,
+                          const ImageTags& tags)
+{
+    return encoded(Pixels<std::uint16_t>{image.size_px, image.rgba, {}}, extension, tags);
+}
+
+ImageHead image_head(const std::string& path, const std::vector<std::string>& tags)
+{
+    const std::string bytes = read_bytes(path, max_file_bytes);
+    OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
+    const Reading read(bytes, path, memory);
+    const OIIO::ImageSpec& spec = read.spec;
+    constexpr std::string_view png_end("IEND\xae\x42\x60\x82");
+    if (read.format.name == std::string_view("png") && !bytes.ends_with(png_end))
+        read.refuse("it is cut short"); // its library would print that as well
+    std::vector<std::uint16_t> pixels(read.count() * static_cast<std::size_t>(spec.nchannels));
+    if (!read.input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT16, pixels.data()))
+        read.refuse(read.input->geterror());
+    ImageHead head{{spec.width, spec.height}, static_cast<int>(8 * spec.format.size()), {}};
+    for (const std::string& tag : tags)
+        if (const std::string words(spec.get_string_attribute(tag)); !words.empty())
+            head.tags.emplace_back(tag, words);
+    return head;
 }
 
 void check_picture_name(const std::string& path)

@@ -127,9 +127,27 @@ void draw_backdrop(Tools& tools, const Targets& targets, bool grid)
     targets.occlusion.bind(1);
     std::vector<std::string> defines;
     if (grid) defines.emplace_back("GRID");
+    if (targets.deep) defines.emplace_back("DEEP");
     tools.use(full_screen_program("backdrop", defines));
     tools.full_screen();
 }
+
+namespace {
+
+constexpr int keeps = 0, dithers = 1, encodes = 2, decodes = 3; // average.frag
+
+void copy_color(Tools& tools, const Framebuffer& to, const Texture2D& from, int change)
+{
+    to.bind();
+    set_state({});
+    const Program& program = tools.use(full_screen_program("average"));
+    program.set("weight", 1.0f);
+    program.set("change", change);
+    from.bind(0);
+    tools.full_screen();
+}
+
+} // namespace
 
 void add_sample(Tools& tools, const Targets& targets, int index)
 {
@@ -137,20 +155,24 @@ void add_sample(Tools& tools, const Targets& targets, int index)
     set_state({.blend = true});
     const Program& program = tools.use(full_screen_program("average"));
     program.set("weight", 1.0f / static_cast<float>(index + 1));
-    program.set("last", 0);
+    program.set("change", keeps);
     targets.color.bind(0);
     tools.full_screen();
 }
 
 void draw_average(Tools& tools, const Targets& targets)
 {
-    targets.to_color.bind();
-    set_state({});
-    const Program& program = tools.use(full_screen_program("average"));
-    program.set("weight", 1.0f);
-    program.set("last", 1);
-    targets.sum.bind(0);
-    tools.full_screen();
+    copy_color(tools, targets.to_color, targets.sum, targets.deep ? keeps : dithers);
+}
+
+void encode_color(Tools& tools, const Targets& targets)
+{
+    copy_color(tools, targets.to_bytes, targets.color, encodes);
+}
+
+void decode_color(Tools& tools, const Targets& targets)
+{
+    copy_color(tools, targets.to_color, targets.color_bytes, decodes);
 }
 
 } // namespace trivar::gpu

@@ -34,5 +34,8 @@ void draw_backdrop(Tools& tools, const Targets& targets, bool grid);
 // Mixes the sample into the average of those before; `index` counts from 0.
 void add_sample(Tools& tools, const Targets& targets, int index);
 void draw_average(Tools& tools, const Targets& targets);
+// Where the targets are deep: the colour as what is mixed as encoded goes over it, and back.
+void encode_color(Tools& tools, const Targets& targets);
+void decode_color(Tools& tools, const Targets& targets);
 
 } // namespace trivar::gpu

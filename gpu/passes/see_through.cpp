@@ -130,6 +130,7 @@ void SeeThroughPass::draw_helpers(Tools& tools, const Targets& targets, const Fr
 {
     constexpr float hidden_share = 0.3f; // behind something solid
     if (corners_.empty()) return;
+    if (targets.deep) encode_color(tools, targets);
     const LayerBounds bounds = bounds_of_layers(frame, corners_);
     layers_.draw(tools, targets, bounds, {.helpers = true},
                  [&](const std::vector<std::string>& defines) {
@@ -140,6 +141,7 @@ void SeeThroughPass::draw_helpers(Tools& tools, const Targets& targets, const Fr
                      glDrawElements(GL_TRIANGLES, static_cast<int>(corners_.size()),
                                     GL_UNSIGNED_INT, nullptr);
                  });
+    if (targets.deep) decode_color(tools, targets);
 }
 
 void SeeThroughPass::draw(Tools& tools, const Targets& targets, const Frame& frame,

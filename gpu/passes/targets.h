@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/mesh/deep_image.h"
 #include "core/mesh/model.h"
 #include "gpu/framebuffer.h"
 
@@ -8,17 +9,19 @@
 
 namespace trivar::gpu {
 
-// The textures of one picture size, and the framebuffers over them.
+// The textures of one picture size, and the framebuffers over them. Deep ones have 16 bits a
+// channel where others have 8.
 struct Targets {
-    explicit Targets(glm::ivec2 size_px);
+    explicit Targets(glm::ivec2 size_px, bool deep = false);
 
     glm::ivec2 size_px;
+    bool deep;
     Texture2D depth;      // 32-bit float
     Texture2D surfaces;   // pack.glsl
     Texture2D ids_depths; // instance id, bits of the distance along the view direction
     Texture2D occlusion_noisy, occlusion; // half size: occlusion.frag
-    Texture2D color;                      // sRGB
-    Texture2D color_bytes;                // the same texels as plain bytes
+    Texture2D color;                      // sRGB; deep: linear, half floats
+    Texture2D color_bytes;                // the same texels as plain bytes; deep: encoded, apart
     Texture2D kept;                       // the last whole picture while the next is drawn
     Texture2D sum;                        // average of the samples so far, linear
     Texture2D mask;                       // of highlighted instances
@@ -30,6 +33,7 @@ struct Targets {
 
 // The picture, row 0 on top.
 Image read_back(const Targets& targets);
+DeepImage read_back_deep(const Targets& targets);
 // The ids in a rectangle of it, ascending, less 0; the first pixel is top left.
 std::vector<int> ids_in(const Targets& targets, glm::ivec2 first_px, glm::ivec2 size_px);
 

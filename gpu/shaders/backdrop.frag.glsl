@@ -60,5 +60,8 @@ void main()
         color = root * root;
     }
 #endif
-    out_color = vec4(dithered(color, gl_FragCoord.xy, frame.scene.w), 1.0);
+#ifndef DEEP
+    color = dithered(color, gl_FragCoord.xy, frame.scene.w);
+#endif
+    out_color = vec4(color, 1.0);
 }
