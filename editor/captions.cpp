@@ -141,4 +141,25 @@ Image with_captions(Image image, const std::vector<Caption>& captions, const Cam
     });
 }
 
+// Drawn over black they are their own light; over white, what comes through beside that.
+DeepImage with_captions(DeepImage image, const std::vector<Caption>& captions, const Camera& camera,
+                        const RenderSettings& settings)
+{
+    if (captions.empty()) return image;
+    const auto over = [&](std::uint8_t gray) {
+        Image ground;
+        ground.size_px = image.size_px;
+        ground.rgba.assign(image.rgba.size(), gray);
+        for (std::size_t i = 3; i < ground.rgba.size(); i += 4) ground.rgba[i] = 255;
+        return with_captions(std::move(ground), captions, camera, settings).rgba;
+    };
+    const std::vector<std::uint8_t> black = over(0), white = over(255);
+    for (std::size_t i = 0; i < image.rgba.size(); ++i) {
+        if (i % 4 == 3) continue;
+        const unsigned through = white[i] - std::min(black[i], white[i]);
+        image.rgba[i] = static_cast<std::uint16_t>(257u * black[i] + image.rgba[i] * through / 255);
+    }
+    return image;
+}
+
 } // namespace trivar

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/document/evaluate.h"
+#include "core/mesh/deep_image.h"
 #include "ui/paint.h"
 
 #include <span>
@@ -35,5 +36,7 @@ void paint_captions(const std::vector<Caption>& captions, const ui::Rect& view,
 // fonts are missing.
 Image with_captions(Image image, const std::vector<Caption>& captions, const Camera& camera,
                     const RenderSettings& settings);
+DeepImage with_captions(DeepImage image, const std::vector<Caption>& captions, const Camera& camera,
+                        const RenderSettings& settings);
 
 } // namespace trivar

@@ -5,8 +5,6 @@
 #include "core/files/image.h"
 #include "editor/file_words.h"
 #include "editor/files.h"
-#include "editor/picture.h"
-#include "gpu/level.h"
 #include "ui/camera_control.h"
 
 #include <algorithm>
@@ -40,13 +38,13 @@ void PictureToFile::begin(const Session& session, int width_px)
 
 void PictureToFile::forget_gpu()
 {
-    if (renderer_) wanted_px_ = width_px_;
-    renderer_.reset();
+    if (still_) wanted_px_ = width_px_;
+    still_.reset();
 }
 
 void PictureToFile::stop()
 {
-    renderer_.reset();
+    still_.reset();
     wanted_px_ = 0;
 }
 
@@ -58,16 +56,10 @@ void PictureToFile::draw(const Session& session, const Ref<gpu::ShaderTexts>& sh
     const glm::ivec2 size_px(
         width_px,
         std::max(1, static_cast<int>(std::lround(width_px * view.y / std::max(1.0, view.x)))));
-    camera_ = ui::reshaped(session.camera, glm::dvec2(size_px));
-    captions_ = session.document().render->captions
-                    ? captions_of(session.evaluated(), session.document())
-                    : std::vector<Caption>{};
-    gpu::Picture picture = picture_of(session.evaluated(), session.document(), camera_, values_,
-                                      gpu::DeformBy::processor);
-    gpu::set_level(picture, gpu::Level::high);
-    picture.shaders = shaders;
-    renderer_ = std::make_unique<gpu::Renderer>();
-    renderer_->begin(picture, size_px);
+    still_ = std::make_unique<Still>();
+    still_->begin(session.evaluated(), session.document(),
+                  ui::reshaped(session.camera, glm::dvec2(size_px)),
+                  {.size_px = size_px, .level = gpu::Level::high, .shaders = shaders});
 }
 
 bool PictureToFile::is_whole(const Session& session, ui::Frame& frame,
@@ -79,9 +71,9 @@ bool PictureToFile::is_whole(const Session& session, ui::Frame& frame,
         if (!session.up_to_date() || session.jobs().status()) return false;
         draw(session, shaders);
     }
-    if (!renderer_) return false;
+    if (!still_) return false;
     frame.again_in(0);
-    return renderer_->advance(budget_ms);
+    return still_->advance(budget_ms);
 }
 
 void PictureToFile::advance(Session& session, ui::Frame& frame,
@@ -90,14 +82,13 @@ void PictureToFile::advance(Session& session, ui::Frame& frame,
     Ref<Image> image;
     try {
         if (!is_whole(session, frame, shaders)) return;
-        image = make_ref(
-            with_captions(renderer_->image(), captions_, camera_, *session.document().render));
+        image = make_ref(still_->image());
     } catch (const Rejected& error) {
         stop();
         tell_failed(session, path_, error.what());
         return;
     }
-    renderer_.reset();
+    still_.reset();
     session.jobs().start(
         {"Writing " + file_name(path_),
          [&session, image, path = path_](const Progress&) -> Jobs::Finish {

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "editor/captions.h"
 #include "editor/session.h"
-#include "editor/shown_values.h"
-#include "gpu/renderer.h"
+#include "editor/still.h"
 #include "ui/frame.h"
 
 #include <memory>
@@ -16,7 +14,7 @@ namespace trivar {
 // file under the next free number. It is drawn a piece a frame, so the window goes on.
 class PictureToFile {
 public:
-    bool running() const { return wanted_px_ > 0 || renderer_; }
+    bool running() const { return wanted_px_ > 0 || still_; }
     const std::string& path() const { return path_; }
     // `width_px` wide, in the shape of the viewport, as soon as the scene is evaluated and nothing
     // else is being read or written. Needs the scene's file, for its folder.
@@ -30,13 +28,10 @@ private:
     void draw(const Session& session, const Ref<gpu::ShaderTexts>& shaders);
     bool is_whole(const Session& session, ui::Frame& frame, const Ref<gpu::ShaderTexts>& shaders);
 
-    std::unique_ptr<gpu::Renderer> renderer_;
+    std::unique_ptr<Still> still_;
     std::string path_;
     int width_px_ = 0;
     int wanted_px_ = 0; // till it begins
-    ShownValues values_;
-    std::vector<Caption> captions_; // to be written over it
-    Camera camera_;
 };
 
 } // namespace trivar

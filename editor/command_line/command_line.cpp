@@ -7,6 +7,7 @@
 #include "editor/app.h"
 #include "editor/command_line/bench.h"
 #include "editor/command_line/info.h"
+#include "editor/command_line/render.h"
 #include "editor/command_line/replay.h"
 #include "editor/command_line/verify.h"
 #include "editor/places.h"
@@ -24,6 +25,7 @@ struct Choices {
     std::vector<std::string> files;
     std::string shaders;
     ReplayOptions replay;
+    RenderOptions render;
     VerifyOptions verify;
     InfoOptions info;
     BenchOptions bench;
@@ -36,6 +38,77 @@ void add_shaders(CLI::App& app, std::string& checkout)
                    "draw with the shaders of a checkout of Trivar; the window follows their\n"
                    "changes")
         ->type_name("FOLDER");
+}
+
+void add_scene(CLI::App& app, SceneLog& scene)
+{
+    app.add_option("LOG", scene.path, "the scene")->required()->type_name("FILE");
+    app.add_option("--set", scene.relinked, "use FILE where the scene names the file NAME")
+        ->type_name("NAME=FILE")
+        ->allow_extra_args(false);
+}
+
+void add_drawing(CLI::App& app, DrawingOptions& o)
+{
+    app.add_option("--size", o.size, "of the picture in pixels, 1280x720 if left out")
+        ->type_name("WxH");
+    app.add_option("--quality", o.quality,
+                   "of the picture: draft, standard or high; standard if left out")
+        ->type_name("LEVEL");
+    app.add_option("--deform", o.deform,
+                   "where the picture's placed objects are deformed: processor, one_phase or\n"
+                   "two_phases of the graphics card, or there as the thesis has it:\n"
+                   "differences, raised or filtered; processor if left out")
+        ->type_name("WHERE");
+    app.add_option("--camera", o.camera,
+                   "bookmark to look from; else the one named picture, else all is in view")
+        ->type_name("NAME");
+    add_shaders(app, o.shaders);
+}
+
+void add_threads(CLI::App& app, int& threads)
+{
+    app.add_option("--threads", threads, "use at most N threads")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1024));
+}
+
+CLI::App* add_render(CLI::App& app, RenderOptions& o)
+{
+    CLI::App* render = app.add_subcommand("render", "draw a scene's frames into a folder");
+    render->description(
+        "Draws frames of a scene (NAME.trivar), one picture a frame, without a window. A frame\n"
+        "depends on no other, and its file stands there when it is whole or not at all.");
+    render->footer(
+        "Examples:\n"
+        "  trivar render ants.trivar --frames 1:240 --out ants/ants.####.png --video ants.mp4\n"
+        "  trivar render ants.trivar --frames 1:240 --out ants/ants.####.exr --shard 2/4\n"
+        "  trivar render ants.trivar --frames 1:240 --out ants/ants.####.png --resume\n\n"
+        "Ctrl C ends it after the frame at hand, with status 130.");
+    add_scene(*render, o.scene);
+    render->add_option("--frames", o.frames, "from A to B, every Sth")
+        ->required()
+        ->type_name("A:B[:S]");
+    render
+        ->add_option("--out", o.out,
+                     "a .png or .exr for each; its number stands where the # are. A folder is\n"
+                     "made where only the last part of its name is missing")
+        ->required()
+        ->type_name("DIR/name.####.png");
+    add_drawing(*render, o.drawing);
+    render->add_option("--depth", o.depth, "bits a channel of a .png: 8, or 16; 8 if left out")
+        ->type_name("N")
+        ->check(CLI::IsMember({8, 16}));
+    render->add_option("--shard", o.shard, "only every Nth of the frames, from the Ith on")
+        ->type_name("I/N");
+    render->add_flag("--resume", o.resume,
+                     "leave what is there, whole, of this scene, size and depth; draw the rest");
+    render
+        ->add_option("--video", o.video,
+                     "make a .mp4, .mov or .mkv by ffmpeg when all frames are there")
+        ->type_name("OUT.mp4");
+    add_threads(*render, o.threads);
+    return render;
 }
 
 CLI::App* add_replay(CLI::App& app, ReplayOptions& o)
@@ -52,35 +125,17 @@ CLI::App* add_replay(CLI::App& app, ReplayOptions& o)
         "  trivar replay snake.trivar --set terrain.obj=/data/alps.obj --image alps.png\n"
         "  trivar replay snake.trivar --epsilon 0.001 --export snake.glb\n"
         "  trivar replay snake.trivar --check          # status 3 if a digest differs");
-    replay->add_option("LOG", o.log, "the scene")->required()->type_name("FILE");
+    add_scene(*replay, o.scene);
     replay->add_option("--to", o.to, "stop after line N of the file")
         ->type_name("N")
         ->check(CLI::Range(1, 1 << 30));
     replay->add_option("--frame", o.frame, "what moves as it is in frame N; the first if left out")
         ->type_name("N");
-    replay->add_option("--set", o.relinked, "use FILE where the scene names the file NAME")
-        ->type_name("NAME=FILE")
-        ->allow_extra_args(false);
     replay->add_option("--export", o.exports, "write the result as .glb, .obj, .ply, .stl or .off")
         ->type_name("OUT");
     replay->add_option("--image", o.image, "draw a picture (.png, .jpg, .exr ...)")
         ->type_name("OUT");
-    replay->add_option("--size", o.size, "of the picture in pixels, 1280x720 if left out")
-        ->type_name("WxH");
-    replay
-        ->add_option("--quality", o.quality,
-                     "of the picture: draft, standard or high; standard if left out")
-        ->type_name("LEVEL");
-    replay
-        ->add_option("--deform", o.deform,
-                     "where the picture's placed objects are deformed: processor, one_phase or\n"
-                     "two_phases of the graphics card, or there as the thesis has it:\n"
-                     "differences, raised or filtered; processor if left out")
-        ->type_name("WHERE");
-    replay
-        ->add_option("--camera", o.camera,
-                     "bookmark to look from; else the one named picture, else all is in view")
-        ->type_name("NAME");
+    add_drawing(*replay, o.drawing);
     replay->add_flag(
         "--check", o.check,
         "compare with the digests in the file, and one thread with all of them, and\n"
@@ -92,12 +147,9 @@ CLI::App* add_replay(CLI::App& app, ReplayOptions& o)
                      "split the triangles of all that lies in a volume until the surface is\n"
                      "certified to be within E metres; a .glb says so, see trivar verify")
         ->type_name("E");
-    add_shaders(*replay, o.shaders);
     replay->add_option("--timings", o.timings, "write how long each stage took, as JSON")
         ->type_name("OUT.json");
-    replay->add_option("--threads", o.threads, "use at most N threads")
-        ->type_name("N")
-        ->check(CLI::Range(1, 1024));
+    add_threads(*replay, o.threads);
     return replay;
 }
 
@@ -194,14 +246,16 @@ Status dispatch(const std::vector<std::string>& arguments, const Streams& stream
         "Examples:\n"
         "  trivar snake.trivar                                   open a scene\n"
         "  trivar terrain.obj snake.glb                          a new scene with two models\n"
-        "  trivar replay snake.trivar --image snake.png          draw it without a window\n\n"
+        "  trivar replay snake.trivar --image snake.png          draw it without a window\n"
+        "  trivar render ants.trivar --frames 1:240 --out ants/a.####.png      and its frames\n\n"
         "trivar COMMAND --help says more. Exit status: 0 done, 1 rejected, 2 wrong usage,\n"
-        "3 a check failed.");
+        "3 a check failed, 130 stopped by Ctrl C.");
     app.add_option("FILE", choices.files, "scenes (.trivar) and models to open")->type_name("");
     add_shaders(app, choices.shaders);
     app.set_version_flag("--version", "Trivar " + program_version(), "print the version and exit");
     app.require_subcommand(0, 1);
     const CLI::App* replay = add_replay(app, choices.replay);
+    const CLI::App* render = add_render(app, choices.render);
     const CLI::App* verify = add_verify(app, choices.verify);
     const CLI::App* info = add_info(app, choices.info);
     const CLI::App* commands = add_commands(app, choices);
@@ -212,6 +266,7 @@ Status dispatch(const std::vector<std::string>& arguments, const Streams& stream
         return app.exit(error, streams.out, streams.talk) == 0 ? Status::done : Status::usage;
     }
     if (replay->parsed()) return run_replay(choices.replay, streams);
+    if (render->parsed()) return run_render(choices.render, streams);
     if (verify->parsed()) return run_verify(choices.verify, streams);
     if (info->parsed()) return run_info(choices.info, streams);
     if (commands->parsed()) return list_commands(choices, streams);

@@ -8,7 +8,7 @@
 namespace trivar {
 
 // Exit statuses of the program.
-enum class Status { done = 0, rejected = 1, usage = 2, check_failed = 3 };
+enum class Status { done = 0, rejected = 1, usage = 2, check_failed = 3, interrupted = 130 };
 
 // Where a command of the program writes: results to `out` (the standard output), talk to `talk`.
 struct Streams {

@@ -4,90 +4,20 @@
 #include "core/base/parallel.h"
 #include "core/base/text.h"
 #include "core/document/certificate.h"
-#include "core/document/log.h"
 #include "core/files/image.h"
 #include "core/files/write_model.h"
-#include "editor/captions.h"
-#include "editor/picture.h"
 #include "editor/volume_facts.h"
 #include "editor/volume_words.h"
-#include "gpu/context.h"
-#include "gpu/level.h"
-#include "gpu/renderer.h"
-#include "gpu/shader_folder.h"
-#include "ui/camera_control.h"
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <set>
 
 namespace trivar {
 namespace {
-
-glm::ivec2 picture_size(const std::string& text)
-{
-    glm::ivec2 size{0};
-    const char* const end = text.data() + text.size();
-    const auto width = std::from_chars(text.data(), end, size.x);
-    if (width.ec == std::errc{} && width.ptr != end && *width.ptr == 'x') {
-        const auto height = std::from_chars(width.ptr + 1, end, size.y);
-        if (height.ec == std::errc{} && height.ptr == end && size.x >= 1 && size.y >= 1 &&
-            size.x <= 16384 && size.y <= 16384)
-            return size;
-    }
-    throw WrongUsage("--size " + text + ": must be WIDTHxHEIGHT, such as 1280x720, up to 16384");
-}
-
-gpu::Level level_of(const std::string& text)
-{
-    if (const auto level = gpu::level_named(text)) return *level;
-    throw WrongUsage("--quality " + text + ": must be draft, standard or high");
-}
-
-gpu::DeformBy deform_of(const std::string& text)
-{
-    if (const auto by = gpu::deform_named(text)) return *by;
-    throw WrongUsage("--deform " + text +
-                     ": must be processor, one_phase, two_phases, differences, raised or filtered");
-}
-
-Progress shown_progress(const Streams& streams)
-{
-    if (!streams.terminal) return {};
-    return [&talk = streams.talk](double fraction, std::string_view stage) {
-        talk << fmt::format("\r\x1b[K{:3.0f} % {}", 100 * fraction, stage) << std::flush;
-    };
-}
-
-Ref<AssetStore> asset_store(const ReplayOptions& options)
-{
-    return std::make_shared<const AssetStore>(
-        std::filesystem::absolute(options.log).lexically_normal().parent_path().string(),
-        relinked_files(options.relinked));
-}
-
-// Whoever relinks a file means one that the scene names and one that is there.
-void check_relinked(const ReplayOptions& options, const Document& document)
-{
-    std::set<std::string> named;
-    for (const auto& [id, object] : document.objects)
-        if (const auto* file = std::get_if<ImportedFile>(&object->source))
-            for (std::string& name : AssetStore::names_of(file->path))
-                named.insert(std::move(name));
-    std::error_code ignored;
-    for (const auto& [name, file] : relinked_files(options.relinked)) {
-        if (!named.contains(name))
-            throw Rejected(
-                fmt::format("--set {}={}: the scene names no file {}", name, file, name));
-        if (!std::filesystem::exists(file, ignored))
-            throw Rejected(fmt::format("--set {}={}: there is no file {}", name, file, file));
-    }
-}
 
 struct Replayed {
     Document document, shown; // shown: refined as --epsilon wants it
@@ -142,15 +72,16 @@ void tell_of_volumes(const Replayed& replayed, const Streams& streams)
 void check_result(Replayed& replayed, const ReplayOptions& options, const Streams& streams)
 {
     const ThreadLimit one_thread(1);
-    Evaluator again(asset_store(options));
+    Evaluator again(asset_store(options.scene));
     if (digest(again(replayed.shown, frame_of(options, replayed.document))) !=
         digest(replayed.evaluated))
         differs(replayed, streams,
-                fmt::format("{}: one thread gives another result than all of them", options.log));
+                fmt::format("{}: one thread gives another result than all of them",
+                            options.scene.path));
     for (const auto& [id, ref] : replayed.evaluated.objects)
         if ((ref->parts.empty() && !ref->placement) || !ref->rejected.empty())
             differs(replayed, streams,
-                    fmt::format("{}: {} is not as it was meant: {}", options.log,
+                    fmt::format("{}: {} is not as it was meant: {}", options.scene.path,
                                 object(replayed.document, id).name,
                                 ref->notices.empty() ? "it has no shape" : ref->notices.front()));
 }
@@ -158,14 +89,10 @@ void check_result(Replayed& replayed, const ReplayOptions& options, const Stream
 Replayed replay(const ReplayOptions& options, const Streams& streams)
 {
     Replayed result;
-    std::error_code ignored;
-    if (std::filesystem::exists(options.log, ignored) &&
-        !std::filesystem::is_regular_file(options.log, ignored))
-        throw Rejected(options.log + ": this is no ordinary file");
-    const Log log = timed(result.timings, "read log",
-                          [&] { return read_log(read_text_file(options.log), options.log); });
-    if (!log.notice.empty()) streams.talk << "trivar: " << log.notice << "\n";
-    Evaluator evaluator(asset_store(options));
+    const Log log = timed(result.timings, "read log", [&] {
+        return scene_log(log_text(options.scene), options.scene.path, streams);
+    });
+    Evaluator evaluator(asset_store(options.scene));
     History history;
     for (const LogLine& line : log.lines) {
         if (options.to > 0 && line.number > options.to) break;
@@ -174,13 +101,14 @@ Replayed replay(const ReplayOptions& options, const Streams& streams)
             check_line(result, line, log.name, history.document(), evaluator, streams);
     }
     result.document = history.document();
-    check_relinked(options, result.document);
+    check_relinked(options.scene, result.document);
     result.shown =
         options.epsilon ? refined_to(result.document, *options.epsilon) : result.document;
     result.evaluated =
         evaluator(result.shown, frame_of(options, result.document), shown_progress(streams));
-    if (deform_of(options.deform) == gpu::DeformBy::processor) deform_parts(result.evaluated);
-    if (streams.terminal) streams.talk << "\r\x1b[K";
+    if (still_options(options.drawing).deform == gpu::DeformBy::processor)
+        deform_parts(result.evaluated);
+    clear_progress(streams);
     result.timings.add(result.evaluated.timings);
     for (const auto& [id, ref] : result.evaluated.objects)
         for (const std::string& notice : ref->notices)
@@ -195,33 +123,11 @@ Replayed replay(const ReplayOptions& options, const Streams& streams)
 
 void draw(const ReplayOptions& options, Replayed& replayed, const Streams& streams)
 {
-    const glm::ivec2 size = picture_size(options.size);
-    Camera camera = picture_camera(replayed.evaluated, replayed.document, size);
-    if (!options.camera.empty()) {
-        const auto bookmark = replayed.document.bookmarks.find(options.camera);
-        if (bookmark == replayed.document.bookmarks.end())
-            throw Rejected(fmt::format("--camera {}: the scene has no point of view of that name",
-                                       options.camera));
-        camera = ui::reshaped(bookmark->second, size);
-    }
-    const gpu::HeadlessContext context;
-    gpu::Renderer renderer;
-    ShownValues values;
-    gpu::Picture picture = picture_of(replayed.evaluated, replayed.document, camera, values,
-                                      deform_of(options.deform));
-    gpu::set_level(picture, level_of(options.quality));
-    if (!options.shaders.empty()) picture.shaders = gpu::ShaderFolder(options.shaders).texts(0);
-    Image image = renderer.render(picture, size);
-    if (!renderer.notice().empty())
-        streams.talk << "trivar: deformed by the processor: " << renderer.notice() << "\n";
-    if (!renderer.shader_trouble().empty())
-        streams.talk << "trivar: a shader of the program itself was taken: "
-                     << renderer.shader_trouble() << "\n";
-    replayed.timings.add(renderer.timings());
-    if (picture.settings.captions)
-        image = with_captions(std::move(image), captions_of(replayed.evaluated, replayed.shown),
-                              camera, picture.settings);
-    timed(replayed.timings, "write image", [&] { write_image(image, options.image); });
+    Drawing drawing(options.drawing, streams);
+    const Camera camera = drawing.camera(replayed.evaluated, replayed.document);
+    const Still& still = drawing.draw(replayed.evaluated, replayed.shown, camera);
+    replayed.timings.add(still.renderer().timings());
+    timed(replayed.timings, "write image", [&] { write_image(still.image(), options.image); });
 }
 
 void write_timings(const std::string& path, const Timings& timings)
@@ -249,7 +155,7 @@ Model model_to_write(const Replayed& replayed, const ReplayOptions& options)
                                              model, frame_of(options, replayed.document));
     certificate.tolerance = options.epsilon.value_or(0);
     certificate.lines = options.to;
-    certificate.log = std::filesystem::path(options.log).filename().string();
+    certificate.log = std::filesystem::path(options.scene.path).filename().string();
     model.extras = to_json(certificate);
     return model;
 }
@@ -266,24 +172,10 @@ bool certified(const Replayed& replayed, double tolerance)
 
 } // namespace
 
-std::map<std::string, std::string> relinked_files(const std::vector<std::string>& settings)
-{
-    std::map<std::string, std::string> files;
-    for (const std::string& setting : settings) {
-        const std::size_t equals = setting.find('=');
-        if (equals == 0 || equals == std::string::npos || equals + 1 == setting.size())
-            throw WrongUsage("--set " + setting + ": must be NAME=FILE");
-        files[setting.substr(0, equals)] = setting.substr(equals + 1);
-    }
-    return files;
-}
-
 Status run_replay(const ReplayOptions& options, const Streams& streams)
 {
-    picture_size(options.size); // before any work is done
-    level_of(options.quality);
-    deform_of(options.deform);
-    relinked_files(options.relinked);
+    still_options(options.drawing); // before any work is done
+    relinked_files(options.scene.relinked);
     if (options.epsilon && !(*options.epsilon > 0))
         throw WrongUsage("--epsilon: must be a length above 0, in metres");
     if (!options.image.empty()) check_picture_name(options.image);
@@ -302,11 +194,11 @@ Status run_replay(const ReplayOptions& options, const Streams& streams)
         streams.out << check_line(digest(replayed.document), digest(replayed.evaluated));
     if (options.epsilon && !certified(replayed, *options.epsilon)) {
         streams.talk << fmt::format("trivar: {}: not everything is certified to be within {} m\n",
-                                    options.log, shortest(*options.epsilon));
+                                    options.scene.path, shortest(*options.epsilon));
         return Status::check_failed;
     }
     if (!replayed.same) return Status::check_failed;
-    if (options.check) streams.talk << "trivar: " << options.log << ": as it was meant\n";
+    if (options.check) streams.talk << "trivar: " << options.scene.path << ": as it was meant\n";
     return Status::done;
 }
 

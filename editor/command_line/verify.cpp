@@ -6,7 +6,7 @@
 #include "core/document/certificate.h"
 #include "core/document/log.h"
 #include "core/files/glb_content.h"
-#include "editor/command_line/replay.h"
+#include "editor/command_line/scene_log.h"
 
 #include <algorithm>
 #include <filesystem>

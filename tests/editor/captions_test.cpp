@@ -97,9 +97,9 @@ TEST(Captions, AreInAFileUnderWhatTheySpeakOfAndChangeNothingElse)
     }
     const auto drawn = [&](const std::string& name) {
         ReplayOptions options;
-        options.log = folder.file(name + ".trivar");
+        options.scene.path = folder.file(name + ".trivar");
         options.image = folder.file(name + ".png");
-        options.size = "640x360";
+        options.drawing.size = "640x360";
         std::ostringstream out, talk;
         EXPECT_EQ(run_replay(options, {out, talk}), Status::done) << talk.str();
         return read_image(options.image).rgba;

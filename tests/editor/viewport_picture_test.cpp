@@ -50,9 +50,9 @@ TEST(ViewportPicture, IsBitForBitTheOneThatReplayDraws)
         rig.editor.session.save_as(folder.file("scene.trivar"));
     }
     ReplayOptions options;
-    options.log = folder.file("scene.trivar");
+    options.scene.path = folder.file("scene.trivar");
     options.image = folder.file("picture.png");
-    options.size = std::to_string(size_px.x) + "x" + std::to_string(size_px.y);
+    options.drawing.size = std::to_string(size_px.x) + "x" + std::to_string(size_px.y);
     std::ostringstream out, talk;
     ASSERT_EQ(run_replay(options, {out, talk}), Status::done) << talk.str();
     EXPECT_EQ(read_image(options.image).rgba, in_window);

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/command_line/drawing.h"
+
+#include "editor/picture.h"
+#include "gpu/shader_folder.h"
+#include "ui/camera_control.h"
+
+#include <charconv>
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+gpu::Level level_of(const std::string& text)
+{
+    if (const auto level = gpu::level_named(text)) return *level;
+    throw WrongUsage("--quality " + text + ": must be draft, standard or high");
+}
+
+gpu::DeformBy deform_of(const std::string& text)
+{
+    if (const auto by = gpu::deform_named(text)) return *by;
+    throw WrongUsage("--deform " + text +
+                     ": must be processor, one_phase, two_phases, differences, raised or filtered");
+}
+
+} // namespace
+
+glm::ivec2 picture_size(const std::string& text)
+{
+    glm::ivec2 size{0};
+    const char* const end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, size.x);
+    if (width.ec == std::errc{} && width.ptr != end && *width.ptr == 'x') {
+        const auto height = std::from_chars(width.ptr + 1, end, size.y);
+        if (height.ec == std::errc{} && height.ptr == end && size.x >= 1 && size.y >= 1 &&
+            size.x <= 16384 && size.y <= 16384)
+            return size;
+    }
+    throw WrongUsage("--size " + text + ": must be WIDTHxHEIGHT, such as 1280x720, up to 16384");
+}
+
+StillOptions still_options(const DrawingOptions& options)
+{
+    StillOptions out;
+    out.size_px = picture_size(options.size);
+    out.level = level_of(options.quality);
+    out.deform = deform_of(options.deform);
+    return out;
+}
+
+Drawing::Drawing(const DrawingOptions& options, const Streams& streams)
+    : named_camera_(options.camera),
+      options_(still_options(options)),
+      streams_(streams)
+{
+    if (!options.shaders.empty()) options_.shaders = gpu::ShaderFolder(options.shaders).texts(0);
+}
+
+void Drawing::say_once(const std::string& sentence)
+{
+    if (said_.insert(sentence).second) streams_.talk << "trivar: " << sentence << "\n";
+}
+
+Camera Drawing::camera(const Evaluated& evaluated, const Document& document) const
+{
+    if (named_camera_.empty()) return picture_camera(evaluated, document, options_.size_px);
+    const auto bookmark = document.bookmarks.find(named_camera_);
+    if (bookmark == document.bookmarks.end())
+        throw Rejected(
+            fmt::format("--camera {}: the scene has no point of view of that name", named_camera_));
+    return ui::reshaped(bookmark->second, options_.size_px);
+}
+
+const Still& Drawing::draw(const Evaluated& evaluated, const Document& shown, const Camera& camera,
+                           bool deep)
+{
+    options_.deep = deep;
+    still_.draw(evaluated, shown, camera, options_);
+    const gpu::Renderer& renderer = still_.renderer();
+    if (!renderer.notice().empty()) say_once("deformed by the processor: " + renderer.notice());
+    if (!renderer.shader_trouble().empty())
+        say_once("a shader of the program itself was taken: " + renderer.shader_trouble());
+    return still_;
+}
+
+} // namespace trivar

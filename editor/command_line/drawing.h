@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/rejected.h"
+#include "editor/command_line/command_line.h"
+#include "editor/still.h"
+#include "gpu/context.h"
+
+#include <optional>
+#include <set>
+
+namespace trivar {
+
+// An option's value that is no value of that option: status 2.
+struct WrongUsage : Rejected {
+    using Rejected::Rejected;
+};
+
+// How the commands draw, as it is typed.
+struct DrawingOptions {
+    std::string size = "1280x720", camera, quality = "standard", deform = "processor", shaders;
+};
+// Throws WrongUsage.
+glm::ivec2 picture_size(const std::string& text);
+StillOptions still_options(const DrawingOptions& options);
+
+// Pictures without a window, one after another. Throws Rejected where there is no OpenGL.
+class Drawing {
+public:
+    Drawing(const DrawingOptions& options, const Streams& streams);
+    // The bookmark that the options name, else what picture_camera() says. Throws Rejected.
+    Camera camera(const Evaluated& evaluated, const Document& document) const;
+    const Still& draw(const Evaluated& evaluated, const Document& shown, const Camera& camera,
+                      bool deep = false);
+
+private:
+    void say_once(const std::string& sentence);
+    std::string named_camera_;
+    StillOptions options_;
+    const Streams& streams_;
+    gpu::HeadlessContext context_;
+    Still still_;
+    std::set<std::string> said_;
+};
+
+} // namespace trivar

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/command_line/render.h"
+
+#include "core/base/parallel.h"
+#include "core/files/read_model.h"
+#include "editor/command_line/interrupts.h"
+#include "editor/sequence.h"
+#include "editor/video.h"
+
+#include <algorithm>
+#include <chrono>
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+// What else than the log decides what the pictures show: the file that was relinked, not its place.
+std::string settings_of(const RenderOptions& options)
+{
+    std::string out = "quality=" + options.drawing.quality;
+    if (!options.drawing.camera.empty()) out += " camera=" + options.drawing.camera;
+    if (options.drawing.deform != "processor") out += " deform=" + options.drawing.deform;
+    for (const auto& [name, file] : relinked_files(options.scene.relinked))
+        out += fmt::format(" {}={}", name, file_hash(file));
+    return out;
+}
+
+Sequence sequence_of(const RenderOptions& options)
+{
+    Sequence out;
+    out.names = frame_names(options.out);
+    out.size_px = picture_size(options.drawing.size);
+    out.depth = options.depth.value_or(8);
+    if (out.names.extension() == ".exr" && options.depth)
+        throw WrongUsage("--depth: is of .png alone; .exr has half floats");
+    return out;
+}
+
+class Rendering {
+public:
+    Rendering(const RenderOptions& options, const Streams& streams)
+        : options_(options),
+          streams_(streams),
+          sequence_(sequence_of(options)),
+          frames_(frames_of(options.frames)),
+          share_(options.shard.empty() ? frames_ : share_of(frames_, options.shard)),
+          evaluator_(asset_store(options.scene))
+    {
+        const std::string text = log_text(options.scene);
+        const Log log = scene_log(text, options.scene.path, streams);
+        History history;
+        for (const LogLine& line : log.lines) apply(history, line, log.name);
+        document_ = history.document();
+        check_relinked(options.scene, document_);
+        check_frames(frames_, document_.time);
+        sequence_.log = digest_of_log(text);
+        sequence_.settings = settings_of(options);
+        make_folder(sequence_.names);
+    }
+
+    Status run()
+    {
+        Interrupts interrupts; // before there are threads, so that they know of them too
+        Drawing drawing(options_.drawing, streams_);
+        // One view for all of them, also where it is what shows everything.
+        const Camera camera = drawing.camera(evaluated_at(document_.time.first_frame), document_);
+        const auto start = std::chrono::steady_clock::now();
+        int done = 0, drawn = 0;
+        for (const int frame : share_) {
+            if (!options_.resume || !sequence_.has(frame)) {
+                const std::chrono::duration<double> passed =
+                    std::chrono::steady_clock::now() - start;
+                tell(done, drawn, passed.count());
+                const Still& still =
+                    drawing.draw(evaluated_at(frame), document_, camera, sequence_.deep());
+                sequence_.writer(frame, still)();
+                ++drawn;
+            }
+            ++done;
+            if (interrupts.came() && done < static_cast<int>(share_.size())) {
+                clear_progress(streams_);
+                streams_.talk << fmt::format("trivar: stopped after frame {}: {} of {} are there; "
+                                             "--resume draws the others\n",
+                                             frame, done, share_.size());
+                return Status::interrupted;
+            }
+        }
+        clear_progress(streams_);
+        streams_.talk << fmt::format("trivar: {} frame{}, {} drawn\n", share_.size(),
+                                     share_.size() == 1 ? "" : "s", drawn);
+        return Status::done;
+    }
+
+    void write_video() const
+    {
+        const auto missing = static_cast<int>(
+            std::ranges::count_if(frames_, [&](int frame) { return !sequence_.has(frame); }));
+        if (missing > 0) {
+            streams_.talk << fmt::format("trivar: {}: is made when all frames are there; {} of {} "
+                                         "are not\n",
+                                         options_.video, missing, frames_.size());
+            return;
+        }
+        std::vector<std::string> pictures;
+        for (const int frame : frames_) pictures.push_back(sequence_.names.path(frame));
+        const int step = frames_.size() > 1 ? frames_[1] - frames_[0] : 1;
+        trivar::write_video(pictures, document_.time.frames_per_second / step, options_.video,
+                            shown_progress(streams_));
+        clear_progress(streams_);
+    }
+
+private:
+    Evaluated evaluated_at(int frame)
+    {
+        Evaluated out = evaluator_(document_, frame);
+        for (const auto& [id, ref] : out.objects)
+            for (const std::string& notice : ref->notices) {
+                const std::string sentence = object(document_, id).name + ": " + notice;
+                if (!said_.insert(sentence).second) continue;
+                clear_progress(streams_);
+                streams_.talk << "trivar: " << sentence << "\n";
+            }
+        return out;
+    }
+    void tell(int done, int drawn, double seconds) const
+    {
+        if (!streams_.terminal) return;
+        const int all = static_cast<int>(share_.size());
+        const std::string left = time_left(drawn, all - done + drawn, seconds);
+        streams_.talk << fmt::format("\r\x1b[K{} of {}{}{}", done + 1, all,
+                                     left.empty() ? "" : ", ", left)
+                      << std::flush;
+    }
+
+    const RenderOptions& options_;
+    const Streams& streams_;
+    Sequence sequence_;
+    std::vector<int> frames_, share_;
+    Document document_;
+    Evaluator evaluator_;
+    std::set<std::string> said_;
+};
+
+} // namespace
+
+Status run_render(const RenderOptions& options, const Streams& streams)
+{
+    still_options(options.drawing); // before any work is done
+    relinked_files(options.scene.relinked);
+    if (!options.video.empty()) check_video(options.video);
+    std::optional<ThreadLimit> limit;
+    if (options.threads > 0) limit.emplace(options.threads);
+    Rendering rendering(options, streams);
+    const Status status = rendering.run();
+    if (status == Status::done && !options.video.empty()) rendering.write_video();
+    return status;
+}
+
+} // namespace trivar

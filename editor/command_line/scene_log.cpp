@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/command_line/scene_log.h"
+
+#include "core/base/text.h"
+#include "editor/command_line/drawing.h"
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <set>
+
+namespace trivar {
+
+std::map<std::string, std::string> relinked_files(const std::vector<std::string>& settings)
+{
+    std::map<std::string, std::string> files;
+    for (const std::string& setting : settings) {
+        const std::size_t equals = setting.find('=');
+        if (equals == 0 || equals == std::string::npos || equals + 1 == setting.size())
+            throw WrongUsage("--set " + setting + ": must be NAME=FILE");
+        files[setting.substr(0, equals)] = setting.substr(equals + 1);
+    }
+    return files;
+}
+
+Ref<AssetStore> asset_store(const SceneLog& scene)
+{
+    return std::make_shared<const AssetStore>(
+        std::filesystem::absolute(scene.path).lexically_normal().parent_path().string(),
+        relinked_files(scene.relinked));
+}
+
+void check_relinked(const SceneLog& scene, const Document& document)
+{
+    std::set<std::string> named;
+    for (const auto& [id, object] : document.objects)
+        if (const auto* file = std::get_if<ImportedFile>(&object->source))
+            for (std::string& name : AssetStore::names_of(file->path))
+                named.insert(std::move(name));
+    std::error_code ignored;
+    for (const auto& [name, file] : relinked_files(scene.relinked)) {
+        if (!named.contains(name))
+            throw Rejected(
+                fmt::format("--set {}={}: the scene names no file {}", name, file, name));
+        if (!std::filesystem::exists(file, ignored))
+            throw Rejected(fmt::format("--set {}={}: there is no file {}", name, file, file));
+    }
+}
+
+std::string log_text(const SceneLog& scene)
+{
+    std::error_code ignored;
+    if (std::filesystem::exists(scene.path, ignored) &&
+        !std::filesystem::is_regular_file(scene.path, ignored))
+        throw Rejected(scene.path + ": this is no ordinary file");
+    return read_text_file(scene.path);
+}
+
+Log scene_log(const std::string& text, const std::string& path, const Streams& streams)
+{
+    Log log = read_log(text, path);
+    if (!log.notice.empty()) streams.talk << "trivar: " << log.notice << "\n";
+    return log;
+}
+
+Progress shown_progress(const Streams& streams)
+{
+    if (!streams.terminal) return {};
+    return [&talk = streams.talk](double fraction, std::string_view stage) {
+        talk << fmt::format("\r\x1b[K{:3.0f} % {}", 100 * fraction, stage) << std::flush;
+    };
+}
+
+void clear_progress(const Streams& streams)
+{
+    if (streams.terminal) streams.talk << "\r\x1b[K";
+}
+
+} // namespace trivar

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/document/asset_store.h"
+#include "core/document/log.h"
+#include "editor/command_line/command_line.h"
+
+#include <map>
+
+namespace trivar {
+
+// What a command runs: the file, and other files than it names.
+struct SceneLog {
+    std::string path;
+    std::vector<std::string> relinked; // NAME=FILE, as --set has it
+};
+
+// NAME=FILE, as --set has it. Throws WrongUsage.
+std::map<std::string, std::string> relinked_files(const std::vector<std::string>& settings);
+Ref<AssetStore> asset_store(const SceneLog& scene);
+// Whoever relinks a file means one that the scene names and one that is there. Throws Rejected.
+void check_relinked(const SceneLog& scene, const Document& document);
+
+// The text of an ordinary file. Throws Rejected.
+std::string log_text(const SceneLog& scene);
+// The lines of that text; a notice of it is said. Throws Rejected.
+Log scene_log(const std::string& text, const std::string& path, const Streams& streams);
+
+// One line of talk in place, on a terminal only.
+Progress shown_progress(const Streams& streams);
+void clear_progress(const Streams& streams);
+
+} // namespace trivar

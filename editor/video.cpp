@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/video.h"
+
+#include "core/base/rejected.h"
+#include "core/base/text.h"
+#include "core/files/file_bytes.h"
+#include "core/files/image.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char** environ;
+
+namespace trivar {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t max_picture_bytes = std::uintmax_t{1} << 31;
+
+bool has_program(const std::string& name)
+{
+    const char* const path = std::getenv("PATH");
+    std::string_view folders = path ? path : "";
+    while (!folders.empty()) {
+        const std::size_t end = std::min(folders.find(':'), folders.size());
+        const fs::path file = fs::path(folders.substr(0, end)) / name;
+        std::error_code ignored;
+        if (fs::is_regular_file(file, ignored) && ::access(file.c_str(), X_OK) == 0) return true;
+        folders.remove_prefix(std::min(end + 1, folders.size()));
+    }
+    return false;
+}
+
+// What has no end of its own in a stream, as EXR, is made another.
+std::string as_png(const std::string& path)
+{
+    if (extension_of(path) == ".png") return read_bytes(path, max_picture_bytes);
+    return encoded_image(read_image(path), ".png");
+}
+
+// A program that is given bytes to its standard input; what it says goes nowhere.
+class Child {
+public:
+    explicit Child(const std::vector<std::string>& arguments)
+    {
+        std::array<int, 2> ends{};
+        if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw Rejected(std::strerror(errno));
+        posix_spawn_file_actions_t actions;
+        posix_spawn_file_actions_init(&actions);
+        posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
+        for (const int out : {STDOUT_FILENO, STDERR_FILENO})
+            posix_spawn_file_actions_addopen(&actions, out, "/dev/null", O_WRONLY, 0);
+        std::vector<char*> words;
+        for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
+        words.push_back(nullptr);
+        const int error =
+            ::posix_spawnp(&id_, words.front(), &actions, nullptr, words.data(), environ);
+        posix_spawn_file_actions_destroy(&actions);
+        ::close(ends[0]);
+        to_ = ends[1];
+        if (error != 0) {
+            ::close(to_);
+            throw Rejected(
+                fmt::format("{} cannot be started ({})", arguments.front(), std::strerror(error)));
+        }
+    }
+    ~Child() { end(); }
+    Child(const Child&) = delete;
+    Child& operator=(const Child&) = delete;
+
+    // Whether it took all of them.
+    bool give(std::string_view bytes)
+    {
+        while (!bytes.empty()) {
+            const ssize_t count = ::write(to_, bytes.data(), bytes.size());
+            if (count < 0 && errno == EINTR) continue;
+            if (count <= 0) return false;
+            bytes.remove_prefix(static_cast<std::size_t>(count));
+        }
+        return true;
+    }
+    // Waits for it; whether it was content.
+    bool end()
+    {
+        if (id_ < 0) return false;
+        ::close(to_);
+        int status = 0;
+        while (::waitpid(id_, &status, 0) < 0 && errno == EINTR) continue;
+        id_ = -1;
+        return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    }
+
+private:
+    pid_t id_ = -1;
+    int to_ = -1;
+};
+
+// A program that ends early must not end this one.
+class WithoutPipeSignal {
+public:
+    WithoutPipeSignal()
+    {
+        struct sigaction ignoring {};
+        ignoring.sa_handler = SIG_IGN;
+        ::sigaction(SIGPIPE, &ignoring, &before_);
+    }
+    ~WithoutPipeSignal() { ::sigaction(SIGPIPE, &before_, nullptr); }
+    WithoutPipeSignal(const WithoutPipeSignal&) = delete;
+    WithoutPipeSignal& operator=(const WithoutPipeSignal&) = delete;
+
+private:
+    struct sigaction before_ {};
+};
+
+} // namespace
+
+void check_video(const std::string& path)
+{
+    const std::string extension = extension_of(path);
+    if (extension != ".mp4" && extension != ".mov" && extension != ".mkv")
+        throw Rejected(fmt::format("{}: videos are written as .mp4, .mov or .mkv, not as '{}'",
+                                   path, extension));
+    if (!has_program("ffmpeg"))
+        throw Rejected(path + ": videos are made by ffmpeg, which is not installed here "
+                              "(Debian's package ffmpeg)");
+}
+
+void write_video(const std::vector<std::string>& pictures, double frames_per_second,
+                 const std::string& path, const Progress& progress)
+{
+    check_video(path);
+    const fs::path file = fs::absolute(path);
+    const std::string half =
+        (file.parent_path() / (".half-" + file.stem().string() + extension_of(path))).string();
+    const std::vector<std::string> words{
+        "ffmpeg",   "-y",         "-loglevel",  "quiet",
+        "-f",       "image2pipe", "-framerate", shortest(frames_per_second),
+        "-i",       "-",          "-vf",        "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+        "-c:v",     "libx264",    "-crf",       "16",
+        "-pix_fmt", "yuv420p",    "-movflags",  "+faststart",
+        half};
+    const WithoutPipeSignal no_signal;
+    bool content = true;
+    {
+        Child ffmpeg(words);
+        for (std::size_t i = 0; i < pictures.size() && content; ++i) {
+            report(progress, static_cast<double>(i) / static_cast<double>(pictures.size()),
+                   "video");
+            content = ffmpeg.give(as_png(pictures[i]));
+        }
+        content = ffmpeg.end() && content;
+    }
+    std::error_code error;
+    if (content) fs::rename(half, file, error);
+    if (content && !error) return;
+    std::error_code ignored;
+    fs::remove(half, ignored);
+    throw Rejected(path + ": ffmpeg could not make it of these pictures there");
+}
+
+} // namespace trivar
