@@ -11,10 +11,14 @@ namespace {
 
 class EveryScene : public testing::TestWithParam<std::string> {
 protected:
-    trivar::History history() const
+    trivar::Log log() const
     {
         const std::string path = TRIVAR_SOURCE_DIR "/assets/scenes/" + GetParam() + ".trivar";
-        const trivar::Log log = trivar::read_log(trivar::read_text_file(path), path);
+        return trivar::read_log(trivar::read_text_file(path), path);
+    }
+    trivar::History history() const
+    {
+        const trivar::Log log = this->log();
         trivar::History result;
         for (const trivar::LogLine& line : log.lines) trivar::apply(result, line, log.name);
         return result;
@@ -41,6 +45,21 @@ TEST_P(EveryScene, LaysSomethingDownAndSaysWhereItsPictureIsTakenFrom)
     EXPECT_TRUE(document.bookmarks.contains("picture"));
     EXPECT_TRUE(std::ranges::any_of(
         document.objects, [](const auto& entry) { return entry.second->placement.has_value(); }));
+}
+
+// A field that commands get later must leave the digests of logs without it as they were.
+TEST_P(EveryScene, HasTheDigestThatItsFileSays)
+{
+    const trivar::Log log = this->log();
+    trivar::History replayed;
+    bool said = false;
+    for (const trivar::LogLine& line : log.lines) {
+        trivar::apply(replayed, line, log.name);
+        if (line.digest.empty()) continue;
+        EXPECT_EQ(digest(replayed.document()), line.digest) << "line " << line.number;
+        said = true;
+    }
+    EXPECT_TRUE(said);
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, EveryScene,

@@ -39,7 +39,8 @@ template <> struct FieldsOf<PointShift> {
         field("guard", s.guard, "no further than is proven not to fold the volume");
         field("of", s.of,
               "how many control points the volume has along, across and up: where it has others, "
-              "the step is passed over; zeros: whichever there are");
+              "the step is passed over; zeros: whichever there are",
+              later);
     }
 };
 template <> struct FieldsOf<KnotInsertion> {
