@@ -2,13 +2,16 @@
 #include "editor/files.h"
 
 #include "core/base/rejected.h"
+#include "core/document/certificate.h"
 #include "core/document/collect.h"
+#include "core/files/file_bytes.h"
 #include "core/files/write_model.h"
 #include "editor/file_words.h"
 #include "editor/preferences.h"
 #include "editor/relink.h"
 
 #include <filesystem>
+#include <fmt/format.h>
 
 namespace trivar {
 namespace fs = std::filesystem;
@@ -23,6 +26,30 @@ std::optional<fs::path> folder_of(const Session& session, Id id)
     std::error_code ignored;
     if (!fs::is_directory(folder, ignored)) return {};
     return folder;
+}
+
+struct ExportWords {
+    ui::NoticeKind kind;
+    std::string title, body;
+};
+
+// What was written, and how near it is certified to be to the true surfaces.
+ExportWords words_of_export(const std::string& path, const std::string& scene,
+                            const std::optional<Certificate>& certificate)
+{
+    const std::string name = file_name(path);
+    if (!certificate) return {ui::NoticeKind::good, "Exported " + name, {}};
+    const std::vector<std::string> open = not_certified(*certificate);
+    if (!open.empty())
+        return {ui::NoticeKind::warning, "Exported " + name + ", not all of it certified",
+                open.size() == 1 ? open.front() + "."
+                                 : fmt::format("{}, and {} more.", open.front(), open.size() - 1)};
+    std::string body = "Certified to be within " + bound_text(certificate->bound) + ".";
+    if (extension_of(path) != ".glb")
+        body += " Only glTF says so in the file.";
+    else if (scene.empty())
+        body += " Give the scene a name: trivar verify looks for it beside the file.";
+    return {ui::NoticeKind::good, "Exported " + name, body};
 }
 
 } // namespace
@@ -286,16 +313,29 @@ void Files::write_scene(const std::string& path, bool compact)
 
 void Files::write_model_to(const std::string& path)
 {
+    const SceneFile& scene = session_->scene();
+    const ExportedScene exported{
+        .document = session_->committed(),
+        .frame = static_cast<double>(session_->frame()),
+        .log = scene.path().empty() ? scene.original() : scene.path(),
+        .lines = static_cast<int>(scene.lines().size()),
+    };
+    // What is seen, if that is what the file of the scene says.
+    std::optional<Evaluated> seen;
+    if (session_->up_to_date() && !session_->proposing() && !session_->previewing())
+        seen = session_->evaluated();
     session_->jobs().start(
         {"Writing " + file_name(path),
-         [this, path, document = session_->document(),
-          evaluated = session_->evaluated()](const Progress& progress) -> Jobs::Finish {
+         [this, path, exported, seen,
+          assets = session_->assets()](const Progress& progress) -> Jobs::Finish {
              report(progress, 0.1, "gathering");
-             const Model model = model_of(evaluated, document);
+             const Evaluated evaluated =
+                 seen ? *seen : Evaluator(assets)(exported.document, exported.frame, progress);
+             const Export result = export_of(evaluated, exported);
              report(progress, 0.3, "writing");
-             write_model(model, path);
-             return [this, path] {
-                 session_->notices.say(ui::NoticeKind::good, "Exported " + file_name(path));
+             write_model(result.model, path);
+             return [this, path, words = words_of_export(path, exported.log, result.certificate)] {
+                 session_->notices.say(words.kind, words.title, words.body);
              };
          },
          [this, path](const std::string& why) {

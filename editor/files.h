@@ -45,6 +45,8 @@ public:
     {
         read_model_of(path, frame_all, std::make_shared<Batch>(Batch{1, {}}));
     }
+    // What is visible, as committed; with a certificate where something is refined.
+    void write_model_to(const std::string& path);
     void take_dropped(const std::vector<std::string>& paths); // scenes open, models are imported
     void ask_close();
 
@@ -83,7 +85,6 @@ private:
                        const std::shared_ptr<Batch>& batch);
     void tell_lost(Batch& batch); // when the last of them is there
     void write_scene(const std::string& path, bool compact);
-    void write_model_to(const std::string& path);
     void keep_or(std::function<void()> go_on); // asks what becomes of a scene without a name
 
     Session* session_;

@@ -3,10 +3,14 @@
 
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
+#include "core/base/rounded.h"
+#include "core/base/text.h"
 #include "core/document/commands/refine.h"
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -34,13 +38,69 @@ double or_infinite(const CertificateJson& value)
 }
 
 // The triangles in the order in which a GLB has them.
-std::vector<std::size_t> by_material(const Mesh& mesh)
+std::vector<glm::uvec3> by_material(const Mesh& mesh)
 {
     std::vector<std::size_t> order(mesh.face_count());
     std::iota(order.begin(), order.end(), std::size_t{0});
     if (!mesh.face_material.empty())
         std::ranges::stable_sort(order, {}, [&](std::size_t f) { return mesh.face_material[f]; });
-    return order;
+    const std::vector<glm::uvec3> all = triangles(mesh);
+    std::vector<glm::uvec3> out;
+    out.reserve(all.size());
+    for (const std::size_t f : order) // a face of n corners has n - 2
+        for (std::size_t t = mesh.face_begin[f] - 2 * f; t < mesh.face_begin[f + 1] - 2 * (f + 1);
+             ++t)
+            out.push_back(all[t]);
+    return out;
+}
+
+std::string why_not_laid(const EvaluatedObject& object)
+{
+    if (!object.notices.empty()) return object.notices.front(); // the cause comes first
+    return object.rejected.empty() ? "it has no shape" : object.rejected;
+}
+
+// `document` as the log makes it, `shown` as it was evaluated into `model`, by model_of.
+Certificate certificate_of(const Document& document, const Document& shown,
+                           const Evaluated& evaluated, const Model& model)
+{
+    Certificate out;
+    out.scene = digest(document);
+    out.result = digest(evaluated);
+    int mesh = 0; // model_of() makes one a part, in this order
+    for (const auto& [id, ref] : evaluated.objects) {
+        const Object& source = object(shown, id);
+        if (source.placement &&
+            std::ranges::none_of(ref->parts, [](const Part& part) { return part.bent != nullptr; }))
+            out.not_laid.push_back({id, source.name, why_not_laid(*ref)});
+        for (std::size_t p = 0; p < ref->parts.size(); ++p, ++mesh) {
+            if (!ref->parts[p].bent) continue;
+            const auto node = std::ranges::find(model.nodes, mesh, &Node::mesh);
+            Certificate::PartClaim claim;
+            claim.object = id;
+            claim.part = static_cast<int>(p);
+            claim.name = source.name;
+            claim.node = static_cast<int>(node - model.nodes.begin());
+            claim.triangles = claim.triangles_before = triangles(*ref->parts[p].rest).size();
+            claim.bound = infinite;
+            claim.not_certified = claim.triangles;
+            const Refining refining = source.refining.value_or(Refining{});
+            if (ref->refined) {
+                const RefinedPart& refined = ref->refined->parts.at(p);
+                claim.triangles_before = refined.triangles_before;
+                claim.triangles = refined.triangles;
+                claim.degenerate = refined.degenerate;
+                claim.not_certified = refined.not_certified.size();
+                claim.bound = refined.bound;
+                claim.tolerance = refining.tolerance;
+                claim.method = chosen_name(refining.method);
+                claim.rule = chosen_name(refining.rule);
+            }
+            out.bound = std::max(out.bound, claim.bound);
+            out.parts.push_back(std::move(claim));
+        }
+    }
+    return out;
 }
 
 } // namespace
@@ -63,42 +123,56 @@ Document refined_to(Document document, double tolerance)
     return document;
 }
 
-Certificate certificate_of(const Document& document, const Document& shown,
-                           const Evaluated& evaluated, const Model& model, double frame)
+Export export_of(const Evaluated& evaluated, const ExportedScene& scene)
 {
-    Certificate out;
-    out.frame = frame;
-    out.scene = digest(document);
-    out.result = digest(evaluated);
-    int mesh = 0; // model_of() makes one a part, in this order
-    for (const auto& [id, ref] : evaluated.objects)
-        for (std::size_t p = 0; p < ref->parts.size(); ++p, ++mesh) {
-            if (!ref->parts[p].bent) continue;
-            const auto node = std::ranges::find(model.nodes, mesh, &Node::mesh);
-            Certificate::PartClaim claim;
-            claim.object = id;
-            claim.part = static_cast<int>(p);
-            claim.name = object(shown, id).name;
-            claim.node = static_cast<int>(node - model.nodes.begin());
-            claim.triangles = claim.triangles_before = triangles(*ref->parts[p].rest).size();
-            claim.bound = infinite;
-            claim.not_certified = claim.triangles;
-            const Refining refining = object(shown, id).refining.value_or(Refining{});
-            if (ref->refined) {
-                const RefinedPart& refined = ref->refined->parts.at(p);
-                claim.triangles_before = refined.triangles_before;
-                claim.triangles = refined.triangles;
-                claim.degenerate = refined.degenerate;
-                claim.not_certified = refined.not_certified.size();
-                claim.bound = refined.bound;
-                claim.tolerance = refining.tolerance;
-                claim.method = chosen_name(refining.method);
-                claim.rule = chosen_name(refining.rule);
-            }
-            out.bound = std::max(out.bound, claim.bound);
-            out.parts.push_back(std::move(claim));
-        }
+    Export out{model_of(evaluated, scene.document), {}};
+    const bool refining = std::ranges::any_of(evaluated.objects, [&](const auto& each) {
+        return object(scene.document, each.first).refining.has_value();
+    });
+    if (!refining && !(scene.tolerance > 0)) return out;
+    const Document shown =
+        scene.tolerance > 0 ? refined_to(scene.document, scene.tolerance) : scene.document;
+    Certificate certificate = certificate_of(scene.document, shown, evaluated, out.model);
+    certificate.tolerance = scene.tolerance;
+    certificate.frame = scene.frame;
+    certificate.lines = scene.lines;
+    certificate.log = std::filesystem::path(scene.log).filename().string();
+    out.model.extras = to_json(certificate);
+    out.certificate = std::move(certificate);
     return out;
+}
+
+std::vector<std::string> not_certified(const Certificate& certificate)
+{
+    std::vector<std::string> out;
+    for (const Certificate::PartClaim& part : certificate.parts) {
+        const std::string name = part_title(part);
+        if (part.not_certified == 0 && part.bound <= part.tolerance) continue;
+        if (part.method.empty())
+            out.push_back(name + " is not certified: it is not refined");
+        else if (part.not_certified == 0)
+            out.push_back(fmt::format("{} is not certified: its bound of {} is above its tolerance "
+                                      "of {:.3g} m",
+                                      name, bound_text(part.bound), part.tolerance));
+        else
+            out.push_back(fmt::format("{} is not certified: {} of its {} triangles may be further "
+                                      "off than {:.3g} m",
+                                      name, part.not_certified, part.triangles, part.tolerance));
+    }
+    for (const Certificate::NotLaid& object : certificate.not_laid)
+        out.push_back(fmt::format("{} is not certified: it does not lie where it should: {}",
+                                  printable(object.name), printable(object.why)));
+    return out;
+}
+
+std::string part_title(const Certificate::PartClaim& claim)
+{
+    return fmt::format("{} (part {})", printable(claim.name), claim.part + 1);
+}
+
+std::string bound_text(double bound)
+{
+    return std::isfinite(bound) ? fmt::format("{:.3g} m", rounded_up(bound, 3)) : "no bound";
 }
 
 std::string to_json(const Certificate& c)
@@ -117,6 +191,9 @@ std::string to_json(const Certificate& c)
                          {"bound_m", finite_or_null(p.bound)},
                          {"method", p.method},
                          {"rule", p.rule}});
+    CertificateJson not_laid = CertificateJson::array();
+    for (const Certificate::NotLaid& n : c.not_laid)
+        not_laid.push_back({{"object", n.object}, {"name", n.name}, {"why", n.why}});
     const CertificateJson all{{"version", certificate_version},
                               {"tolerance_m", c.tolerance},
                               {"bound_m", finite_or_null(c.bound)},
@@ -125,7 +202,8 @@ std::string to_json(const Certificate& c)
                               {"lines", c.lines},
                               {"scene", c.scene},
                               {"result", c.result},
-                              {"parts", std::move(parts)}};
+                              {"parts", std::move(parts)},
+                              {"not_laid", std::move(not_laid)}};
     return CertificateJson{{"trivar_certificate", all}}.dump(
         -1, ' ', false, CertificateJson::error_handler_t::replace);
 }
@@ -157,6 +235,10 @@ Certificate certificate_from_json(const std::string& text)
                                  .bound = or_infinite(p.at("bound_m")),
                                  .method = p.at("method").get<std::string>(),
                                  .rule = p.at("rule").get<std::string>()});
+        for (const CertificateJson& n : all.value("not_laid", CertificateJson::array()))
+            out.not_laid.push_back({.object = n.at("object").get<Id>(),
+                                    .name = n.at("name").get<std::string>(),
+                                    .why = n.at("why").get<std::string>()});
         return out;
     } catch (const CertificateJson::exception&) {
         throw Rejected("it has no certificate; trivar replay LOG --epsilon E --export FILE writes "
@@ -168,11 +250,11 @@ SampledPart sampled(const Part& part, const std::vector<glm::vec3>& positions,
                     const std::vector<std::uint32_t>& corners, int steps)
 {
     const Mesh& flat = *part.before_volume();
+    const std::vector<glm::uvec3> order = by_material(flat);
     SampledPart out;
-    out.other_triangles =
-        corners.size() != 3 * flat.face_count() || flat.corners.size() != corners.size();
+    out.triangles = order.size();
+    out.other_triangles = corners.size() != 3 * order.size();
     if (out.other_triangles) return out;
-    const std::vector<std::size_t> order = by_material(flat);
     constexpr std::size_t block = 256;
     std::vector<double> furthest((order.size() + block - 1) / block, 0);
     parallel_blocks(order.size(), block, [&](std::size_t begin, std::size_t end) {
@@ -185,7 +267,7 @@ SampledPart sampled(const Part& part, const std::vector<glm::vec3>& positions,
                                                        static_cast<double>(steps - i - j) / steps};
                     glm::dvec3 object(0), drawn(0);
                     for (std::size_t c = 0; c < 3; ++c) {
-                        const std::uint32_t vertex = flat.corners[3 * order[t] + c];
+                        const std::uint32_t vertex = order[t][static_cast<glm::length_t>(c)];
                         object += weight[c] * glm::dvec3(flat.positions[vertex]);
                         drawn += weight[c] * glm::dvec3(positions[corners[3 * t + c]]);
                     }

@@ -3,11 +3,10 @@
 
 #include "core/base/rejected.h"
 #include "core/base/text.h"
-#include "core/files/file_bytes.h"
+#include "core/files/glb_chunks.h"
 
 #include <cstring>
 #include <nlohmann/json.hpp>
-#include <string_view>
 
 namespace trivar {
 namespace {
@@ -16,19 +15,9 @@ using GlbJson = nlohmann::json;
 
 class GlbParts {
 public:
-    explicit GlbParts(const std::string& bytes) : left_(16 * bytes.size() + (std::size_t{1} << 20))
+    explicit GlbParts(const std::string& bytes)
+        : GlbParts(glb_chunks(bytes), 16 * bytes.size() + (std::size_t{1} << 20))
     {
-        if (bytes.size() < 20 || bytes.compare(0, 4, "glTF") != 0) fail("this is no GLB file");
-        const std::size_t length = word(bytes, 12);
-        if (length > bytes.size() - 20) fail("its JSON is cut off");
-        const std::string_view text = std::string_view(bytes).substr(20, length);
-        if (nested_too_deep(text)) fail("its JSON is nested too deep");
-        json = GlbJson::parse(text);
-        const std::size_t next = 20 + length;
-        if (bytes.size() < next + 8) return;
-        const std::size_t size = word(bytes, next);
-        if (size > bytes.size() - next - 8) fail("its data is cut off");
-        binary = bytes.substr(next + 8, size);
     }
 
     // The values of an accessor, each of `Value`'s size. An accessor may be shared, not multiplied.
@@ -56,14 +45,14 @@ public:
     std::string binary;
 
 private:
-    std::size_t left_; // bytes that may still be copied
-
-    static std::size_t word(const std::string& bytes, std::size_t at)
+    GlbParts(GlbChunks chunks, std::size_t left)
+        : json(GlbJson::parse(chunks.json)),
+          binary(std::move(chunks.binary)),
+          left_(left)
     {
-        std::uint32_t out;
-        std::memcpy(&out, bytes.data() + at, 4);
-        return out;
     }
+
+    std::size_t left_; // bytes that may still be copied
 };
 
 glm::dmat4 matrix_of(const GlbJson& node)

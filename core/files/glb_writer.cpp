@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/files/formats.h"
+#include "core/files/glb_chunks.h"
 #include "core/files/image.h"
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -235,26 +234,8 @@ private:
         binary_.resize((binary_.size() + 3) / 4 * 4, '\0');
         if (!binary_.empty()) json_["buffers"] = {{{"byteLength", binary_.size()}}};
         // Names in other encodings must not make the file unwritable.
-        std::string text = json_.dump(-1, ' ', false, Json::error_handler_t::replace);
-        text.resize((text.size() + 3) / 4 * 4, ' ');
-        const std::size_t size = 20 + text.size() + (binary_.empty() ? 0 : 8 + binary_.size());
-        if (size > std::numeric_limits<std::uint32_t>::max())
-            throw Rejected("a GLB file can have up to 4 GB, this model needs more");
-        std::string out;
-        out.reserve(size);
-        const auto word = [&](std::size_t value) {
-            const auto word32 = static_cast<std::uint32_t>(value);
-            char bytes[4];
-            std::memcpy(bytes, &word32, 4);
-            out.append(bytes, 4);
-        };
-        out += "glTF";
-        word(2), word(size), word(text.size());
-        out += "JSON" + text;
-        if (binary_.empty()) return out;
-        word(binary_.size());
-        out.append("BIN\0", 4);
-        return out + binary_;
+        return glb_container(
+            {json_.dump(-1, ' ', false, Json::error_handler_t::replace), std::move(binary_)});
     }
 
     const Model& model_;

@@ -32,6 +32,12 @@ struct Choices {
     bool commands_json = false, commands_markdown = false;
 };
 
+// An optional number without digits would be read as one that was not given.
+std::string not_empty(const std::string& value)
+{
+    return value.empty() ? "must be a number" : "";
+}
+
 void add_shaders(CLI::App& app, std::string& checkout)
 {
     app.add_option("--shaders", checkout,
@@ -130,7 +136,8 @@ CLI::App* add_replay(CLI::App& app, ReplayOptions& o)
         ->type_name("N")
         ->check(CLI::Range(1, 1 << 30));
     replay->add_option("--frame", o.frame, "what moves as it is in frame N; the first if left out")
-        ->type_name("N");
+        ->type_name("N")
+        ->check(not_empty);
     replay->add_option("--export", o.exports, "write the result as .glb, .obj, .ply, .stl or .off")
         ->type_name("OUT");
     replay->add_option("--image", o.image, "draw a picture (.png, .jpg, .exr ...)")
@@ -146,7 +153,8 @@ CLI::App* add_replay(CLI::App& app, ReplayOptions& o)
         ->add_option("--epsilon", o.epsilon,
                      "split the triangles of all that lies in a volume until the surface is\n"
                      "certified to be within E metres; a .glb says so, see trivar verify")
-        ->type_name("E");
+        ->type_name("E")
+        ->check(not_empty);
     replay->add_option("--timings", o.timings, "write how long each stage took, as JSON")
         ->type_name("OUT.json");
     add_threads(*replay, o.threads);

@@ -10,6 +10,7 @@
 #include "editor/volume_words.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
@@ -143,31 +144,16 @@ void write_timings(const std::string& path, const Timings& timings)
     if (!file) throw Rejected(path + ": the timings cannot be written there");
 }
 
-// With a certificate where anything is refined.
-Model model_to_write(const Replayed& replayed, const ReplayOptions& options)
+// What is not certified of what --epsilon asks for is said. Whether all of it is.
+bool certified(const Export& result, const ReplayOptions& options, const Streams& streams)
 {
-    Model model = model_of(replayed.evaluated, replayed.document);
-    const bool refined = std::ranges::any_of(replayed.evaluated.objects, [](const auto& object) {
-        return object.second->refined != nullptr;
-    });
-    if (!refined && !options.epsilon) return model;
-    Certificate certificate = certificate_of(replayed.document, replayed.shown, replayed.evaluated,
-                                             model, frame_of(options, replayed.document));
-    certificate.tolerance = options.epsilon.value_or(0);
-    certificate.lines = options.to;
-    certificate.log = std::filesystem::path(options.scene.path).filename().string();
-    model.extras = to_json(certificate);
-    return model;
-}
-
-// Whether all that lies in a volume is within the tolerance that was asked for.
-bool certified(const Replayed& replayed, double tolerance)
-{
-    for (const auto& [id, object] : replayed.evaluated.objects)
-        if (object->placement && !object->parts.empty() &&
-            !(object->refined && object->refined->bound <= tolerance))
-            return false;
-    return true;
+    const std::vector<std::string> open = not_certified(*result.certificate);
+    for (const std::string& sentence : open)
+        streams.talk << "trivar: " << options.scene.path << ": " << sentence << "\n";
+    if (result.certificate->parts.empty() && open.empty())
+        streams.talk << "trivar: " << options.scene.path
+                     << ": nothing in it lies in a volume, so there is nothing to certify\n";
+    return open.empty();
 }
 
 } // namespace
@@ -176,27 +162,25 @@ Status run_replay(const ReplayOptions& options, const Streams& streams)
 {
     still_options(options.drawing); // before any work is done
     relinked_files(options.scene.relinked);
-    if (options.epsilon && !(*options.epsilon > 0))
+    if (options.epsilon && !(*options.epsilon > 0 && std::isfinite(*options.epsilon)))
         throw WrongUsage("--epsilon: must be a length above 0, in metres");
     if (!options.image.empty()) check_picture_name(options.image);
     for (const std::string& path : options.exports) check_model_name(path);
     std::optional<ThreadLimit> limit;
     if (options.threads > 0) limit.emplace(options.threads);
     Replayed replayed = replay(options, streams);
-    if (!options.exports.empty()) {
-        const Model model = model_to_write(replayed, options);
-        for (const std::string& path : options.exports)
-            timed(replayed.timings, "export", [&] { write_model(model, path); });
-    }
+    Export result;
+    if (!options.exports.empty() || options.epsilon)
+        result = export_of(replayed.evaluated,
+                           {replayed.document, options.epsilon.value_or(0),
+                            frame_of(options, replayed.document), options.scene.path, options.to});
+    for (const std::string& path : options.exports)
+        timed(replayed.timings, "export", [&] { write_model(result.model, path); });
     if (!options.image.empty()) draw(options, replayed, streams);
     if (!options.timings.empty()) write_timings(options.timings, replayed.timings);
     if (options.digest)
         streams.out << check_line(digest(replayed.document), digest(replayed.evaluated));
-    if (options.epsilon && !certified(replayed, *options.epsilon)) {
-        streams.talk << fmt::format("trivar: {}: not everything is certified to be within {} m\n",
-                                    options.scene.path, shortest(*options.epsilon));
-        return Status::check_failed;
-    }
+    if (options.epsilon && !certified(result, options, streams)) return Status::check_failed;
     if (!replayed.same) return Status::check_failed;
     if (options.check) streams.talk << "trivar: " << options.scene.path << ": as it was meant\n";
     return Status::done;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/command_line/verify.h"
 
-#include "core/base/rounded.h"
 #include "core/base/text.h"
 #include "core/document/certificate.h"
 #include "core/document/log.h"
+#include "core/files/formats.h"
 #include "core/files/glb_content.h"
+#include "core/files/glb_differences.h"
 #include "editor/command_line/scene_log.h"
 
 #include <algorithm>
@@ -22,7 +23,8 @@ public:
     Verification(const VerifyOptions& options, const Streams& streams)
         : options_(options),
           streams_(streams),
-          content_(glb_content(options.file))
+          bytes_(read_text_file(options.file)),
+          content_(glb_content_of(bytes_, options.file))
     {
         try {
             claims_ = certificate_from_json(content_.extras);
@@ -33,33 +35,32 @@ public:
     bool holds()
     {
         evaluate();
+        compare_file();
         double furthest = 0;
         std::set<std::pair<Id, int>> claimed;
         for (const Certificate::PartClaim& claim : claims_.parts) {
             check(claim);
             furthest = std::max(furthest, claim.bound);
             if (!claimed.emplace(claim.object, claim.part).second)
-                wrong(title(claim) + " is claimed twice");
+                wrong(part_title(claim) + " is claimed twice");
         }
         if (claims_.bound != furthest)
-            wrong(fmt::format("it claims {:.3g} m where the furthest of its parts claims {:.3g} m",
-                              claims_.bound, furthest));
-        std::size_t bent = 0;
-        for (const auto& [id, object] : evaluated_.objects)
-            bent += static_cast<std::size_t>(std::ranges::count_if(
-                object->parts, [](const Part& part) { return part.bent != nullptr; }));
-        if (bent != claims_.parts.size())
-            wrong(fmt::format("{} parts lie in volumes and {} are claimed", bent,
+            wrong(fmt::format("it claims {} where the furthest of its parts claims {}",
+                              bound_text(claims_.bound), bound_text(furthest)));
+        if (given_.parts.size() != claims_.parts.size())
+            wrong(fmt::format("{} parts lie in volumes and {} are claimed", given_.parts.size(),
                               claims_.parts.size()));
+        for (const Certificate::NotLaid& object : given_.not_laid)
+            if (std::ranges::find(claims_.not_laid, object.object, &Certificate::NotLaid::object) ==
+                claims_.not_laid.end())
+                wrong(printable(object.name) +
+                      " does not lie where it should, which it leaves out");
+        for (const std::string& sentence : not_certified(claims_)) wrong(sentence);
         return holds_;
     }
+    bool claims_nothing() const { return claims_.parts.empty(); }
 
 private:
-    static std::string title(const Certificate::PartClaim& claim)
-    {
-        return fmt::format("{} (part {})", printable(claim.name), claim.part + 1);
-    }
-
     void wrong(const std::string& sentence)
     {
         streams_.talk << fmt::format("trivar: {}: {}\n", options_.file, sentence);
@@ -69,6 +70,8 @@ private:
     std::string log_file() const
     {
         if (!options_.log.empty()) return options_.log;
+        if (claims_.log.empty())
+            throw Rejected(options_.file + ": it names no scene; say which with --log");
         const std::filesystem::path beside = std::filesystem::path(options_.file).parent_path() /
                                              std::filesystem::path(claims_.log).filename();
         if (!std::filesystem::is_regular_file(beside))
@@ -98,64 +101,88 @@ private:
             std::filesystem::absolute(name).lexically_normal().parent_path().string();
         Evaluator evaluator(
             std::make_shared<const AssetStore>(folder, relinked_files(options_.relinked)));
-        shown_ = claims_.tolerance > 0 ? refined_to(document, claims_.tolerance) : document;
-        evaluated_ = evaluator(shown_, claims_.frame);
-        if (digest(evaluated_) != claims_.result)
+        evaluated_ =
+            evaluator(claims_.tolerance > 0 ? refined_to(document, claims_.tolerance) : document,
+                      claims_.frame);
+        Export again = export_of(evaluated_, {document, claims_.tolerance, claims_.frame, {}, 0});
+        given_ = again.certificate.value_or(Certificate{}); // none where nothing is refined
+        plain_ = write_glb(again.model);
+        if (given_.result != claims_.result)
             wrong("the scene gives another result here than the one that was exported; a file "
                   "that it uses may have changed");
     }
 
+    // Who shows the file may heed more than its triangles, so all of it must be what was
+    // written.
+    void compare_file()
+    {
+        for (const std::string& sentence : differences()) wrong(sentence);
+    }
+    std::vector<std::string> differences() const
+    {
+        try {
+            return glb_differences(bytes_, plain_);
+        } catch (const Rejected& error) {
+            throw Rejected(options_.file + ": " + error.what());
+        }
+    }
+
     void check(const Certificate::PartClaim& claim)
     {
-        const std::string name = title(claim);
-        const auto object = evaluated_.objects.find(claim.object);
-        const auto part = static_cast<std::size_t>(claim.part);
-        if (object == evaluated_.objects.end() || claim.part < 0 ||
-            part >= object->second->parts.size() || !object->second->parts[part].bent)
-            return wrong(name + " lies in no volume of the scene");
+        const std::string name = part_title(claim);
+        const auto known =
+            std::ranges::find_if(given_.parts, [&](const Certificate::PartClaim& part) {
+                return part.object == claim.object && part.part == claim.part;
+            });
+        if (known == given_.parts.end()) return wrong(name + " lies in no volume of the scene");
+        check_claim(claim, *known);
         const auto node_index = static_cast<std::size_t>(claim.node);
-        if (claim.node < 0 || node_index >= content_.nodes.size())
-            return wrong(name + " is not in the file");
+        if (claim.node != known->node || node_index >= content_.nodes.size())
+            return wrong(name + " is not the part of the file that it claims to be");
         const GlbContent::Node& node = content_.nodes[node_index];
         const glm::dmat4 z_to_y({1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1});
         if (node.to_file != z_to_y) return wrong(name + " was moved in the file");
-        const Part& truth = object->second->parts[part];
+        const Part& truth =
+            evaluated_.objects.at(claim.object)->parts.at(static_cast<std::size_t>(claim.part));
         constexpr std::size_t many = 100000;
         const SampledPart found =
             sampled(truth, node.positions, node.corners, node.corners.size() / 3 < many ? 4 : 2);
         if (found.other_triangles)
             return wrong(fmt::format("{} has {} triangles, the scene gives {}", name,
-                                     node.corners.size() / 3, truth.before_volume()->face_count()));
-        const std::string figures = fmt::format(
-            "{}: {} triangles, {} samples, the furthest off by {:.3g} m, claimed {:.3g} m", name,
-            claim.triangles, found.samples, found.furthest, rounded_up(claim.bound, 3));
-        streams_.out << figures << "\n";
+                                     node.corners.size() / 3, found.triangles));
+        streams_.out << fmt::format(
+            "{}: {} triangles, {} samples, the furthest off by {:.3g} m, claimed: {}\n", name,
+            claim.triangles, found.samples, found.furthest, bound_text(claim.bound));
         if (!(found.furthest <= claim.bound)) wrong(name + " is further off than it claims");
-        if (!object->second->refined) return wrong(name + " is not certified: it is not refined");
-        const RefinedPart& refined = object->second->refined->parts.at(part);
-        if (claim.triangles != refined.triangles ||
-            claim.triangles_before != refined.triangles_before ||
-            claim.degenerate != refined.degenerate ||
-            claim.not_certified != refined.not_certified.size())
+    }
+
+    // What is claimed of a part, against what the scene gives.
+    void check_claim(const Certificate::PartClaim& claim, const Certificate::PartClaim& given)
+    {
+        const std::string name = part_title(claim);
+        if (claim.name != given.name)
+            wrong(fmt::format("{} is called {} in the scene", name, printable(given.name)));
+        if (claim.method != given.method || claim.rule != given.rule)
+            wrong(fmt::format("{} claims {} and {} where the scene has {} and {}", name,
+                              printable(claim.method), printable(claim.rule), given.method,
+                              given.rule));
+        if (claim.triangles != given.triangles ||
+            claim.triangles_before != given.triangles_before ||
+            claim.degenerate != given.degenerate || claim.not_certified != given.not_certified)
             wrong(name + " claims other numbers of triangles than the scene gives");
-        const double asked = trivar::object(shown_, claim.object).refining->tolerance;
-        if (!(claim.tolerance <= asked))
+        if (claim.tolerance != given.tolerance)
             wrong(fmt::format("{} claims to be within {:.3g} m where {:.3g} m were asked for", name,
-                              claim.tolerance, asked));
-        const double proven = refined.bound;
-        if (!(claim.bound >= proven))
-            wrong(fmt::format("{} claims {:.3g} m where {:.3g} m are proven", name, claim.bound,
-                              proven));
-        if (!(claim.bound <= claim.tolerance) || claim.not_certified > 0)
-            wrong(fmt::format("{} of the triangles of {} are not certified to be within {:.3g} m",
-                              claim.not_certified, name, claim.tolerance));
+                              claim.tolerance, given.tolerance));
+        if (!(claim.bound >= given.bound))
+            wrong(fmt::format("{} claims {} where {} is proven", name, bound_text(claim.bound),
+                              bound_text(given.bound)));
     }
 
     const VerifyOptions& options_;
     const Streams& streams_;
+    std::string bytes_, plain_; // the file, and the one that the scene gives
     GlbContent content_;
-    Certificate claims_;
-    Document shown_; // as it was refined for the export
+    Certificate claims_, given_; // what the file says, and what its scene does
     Evaluated evaluated_;
     bool holds_ = true;
 };
@@ -164,8 +191,12 @@ private:
 
 Status run_verify(const VerifyOptions& options, const Streams& streams)
 {
-    if (!Verification(options, streams).holds()) return Status::check_failed;
-    streams.talk << "trivar: " << options.file << ": what it claims holds\n";
+    Verification verification(options, streams);
+    if (!verification.holds()) return Status::check_failed;
+    streams.talk << "trivar: " << options.file
+                 << (verification.claims_nothing()
+                         ? ": nothing lies in a volume, it claims nothing\n"
+                         : ": what it claims holds\n");
     return Status::done;
 }
 

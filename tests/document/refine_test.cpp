@@ -91,10 +91,17 @@ TEST(Refining, IsRefusedInASentence)
 
 TEST(Certificates, ComeBackFromTheirJson)
 {
-    const Document document = small_document(), shown = refined_to(document, 1e-3);
-    const Evaluated scene = evaluated(shown);
-    const Model model = model_of(scene, shown);
-    const Certificate c = certificate_of(document, shown, scene, model, 1);
+    const Document document = small_document();
+    const auto [model, certificate] =
+        export_of(evaluated(refined_to(document, 1e-3)), {document, 1e-3, 1, "here/pot.trivar", 7});
+    ASSERT_TRUE(certificate);
+    Certificate c = *certificate;
+    EXPECT_EQ(to_json(c), model.extras);
+    EXPECT_EQ(c.log, "pot.trivar");
+    EXPECT_TRUE(not_certified(c).empty());
+    c.not_laid = {{9, "Snake", "its file is missing"}};
+    EXPECT_EQ(not_certified(c), std::vector<std::string>{"Snake is not certified: it does not lie "
+                                                         "where it should: its file is missing"});
     const std::string text = to_json(c);
     EXPECT_EQ(to_json(certificate_from_json(text)), text);
     ASSERT_FALSE(c.parts.empty());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/text.h"
 #include "core/document/log.h"
+#include "core/files/glb_chunks.h"
 #include "core/files/glb_content.h"
 #include "editor/command_line/command_line.h"
 #include "tests/editor/scenes.h"
@@ -9,13 +10,16 @@
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
+#include <functional>
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 namespace trivar {
 namespace {
 
-using ::testing::HasSubstr;
+using ::testing::HasSubstr, ::testing::Not;
+using AnyJson = nlohmann::json;
 using testing::TemporaryFolder, testing::write_file;
 
 class CertifiedExport : public ::testing::Test {
@@ -52,6 +56,20 @@ protected:
         write_file(folder.file("pot.glb"), changed);
         const Ran ran = verified();
         EXPECT_EQ(ran.status, Status::check_failed) << name << " " << value;
+        write_file(folder.file("pot.glb"), bytes);
+        return ran.text;
+    }
+
+    std::string verified_after(const std::function<void(AnyJson&)>& change)
+    {
+        const std::string bytes = read_text_file(folder.file("pot.glb"));
+        GlbChunks chunks = glb_chunks(bytes);
+        AnyJson file = AnyJson::parse(chunks.json);
+        change(file);
+        chunks.json = file.dump();
+        write_file(folder.file("pot.glb"), glb_container(chunks));
+        const Ran ran = verified();
+        EXPECT_EQ(ran.status, Status::check_failed) << ran.text;
         write_file(folder.file("pot.glb"), bytes);
         return ran.text;
     }
@@ -128,6 +146,96 @@ TEST_F(CertifiedExport, ChecksEveryFigureOfTheClaim)
     EXPECT_EQ(verified().status, Status::done);
 }
 
+TEST_F(CertifiedExport, FailsWhereAViewerWouldShowAnythingElse)
+{
+    ASSERT_EQ(exported("0.001").status, Status::done);
+    const auto fails = [&](const char* sentence, const std::function<void(AnyJson&)>& change) {
+        EXPECT_THAT(verified_after(change), HasSubstr(sentence));
+    };
+    const AnyJson some{{{"any", 1}}};
+    fails("it has \"animations\"", [&](AnyJson& file) { file["animations"] = some; });
+    fails("nodes[1] has \"skin\"", [](AnyJson& file) { file["nodes"][1]["skin"] = 0; });
+    fails("nodes[1] has \"weights\"", [](AnyJson& file) { file["nodes"][1]["weights"] = {1}; });
+    fails("nodes[0].matrix[12]", [](AnyJson& file) { file["nodes"][0]["matrix"][12] = 3; });
+    fails("its nodes has 3 entries", [](AnyJson& file) { file["nodes"].push_back({{"mesh", 1}}); });
+    fails("its scenes[0].nodes", [](AnyJson& file) { file["scenes"][0]["nodes"] = {0}; });
+    fails("its scene is 1", [](AnyJson& file) { file["scene"] = 1; });
+    fails("primitives[0] has \"mode\"",
+          [](AnyJson& file) { file["meshes"][1]["primitives"][0]["mode"] = 1; });
+    fails("\"targets\"",
+          [&](AnyJson& file) { file["meshes"][1]["primitives"][0]["targets"] = some; });
+    for (AnyJson::size_type i : {0u, 3u}) {
+        fails("\"sparse\"", [&](AnyJson& file) { file["accessors"][i]["sparse"] = some; });
+        fails("\"byteOffset\"", [&](AnyJson& file) { file["accessors"][i]["byteOffset"] = 4; });
+        fails("componentType is",
+              [&](AnyJson& file) { file["accessors"][i]["componentType"] = 1; });
+        fails("\"byteStride\"", [&](AnyJson& file) { file["bufferViews"][i]["byteStride"] = 24; });
+    }
+    EXPECT_EQ(verified().status, Status::done);
+}
+
+TEST_F(CertifiedExport, FailsWhereAClaimNamesWhatTheSceneDoesNot)
+{
+    ASSERT_EQ(exported("0.001").status, Status::done);
+    EXPECT_THAT(verified_with("method", "\"magic\"", true), HasSubstr("claims magic and"));
+    EXPECT_THAT(verified_with("rule", "\"magic\"", true), HasSubstr("and magic where"));
+    EXPECT_THAT(verified_after([](AnyJson& file) {
+                    file["extras"]["trivar_certificate"]["parts"][0]["name"] = "Other";
+                }),
+                HasSubstr("Other (part 1) is called Teapot in the scene"));
+    EXPECT_THAT(verified_with("tolerance_m", "1e-5", true),
+                HasSubstr("claims to be within 1e-05 m where 0.001 m were asked for"));
+    EXPECT_THAT(verified_with("bound_m", "null", true), HasSubstr("where the furthest"));
+}
+
+TEST_F(CertifiedExport, ListsWhatDoesNotLieWhereItShould)
+{
+    ImportModel gone;
+    gone.file.path = "gone.obj";
+    Place stroke = testing::placed(3, 1);
+    const std::string before = testing::scene_text();
+    write_file(folder.file("pot.trivar"), before + command_line(gone) + command_line(stroke));
+    const Ran ran = exported("0.001");
+    EXPECT_EQ(ran.status, Status::check_failed);
+    EXPECT_THAT(ran.text, HasSubstr("is not certified: it does not lie where it should"));
+    const Ran checked = verified();
+    EXPECT_EQ(checked.status, Status::check_failed);
+    EXPECT_THAT(checked.text, HasSubstr("is not certified: it does not lie where it should"));
+    EXPECT_THAT(verified_after([](AnyJson& file) {
+                    file["extras"]["trivar_certificate"]["not_laid"] = AnyJson::array();
+                }),
+                HasSubstr("does not lie where it should, which it leaves out"));
+}
+
+TEST_F(CertifiedExport, SaysWhereThereIsNothingToCertify)
+{
+    write_file(folder.file("pot.trivar"), log_header() + command_line(AddBox{}));
+    const Ran ran = exported("0.001");
+    EXPECT_EQ(ran.status, Status::done);
+    EXPECT_THAT(ran.text, HasSubstr("nothing in it lies in a volume"));
+    EXPECT_THAT(verified().text, HasSubstr("nothing lies in a volume, it claims nothing"));
+}
+
+TEST_F(CertifiedExport, SaysWhatIsNotRefinedInWords)
+{
+    // Of two that are laid one is refined as the scene says; the other keeps its triangles.
+    AddBox second;
+    Refine refine;
+    refine.objects = {2};
+    write_file(folder.file("pot.trivar"), testing::scene_text() + command_line(second) +
+                                              command_line(testing::placed(3, 1)) +
+                                              command_line(refine));
+    ASSERT_EQ(
+        run_verb({"replay", folder.file("pot.trivar"), "--export", folder.file("pot.glb")}).status,
+        Status::done);
+    const Ran ran = verified();
+    EXPECT_EQ(ran.status, Status::check_failed);
+    EXPECT_THAT(ran.text, HasSubstr("is not certified: it is not refined"));
+    EXPECT_THAT(ran.text, HasSubstr("claimed: no bound"));
+    EXPECT_THAT(ran.text, Not(HasSubstr("the scene gives")));
+    EXPECT_THAT(ran.text, Not(HasSubstr("claimed: 0 m")));
+}
+
 TEST_F(CertifiedExport, IsRefusedWhereItNestsOrMultiplies)
 {
     const auto refused = [&](const std::string& json, std::size_t data) {
@@ -158,7 +266,9 @@ TEST_F(CertifiedExport, IsRefusedWhereItNestsOrMultiplies)
 TEST_F(CertifiedExport, SaysWhatIsWrongWithItsInput)
 {
     EXPECT_EQ(exported("0").status, Status::usage);
-    EXPECT_EQ(exported("-1").status, Status::usage);
+    for (const char* none : {"-1", "", "inf", "nan", "1mm"})
+        EXPECT_EQ(exported(none).status, Status::usage) << none;
+    EXPECT_FALSE(std::filesystem::exists(folder.file("pot.glb")));
     const Ran fine = exported("1e-9");
     EXPECT_EQ(fine.status, Status::check_failed);
     EXPECT_THAT(fine.text, HasSubstr("finer than single precision"));
