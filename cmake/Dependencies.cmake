@@ -24,6 +24,9 @@ pkg_check_modules(IMGUI REQUIRED IMPORTED_TARGET imgui)
 pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)
 pkg_check_modules(FREETYPE REQUIRED IMPORTED_TARGET freetype2)
 pkg_check_modules(FONTCONFIG REQUIRED IMPORTED_TARGET fontconfig)
+pkg_check_modules(HARFBUZZ REQUIRED IMPORTED_TARGET harfbuzz)
+pkg_check_modules(FRIBIDI REQUIRED IMPORTED_TARGET fribidi)
+pkg_check_modules(POLYCLIPPING REQUIRED IMPORTED_TARGET polyclipping)
 pkg_check_modules(MD4C REQUIRED IMPORTED_TARGET md4c)
 pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)
 
@@ -52,6 +55,9 @@ GLM|${glm_VERSION}|MIT
 libepoxy|${EPOXY_VERSION}|MIT
 FreeType|${FREETYPE_VERSION}|FTL
 Fontconfig|${FONTCONFIG_VERSION}|HPND
+HarfBuzz|${HARFBUZZ_VERSION}|MIT
+FriBidi|${FRIBIDI_VERSION}|LGPL-2.1-or-later
+Clipper|${POLYCLIPPING_VERSION}|BSL-1.0
 Embree|${embree_VERSION}|Apache-2.0
 oneTBB|${TBB_VERSION}|Apache-2.0
 Highway|${hwy_VERSION}|Apache-2.0

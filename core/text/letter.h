@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/mesh/mesh.h"
+#include "core/text/loops.h"
+
+#include <optional>
+
+namespace trivar {
+
+// How a flat region becomes a body. In em.
+struct Extrusion {
+    double depth = 0.2;
+    double bevel = 0;    // how far the front and the back draw in; at most 0.45 of the depth counts
+    int bevel_steps = 1; // 1: a flat chamfer; more: a quarter circle
+    double max_edge = 0.1; // of all edges of the faces and, bevels apart, of the sides
+};
+
+// A closed body over z = 0 .. depth, in em: in front and behind triangles, round the sides quads.
+// Its front is a height over the region: rings inset by the bevel's profile, each at its height, so
+// that where a stroke is too narrow for the next ring the front stays flat there, and no bevel
+// crosses another. Normals follow curves and break at corners of more than 40 degrees. Texture
+// coordinates are lengths in em: x and y in front, -x and y behind, along the edge and z on the
+// sides. `points` tells bodies apart that touch. Nothing: the region is too fine for the grid, or
+// empty.
+std::optional<Mesh> letter_body(const Region& region, const Extrusion& extrusion);
+
+} // namespace trivar

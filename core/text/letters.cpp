@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/text/letters.h"
+
+#include "core/base/rejected.h"
+
+namespace trivar {
+
+std::u32string letters_of(std::string_view utf8)
+{
+    std::u32string letters;
+    for (std::size_t i = 0; i < utf8.size();) {
+        const auto first = static_cast<unsigned char>(utf8[i]);
+        const std::size_t length = first < 0x80              ? 1
+                                   : (first & 0xE0u) == 0xC0 ? 2
+                                   : (first & 0xF0u) == 0xE0 ? 3
+                                   : (first & 0xF8u) == 0xF0 ? 4
+                                                             : 0;
+        bool whole = length > 0 && i + length <= utf8.size();
+        char32_t letter = length == 1 ? first : first & (0x7Fu >> length);
+        for (std::size_t k = 1; whole && k < length; ++k) {
+            const auto next = static_cast<unsigned char>(utf8[i + k]);
+            whole = (next & 0xC0u) == 0x80;
+            letter = (letter << 6) | (next & 0x3Fu);
+        }
+        constexpr char32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
+        if (!whole || letter < least[length] || letter > 0x10FFFF ||
+            (letter >= 0xD800 && letter < 0xE000))
+            throw Rejected("the text is not UTF-8");
+        letters += letter;
+        i += length;
+    }
+    return letters;
+}
+
+std::string utf8_of(char32_t letter)
+{
+    std::string text;
+    const auto tail = [&](int bits) {
+        text += static_cast<char>(0x80 | ((letter >> bits) & 0x3F));
+    };
+    if (letter < 0x80) {
+        text += static_cast<char>(letter);
+    } else if (letter < 0x800) {
+        text += static_cast<char>(0xC0 | (letter >> 6));
+    } else if (letter < 0x10000) {
+        text += static_cast<char>(0xE0 | (letter >> 12));
+        tail(6);
+    } else {
+        text += static_cast<char>(0xF0 | (letter >> 18));
+        tail(12);
+        tail(6);
+    }
+    if (letter >= 0x80) tail(0);
+    return text;
+}
+
+bool is_control(char32_t letter)
+{
+    return letter < 0x20 || (letter >= 0x7F && letter < 0xA0);
+}
+
+bool is_blank(char32_t letter)
+{
+    return letter == ' ' || letter == '\t' || letter == '\n' || letter == '\r' || letter == 0xA0 ||
+           letter == 0xAD || letter == 0x61C || letter == 0x1680 ||
+           (letter >= 0x2000 && letter <= 0x200F) || (letter >= 0x2028 && letter <= 0x202F) ||
+           (letter >= 0x205F && letter <= 0x206F) || letter == 0x3000 || letter == 0xFEFF;
+}
+
+std::vector<std::u32string> lines_of(std::u32string_view letters)
+{
+    std::vector<std::u32string> lines(1);
+    for (std::size_t i = 0; i < letters.size(); ++i) {
+        const char32_t letter = letters[i];
+        if (letter == '\n' && i > 0 && letters[i - 1] == '\r') continue;
+        if (letter == '\n' || letter == '\r' || letter == 0x2028 || letter == 0x2029)
+            lines.emplace_back();
+        else if (letter == '\t')
+            lines.back() += U"    ";
+        else
+            lines.back() += letter;
+    }
+    return lines;
+}
+
+} // namespace trivar

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace trivar {
+
+// Plane regions on a grid of whole numbers, em_units to the em: turns and areas of loops are exact.
+inline constexpr int em_units = 1 << 18;
+inline constexpr int most_units = 1 << 23; // of a coordinate: 32 em
+
+using Loop = std::vector<glm::ivec2>; // closed, its end joined to its beginning
+using Region = std::vector<Loop>;     // what lies left of its loops: holes run clockwise
+
+// Twice the area of the triangle a b c, positive where it runs counter-clockwise.
+inline std::int64_t turn(const glm::ivec2& a, const glm::ivec2& b, const glm::ivec2& c)
+{
+    const glm::i64vec2 u = glm::i64vec2(b) - glm::i64vec2(a);
+    const glm::i64vec2 v = glm::i64vec2(c) - glm::i64vec2(a);
+    return u.x * v.y - u.y * v.x;
+}
+
+std::int64_t doubled_area(const Region& region); // of a disk positive, in square units
+
+// What any of the loops winds round; with `even_odd`, what an odd number of them does. Where loops
+// overlap or cross, their union.
+Region united(const Region& loops, bool even_odd = false);
+
+// What is left of a region when everything nearer than `distance` units to its edge is taken away,
+// sharp corners kept: parts narrower than twice that vanish.
+Region inset(const Region& region, double distance);
+
+// The same region with no edge longer than `longest` units, edges cut evenly.
+Region with_short_edges(const Region& region, double longest);
+
+} // namespace trivar
