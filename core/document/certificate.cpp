@@ -220,6 +220,8 @@ Certificate certificate_from_json(const std::string& text)
         out.frame = all.at("frame").get<double>();
         out.log = all.at("log").get<std::string>();
         out.lines = all.value("lines", 0); // not in the first ones
+        if (out.lines < 0 || !(out.tolerance >= 0))
+            throw Rejected("its certificate has a number below 0 that cannot be");
         out.scene = all.at("scene").get<std::string>();
         out.result = all.at("result").get<std::string>();
         for (const CertificateJson& p : all.at("parts"))

@@ -110,6 +110,8 @@ TEST(Certificates, ComeBackFromTheirJson)
     const Certificate::PartClaim& part = c.parts.front();
     EXPECT_EQ(part.object, pot);
     EXPECT_EQ(model.nodes.at(static_cast<std::size_t>(part.node)).name, "Pot");
+    c.lines = -1;
+    EXPECT_THROW(certificate_from_json(to_json(c)), Rejected);
     for (const char* text_without : {"", "{}", "{\"trivar_certificate\":{\"version\":9}}"})
         EXPECT_THROW(certificate_from_json(text_without), Rejected);
 }

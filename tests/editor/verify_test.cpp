@@ -268,6 +268,7 @@ TEST_F(CertifiedExport, SaysWhatIsWrongWithItsInput)
     EXPECT_EQ(exported("0").status, Status::usage);
     for (const char* none : {"-1", "", "inf", "nan", "1mm"})
         EXPECT_EQ(exported(none).status, Status::usage) << none;
+    EXPECT_EQ(run_verb({"replay", folder.file("pot.trivar"), "--frame", ""}).status, Status::usage);
     EXPECT_FALSE(std::filesystem::exists(folder.file("pot.glb")));
     const Ran fine = exported("1e-9");
     EXPECT_EQ(fine.status, Status::check_failed);
