@@ -135,6 +135,14 @@ Mesh posed(const Mesh& mesh, const Pose& pose)
     return out;
 }
 
+glm::vec3 posed_point(const Mesh& mesh, const Pose& pose, std::uint32_t vertex)
+{
+    const int v = static_cast<int>(vertex);
+    kernel::PoseKernel kernel{mesh, pose};
+    return kernel.posed_vertex(v, mesh.positions[vertex], glm::vec3(0, 0, 1), glm::vec4(1, 0, 0, 1))
+        .position;
+}
+
 Box bounding_box(const Model& model, const Clip* clip, double time_s)
 {
     const Stance stance = stance_at(model, clip, time_s);

@@ -32,6 +32,7 @@ glm::dmat4 mesh_to_model(const Model& model, int node, const Stance& stance);
 // result has neither influences nor targets. The pose must be of this mesh. O(#V by targets that
 // have a weight). The same bits for any number of threads. Source: glTF 2.0, 3.7.2 and 3.7.3.
 Mesh posed(const Mesh& mesh, const Pose& pose);
+glm::vec3 posed_point(const Mesh& mesh, const Pose& pose, std::uint32_t vertex); // the same bits
 
 // The box of all meshes of the model, in its space, as they stand. O(#V).
 Box bounding_box(const Model& model, const Clip* clip = nullptr, double time_s = 0);

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/foot_lock.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trivar {
+namespace {
+
+glm::dvec3 origin(const Stance& stance, int node)
+{
+    return glm::dvec3(stance.to_model[static_cast<std::size_t>(node)][3]);
+}
+
+// How far along its stance a foot is, in periods; past its length: in the air.
+double since_stance(const Gait& gait, const Foot& foot, double time_s)
+{
+    const double t = (time_s - gait.begin_s) / gait.period_s - foot.begin;
+    return t - std::floor(t);
+}
+
+// What the foot lacks to be where the ground carries it.
+glm::dvec3 lack(const Model& model, const Gait& gait, const Foot& foot, const Stance& stance,
+                double time_s)
+{
+    const double length = foot.end - foot.begin;
+    const double t = since_stance(gait, foot, time_s);
+    if (t <= length) {
+        const glm::dvec3 d = foot.middle - (t - length / 2) * gait.stride * gait.forward -
+                             sole_at(model, foot, stance);
+        return d - glm::dot(d, gait.up) * gait.up;
+    }
+    const double x = (t - length) / (1 - length);
+    return glm::mix(foot.last, foot.first, x * x * (3 - 2 * x));
+}
+
+// p moves by (a + b . p) d.
+struct Shear {
+    double a = 1;
+    glm::dvec3 b{0};
+    glm::dmat4 matrix(const glm::dvec3& d) const
+    {
+        glm::dmat4 out(1);
+        for (int column = 0; column < 3; ++column) out[column] += glm::dvec4(d * b[column], 0);
+        out[3] += glm::dvec4(d * a, 0);
+        return out;
+    }
+};
+
+// Of the nodes of a leg: each as much as its own joint at that joint, as the next at the next.
+std::vector<Shear> shears(const Foot& foot, const Stance& stance)
+{
+    std::vector<double> length{0};
+    for (std::size_t i = 1; i < foot.leg.size(); ++i)
+        length.push_back(length.back() + glm::distance(origin(stance, foot.leg[i - 1]),
+                                                       origin(stance, foot.leg[i])));
+    std::vector<Shear> out(foot.leg.size());
+    const double whole = length.back();
+    for (std::size_t i = 0; whole > 0 && i + 1 < foot.leg.size(); ++i) {
+        const glm::dvec3 o = origin(stance, foot.leg[i]), e = origin(stance, foot.leg[i + 1]) - o;
+        out[i].a = length[i] / whole;
+        if (const double square = glm::dot(e, e); square > 0) {
+            out[i].b = (length[i + 1] - length[i]) / whole / square * e;
+            out[i].a -= glm::dot(out[i].b, o);
+        }
+    }
+    return out;
+}
+
+Stance moved(const Model& model, Stance stance, const Foot& foot, const glm::dvec3& d)
+{
+    const std::vector<Shear> shear = shears(foot, stance);
+    std::vector<int> by(model.nodes.size(), -1); // which shear moves a node
+    for (std::size_t i = 0; i < foot.leg.size(); ++i)
+        by[static_cast<std::size_t>(foot.leg[i])] = static_cast<int>(i);
+    for (std::size_t n = 0; n < model.nodes.size(); ++n) {
+        if (by[n] < 0 && model.nodes[n].parent >= 0)
+            by[n] = by[static_cast<std::size_t>(model.nodes[n].parent)];
+        if (by[n] >= 0)
+            stance.to_model[n] =
+                shear[static_cast<std::size_t>(by[n])].matrix(d) * stance.to_model[n];
+    }
+    return stance;
+}
+
+} // namespace
+
+Stance planted(const Model& model, const Clip& clip, const Gait& gait, double time_s)
+{
+    const Stance given = stance_at(model, &clip, time_s);
+    Stance out = given;
+    if (!gait.trouble.empty()) return out;
+    for (const Foot& foot : gait.feet) {
+        if (foot.leg.empty()) continue;
+        const glm::dvec3 d = lack(model, gait, foot, given, time_s);
+        const glm::dvec3 before = sole_at(model, foot, out);
+        out = moved(model, std::move(out), foot, d);
+        // A joint above the foot may have a share in its skin: what is still lacking is added once
+        // more, as much larger.
+        const glm::dvec3 done = sole_at(model, foot, out) - before;
+        const double share = glm::dot(d, d) > 0 ? glm::dot(done, d) / glm::dot(d, d) : 1;
+        constexpr double least_share = 0.5;
+        if (share > least_share && share != 1)
+            out = moved(model, std::move(out), foot, d * (1 / share - 1));
+    }
+    return out;
+}
+
+double largest_correction(const Model& model, const Clip& clip, const Gait& gait)
+{
+    double most = 0;
+    constexpr int times = 96;
+    for (int i = 0; i < times; ++i) {
+        const double time_s = gait.begin_s + gait.period_s * i / times;
+        const Stance stance = stance_at(model, &clip, time_s);
+        for (const Foot& foot : gait.feet)
+            if (!foot.leg.empty())
+                most = std::max(most, glm::length(lack(model, gait, foot, stance, time_s)));
+    }
+    return gait.stride > 0 ? most / gait.stride : 0;
+}
+
+} // namespace trivar
