@@ -52,8 +52,9 @@ struct Playing {
     std::string clip = {}; // by its name; empty: it stands as it came
     double speed = 1;      // of the clip's own; negative: backwards
     Repeat repeat = Repeat::loop;
-    double offset = 0;   // seconds into the clip at the start frame
-    int start_frame = 1; // from which on it moves
+    double offset = 0;      // seconds into the clip at the start frame
+    int start_frame = 1;    // from which on it moves
+    bool foot_lock = false; // its travel says how far it goes on, not its speed
     bool operator==(const Playing&) const = default;
 };
 

@@ -7,6 +7,7 @@
 #include "core/document/parameters.h"
 #include "core/document/posing.h"
 #include "core/document/refining.h"
+#include "core/document/walking.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -87,7 +88,10 @@ EvaluatedObject evaluated_object(Id id, const Causes& causes)
         result.refined = causes.laid->refined;
         if (!causes.laid->not_refined.empty()) result.notices.push_back(causes.laid->not_refined);
         result.journey = causes.laid->journey;
-        if (result.journey && !result.journey->has_room())
+        result.walk = causes.laid->walk;
+        if (result.walk && !result.walk->trouble.empty())
+            result.notices.push_back(result.walk->trouble);
+        if (result.journey && result.journey->travel().speed != 0 && !result.journey->has_room())
             result.notices.emplace_back(
                 "it fills its whole stroke and has no room to travel; make its fill smaller");
         const std::vector<std::string> more = causes.laid->placement->report.all_notices();
@@ -114,6 +118,11 @@ EvaluatedObject evaluated_object(Id id, const Causes& causes)
     return result;
 }
 
+bool moves(const EvaluatedObject& object)
+{
+    return object.journey && object.journey->travel().speed != 0;
+}
+
 // What a stroke may fall on, and which of it travels.
 struct Supports {
     std::vector<Support> all, still;
@@ -128,9 +137,9 @@ Supports supports_of(const PlacementStep& step, const std::map<Id, Ref<Evaluated
         const EvaluatedObject& object = *found->second;
         for (const Part& part : object.parts) {
             out.all.push_back({lower, part});
-            if (!object.journey) out.still.push_back({lower, part});
+            if (!moves(object)) out.still.push_back({lower, part});
         }
-        if (object.journey && !object.parts.empty()) out.travelling.push_back(found->second);
+        if (moves(object) && !object.parts.empty()) out.travelling.push_back(found->second);
     }
     return out;
 }
@@ -154,6 +163,10 @@ struct Evaluator::Cache {
         Laying laying;
         Posing posing;
         RefiningLaid refining;
+        Walking walking;
+        // What is laid, and all that follow it, as they have gone and stand by then.
+        Ref<Laid> gone(const Object& o, const Ref<Laid>& laid, double playing_s,
+                       double travelling_s);
         std::vector<std::pair<Causes, Ref<EvaluatedObject>>> results; // the latest first
     };
     explicit Cache(Ref<AssetStore> assets) : shapes(std::move(assets)) {}
@@ -172,6 +185,31 @@ struct Evaluator::Cache {
     RayMeshes ray_meshes;
     std::map<Id, Kept> objects;
 };
+
+Ref<Laid> Evaluator::Cache::Kept::gone(const Object& o, const Ref<Laid>& laid, double playing_s,
+                                       double travelling_s)
+{
+    const PlacementParameters& parameters = o.placement->parameters;
+    const glm::dmat3 turned(o.transform.matrix());
+    const Ref<Journey> journey = laying.journey(laid, o.travel, parameters);
+    const Ref<Walk> walk = walking(shape, o.playing, laid, journey, parameters, turned);
+    const auto clip = std::ranges::find(shape->model->clips, o.playing.clip, &Clip::name);
+    const bool plays = clip != shape->model->clips.end();
+    posing.keep(3 * static_cast<std::size_t>(o.travel.followers + 2));
+    std::vector<Member> members;
+    for (int k = 0; k <= o.travel.followers; ++k) {
+        Member member{nullptr, journey ? journey->at(travelling_s, k) : Journey::Place{}};
+        Playing playing = o.playing;
+        if (plays) playing.offset += k * o.travel.phase * (clip->end_s - clip->begin_s);
+        if (plays && walk && walk->trouble.empty())
+            member.posed = posing.at(shape, *clip, walk->clip_time_s(playing, member.place.gone_u),
+                                     walk->gait);
+        else if (plays)
+            member.posed = posing(shape, playing, playing_s);
+        members.push_back(std::move(member));
+    }
+    return laying.moved(laid, members, turned, journey, parameters, walk);
+}
 
 Evaluator::Evaluator(Ref<AssetStore> assets) : cache_(std::make_unique<Cache>(std::move(assets))) {}
 
@@ -196,8 +234,8 @@ Evaluated Evaluator::operator()(const Document& still, double frame, const Progr
         const auto seconds_since = [&](int start_frame) {
             return (frame - start_frame) / document.time.frames_per_second;
         };
-        const Ref<Shape> posed =
-            kept.posing(kept.shape, ref->playing, seconds_since(ref->playing.start_frame));
+        const double playing_s = seconds_since(ref->playing.start_frame);
+        const Ref<Shape> posed = kept.posing(kept.shape, ref->playing, playing_s);
         Causes causes{posed, nullptr, to_world(document, id), ref->surfacing};
         if (ref->placement) {
             const auto laid_on = [&](const std::vector<Support>& supports) {
@@ -213,10 +251,8 @@ Evaluated Evaluator::operator()(const Document& still, double frame, const Progr
                 if (travels_through(supports, *causes.laid, ref->placement->sketch.camera))
                     causes.laid = laid_on(supports.all);
             }
-            causes.laid = kept.laying.moved(causes.laid, posed == kept.shape ? nullptr : posed,
-                                            glm::dmat3(ref->transform.matrix()), ref->travel,
-                                            ref->placement->parameters,
-                                            seconds_since(ref->travel.start_frame));
+            causes.laid =
+                kept.gone(*ref, causes.laid, playing_s, seconds_since(ref->travel.start_frame));
             if (ref->refining)
                 causes.laid = kept.refining(causes.laid, *ref->refining, result.timings, progress);
         }

@@ -5,6 +5,7 @@
 #include "core/document/asset_store.h"
 #include "core/document/document.h"
 #include "core/document/part.h"
+#include "core/document/walk.h"
 #include "core/placement/shaper.h"
 #include "core/refinement/refine.h"
 
@@ -20,6 +21,7 @@ struct EvaluatedObject {
     Ref<ShapedVolume> shaped;             // null where nothing was done to its volume
     Ref<Refined> refined;                 // null where its triangles are those of the model
     Ref<Journey> journey;                 // null where it does not travel
+    Ref<Walk> walk;                       // null where its feet are not locked to that
     Ref<RayScene> lies_on;                // what its stroke falls on; null where there is none
     Lazy<Box> bounds;                     // world; asking for it deforms the parts
     std::vector<std::string> clips;       // what its file lets it play

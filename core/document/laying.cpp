@@ -14,18 +14,6 @@ namespace {
 // Enough for undo and redo of a step or two without computing anything.
 constexpr std::size_t kept_results = 3;
 
-// The volume as far as the model is on it, straight on beyond its ends or round once more.
-Ref<Lattice> reaching(const Ref<Lattice>& volume, const Journey& journey,
-                      const PlacementParameters& p, double shift_u)
-{
-    if (volume->displacement.axes[0].closure() != Closure::open) return volume;
-    constexpr double slack = 1e-3; // a model's faces lie on its box, give or take a rounding
-    const double from = p.start + shift_u, to = from + p.fill;
-    if (from >= -1e-9 && to <= 1 + 1e-9) return volume;
-    if (journey.rounds()) return make_ref(twice_round(*volume));
-    return make_ref(prolonged(*volume, from - slack, to + slack));
-}
-
 Box box_of(const Shape& shape, const glm::dmat3& turned)
 {
     Box box;
@@ -84,6 +72,22 @@ Embedding shifted(Embedding box, const Lattice& volume, double shift_u)
 }
 
 } // namespace
+
+Ref<Lattice> reaching(const Ref<Lattice>& volume, const Journey& journey,
+                      const PlacementParameters& p, const std::vector<Journey::Place>& places)
+{
+    if (volume->displacement.axes[0].closure() != Closure::open) return volume;
+    constexpr double slack = 1e-3; // a model's faces lie on its box, give or take a rounding
+    double from = 0, to = 1;
+    for (const Journey::Place& place : places) {
+        if (place.hidden) continue;
+        from = std::min(from, p.start + place.shift_u);
+        to = std::max(to, p.start + place.shift_u + p.fill);
+    }
+    if (from >= -1e-9 && to <= 1 + 1e-9) return volume;
+    if (journey.rounds()) return make_ref(twice_round(*volume));
+    return make_ref(prolonged(*volume, from - slack, to + slack));
+}
 
 bool in_the_way(const Box& box, const Placement& placement, const Camera& camera)
 {
@@ -214,22 +218,31 @@ Part Laying::deformed(const Part& part, const Embedding& embedding, const Ref<La
     return in_volume(part, embedding, volume, used.back().deformer);
 }
 
-Ref<Laid> Laying::moved(const Ref<Laid>& at_rest, const Ref<Shape>& posed, const glm::dmat3& turned,
-                        const Travel& travel, const PlacementParameters& parameters, double seconds)
+Ref<Journey> Laying::journey(const Ref<Laid>& at_rest, const Travel& travel,
+                             const PlacementParameters& parameters)
+{
+    if (!at_rest->placement || (travel.speed == 0 && travel.followers == 0)) return nullptr;
+    const auto found = std::ranges::find_if(journeys_, [&](const auto& known) {
+        return known.first == at_rest && known.second->travel() == travel;
+    });
+    if (found != journeys_.end())
+        std::rotate(journeys_.begin(), found, found + 1);
+    else
+        journeys_.insert(journeys_.begin(),
+                         {at_rest, std::make_shared<const Journey>(travel, parameters,
+                                                                   at_rest->placement->contact)});
+    if (journeys_.size() > kept_results) journeys_.pop_back();
+    return journeys_.front().second;
+}
+
+Ref<Laid> Laying::moved(const Ref<Laid>& at_rest, const std::vector<Member>& members,
+                        const glm::dmat3& turned, const Ref<Journey>& journey,
+                        const PlacementParameters& parameters, const Ref<Walk>& walk)
 {
     if (!at_rest->placement) return at_rest;
-    const auto last = std::ranges::find_if(moved_, [&](const Moved& m) {
-        return m.at_rest == at_rest && m.journey && m.journey->travel() == travel;
-    });
-    Ref<Journey> journey; // none: it stays where it is
-    if (travel.speed != 0)
-        journey =
-            last != moved_.end()
-                ? last->journey
-                : std::make_shared<const Journey>(travel, parameters, at_rest->placement->contact);
-    const Journey::Place place = journey ? journey->at(seconds) : Journey::Place{};
     const auto found = std::ranges::find_if(moved_, [&](const Moved& m) {
-        return m.at_rest == at_rest && m.posed == posed && m.journey == journey && m.place == place;
+        return m.at_rest == at_rest && m.members == members && m.journey == journey &&
+               m.walk == walk;
     });
     if (found != moved_.end()) {
         std::rotate(moved_.begin(), found, found + 1);
@@ -237,24 +250,31 @@ Ref<Laid> Laying::moved(const Ref<Laid>& at_rest, const Ref<Shape>& posed, const
     }
     Laid laid = *at_rest;
     laid.journey = journey;
-    if (place.hidden)
-        laid.parts.clear();
-    else if (place.shift_u != 0 || posed) {
-        Ref<Lattice> volume(at_rest->placement, &at_rest->placement->volume);
-        if (journey) volume = reaching(volume, *journey, parameters, place.shift_u);
-        const Embedding box = shifted(at_rest->placement->embedding, *volume, place.shift_u);
-        const auto lay = [&](const Part& part, const Embedding& embedding) {
-            return in_volume(part, embedding, volume, sorted_into(*volume, part, embedding));
-        };
-        if (posed) {
-            laid.parts.clear();
-            for (const Standing& each : standing(*posed, turned))
-                laid.parts.push_back(lay(each.part, embedded(box, each.to_box)));
-        } else
-            for (Part& part : laid.parts)
-                part = lay(part, shifted(part.bent->embedding, *volume, place.shift_u));
+    laid.walk = walk;
+    laid.parts.clear();
+    Ref<Lattice> volume(at_rest->placement, &at_rest->placement->volume);
+    if (journey) {
+        std::vector<Journey::Place> places;
+        for (const Member& member : members) places.push_back(member.place);
+        volume = reaching(volume, *journey, parameters, places);
     }
-    moved_.insert(moved_.begin(), {at_rest, posed, journey, place, make_ref(std::move(laid))});
+    const auto lay = [&](const Part& part, const Embedding& embedding) {
+        laid.parts.push_back(
+            in_volume(part, embedding, volume, sorted_into(*volume, part, embedding)));
+    };
+    for (const auto& [posed, place] : members) {
+        const Embedding box = shifted(at_rest->placement->embedding, *volume, place.shift_u);
+        if (place.hidden) continue;
+        if (posed)
+            for (const Standing& each : standing(*posed, turned))
+                lay(each.part, embedded(box, each.to_box));
+        else if (place.shift_u != 0)
+            for (const Part& part : at_rest->parts)
+                lay(part, shifted(part.bent->embedding, *volume, place.shift_u));
+        else
+            laid.parts.insert(laid.parts.end(), at_rest->parts.begin(), at_rest->parts.end());
+    }
+    moved_.insert(moved_.begin(), {at_rest, members, journey, walk, make_ref(std::move(laid))});
     if (moved_.size() > kept_results) moved_.pop_back();
     return moved_.front().laid;
 }

@@ -18,6 +18,8 @@ struct Support {
     bool operator==(const Support&) const = default;
 };
 
+struct Walk; // core/document/walk.h
+
 // What an object is after it was laid along its stroke.
 struct Laid {
     Ref<Placement> placement; // null: rejected
@@ -26,6 +28,7 @@ struct Laid {
     Ref<RayScene> scene;     // that the stroke fell on
     std::vector<Part> parts; // in the world
     Ref<Journey> journey;    // null: it does not travel
+    Ref<Walk> walk = nullptr; // null: its feet are not locked to its travel
     std::string rejected;
     Ref<Refined> refined = nullptr; // null: the parts have the triangles of the model
     std::string not_refined = {};   // why, where they were to be
@@ -34,6 +37,19 @@ struct Laid {
 // Whether a box and the volume overlap in the picture that the stroke was drawn in, where a stroke
 // meets all that it meets. Never false where the box reaches behind the camera.
 bool in_the_way(const Box& box, const Placement& placement, const Camera& camera);
+
+// One of a procession, or the only one.
+struct Member {
+    Ref<Shape> posed; // null: as the model came
+    Journey::Place place;
+    bool operator==(const Member&) const = default;
+};
+
+// The volume as far as models at these places are on it, straight on beyond its ends or round once
+// more.
+Ref<Lattice> reaching(const Ref<Lattice>& volume, const Journey& journey,
+                      const PlacementParameters& parameters,
+                      const std::vector<Journey::Place>& places);
 
 // The bounding-volume hierarchies of meshes that strokes may fall on, each built once.
 class RayMeshes {
@@ -57,10 +73,14 @@ public:
                          const std::vector<Ref<VolumeEdit>>& shaping,
                          const std::vector<Support>& supports, RayMeshes& ray_meshes,
                          Timings& timings, const Progress& progress = {});
-    // The same some seconds after it set out, with the shape as it is posed then; null: as it came.
-    // What rests is as it was.
-    Ref<Laid> moved(const Ref<Laid>& at_rest, const Ref<Shape>& posed, const glm::dmat3& turned,
-                    const Travel& travel, const PlacementParameters& parameters, double seconds);
+    // Of what is laid; null where it rests and is alone.
+    Ref<Journey> journey(const Ref<Laid>& at_rest, const Travel& travel,
+                         const PlacementParameters& parameters);
+    // The same with its members where they have gone, all in one volume, and posed. What rests is
+    // as it was.
+    Ref<Laid> moved(const Ref<Laid>& at_rest, const std::vector<Member>& members,
+                    const glm::dmat3& turned, const Ref<Journey>& journey,
+                    const PlacementParameters& parameters, const Ref<Walk>& walk);
     void add_meshes(std::set<Ref<Mesh>>& meshes) const; // that the kept results fell on
 
 private:
@@ -83,9 +103,9 @@ private:
                            Timings& timings);
     struct Moved {
         Ref<Laid> at_rest;
-        Ref<Shape> posed;
+        std::vector<Member> members;
         Ref<Journey> journey;
-        Journey::Place place;
+        Ref<Walk> walk;
         Ref<Laid> laid;
     };
     void bend(Laid& laid, const Shape& shape, const glm::dmat3& turned);
@@ -97,7 +117,8 @@ private:
     std::vector<Support> scene_supports_;
     Ref<RayScene> scene_;
     std::vector<Sorted> sorted_;
-    std::vector<Moved> moved_; // the latest first
+    std::vector<Moved> moved_;                                 // the latest first
+    std::vector<std::pair<Ref<Laid>, Ref<Journey>>> journeys_; // the latest first
 };
 
 } // namespace trivar

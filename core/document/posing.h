@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/document/shapes.h"
+#include "core/mesh/foot_lock.h"
 
 namespace trivar {
 
@@ -13,15 +14,24 @@ class Posing {
 public:
     // The shape itself where nothing is played. A clip that its file lacks is a notice.
     Ref<Shape> operator()(const Ref<Shape>& rest, const Playing& playing, double seconds);
+    // At a time of a clip; with a gait, its planted feet where the ground carries them.
+    Ref<Shape> at(const Ref<Shape>& rest, const Clip& clip, double time_s,
+                  const Ref<Gait>& gait = nullptr);
+    void keep(std::size_t poses) { kept_ = poses; }
 
 private:
     struct Known {
         Ref<Shape> rest;
         std::string clip;
         double time_s;
+        Ref<Gait> gait;
         Ref<Shape> shape;
     };
+    Ref<Shape> known(const Known& key);
+    Ref<Shape> kept(Known known, Shape shape);
+
     std::vector<Known> known_; // the latest first
+    std::size_t kept_ = 3;
 };
 
 } // namespace trivar

@@ -89,8 +89,12 @@ void subdivide_all(Shape& shape, int levels, const Progress& progress)
 
 void stand(Shape& shape, const Clip* clip, double time_s)
 {
+    stand(shape, stance_at(*shape.model, clip, time_s));
+}
+
+void stand(Shape& shape, const Stance& stance)
+{
     const Model& model = *shape.model;
-    const Stance stance = stance_at(model, clip, time_s);
     for (Shape::Hung& hung : shape.meshes) {
         hung.to_model = mesh_to_model(model, hung.node, stance);
         const bool bends = !hung.rest->influences.empty() || !hung.rest->morph_targets.empty();

@@ -23,6 +23,8 @@ struct Shape {
     std::vector<std::string> notices;
 };
 
+// Puts its meshes where the nodes of its model stand.
+void stand(Shape& shape, const Stance& stance);
 // Puts its meshes where a clip of its model has them at that time, or as the model came.
 void stand(Shape& shape, const Clip* clip, double time_s);
 

@@ -229,6 +229,12 @@ void GltfRig::add_clips(Model& model, const std::vector<int>& node_of)
             clip.begin_s = std::min(clip.begin_s, double(channel.times_s.front()));
             clip.end_s = std::max(clip.end_s, double(channel.times_s.back()));
         }
+        constexpr double moment_s = 1e-3;
+        for (const Channel& channel : clip.channels)
+            if (channel.times_s.size() > 1 &&
+                (double(channel.times_s.front()) > clip.begin_s + moment_s ||
+                 double(channel.times_s.back()) < clip.end_s - moment_s))
+                ++short_;
         model.clips.push_back(std::move(clip));
     }
 }
@@ -246,6 +252,8 @@ void GltfRig::add_notices(Model& model) const
     say(skins_left_out_, "{} skins lack joints or weights and were left out");
     say(channels_left_out_, "{} tracks of its animations move nothing that is there or have no "
                             "ascending times, and were left out");
+    say(short_, "{} tracks of its animations begin later or end sooner than the others: what they "
+                "move stands still meanwhile");
 }
 
 } // namespace trivar

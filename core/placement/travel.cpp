@@ -117,12 +117,22 @@ Journey::Journey(const Travel& travel, const PlacementParameters& parameters,
     rounds_ = travel.ends == Ends::loop && line_.closed();
     has_room_ =
         rounds_ || travel.ends == Ends::run_on || most_ - least_ > least_room * line_.length();
+    const double members = travel.followers + 1;
+    gap_ = travel.gap > 0              ? travel.gap
+           : travel.ends != Ends::loop ? parameters.fill * line_.length()
+           : rounds_                   ? line_.length() * line_.rounds_to_start() / members
+                                       : (most_ - least_) / members;
+    const double train = gap_ * travel.followers;
+    if (travel.ends == Ends::back_and_forth) { // all of them stay on the stroke where they turn
+        (direction_ > 0 ? least_ : most_) += direction_ * train;
+        has_room_ = most_ - least_ > least_room * line_.length();
+    }
     if (!has_room_ || travel.speed == 0) return;
     const double speed = std::abs(travel.speed), in = travel.ease_in, out = travel.ease_out;
     const double room = std::max(0.0, direction_ > 0 ? most_ - from_ : from_ - least_);
     switch (travel.ends) {
     case Ends::stay: run_ = limited(run_over(room, speed, in, out)); break;
-    case Ends::hide: run_ = limited(run_over(room, speed, in, 0)); break;
+    case Ends::hide: run_ = limited(run_over(room + train, speed, in, 0)); break;
     case Ends::run_on:
     case Ends::loop: run_ = limited(run_over(endless, speed, in, 0)); break;
     case Ends::back_and_forth:
@@ -144,22 +154,47 @@ double Journey::turned_length(double seconds) const
     return falls ? most_ - covered : least_ + covered;
 }
 
-Journey::Place Journey::at(double seconds) const
+double Journey::length_of_first(double seconds) const
 {
-    if (!(seconds > 0) || !has_room_ || travel_.speed == 0) return {};
-    double length = from_ + direction_ * run_.covered(seconds);
-    if (travel_.ends == Ends::back_and_forth) length = turned_length(seconds);
-    if (travel_.ends == Ends::loop && !rounds_)
-        length = least_ + modulo(length - least_, most_ - least_);
-    if (!rounds_) {
-        const bool gone = travel_.ends == Ends::hide && seconds >= run_.seconds() &&
-                          (direction_ > 0 ? most_ - length : length - least_) <= 1e-9 * most_;
-        return {line_.u_at(length) - middle_, gone};
+    if (!(seconds > 0) || !has_room_ || travel_.speed == 0) return from_;
+    if (travel_.ends == Ends::back_and_forth) return turned_length(seconds);
+    return from_ + direction_ * run_.covered(seconds);
+}
+
+double Journey::unrolled_u(double length) const
+{
+    const bool again = travel_.ends == Ends::loop;
+    if (!again || (!rounds_ && !(most_ > least_))) return line_.u_at(length);
+    const double begin = rounds_ ? 0 : least_, lap = rounds_ ? line_.length() : most_ - least_;
+    const double laps = std::floor((length - begin) / lap);
+    const double way_u = rounds_ ? 1 : line_.u_at(most_) - line_.u_at(least_);
+    return laps * way_u + line_.u_at(begin + modulo(length - begin, lap));
+}
+
+Journey::Place Journey::at(double seconds, int follower) const
+{
+    const bool rests = !(seconds > 0) || !has_room_ || travel_.speed == 0;
+    if (rests && follower == 0) return {};
+    const double behind = direction_ * gap_ * follower;
+    double length = length_of_first(seconds) - behind;
+    Place out{.gone_u = rests ? 0 : unrolled_u(length) - unrolled_u(from_ - behind)};
+    if (rounds_) {
+        const double round = std::floor(length / line_.length());
+        const double middle =
+            line_.u_at(modulo(length, line_.length())) + modulo(round, line_.rounds_to_start());
+        out.shift_u = (middle < fill_ / 2 ? middle + line_.rounds_to_start() : middle) - middle_;
+        return out;
     }
-    const double round = std::floor(length / line_.length());
-    const double middle =
-        line_.u_at(modulo(length, line_.length())) + modulo(round, line_.rounds_to_start());
-    return {(middle < fill_ / 2 ? middle + line_.rounds_to_start() : middle) - middle_, false};
+    const double tiny = 1e-9 * line_.length();
+    const double start = line_.length_at(fill_ / 2), end = line_.length_at(1 - fill_ / 2);
+    if (travel_.ends == Ends::loop && most_ > least_)
+        length = least_ + modulo(length - least_, most_ - least_);
+    else if (travel_.ends == Ends::hide && !rests)
+        out.hidden = direction_ > 0 ? length >= end - tiny : length <= start + tiny;
+    if (travel_.ends != Ends::run_on && follower > 0)
+        out.hidden |= direction_ > 0 ? length < start - tiny : length > end + tiny;
+    out.shift_u = line_.u_at(length) - middle_;
+    return out;
 }
 
 double Journey::seconds() const

@@ -16,6 +16,10 @@ struct Travel {
     double ease_in = 0, ease_out = 0; // seconds from rest to that speed, and to rest again
     int start_frame = 1;              // when it sets out
     double duration = 0;              // seconds after which it stops wherever it is; 0: it does not
+    int followers = 0;                // as many more of it go behind, one after the other
+    double gap = 0;   // metres along the middle from one to the next; 0: evenly along a loop, else
+                      // as close as they are long
+    double phase = 0; // of its clip's period, from one to the next
     bool operator==(const Travel&) const = default;
 };
 
@@ -48,10 +52,13 @@ public:
     struct Place {
         double shift_u = 0; // 0 until it sets out, exactly
         bool hidden = false;
+        double gone_u = 0; // since it set out, every round and every return counted
         bool operator==(const Place&) const = default;
     };
-    Place at(double seconds) const; // since it set out
-    double seconds() const;         // until it rests for good or is gone; infinity: never
+    // Since it set out; the first of a procession, or one that follows. Where the stroke does not
+    // reach back far enough, those that follow are not shown until they come to its start.
+    Place at(double seconds, int follower = 0) const;
+    double seconds() const; // until it rests for good or is gone; infinity: never
     // The speed with which it would take that time; as it is where speed does not decide that.
     double speed_for(double seconds) const;
     bool has_room() const { return has_room_; } // not the whole of an open stroke is filled
@@ -68,12 +75,14 @@ private:
     static Run run_over(double way, double speed, double in, double out);
     Run limited(const Run& run) const;
     double turned_length(double seconds) const;
+    double length_of_first(double seconds) const;
+    double unrolled_u(double length) const; // every round and every return counted
 
     Travel travel_;
     MiddleLine line_;
     double fill_, middle_;       // of the model: of the stroke, and u at rest
     double from_, least_, most_; // lengths of its middle: at rest, and as far as the stroke lets it
-    double direction_ = 1;
+    double direction_ = 1, gap_ = 0;
     bool has_room_ = false, rounds_ = false;
     Run run_, back_; // back_: every leg but the first, where it turns
 };

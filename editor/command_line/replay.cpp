@@ -69,6 +69,16 @@ void tell_of_volumes(const Replayed& replayed, const Streams& streams)
     }
 }
 
+// How much the planted feet slide that are locked to a travel.
+void tell_of_walks(const Replayed& replayed, const Streams& streams)
+{
+    for (const auto& [id, ref] : replayed.evaluated.objects)
+        if (ref->walk && ref->walk->trouble.empty())
+            streams.talk << fmt::format(
+                "trivar: {}: its planted feet slide by {:.2f} % of a stride at most\n",
+                object(replayed.document, id).name, 100 * *ref->walk->slide);
+}
+
 // One thread must give the same bits as many, and nothing may be missing.
 void check_result(Replayed& replayed, const ReplayOptions& options, const Streams& streams)
 {
@@ -117,6 +127,7 @@ Replayed replay(const ReplayOptions& options, const Streams& streams)
                          << "\n";
     if (options.check) {
         tell_of_volumes(result, streams);
+        tell_of_walks(result, streams);
         check_result(result, options, streams);
     }
     return result;

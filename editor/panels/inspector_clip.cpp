@@ -5,6 +5,7 @@
 #include "editor/panels/value_rows.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <optional>
 
 namespace trivar {
@@ -65,6 +66,17 @@ void repeat_row(ValueRows& rows, Repeat& repeat)
     repeat = static_cast<Repeat>(chosen);
 }
 
+Ref<Walk> walk_of(const Evaluated& evaluated, Id id)
+{
+    const auto found = evaluated.objects.find(id);
+    return found == evaluated.objects.end() ? nullptr : found->second->walk;
+}
+
+std::string of_stride(double share)
+{
+    return fmt::format("{:.2f} % of a stride", 100 * share);
+}
+
 } // namespace
 
 void draw_clip(Editor& editor, const ui::Theme& theme, const std::vector<Id>& ids)
@@ -85,16 +97,31 @@ void draw_clip(Editor& editor, const ui::Theme& theme, const std::vector<Id>& id
         clip_row(rows, before.clip, clips, differs(all, before, &Playing::clip));
     if (taken) p.clip = *taken;
     if (!p.clip.empty()) {
-        rows.number("Speed", p.speed, rest.speed,
-                    style(&Playing::speed, {.lo = -1e3, .hi = 1e3, .unit = "x"}),
-                    help_of_clip("speed"));
-        repeat_row(rows, p.repeat);
+        const bool laid = std::ranges::all_of(
+            ids, [&](Id id) { return object(document, id).placement.has_value(); });
+        if (laid || p.foot_lock)
+            rows.check("Foot lock", p.foot_lock, rest.foot_lock, "in step with its travel",
+                       help_of_clip("foot_lock"));
+        const Ref<Walk> walk =
+            ids.size() == 1 ? walk_of(editor.session.evaluated(), ids.back()) : nullptr;
+        if (walk && walk->trouble.empty()) {
+            ui::fact_row(theme, "Feet slide", of_stride(*walk->slide));
+            ui::fact_row(theme, "Feet moved", of_stride(walk->correction));
+            ui::fact_row(theme, "Own speed", ui::short_number(walk->natural_speed) + " m/s");
+        }
+        if (!p.foot_lock)
+            rows.number("Speed", p.speed, rest.speed,
+                        style(&Playing::speed, {.lo = -1e3, .hi = 1e3, .unit = "x"}),
+                        help_of_clip("speed"));
+        if (!p.foot_lock) repeat_row(rows, p.repeat);
         rows.number("Offset", p.offset, rest.offset,
                     style(&Playing::offset, {.lo = -1e6, .hi = 1e6, .unit = "s"}),
                     help_of_clip("offset"));
-        rows.integer("Begins", p.start_frame, document.time.first_frame,
-                     style(&Playing::start_frame, {.lo = -999999, .hi = 999999, .unit = "frame"}),
-                     help_of_clip("start_frame"));
+        if (!p.foot_lock)
+            rows.integer(
+                "Begins", p.start_frame, document.time.first_frame,
+                style(&Playing::start_frame, {.lo = -999999, .hi = 999999, .unit = "frame"}),
+                help_of_clip("start_frame"));
     }
     ui::gap(theme, 8);
     propose_edit(editor, rows.edit, [&] {
@@ -108,6 +135,7 @@ void draw_clip(Editor& editor, const ui::Theme& theme, const std::vector<Id>& id
             take(&Playing::repeat);
             take(&Playing::offset);
             take(&Playing::start_frame);
+            take(&Playing::foot_lock);
         }
         return PlayClip{ids, {}, all};
     });

@@ -46,6 +46,9 @@ void take_changes(Travel& travel, const Travel& before, const Travel& after)
     take(&Travel::ease_out);
     take(&Travel::start_frame);
     take(&Travel::duration);
+    take(&Travel::followers);
+    take(&Travel::gap);
+    take(&Travel::phase);
 }
 
 } // namespace
@@ -85,6 +88,16 @@ void draw_travel(Editor& editor, const ui::Theme& theme, const std::vector<Id>& 
             effects->second->journey)
             ui::fact_row(theme, "Moves for",
                          way_of(*effects->second->journey, document.time.frames_per_second));
+    }
+    rows.integer("Followers", t.followers, rest.followers,
+                 style(&Travel::followers, {.lo = 0, .hi = 999, .zero = "alone"}),
+                 help_of_travel("followers"));
+    if (t.followers > 0) {
+        rows.number("Gap", t.gap, rest.gap,
+                    style(&Travel::gap, {.lo = 0, .hi = 1e6, .unit = "m", .zero = "even"}),
+                    help_of_travel("gap"));
+        rows.number("Phase", t.phase, rest.phase, style(&Travel::phase, {.lo = -1, .hi = 1}),
+                    help_of_travel("phase"));
     }
     ui::gap(theme, 8);
     propose_edit(editor, rows.edit, [&] {

@@ -64,8 +64,8 @@ TEST_P(EveryScene, HasTheDigestThatItsFileSays)
 
 INSTANTIATE_TEST_SUITE_P(Of, EveryScene,
                          testing::Values("first_placement", "snake_bridge", "crocodile_on_horse",
-                                         "stacked", "f1_f2", "ants", "whales", "car",
-                                         "variable_width", "cube_refined", "edges",
+                                         "stacked", "f1_f2", "ants", "ants_moebius", "whales",
+                                         "car", "variable_width", "cube_refined", "edges",
                                          "crocodile_pressed", "pressing_tools", "fold_and_repair"),
                          [](const auto& scene) { return scene.param; });
 

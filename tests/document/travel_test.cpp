@@ -136,6 +136,33 @@ TEST(Travel, IsRefusedForWhatIsNotPlacedAndForNonsense)
     EXPECT_THAT(why(SetTime{{1, 9, 0}}), HasSubstr("frames_per_second"));
 }
 
+TEST(Travel, LetsFollowersShareTheVolumeAsOneObject)
+{
+    Evaluator evaluate = new_evaluator();
+    PlacementParameters p;
+    p.fill = 0.1;
+    const Document document =
+        after(after(small_document(), EditPlacement{3, p, {}, {}}),
+              SetTravel{{3}, {.speed = 0.4, .ends = Ends::loop, .followers = 4}});
+    const Ref<EvaluatedObject> alone = evaluate(with_travel({.speed = 0.4}), 20).objects.at(3);
+    for (const double frame : {1.0, 20.0, 200.0}) {
+        const Ref<EvaluatedObject> all = evaluate(document, frame).objects.at(3);
+        ASSERT_EQ(all->parts.size(), 5 * alone->parts.size());
+        for (const Part& part : all->parts) {
+            EXPECT_EQ(part.bent->volume, all->parts.front().bent->volume);
+            EXPECT_EQ(part.rest, all->parts.front().rest);
+        }
+        const ThreadLimit one(1);
+        EXPECT_EQ(shown(evaluate, document, frame), digest(new_evaluator()(document, frame)));
+    }
+    const Document undone = after(document, SetTravel{{3}, {.speed = 0.4, .ends = Ends::loop}});
+    EXPECT_EQ(evaluate(undone, 20).objects.at(3)->parts.size(), alone->parts.size());
+    // They stand in their places also while they rest.
+    const Document resting = after(document, SetTravel{{3}, {.ends = Ends::loop, .followers = 4}});
+    EXPECT_EQ(evaluate(resting, 20).objects.at(3)->parts.size(), 5 * alone->parts.size());
+    EXPECT_EQ(shown(evaluate, resting, 20), shown(evaluate, resting, 90));
+}
+
 TEST(PlaceRound, GoesRoundAndRoundAndMovesWithWhatItLiesOn)
 {
     PlacementParameters p;

@@ -143,5 +143,32 @@ TEST(Round, SaysWhyItCannotBe)
     EXPECT_FALSE(high.report.folds.empty()); // it reaches through the axis
 }
 
+TEST(Round, AProcessionSharesTheWholeWayAndClosesUp)
+{
+    for (const Band& band : all_bands()) {
+        const PlacementParameters p = a_sixth();
+        const Placement out = place_round(band, p, snake_box());
+        const Travel travel{.speed = 0.5, .ends = Ends::loop, .followers = 6};
+        const Journey journey(travel, p, out.contact);
+        const MiddleLine line(out.contact);
+        const double way = line.length() * line.rounds_to_start();
+        for (const double t : {0.0, 3.0, 50.0})
+            for (int k = 1; k <= 6; ++k) {
+                const auto at = [&](int each) {
+                    const double u = p.start + p.fill / 2 + journey.at(t, each).shift_u;
+                    return std::floor(u) * line.length() + line.length_at(u - std::floor(u));
+                };
+                const double behind = at(k - 1) - at(k);
+                EXPECT_NEAR(behind - way * std::floor(behind / way), way / 7, 1e-9 * way);
+            }
+        // After its time for the whole way each is where it was.
+        const double turn = way / 0.5;
+        for (int k = 0; k <= 6; ++k)
+            EXPECT_NEAR(std::remainder(journey.at(7 + turn, k).shift_u - journey.at(7, k).shift_u,
+                                       line.rounds_to_start()),
+                        0, 1e-9);
+    }
+}
+
 } // namespace
 } // namespace trivar

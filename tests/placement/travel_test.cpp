@@ -169,5 +169,96 @@ TEST(Journey, GoesRoundARingWithoutAJump)
     }
 }
 
+double length_on(const Journey& journey, const MiddleLine& line, double seconds, int follower)
+{
+    return line.length_at(middle_at_rest + journey.at(seconds, follower).shift_u);
+}
+
+TEST(Journey, LeadsAProcessionAtEqualGaps)
+{
+    const Placement on = over_hills(short_model());
+    const MiddleLine line(on.contact);
+    PlacementParameters p = short_model();
+    p.fill = 0.05; // the same middle
+    p.start = middle_at_rest - p.fill / 2;
+    const Journey alone({.speed = 0.5}, p, on.contact);
+    const Journey journey({.speed = 0.5, .followers = 3, .gap = 0.3}, p, on.contact);
+    EXPECT_EQ(journey.seconds(), alone.seconds());
+    for (const double t : {0.0, 0.7, 2.9, 100.0}) {
+        EXPECT_EQ(journey.at(t), alone.at(t));
+        for (int k = 1; k <= 3; ++k) {
+            EXPECT_NEAR(length_on(journey, line, t, k), length_on(alone, line, t, 0) - 0.3 * k,
+                        1e-9);
+            // Those that are not on the stroke yet are not shown.
+            EXPECT_EQ(journey.at(t, k).hidden,
+                      length_on(journey, line, t, k) < line.length_at(p.fill / 2) - 1e-6);
+        }
+    }
+    EXPECT_TRUE(journey.at(0, 3).hidden);
+    EXPECT_FALSE(journey.at(100, 3).hidden);
+}
+
+TEST(Journey, HidesEachWhereItIsGoneAndKeepsAllOnTheStrokeWhereItTurns)
+{
+    const Placement on = over_hills(short_model());
+    const MiddleLine line(on.contact);
+    const Travel procession{.speed = 0.5, .followers = 2, .gap = 0.5};
+    const auto going = [&](Ends ends) {
+        Travel travel = procession;
+        travel.ends = ends;
+        return Journey(travel, short_model(), on.contact);
+    };
+    const Journey hide = going(Ends::hide);
+    const double first_gone = hide.seconds() - 2 * 0.5 / 0.5;
+    EXPECT_TRUE(hide.at(first_gone + 1e-6).hidden);
+    EXPECT_FALSE(hide.at(first_gone + 1e-6, 2).hidden);
+    EXPECT_TRUE(hide.at(hide.seconds() + 1e-6, 2).hidden);
+    const Journey turning = going(Ends::back_and_forth);
+    for (double t = 4; t < 40; t += 0.37)
+        for (int k = 0; k <= 2; ++k) {
+            EXPECT_FALSE(turning.at(t, k).hidden);
+            const double length = length_on(turning, line, t, k);
+            EXPECT_GE(length, line.length_at(0.1) - 1e-9);
+            EXPECT_LE(length, line.length_at(0.9) + 1e-9);
+        }
+    const Journey on_and_on = going(Ends::run_on);
+    EXPECT_FALSE(on_and_on.at(0, 2).hidden);
+    EXPECT_LT(on_and_on.at(0, 2).shift_u, -middle_at_rest); // before the stroke
+}
+
+TEST(Journey, SpreadsAProcessionEvenlyAlongALoop)
+{
+    const Placement on = over_hills(short_model());
+    const MiddleLine line(on.contact);
+    const Journey journey({.speed = 0.5, .ends = Ends::loop, .followers = 3}, short_model(),
+                          on.contact);
+    const double lap = line.length_at(0.9) - line.length_at(0.1);
+    for (const double t : {0.0, 1.0, 33.0})
+        for (int k = 1; k <= 3; ++k) {
+            const double behind =
+                length_on(journey, line, t, k - 1) - length_on(journey, line, t, k);
+            EXPECT_NEAR(behind - lap * std::floor(behind / lap), lap / 4, 1e-9);
+            EXPECT_FALSE(journey.at(t, k).hidden);
+        }
+}
+
+TEST(Journey, CountsEveryRoundAndReturnOfTheWay)
+{
+    const Placement on = over_hills(short_model());
+    for (const Ends ends : {Ends::stay, Ends::loop, Ends::back_and_forth, Ends::run_on}) {
+        const Journey journey({.speed = 0.5, .ends = ends, .followers = 1}, short_model(),
+                              on.contact);
+        for (int k = 0; k < 2; ++k) {
+            EXPECT_EQ(journey.at(0, k).gone_u, 0);
+            double before = 0;
+            for (double t = 0.01; t < 40; t += 0.01) { // never a jump
+                const double gone = journey.at(t, k).gone_u;
+                EXPECT_LT(std::abs(gone - before), 0.02) << t;
+                before = gone;
+            }
+        }
+    }
+}
+
 } // namespace
 } // namespace trivar

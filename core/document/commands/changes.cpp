@@ -187,6 +187,8 @@ Changes changes(const Playing& before, const Playing& after)
     compare("Offset", before.offset, after.offset, in_seconds);
     compare("Start", before.start_frame, after.start_frame,
             [](int frame) { return fmt::format("at frame {}", frame); });
+    compare("Foot lock", before.foot_lock, after.foot_lock,
+            [](bool on) { return std::string(on ? "on" : "off"); });
     return compare.take();
 }
 
@@ -211,6 +213,11 @@ Changes changes(const Travel& before, const Travel& after)
             [](int frame) { return fmt::format("at frame {}", frame); });
     compare("Duration", before.duration, after.duration,
             [](double s) { return s == 0 ? std::string("unlimited") : in_seconds(s); });
+    compare("Followers", before.followers, after.followers,
+            [](int count) { return std::to_string(count); });
+    compare("Gap", before.gap, after.gap,
+            [](double gap) { return gap == 0 ? std::string("even") : in_metres(gap); });
+    compare("Phase", before.phase, after.phase, brief_number);
     return compare.take();
 }
 

@@ -15,6 +15,11 @@ template <> struct FieldsOf<Playing> {
         field("offset", p.offset, "seconds into the clip at the start frame", between(-1e6, 1e6));
         field("start_frame", p.start_frame, "the frame from which on it moves",
               between(-999999, 999999));
+        field(
+            "foot_lock", p.foot_lock,
+            "in step with its travel: it goes on as far as keeps its planted feet where they are, "
+            "whatever its speed says",
+            later);
     }
 };
 struct PlayClip {

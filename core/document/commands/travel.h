@@ -22,6 +22,14 @@ template <> struct FieldsOf<Travel> {
               between(-999999, 999999));
         field("duration", t.duration, "seconds after which it stops wherever it is; 0: no limit",
               between(0, 1e6));
+        field("followers", t.followers, "as many more of it go behind it, one after the other",
+              later_between(0, 999));
+        field("gap", t.gap,
+              "metres along the middle of the volume from one to the next; 0: evenly along a loop, "
+              "else as close as they are long",
+              later_between(0, 1e6));
+        field("phase", t.phase, "of its clip's period, by which each is ahead of the one before",
+              later_between(-1, 1));
     }
 };
 struct SetTravel {
