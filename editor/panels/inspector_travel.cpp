@@ -93,9 +93,12 @@ void draw_travel(Editor& editor, const ui::Theme& theme, const std::vector<Id>& 
                  style(&Travel::followers, {.lo = 0, .hi = 999, .zero = "alone"}),
                  help_of_travel("followers"));
     if (t.followers > 0) {
-        rows.number("Gap", t.gap, rest.gap,
-                    style(&Travel::gap, {.lo = 0, .hi = 1e6, .unit = "m", .zero = "even"}),
-                    help_of_travel("gap"));
+        rows.number(
+            "Gap", t.gap, rest.gap,
+            style(
+                &Travel::gap,
+                {.lo = 0, .hi = 1e6, .unit = "m", .zero = t.ends == Ends::loop ? "even" : "close"}),
+            help_of_travel("gap"));
         rows.number("Phase", t.phase, rest.phase, style(&Travel::phase, {.lo = -1, .hi = 1}),
                     help_of_travel("phase"));
     }

@@ -75,6 +75,13 @@ TEST(GltfRig, SaysWhatIsLeftOut)
     EXPECT_EQ(read(model).clips.size(), 1u);
 
     model = rigged_model();
+    Channel later = model.clips[0].channels[0];
+    later.node = 1;
+    later.times_s.back() = 3;
+    model.clips[0].channels.push_back(later);
+    EXPECT_THAT(read(model).notices, Contains(HasSubstr("1 tracks of its animations begin later")));
+
+    model = rigged_model();
     model.skins[0].joints = {1, 77};
     const Model boneless = read(model);
     EXPECT_THAT(boneless.notices, Contains(HasSubstr("1 skins lack joints")));

@@ -216,7 +216,7 @@ Changes changes(const Travel& before, const Travel& after)
     compare("Followers", before.followers, after.followers,
             [](int count) { return std::to_string(count); });
     compare("Gap", before.gap, after.gap,
-            [](double gap) { return gap == 0 ? std::string("even") : in_metres(gap); });
+            [](double gap) { return gap == 0 ? std::string("by itself") : in_metres(gap); });
     compare("Phase", before.phase, after.phase, brief_number);
     return compare.take();
 }
