@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/command_line/render.h"
 
+#include "core/base/digest.h"
 #include "core/base/parallel.h"
+#include "core/document/parameters.h"
 #include "core/files/read_model.h"
 #include "editor/command_line/interrupts.h"
 #include "editor/sequence.h"
@@ -10,19 +12,32 @@
 #include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
+#include <map>
+#include <variant>
 
 namespace trivar {
 namespace {
 
-// What else than the log decides what the pictures show: the file that was relinked, not its place.
-std::string settings_of(const RenderOptions& options)
+// What else than the log decides what the pictures show. A file that is missing would leave a hole
+// in all of them, so it is refused rather than said.
+std::string settings_of(const RenderOptions& options, const Document& document,
+                        const AssetStore& assets)
 {
     std::string out = "quality=" + options.drawing.quality;
     if (!options.drawing.camera.empty()) out += " camera=" + options.drawing.camera;
     if (options.drawing.deform != "processor") out += " deform=" + options.drawing.deform;
-    for (const auto& [name, file] : relinked_files(options.scene.relinked))
-        out += fmt::format(" {}={}", name, file_hash(file));
-    return out;
+    std::map<std::string, std::string> hashes; // of contents, by name in the scene
+    for (const auto& [id, object] : document.objects)
+        if (const auto* file = std::get_if<ImportedFile>(&object->source))
+            if (!hashes.contains(file->path))
+                hashes[file->path] = file_hash(assets.resolve(file->path));
+    if (hashes.empty()) return out;
+    Digest digest;
+    for (const auto& [name, hash] : hashes) {
+        digest.add_text(name);
+        digest.add_text(hash);
+    }
+    return out + " files=" + digest.hex();
 }
 
 Sequence sequence_of(const RenderOptions& options)
@@ -44,7 +59,8 @@ public:
           sequence_(sequence_of(options)),
           frames_(frames_of(options.frames)),
           share_(options.shard.empty() ? frames_ : share_of(frames_, options.shard)),
-          evaluator_(asset_store(options.scene))
+          assets_(asset_store(options.scene)),
+          evaluator_(assets_)
     {
         const std::string text = log_text(options.scene);
         const Log log = scene_log(text, options.scene.path, streams);
@@ -54,7 +70,7 @@ public:
         check_relinked(options.scene, document_);
         check_frames(frames_, document_.time);
         sequence_.log = digest_of_log(text);
-        sequence_.settings = settings_of(options);
+        sequence_.settings = settings_of(options, document_, *assets_);
         make_folder(sequence_.names);
     }
 
@@ -62,8 +78,12 @@ public:
     {
         Interrupts interrupts; // before there are threads, so that they know of them too
         Drawing drawing(options_.drawing, streams_);
-        // One view for all of them, also where it is what shows everything.
-        const Camera camera = drawing.camera(evaluated_at(document_.time.first_frame), document_);
+        // Where no view is kept it is one for all of them: that of the first frame.
+        const int first = document_.time.first_frame;
+        const Document at_first = document_at(document_, first);
+        const Camera all_in_view = drawing.camera(evaluated_at(first), at_first);
+        const bool kept =
+            !options_.drawing.camera.empty() || at_first.bookmarks.contains("picture");
         const auto start = std::chrono::steady_clock::now();
         int done = 0, drawn = 0;
         for (const int frame : share_) {
@@ -71,8 +91,10 @@ public:
                 const std::chrono::duration<double> passed =
                     std::chrono::steady_clock::now() - start;
                 tell(done, drawn, passed.count());
-                const Still& still =
-                    drawing.draw(evaluated_at(frame), document_, camera, sequence_.deep());
+                const Document now = document_at(document_, frame);
+                const Evaluated evaluated = evaluated_at(frame);
+                const Camera camera = kept ? drawing.camera(evaluated, now) : all_in_view;
+                const Still& still = drawing.draw(evaluated, now, camera, sequence_.deep());
                 sequence_.writer(frame, still)();
                 ++drawn;
             }
@@ -137,6 +159,7 @@ private:
     Sequence sequence_;
     std::vector<int> frames_, share_;
     Document document_;
+    Ref<AssetStore> assets_;
     Evaluator evaluator_;
     std::set<std::string> said_;
 };

@@ -4,6 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/base/text.h"
 #include "core/document/certificate.h"
+#include "core/document/parameters.h"
 #include "core/files/image.h"
 #include "core/files/write_model.h"
 #include "editor/volume_facts.h"
@@ -136,8 +137,9 @@ Replayed replay(const ReplayOptions& options, const Streams& streams)
 void draw(const ReplayOptions& options, Replayed& replayed, const Streams& streams)
 {
     Drawing drawing(options.drawing, streams);
-    const Camera camera = drawing.camera(replayed.evaluated, replayed.document);
-    const Still& still = drawing.draw(replayed.evaluated, replayed.shown, camera);
+    const Document shown = document_at(replayed.shown, frame_of(options, replayed.document));
+    const Camera camera = drawing.camera(replayed.evaluated, shown);
+    const Still& still = drawing.draw(replayed.evaluated, shown, camera);
     replayed.timings.add(still.renderer().timings());
     timed(replayed.timings, "write image", [&] { write_image(still.image(), options.image); });
 }

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <gmock/gmock.h>
 #include <map>
+#include <numeric>
 #include <spawn.h>
 #include <sstream>
 #include <sys/resource.h>
@@ -256,6 +257,31 @@ TEST_F(Sequences, EndAfterTheFrameAtHandWhenInterrupted)
               pictures.size()); // nothing else
     for (const auto& [name, bytes] : pictures)
         EXPECT_NO_THROW(image_head(folder.file("a/" + name), {})) << name;
+}
+
+TEST_F(Sequences, LookAsKeysHaveItInEachFrameAndWantAllFilesOfTheScene)
+{
+    SceneFile file(scene);
+    Track light{.parameter = "render.exposure"};
+    light.keys = {{.frame = 1, .value = 0}, {.frame = 12, .value = 3}};
+    file.run(Animate{0, {light}});
+    file.save_as(scene);
+    ASSERT_EQ(render("lit/a.##.png", {}, "1:12:11").status, Status::done);
+    const Image dark = read_image(folder.file("lit/a.01.png")),
+                bright = read_image(folder.file("lit/a.12.png"));
+    const auto sum = [](const Image& image) {
+        return std::accumulate(image.rgba.begin(), image.rgba.end(), 0L);
+    };
+    EXPECT_GT(sum(bright), sum(dark) + 64 * 36);
+
+    ImportModel gone;
+    gone.file.path = "gone.obj";
+    gone.name = "Gone";
+    file.run(gone);
+    const Told told = render("none/a.##.png");
+    EXPECT_EQ(told.status, Status::rejected);
+    EXPECT_THAT(told.talk, HasSubstr("gone.obj: there is no such file"));
+    EXPECT_FALSE(fs::exists(folder.file("none")));
 }
 
 // A program of that name, before all others.
