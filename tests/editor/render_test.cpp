@@ -262,7 +262,8 @@ TEST_F(Sequences, EndAfterTheFrameAtHandWhenInterrupted)
 TEST_F(Sequences, LookAsKeysHaveItInEachFrameAndWantAllFilesOfTheScene)
 {
     SceneFile file(scene);
-    Track light{.parameter = "render.exposure"};
+    Track light;
+    light.parameter = "render.exposure";
     light.keys = {{.frame = 1, .value = 0}, {.frame = 12, .value = 3}};
     file.run(Animate{0, {light}});
     file.save_as(scene);
