@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/selection.h"
 
+#include "core/document/keying.h"
 #include "editor/picture.h"
 #include "editor/recent_scenes.h"
 #include "editor/samples.h"
@@ -140,7 +141,7 @@ std::vector<Id> travelling(const Document& document)
 
 bool moves_in_time(const Document& document)
 {
-    return !travelling(document).empty() ||
+    return !travelling(document).empty() || !animated_ids(document).empty() ||
            std::ranges::any_of(document.objects,
                                [](const auto& o) { return !o.second->playing.clip.empty(); });
 }

@@ -3,6 +3,8 @@
 
 #include "core/base/rejected.h"
 #include "core/document/kept_scenes.h"
+#include "core/document/keying.h"
+#include "core/document/parameters.h"
 #include "editor/file_words.h"
 #include "editor/preferences.h"
 #include "editor/selection.h"
@@ -40,6 +42,7 @@ void Session::refresh()
 {
     previewed_.reset();
     asked_ticket_ = submit(scene_.document());
+    look_at_frame();
     selected.keep_those_in(scene_.document());
     std::erase_if(aside, [&](Id id) { return !scene_.document().objects.contains(id); });
     if (scene_.trouble() == told_trouble_) return;
@@ -56,12 +59,24 @@ long Session::submit(const Document& document)
     return evaluator_->submit(document, frame_, deform_on_processor);
 }
 
+void Session::look_at_frame()
+{
+    now_ = document_at(scene_.document(), frame_);
+}
+
+Command Session::said(const Command& command) const
+{
+    return keyed(committed(), command, frame_, always_key);
+}
+
 void Session::show_frame(int frame)
 {
-    const Document& document = shown();
+    const Document& document = previewed_ ? *previewed_ : scene_.document();
     const int before = frame_;
     frame_ = std::clamp(frame, document.time.first_frame, document.time.last_frame);
-    if (frame_ != before && moves_in_time(document)) asked_ticket_ = submit(document);
+    if (frame_ == before || !moves_in_time(document)) return;
+    asked_ticket_ = submit(document);
+    look_at_frame();
 }
 
 template <class Change> bool Session::attempt(Change&& change, bool quietly)
@@ -92,7 +107,7 @@ bool Session::propose(Command command)
     check_.reset();
     return attempt([&] {
         try {
-            scene_.propose(command);
+            scene_.propose(said(command));
         } catch (const Rejected& why) {
             refuse(command, why.what());
             throw;
@@ -103,7 +118,7 @@ bool Session::propose(Command command)
 bool Session::propose_quietly(Command command)
 {
     check_.reset();
-    return attempt([&] { scene_.propose(std::move(command)); }, true);
+    return attempt([&] { scene_.propose(said(command)); }, true);
 }
 
 bool Session::commit()
@@ -161,7 +176,7 @@ std::string Session::try_run(const Command& command, const std::string& note)
 {
     check_.reset();
     try {
-        scene_.run(command, note);
+        scene_.run(said(command), note);
     } catch (const Rejected& why) {
         refuse(command, why.what());
         return why.what();
@@ -251,7 +266,7 @@ void Session::replace_scene(SceneFile scene, std::vector<ui::Notices::Action> of
 {
     const bool discarded = scene_.path().empty() && !scene_.as_opened();
     scene_ = std::move(scene);
-    frame_ = document().time.first_frame;
+    frame_ = scene_.document().time.first_frame;
     if (discarded) tell_of_discarded();
     ++scenes_;
     scene_.keep_in(unnamed_folder_);

@@ -28,8 +28,10 @@ public:
     Session(std::function<void()> wake, std::string unnamed_folder);
 
     const SceneFile& scene() const { return scene_; }
-    const Document& document() const { return scene_.document(); } // the proposal's if there is one
-    const Document& committed() const { return scene_.history().committed(); }
+    // The proposal's if there is one, with the values that its parameters have at the present
+    // frame.
+    const Document& document() const { return now_; }
+    const Document& committed() const { return scene_.history().committed(); } // as it was said
     const Evaluated& evaluated() const { return evaluated_; } // may be a moment behind
     // Counts up with every new evaluation; equal numbers mean equal effects.
     long evaluation() const { return evaluation_; }
@@ -65,6 +67,9 @@ public:
     const Document& shown() const { return previewed_ ? *previewed_ : document(); }
     // The same, but of a copy to which nothing was done: nor is anything done by this.
     void look_at_step(std::size_t position);
+    // A change of what is animated is a key in the present frame; of anything else too where every
+    // change is to be one.
+    bool always_key = false;
     bool proposing() const { return scene_.history().proposal().has_value(); }
     bool committing() const { return check_.has_value(); }
 
@@ -119,6 +124,8 @@ private:
     };
     void refresh();
     long submit(const Document& document);
+    void look_at_frame();
+    Command said(const Command& command) const; // as keys, where it changes what is animated
     void finish_check();
     void tell_what_is_missing();
     void tell_of_discarded();
@@ -145,6 +152,7 @@ private:
     std::optional<Check> check_;
     std::optional<Document> previewed_;
     int frame_ = Time{}.first_frame;
+    Document now_;
 };
 
 } // namespace trivar

@@ -2,6 +2,7 @@
 #include "editor/panels/inspect.h"
 
 #include "core/document/log.h"
+#include "core/document/parameters.h"
 #include "editor/clipboard.h"
 #include "editor/field_words.h"
 #include "editor/new_material.h"
@@ -192,10 +193,10 @@ void finish_edit(Editor& editor)
     if (!editor.inspecting || ImGui::IsAnyItemActive()) return;
     editor.inspecting = false;
     const auto& now = editor.session.document();
-    const auto& before = editor.session.committed();
+    const Document before = document_at(editor.session.committed(), editor.session.frame());
     // A drag that came back to where it began is no step.
     bool changed = *now.render != *before.render || now.time != before.time ||
-                   now.objects.size() != before.objects.size();
+                   *now.tracks != *before.tracks || now.objects.size() != before.objects.size();
     for (const auto& [id, each] : now.objects) {
         if (changed) break;
         const auto found = before.objects.find(id);

@@ -15,7 +15,7 @@ using testing::small_document, testing::new_evaluator;
 
 Document animated(const Document& document, Id id, std::vector<Track> tracks)
 {
-    return after(document, Animate{id, std::move(tracks)});
+    return after(document, Animate{{{id, std::move(tracks)}}});
 }
 
 double value_of(const std::vector<Parameter>& parameters, const std::string& name)

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <set>
 
 namespace trivar {
 namespace {
@@ -64,16 +65,21 @@ std::vector<Track> merged(std::vector<Track> tracks, const std::vector<Track>& m
 
 Document applied(Document document, const Animate& command)
 {
-    if (command.object == 0) {
-        document.tracks = make_ref(
-            merged(*document.tracks, command.tracks, scene_parameters(document), "the scene"));
-        return document;
+    if (command.of.empty()) throw Rejected("field \"of\" is empty: say of which object");
+    std::set<Id> seen;
+    for (const auto& [id, tracks] : command.of) {
+        if (!seen.insert(id).second)
+            throw Rejected(fmt::format("field \"of\" has object {} twice", id));
+        if (id == 0)
+            document.tracks =
+                make_ref(merged(*document.tracks, tracks, scene_parameters(document), "the scene"));
+        else
+            document = with_changed(std::move(document), id, [&](Object& o) {
+                o.tracks = merged(std::move(o.tracks), tracks, parameters(o),
+                                  fmt::format("object {} ({})", id, o.name));
+            });
     }
-    const std::vector<Parameter> known = parameters(object(document, command.object));
-    return with_changed(std::move(document), command.object, [&](Object& o) {
-        o.tracks = merged(std::move(o.tracks), command.tracks, known,
-                          fmt::format("object {} ({})", command.object, o.name));
-    });
+    return document;
 }
 
 } // namespace trivar

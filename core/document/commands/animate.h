@@ -36,17 +36,27 @@ template <> struct FieldsOf<Track> {
               "what comes after the last key: it stays, all of it again, or the way back");
     }
 };
-struct Animate {
-    static constexpr std::string_view verb = "animate",
-                                      summary = "Let parameters of an object or of the scene go "
-                                                "from key to key, each as a whole.";
+struct ObjectTracks {
     Id object = 0;
     std::vector<Track> tracks;
+    bool operator==(const ObjectTracks&) const = default;
+};
+template <> struct FieldsOf<ObjectTracks> {
+    static void fields(auto& t, auto&& field)
+    {
+        field("object", t.object, "id; 0: the scene, with its picture and kept views");
+        field("tracks", t.tracks, "one a parameter, in place of the one that it had", required);
+    }
+};
+struct Animate {
+    static constexpr std::string_view verb = "animate",
+                                      summary = "Let parameters of objects or of the scene go "
+                                                "from key to key.";
+    std::vector<ObjectTracks> of;
     bool operator==(const Animate&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id; 0: the scene, with its picture and kept views");
-        field("tracks", c.tracks, "one a parameter, in place of the one that it had", required);
+        field("of", c.of, "whose; each object once", required);
     }
 };
 

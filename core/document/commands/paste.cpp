@@ -122,7 +122,7 @@ Document animated(Document document, Id id, std::vector<Track> tracks)
         return std::ranges::find(known, track.parameter, &Parameter::name) == known.end();
     });
     if (tracks.empty()) return document;
-    return applied(std::move(document), Animate{id, std::move(tracks)});
+    return applied(std::move(document), Animate{{{id, std::move(tracks)}}});
 }
 
 CopiedObject copy_of(const Document& document, Id id, bool inside, const std::string& folder)

@@ -62,6 +62,8 @@ template <class T> std::string type_name()
         return "values of [allow_folds](#allow_folds)";
     else if constexpr (std::is_same_v<T, VolumePart>)
         return "[part](#part)";
+    else if constexpr (std::is_same_v<T, ObjectTracks>)
+        return "[object's tracks](#objects-tracks)";
     else if constexpr (std::is_same_v<T, Track>)
         return "[track](#track)";
     else if constexpr (std::is_same_v<T, Key>)
@@ -197,6 +199,8 @@ std::string commands_markdown()
     text += "## object\n\nAn object as it is copied.\n\n" + field_table(CopiedObject{});
     text += "## placement\n\nHow a copied object lies.\n\n" + field_table(CopiedPlacement{});
     text += "## step\n\nWhat was done to a volume; one of them.\n\n" + field_table(VolumeEdit{});
+    text += "## object's tracks\n\nWhat of one object goes from key to key.\n\n" +
+            field_table(ObjectTracks{});
     text += "## track\n\nHow one number goes from key to key.\n\n" + field_table(Track{});
     text += "## key\n\nA value in a frame, and how it goes on.\n\n" + field_table(Key{});
     text += "## part\n\nA box in a volume's own u, v and w.\n\n" + field_table(VolumePart{});

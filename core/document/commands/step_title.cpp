@@ -289,13 +289,21 @@ struct Titles {
     }
     StepTitle operator()(const Animate& c) const
     {
-        const std::string of = c.object == 0 ? "the scene" : name_in(before, c.object);
+        std::vector<Id> ids;
+        std::vector<std::string> parameters;
         std::size_t keys = 0;
-        for (const Track& track : c.tracks) keys += track.keys.size();
-        if (keys == 0) return {"Clear keys of " + of, {}};
-        return {"Animate " + of, c.tracks.size() == 1
-                                     ? c.tracks.front().parameter
-                                     : fmt::format("{} parameters", c.tracks.size())};
+        for (const auto& [id, tracks] : c.of) {
+            ids.push_back(id);
+            for (const Track& track : tracks) {
+                keys += track.keys.size();
+                parameters.push_back(track.parameter);
+            }
+        }
+        const bool scene = ids.size() == 1 && ids.front() == 0;
+        const std::string of = scene ? "the scene" : names_in(before, ids);
+        return {(keys == 0 ? "Clear keys of " : "Animate ") + of,
+                parameters.size() == 1 ? parameters.front()
+                                       : fmt::format("{} parameters", parameters.size())};
     }
     StepTitle operator()(const Refine& c) const
     {
