@@ -47,7 +47,8 @@ int fewer_points(const Knots& axis)
 Lazy<CellVerdicts> verdicts_of(const EvaluatedObject& placed)
 {
     if (placed.shaped) return placed.shaped->volume->verdicts;
-    return Lazy<CellVerdicts>([placement = placed.placement] { return judge(placement->volume); });
+    return Lazy<CellVerdicts>(
+        [placement = placed.placement] { return judge(placement->volume, {.sign = 1}); });
 }
 
 std::vector<gpu::Translucent> fold_veils(const EvaluatedObject& placed, const ui::Palette& color)

@@ -4,6 +4,7 @@
 #include "core/base/rejected.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace trivar {
@@ -59,11 +60,12 @@ std::string notice_of(const Refined& refined, const Refining& refining)
     if (open == 0) return {};
     if (refining.rule == RefinementRule::chua_neumann_midpoint)
         return "its triangles are refined by the middles of their edges, which certifies nothing";
-    return fmt::format("{} of its {} triangles are not certified to be within {:.3g} m: {}", open,
-                       refined.triangles(), refining.tolerance,
-                       refined.out_of_budget
-                           ? fmt::format("the budget of {} triangles is spent", refining.budget)
-                           : "the bound says nothing of them, or single precision is at its end");
+    return fmt::format(
+        "{} of its {} triangles are not certified to be within {:.3g} m: {}", open,
+        refined.triangles(), refining.tolerance,
+        refined.out_of_budget ? fmt::format("the budget of {} triangles is spent", refining.budget)
+        : std::isfinite(refined.bound) ? "their edges are too short to be split further"
+                                       : "the bound says nothing of some of them");
 }
 
 Ref<Laid> RefiningLaid::operator()(const Ref<Laid>& laid, const Refining& refining,

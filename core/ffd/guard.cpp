@@ -255,7 +255,7 @@ CellVerdicts judge(const Lattice& lattice, const GuardOptions& options)
     const std::vector<int> cells = not_excepted(grid, all_cells(grid), options);
     CellVerdicts out{grid.breaks(), std::vector<Verdict>(grid.count(), Verdict::excepted),
                      std::vector<double>(grid.count())};
-    // Which sign is the right one is known only when all cells have been looked at.
+    // Which sign is the right one may be known only when all cells have been looked at.
     std::vector<Judged> positive(cells.size()), negative(cells.size());
     std::vector<double> volumes(cells.size()), sizes(cells.size());
     each_determinant(grid, lattice, cells, [&](std::size_t i, const CellDeterminant& det) {
@@ -268,7 +268,7 @@ CellVerdicts judge(const Lattice& lattice, const GuardOptions& options)
     });
     const double volume = std::accumulate(volumes.begin(), volumes.end(), 0.0);
     const double size = std::accumulate(sizes.begin(), sizes.end(), 0.0);
-    out.sign = volume < 0 ? -1 : 1;
+    out.sign = options.sign != 0 ? options.sign : volume < 0 ? -1 : 1;
     if (size > 0 && std::isfinite(volume)) out.typical = std::abs(volume) / size;
     const std::vector<Judged>& right = out.sign > 0 ? positive : negative;
     return with(std::move(out), cells, right);

@@ -6,7 +6,7 @@
 
 namespace trivar {
 
-// What is known of every cell of a lattice: whether det J has the sign of the whole volume there.
+// What is known of every cell of a lattice: whether det J has the right sign there.
 // Good everywhere: no point meets its neighbours. Far parts may still meet: see overlap.h.
 struct CellVerdicts {
     std::array<std::vector<double>, 3> breaks; // uvw; one more than cells along each axis
@@ -14,8 +14,8 @@ struct CellVerdicts {
     // The least Bernstein coefficient of sign * det J in each cell, a lower bound of it; 0 in
     // excepted cells, which were not looked at, and where it is not a number.
     std::vector<double> least;
-    int sign = 1;       // of the whole volume when all cells were judged
-    double typical = 0; // sign * mean of det J over the domain then: what `least` compares with
+    int sign = 1;            // that det J is to have
+    double typical = 0;      // size of its mean over the domain: what `least` compares with
     glm::ivec3 size() const; // cells along u, v and w
     bool good() const;       // no cell is bad or unknown
 };
@@ -24,6 +24,8 @@ struct GuardOptions {
     // Declared exceptions: cells that overlap one of these boxes of uvw are not judged.
     std::vector<Box> excepted = {};
     Halving halving{6, 256, true};
+    // That det J is to have, as when the volume was laid; 0: what it has in most of the volume.
+    int sign = 0;
     int steps = 256; // shares are multiples of 1 / steps
 };
 

@@ -71,10 +71,10 @@ struct PlacementParameters {
 
 struct PlacementReport {
     double length_world = 0, width_world = 0, height_world = 0;
-    double missed_share = 0;    // of the nodes
-    double contact_share = 0;   // of the nodes, after the springs
-    double largest_gap = 0;     // metres between contact surface and scene
-    double penetration = 0;     // largest left after the lift, as a fraction of the height
+    double missed_share = 0;  // of the nodes
+    double contact_share = 0; // of the nodes, after the springs
+    double largest_gap = 0;   // metres between contact surface and scene
+    double penetration = 0; // largest left after the lift or made after it, as a fraction of height
     double largest_stretch = 1; // of the contact surface along the stroke
     int spring_iterations = 0;
     int narrowed = 0;                 // columns narrowed so that the strip does not fold

@@ -38,6 +38,7 @@ LaidVolume with_volume(LaidVolume laid, Lattice volume, std::optional<CellVerdic
 GuardOptions LaidVolume::guard() const
 {
     GuardOptions out;
+    out.sign = 1; // whatever lies on a stroke is laid so
     for (const VolumePart& part : may_fold) out.excepted.push_back({part.lo, part.hi});
     return out;
 }
@@ -152,6 +153,11 @@ std::vector<PointMove> Pressing::on_layers(const std::vector<double>& weights, d
                     after[at(k)] = std::min(
                         after[at(k)],
                         std::max(before[at(k)], after[at(k + 1)] - gap_[first + at(k + 1)]));
+            }
+            if (!press_.into_scene) { // nothing goes down below where the column stood on it
+                const double floor = on_scene_[static_cast<std::size_t>(i * n.y + j)];
+                for (std::size_t k = 0; k < after.size(); ++k)
+                    after[k] = std::max(after[k], std::min(before[k], floor));
             }
             for (int k = 0; k < n.z; ++k) {
                 const double by =

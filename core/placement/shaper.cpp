@@ -196,12 +196,17 @@ Placement as_shaped(Placement placement, const LaidVolume& v)
     placement.embedding.to_rest = v.volume->rest * placement.embedding.to_uvw;
     const std::vector<Box> may_fold = v.guard().excepted;
     double least = std::numeric_limits<double>::infinity();
+    double below = 0; // of where it lay, along its normals
     for (std::size_t k = 0; k < placement.nodes.size(); ++k) {
         const auto columns = static_cast<std::size_t>(placement.node_columns);
         const glm::dvec2 uv(laid.axes[0].greville(static_cast<int>(k / columns)),
                             laid.axes[1].greville(static_cast<int>(k % columns)));
         StripNode& node = placement.nodes[k];
+        const auto then = evaluate(laid, uv, 1);
         node.p_world = evaluate(placement.contact, uv).value;
+        const glm::dvec3 up = glm::cross(then.u, then.v);
+        if (const double length = glm::length(up); length > 0)
+            below = std::max(below, glm::dot(then.value - node.p_world, up) / length);
         const double det = least_det(*v.volume, may_fold, uv);
         node.folds = !(det > 0);
         least = std::min(least, det);
@@ -210,6 +215,7 @@ Placement as_shaped(Placement placement, const LaidVolume& v)
     const double laid_volume = r.length_world * r.width_world * r.height_world;
     if (!placement.nodes.empty()) // as undeformed where all may fold
         r.smallest_jacobian = std::isfinite(least) ? least / laid_volume : 1;
+    if (r.height_world > 0) r.penetration = std::max(r.penetration, below / r.height_world);
     // What the stroke said of folds was before.
     r.folds = r.smallest_jacobian > 0 ? "" : "the volume folds; mend it";
     return placement;

@@ -209,10 +209,15 @@ Index Refinement::edge_of_needle(const Triangle& triangle) const
 {
     constexpr double thin = 1.02;  // its other edges together, by the longest: a tenth as high
     constexpr double share = 0.25; // of it that the other edge is long at least, along it then
-    constexpr double near = 0.8;   // of the tolerance
+    // Of the tolerance: a chord between two points of a curve is off it by no more than twice what
+    // the chord of the whole is.
+    constexpr double near = 0.45;
     std::array<double, 3> length;
-    for (std::size_t i = 0; i < 3; ++i)
-        length[i] = all_.length_world(all_.edges()[triangle.edges[i]]);
+    for (std::size_t i = 0; i < 3; ++i) { // undeformed: a needle over a kink is bent
+        const Edge& side = all_.edges()[triangle.edges[i]];
+        length[i] =
+            glm::distance(all_.points()[side.a].rest_world, all_.points()[side.b].rest_world);
+    }
     const auto longest =
         static_cast<std::size_t>(std::ranges::max_element(length) - length.begin());
     const Edge& edge = all_.edges()[triangle.edges[longest]];

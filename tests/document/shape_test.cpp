@@ -49,7 +49,7 @@ TEST_F(Shape, FollowsTheStrokeWhereverThatGoes)
 TEST_F(Shape, GoesWithTheVolumeThatItWasOf)
 {
     EXPECT_TRUE(object(after(pressed(), Unplace{3}), 3).shaping.empty());
-    const PlacementStep& step = *object(small_document(), 3).placement;
+    const PlacementStep step = *object(small_document(), 3).placement;
     EXPECT_TRUE(
         object(after(pressed(), Place{3, step.sketch, step.parameters, {}}), 3).shaping.empty());
 }

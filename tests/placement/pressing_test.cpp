@@ -106,6 +106,40 @@ TEST(Pressing, FromTheSceneLiftsColumnsWhichKeepTheirHeight)
                     1e-15);
 }
 
+TEST(Pressing, UnguardedTooGoesNoDeeperThanTheSceneUnlessItIsAllowed)
+{
+    Press press = press_at({0.5, 0.5, 1, 3});
+    press.decay = Decay::box;
+    press.radius = 10;
+    press.guard = false;
+    const Lattice before = bent_box();
+    const auto lowest = [](const Lattice& volume) {
+        double least = 1e300;
+        for (int i = 0; i < 12; ++i)
+            for (int j = 0; j < 8; ++j)
+                for (int k = 0; k < 5; ++k)
+                    least = std::min(least, control_point(volume, i, j, k).z);
+        return least;
+    };
+    EXPECT_GE(lowest(pressed(press)), lowest(before) - 1e-9);
+    press.into_scene = true;
+    EXPECT_LT(lowest(pressed(press)), lowest(before) - 1);
+}
+
+TEST(Pressing, AVolumeTurnedInsideOutIsBadEverywhere)
+{
+    Lattice mirrored = bent_box();
+    for (int i = 0; i < 12; ++i)
+        for (int j = 0; j < 8; ++j)
+            for (int k = 0; k < 5; ++k) {
+                const auto at = mirrored.displacement.index(i, j, k);
+                mirrored.displacement.points[at].z -= 2 * control_point(mirrored, i, j, k).z;
+            }
+    EXPECT_TRUE(judge(mirrored).good()) << "it has one sign";
+    const CellVerdicts verdicts = *laid_volume(mirrored, 0).verdicts;
+    EXPECT_EQ(std::ranges::count(verdicts.of, Verdict::proven_bad), std::ssize(verdicts.of));
+}
+
 TEST(Pressing, DrawsNothingIntoTheSceneUnlessItIsAllowed)
 {
     Press press = press_at({0.5, 0.5, 0, -0.1});

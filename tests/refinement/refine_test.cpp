@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
+#include <random>
 
 namespace trivar {
 namespace {
@@ -130,6 +131,25 @@ TEST(Refining, LeavesNoNeedlesBesideAnEdgeThatIsJustWithinTheTolerance)
     const Refined out = refine_one(unit_cube(), lattice, {.tolerance_world = 0.001});
     EXPECT_EQ(out.not_certified(), 0u);
     EXPECT_LT(out.depth, 14);
+}
+
+TEST(Refining, LeavesNoNeedlesWhereTheVolumeHasKinks)
+{
+    // Of order 2 an edge is a chain of chords, whose ends may be off an S by twice what it is off.
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> share(0.002, 0.02);
+    for (int seed = 1; seed <= 6; ++seed) {
+        const Lattice lattice{
+            random_volume({Knots::uniform(2, 9), Knots::uniform(2, 7), Knots::uniform(2, 4)},
+                          static_cast<unsigned>(seed), 0.1),
+            glm::dmat4(1)};
+        for (int i = 0; i < 20; ++i) {
+            const Refined out =
+                refine_one(unit_cube(), lattice, {.tolerance_world = share(random)});
+            EXPECT_EQ(out.not_certified(), 0u);
+            EXPECT_LT(out.depth, 14);
+        }
+    }
 }
 
 TEST(Refining, ListsWhatABudgetLeavesOver)
