@@ -13,12 +13,14 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <imgui.h>
+#include <limits>
 
 namespace trivar {
 namespace {
 
-constexpr double point_reach_px = 10; // of the mouse, at scale 1
-constexpr std::size_t most_shown = 20000;
+constexpr double point_reach_px = 10;     // of the mouse, at scale 1
+constexpr std::size_t most_shown = 20000; // at once, of all; of more those round the mouse
+constexpr double shown_reach_px = 90;     // of it, at scale 1
 
 glm::ivec3 size_of(const Lattice& volume)
 {
@@ -26,7 +28,7 @@ glm::ivec3 size_of(const Lattice& volume)
     return {axes[0].count(), axes[1].count(), axes[2].count()};
 }
 
-bool is_shown(const Lattice& volume)
+bool all_are_shown(const Lattice& volume)
 {
     return volume.displacement.points.size() <= most_shown;
 }
@@ -34,7 +36,6 @@ bool is_shown(const Lattice& volume)
 // Calls visit(index, pixel) for each control point before the eye.
 void each_point(const Lattice& volume, const Camera& camera, auto&& visit)
 {
-    if (!is_shown(volume)) return;
     const glm::ivec3 n = size_of(volume);
     for (int i = 0; i < n.x; ++i)
         for (int j = 0; j < n.y; ++j)
@@ -255,7 +256,7 @@ std::vector<gpu::Line> LatticePointsTool::lines(const Session& session,
 {
     std::vector<gpu::Line> out;
     const EvaluatedObject* laid = selected_placement(session);
-    if (!laid || !is_shown(laid->placement->volume)) return out;
+    if (!laid || !all_are_shown(laid->placement->volume)) return out;
     const Lattice& volume = laid->placement->volume;
     const glm::ivec3 n = size_of(volume);
     for (int along = 0; along < 3; ++along) {
@@ -284,9 +285,14 @@ void LatticePointsTool::overlay(const Session& session, const ui::Theme& theme,
     if (!laid) return;
     const Lattice& volume = laid->placement->volume;
     const std::vector<char> flags = flags_of(volume, chosen_);
+    const double reach_px = all_are_shown(volume) ? std::numeric_limits<double>::infinity()
+                                                  : shown_reach_px * input.scale;
+    std::size_t shown = 0;
     each_point(volume, session.camera, [&](const glm::ivec3& p, glm::dvec2 at) {
         const bool chosen = flags[volume.displacement.index(p.x, p.y, p.z)] != 0,
                    lit = hovered_ && *hovered_ == p;
+        if (!lit && !chosen && glm::distance(at, input.mouse) > reach_px) return;
+        if (!lit && ++shown > most_shown) return;
         ui::paint_dot(input.rect.lo + glm::vec2(at),
                       theme.scale * (lit      ? 5.5f
                                      : chosen ? 4.5f
@@ -353,10 +359,6 @@ std::vector<Hint> LatticePointsTool::hints(const Session& session) const
                 {{"Shift"}, "Fine"},
                 {{"Esc", "/", "right"}, "Cancel"}};
     const EvaluatedObject* laid = selected_placement(session);
-    if (laid && !is_shown(laid->placement->volume))
-        return {{{}, fmt::format("More than {} control points are not shown", most_shown)},
-                {{}, "Leave fewer in the inspector, Lattice"},
-                {{"Esc"}, "Select"}};
     if (!laid) return {{{}, "Select a placed object"}, {{"left"}, "Select"}, {{"Esc"}, "Select"}};
     std::vector<Hint> hints{
         {{"left"}, chosen_.empty() ? "Choose a point" : "Drag a point or handle"},
@@ -364,6 +366,8 @@ std::vector<Hint> LatticePointsTool::hints(const Session& session) const
         {{"left"}, "Drag a box"},
         {{"middle"}, "Orbit"},
         {{"Esc"}, "Select"}};
+    if (!all_are_shown(laid->placement->volume))
+        hints.insert(hints.begin(), {{}, "There are many: those round the mouse are shown"});
     return hints;
 }
 

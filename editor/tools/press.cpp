@@ -192,13 +192,21 @@ void PressTool::go_on(Session& session, const ViewportInput& input)
 
 void PressTool::finish(Session& session)
 {
-    const bool nothing = gesture_->by == By::drag && gesture_->press.samples.back().w == 0;
-    if (!nothing && session.propose(command())) {
+    told_ = gesture_->press;
+    const bool nothing = gesture_->by == By::drag && told_.samples.back().w == 0;
+    const bool empty = std::ranges::none_of(told_.samples, [&](const glm::dvec4& sample) {
+        std::vector<glm::dvec3> centers = places(told_, glm::dvec3(sample));
+        for (glm::dvec3& center : centers) center = evaluate(gesture_->volume, center).value;
+        return held_by(told_, gesture_->volume, centers, [](const glm::ivec3&, double) {}) > 0;
+    });
+    if (!nothing && !empty && session.propose(command())) {
         told_of_ = gesture_->object;
-        told_ = gesture_->press;
         session.commit();
     } else
         session.cancel();
+    if (!nothing && empty && !offer_points(session, gesture_->object, gesture_->volume))
+        session.notices.say(ui::NoticeKind::warning, "Nothing was pressed",
+                            "The ball holds no control point; make it larger.", of_a_step);
     gesture_.reset();
 }
 

@@ -40,10 +40,9 @@ void check_number(std::string_view name, double value, const Rule& rule)
 {
     if (value >= rule.lo && value <= rule.hi) return; // NaN is neither
     if (rule.hi == Rule{}.hi && value < rule.lo)
-        throw Rejected(fmt::format("field \"{}\" is {} but must be {}", name, shortest(value),
-                                   rule.lo == 0  ? "at least 0"
-                                   : rule.lo > 0 ? "above 0"
-                                                 : "at least " + shortest(rule.lo)));
+        throw Rejected(
+            fmt::format("field \"{}\" is {} but must be {}", name, shortest(value),
+                        rule.lo > 0 && value <= 0 ? "above 0" : "at least " + shortest(rule.lo)));
     throw Rejected(fmt::format("field \"{}\" is {} but must lie between {} and {}", name,
                                shortest(value), shortest(rule.lo), shortest(rule.hi)));
 }

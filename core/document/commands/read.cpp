@@ -45,7 +45,8 @@ void read_value(const std::string& name, const json& from, int& value)
                            ? from.get<std::uint64_t>() <= most
                            : from.is_number_integer() && from.get<std::int64_t>() >= least &&
                                  from.get<std::int64_t>() <= most;
-    if (!whole) reject(name, "a whole number", from);
+    if (!whole)
+        reject(name, from.is_number_integer() ? "a smaller whole number" : "a whole number", from);
     value = from.get<int>();
 }
 

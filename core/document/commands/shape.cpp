@@ -33,6 +33,12 @@ void check(const VolumeEdit& edit)
     if (edit.press) check(*edit.press);
     if (edit.shift && edit.shift->points.empty())
         throw Rejected("field \"points\" is empty; name the control points that move");
+    if (edit.shift)
+        for (const glm::ivec3& p : edit.shift->points)
+            if (p.x < 0 || p.y < 0 || p.z < 0)
+                throw Rejected(fmt::format("field \"points\" names {}, {}, {}, but control points "
+                                           "are numbered from 0",
+                                           p.x, p.y, p.z));
     if (edit.allowance)
         for (const VolumePart& box : edit.allowance->boxes)
             for (int i = 0; i < 3; ++i)
