@@ -30,6 +30,8 @@ public:
           cells_(std::make_shared<const DisplacementCells>(lattice.displacement)),
           all_(parts, lattice)
     {
+        for (int a = 0; a < 3; ++a)
+            scale_[a] = cells_->slopes()[a] + glm::length(glm::dvec3(lattice.rest[a]));
         measure_rounding(parts);
     }
     void split();
@@ -88,6 +90,7 @@ private:
     Ref<DisplacementCells> cells_;
     SharedTriangles all_;
     std::size_t first_new_edge_ = 0;
+    glm::dvec3 scale_{0}; // world units by u, v and w, at most
     double shortest_ = 0; // edges up to here are not split
     double stretch_ = 0;  // no step becomes longer by more, deformed
     bool out_of_budget_ = false, marked_ = false;
@@ -215,8 +218,7 @@ Index Refinement::edge_of_needle(const Triangle& triangle) const
     std::array<double, 3> length;
     for (std::size_t i = 0; i < 3; ++i) { // undeformed: a needle over a kink is bent
         const Edge& side = all_.edges()[triangle.edges[i]];
-        length[i] =
-            glm::distance(all_.points()[side.a].rest_world, all_.points()[side.b].rest_world);
+        length[i] = glm::length(scale_ * (all_.points()[side.a].uvw - all_.points()[side.b].uvw));
     }
     const auto longest =
         static_cast<std::size_t>(std::ranges::max_element(length) - length.begin());
