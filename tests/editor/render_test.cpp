@@ -265,7 +265,7 @@ TEST_F(Sequences, LookAsKeysHaveItInEachFrameAndWantAllFilesOfTheScene)
     Track light;
     light.parameter = "render.exposure";
     light.keys = {{.frame = 1, .value = 0}, {.frame = 12, .value = 3}};
-    file.run(Animate{0, {light}});
+    file.run(Animate{{{0, {light}}}});
     file.save_as(scene);
     ASSERT_EQ(render("lit/a.##.png", {}, "1:12:11").status, Status::done);
     const Image dark = read_image(folder.file("lit/a.01.png")),
