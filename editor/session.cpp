@@ -66,7 +66,7 @@ void Session::look_at_frame()
 
 Command Session::said(const Command& command) const
 {
-    return keyed(committed(), command, frame_, always_key);
+    return keyed(committed(), command, frame_, false);
 }
 
 void Session::show_frame(int frame)

@@ -15,11 +15,6 @@
 
 namespace trivar {
 
-// The topics of notices. What is told of one step takes the place of what was told of the one
-// before; so with saving.
-inline constexpr const char* of_a_step = "step";
-inline constexpr const char* of_saving = "saving";
-
 // What is open and what the person is doing with it: the scene with its proposal, what it looks
 // like by the latest evaluation, the selection and the point of view. Frame thread only.
 class Session {
@@ -67,9 +62,6 @@ public:
     const Document& shown() const { return previewed_ ? *previewed_ : document(); }
     // The same, but of a copy to which nothing was done: nor is anything done by this.
     void look_at_step(std::size_t position);
-    // A change of what is animated is a key in the present frame; of anything else too where every
-    // change is to be one.
-    bool always_key = false;
     bool proposing() const { return scene_.history().proposal().has_value(); }
     bool committing() const { return check_.has_value(); }
 

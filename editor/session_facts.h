@@ -8,6 +8,11 @@
 
 namespace trivar {
 
+// The topics of notices. What is told of one step takes the place of what was told of the one
+// before; so with saving.
+inline constexpr const char* of_a_step = "step";
+inline constexpr const char* of_saving = "saving";
+
 class Session;
 
 // The box round an object, with what is in it if it is a group, or round everything for id 0.
