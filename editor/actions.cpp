@@ -32,7 +32,7 @@ template <class Add> Action add_action(const std::string& name)
                 const bool first = e.session.committed().objects.empty();
                 Add add;
                 add.material = new_material;
-                if (!e.session.run(add)) return;
+                if (!e.session.run(prepare(add, *e.session.assets()))) return;
                 e.session.selected = id;
                 if (first) e.session.frame_all_when_evaluated = true;
             }};
@@ -68,6 +68,7 @@ std::vector<Action> all_actions(const Editor& editor)
     a.push_back(add_action<AddTorus>("Torus"));
     a.push_back(add_action<AddMoebius>("Moebius band"));
     a.push_back(add_action<AddTeapot>("Teapot"));
+    a.push_back(add_action<AddText>("Text"));
     add_view_actions(a);
     add_window_actions(a);
     add_time_actions(a);

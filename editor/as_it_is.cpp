@@ -17,6 +17,8 @@ std::optional<Command> as_it_is(const Command& kind, Id id, const Document& docu
     if (std::holds_alternative<PlayClip>(kind)) return PlayClip{{id}, object.playing};
     if (std::holds_alternative<Refine>(kind))
         return Refine{{id}, object.refining.value_or(Refining{})};
+    if (std::holds_alternative<SetText>(kind))
+        if (const auto* text = std::get_if<TextShape>(&object.source)) return SetText{id, *text};
     if (std::holds_alternative<EditImport>(kind))
         if (const auto* file = std::get_if<ImportedFile>(&object.source))
             return EditImport{id, *file};

@@ -49,6 +49,7 @@ struct Editor {
     ui::TimingView timing;
     enum class Tab { inspector, history, log } tab = Tab::inspector;
     OutlinerState outliner;
+    std::vector<std::string> fonts; // by title; looked for when a text is first shown
     Playback playback;
     struct Timeline {
         enum class Hand { none, shift, begin, end }; // what of a bar is dragged

@@ -125,6 +125,7 @@ std::string type_of(const Object& object)
 {
     if (object.placement) return "Placed";
     if (std::holds_alternative<GroupShape>(object.source)) return "Group";
+    if (std::holds_alternative<TextShape>(object.source)) return "Text";
     return std::holds_alternative<ImportedFile>(object.source) ? "Model" : "Primitive";
 }
 

@@ -12,6 +12,7 @@
 #include "core/document/commands/primitives.h"
 #include "core/document/commands/refine.h"
 #include "core/document/commands/shape.h"
+#include "core/document/commands/text.h"
 #include "core/document/commands/travel.h"
 #include "core/document/commands/view.h"
 
@@ -24,11 +25,12 @@ namespace trivar {
 // Everything that a person can do to a document, by value.
 using Command =
     std::variant<ImportModel, EditImport, Relink, AddPlane, AddBox, AddSphere, AddCylinder,
-                 AddTorus, AddMoebius, AddTeapot, SetTransform, Arrange, SetMaterial, ClearMaterial,
-                 Rename, Hide, Show, Lock, Unlock, Delete, Duplicate, Group, Ungroup, Reorder,
-                 Place, PlaceRound, EditPlacement, Unplace, SetTravel, PlayClip, Animate, Refine,
-                 ClearRefine, PressVolume, MovePoints, InsertKnots, CoarsenVolume, MendVolume,
-                 AllowFolds, Unshape, Paste, SaveCamera, DeleteCamera, SetRender, SetTime>;
+                 AddTorus, AddMoebius, AddTeapot, AddText, SetText, SetTransform, Arrange,
+                 SetMaterial, ClearMaterial, Rename, Hide, Show, Lock, Unlock, Delete, Duplicate,
+                 Group, Ungroup, Reorder, Place, PlaceRound, EditPlacement, Unplace, SetTravel,
+                 PlayClip, Animate, Refine, ClearRefine, PressVolume, MovePoints, InsertKnots,
+                 CoarsenVolume, MendVolume, AllowFolds, Unshape, Paste, SaveCamera, DeleteCamera,
+                 SetRender, SetTime>;
 
 // The document after the command; objects that it does not touch keep their pointer. Pure: reads
 // no file. Throws Rejected (the field, what is wrong, what would be right) and nothing happened.

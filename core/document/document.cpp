@@ -8,6 +8,7 @@
 #include "core/document/commands/play.h"
 #include "core/document/commands/primitives.h"
 #include "core/document/commands/shape.h"
+#include "core/document/commands/text.h"
 #include "core/document/commands/view.h"
 
 #include <algorithm>

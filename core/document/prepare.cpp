@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
 #include "core/document/command.h"
+#include "core/text/installed_fonts.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -32,6 +33,21 @@ ImportedFile prepared(ImportedFile file, const AssetStore& assets, const Progres
     return file;
 }
 
+// The digest of the font that was found, none where another one stands in; a font file is named
+// from the root, so that it is found wherever the scene is kept.
+void prepare_font(TextShape& text, const AssetStore& assets)
+{
+    if (is_font_path(text.font))
+        text.font =
+            std::filesystem::absolute(assets.resolve(text.font)).lexically_normal().string();
+    text.font_digest.clear();
+    try {
+        const FoundFont found = find_font(text.font);
+        if (found.notices.empty()) text.font_digest = found.font.digest();
+    } catch (const Rejected&) { // said of the object
+    }
+}
+
 } // namespace
 
 Command prepare(Command command, const AssetStore& assets, const Progress& progress)
@@ -42,6 +58,10 @@ Command prepare(Command command, const AssetStore& assets, const Progress& progr
             import->name = std::filesystem::path(import->file.path).stem().string();
     } else if (auto* edit = std::get_if<EditImport>(&command)) {
         edit->file = prepared(std::move(edit->file), assets, progress);
+    } else if (auto* text = std::get_if<AddText>(&command)) {
+        prepare_font(text->shape, assets);
+    } else if (auto* letters = std::get_if<SetText>(&command)) {
+        prepare_font(letters->shape, assets);
     } else if (auto* paste = std::get_if<Paste>(&command)) {
         for (CopiedObject& copy : paste->copies) // what is missing is told of each object
             if (copy.file) copy.file->path = path_in_log(copy.file->path, assets.folder());

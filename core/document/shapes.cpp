@@ -4,6 +4,7 @@
 #include "core/base/rejected.h"
 #include "core/mesh/primitives.h"
 #include "core/mesh/subdivide.h"
+#include "core/text/installed_fonts.h"
 
 #include <algorithm>
 
@@ -51,6 +52,26 @@ Model primitive(const MoebiusShape& s)
 Model primitive(const TeapotShape& s)
 {
     return model_of(teapot_mesh(s.height, s.resolution));
+}
+
+Model primitive(const TextShape&)
+{
+    return {};
+}
+
+// The model, what there is to say of it in its notices.
+Model letters(const TextShape& text, const AssetStore& assets)
+{
+    const FoundFont found =
+        find_font(is_font_path(text.font) ? assets.resolve(text.font) : text.font);
+    TextBody body = text_body(text, found.font);
+    Model model = single_mesh_model("", std::move(body.mesh));
+    model.notices = found.notices;
+    // That it is another file goes without saying where another font stands in.
+    for (std::string& notice : body.notices)
+        if (found.notices.empty() || notice.find("that was meant") == notice.npos)
+            model.notices.push_back(std::move(notice));
+    return model;
 }
 
 Shape shape_of(Ref<Model> from)
@@ -139,6 +160,10 @@ Ref<Shape> Shapes::operator()(const Source& source, Timings& timings, const Prog
             if (file->subdivisions > 0)
                 timed(timings, "subdivide",
                       [&] { subdivide_all(shape, file->subdivisions, progress); });
+        } else if (const auto* text = std::get_if<TextShape>(&source)) {
+            shape = shape_of(
+                make_ref(timed(timings, "letters", [&] { return letters(*text, *assets_); })));
+            shape.notices = shape.model->notices;
         } else
             shape = shape_of(timed(timings, "import", [&] {
                 return make_ref(std::visit([](const auto& s) { return primitive(s); }, source));

@@ -38,7 +38,7 @@ public:
     explicit Shapes(Ref<AssetStore> assets) : assets_(std::move(assets)) {}
 
     // Never null; trouble is in the notices, and tried again next time if the file was missing.
-    // Throws Cancelled. Stages: import, subdivide.
+    // Throws Cancelled. Stages: import, subdivide, letters.
     Ref<Shape> operator()(const Source& source, Timings& timings, const Progress& progress);
     void forget_unused(); // those that nobody else holds
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/files/read_model.h"
+#include "core/text/text_shape.h"
 
 #include <glm/glm.hpp>
 #include <string>
@@ -57,6 +58,6 @@ struct GroupShape {
     bool operator==(const GroupShape&) const = default;
 }; // no shape: a parent for others
 using Source = std::variant<GroupShape, ImportedFile, PlaneShape, BoxShape, SphereShape,
-                            CylinderShape, TorusShape, MoebiusShape, TeapotShape>;
+                            CylinderShape, TorusShape, MoebiusShape, TeapotShape, TextShape>;
 
 } // namespace trivar

@@ -381,6 +381,7 @@ void draw_inspector(Editor& editor, const ui::Theme& theme, const Layout& layout
     if (each->placement) part(draw_shaping);
     if (std::holds_alternative<ImportedFile>(each->source))
         part([](Editor& e, const ui::Theme& t, Id one) { draw_clip(e, t, {one}); });
+    if (std::holds_alternative<TextShape>(each->source)) part(draw_text);
     part(draw_transform);
     part(draw_material);
     facts(editor, theme, *each, id);

@@ -67,6 +67,7 @@ void paint_picture(Editor& editor, const ui::Theme& theme, const ui::Rect& r,
 
 // Parts of the inspector. Each proposes what is being changed.
 void draw_transform(Editor& editor, const ui::Theme& theme, Id id);
+void draw_text(Editor& editor, const ui::Theme& theme, Id id); // of one that is letters
 void draw_material(Editor& editor, const ui::Theme& theme, Id id);
 void draw_placement(Editor& editor, const ui::Theme& theme, Id id);
 void draw_travel(Editor& editor, const ui::Theme& theme, const std::vector<Id>& placed);

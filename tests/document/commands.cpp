@@ -89,7 +89,7 @@ Document small_document()
 
 Document fitting_document()
 {
-    return after(small_document(), import_of("snail.obj"));
+    return after(after(small_document(), import_of("snail.obj")), AddText{});
 }
 
 std::vector<Command> fitting_commands()
@@ -106,6 +106,8 @@ std::vector<Command> fitting_commands()
             AddTorus{},
             AddMoebius{},
             AddTeapot{},
+            AddText{},
+            SetText{.object = 6, .shape = {.text = "Ab"}},
             SetTransform{.object = 2, .transform = {.translation = {0.1, 1.0 / 3, -2e-7}}},
             Arrange{.objects = {2, 1},
                     .transforms = {{.rotation_deg = {0, 30, 0}}, {.scale = {2, 1, 1}}}},

@@ -33,6 +33,8 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Add Torus radius 0.5 m",
         "Add Moebius band radius 0.5 m",
         "Add Teapot 1 m",
+        "Add Text “Text”",
+        "Letters of Text “Ab”",
         "Move Ball 0.348 m",
         "Rotate and scale Ball and Table",
         "Give Table and Ball a plain material",

@@ -11,6 +11,7 @@ namespace {
 template <class Shape> Document added(Document document, const AddShape<Shape>& command)
 {
     check_transform(command.transform);
+    if constexpr (std::is_same_v<Shape, TextShape>) check_text(command.shape);
     if (command.name.empty()) throw Rejected("field \"name\" is empty");
     return with_added(std::move(document), {.name = command.name,
                                             .source = command.shape,
@@ -82,6 +83,18 @@ Document applied(Document document, const AddMoebius& command)
 Document applied(Document document, const AddTeapot& command)
 {
     return added(std::move(document), command);
+}
+Document applied(Document document, const AddText& command)
+{
+    return added(std::move(document), command);
+}
+Document applied(Document document, const SetText& command)
+{
+    if (!std::holds_alternative<TextShape>(object(document, command.object).source))
+        throw Rejected(fmt::format("field \"object\": {} is no text", command.object));
+    check_text(command.shape);
+    return with_changed(std::move(document), command.object,
+                        [&](Object& o) { o.source = command.shape; });
 }
 
 } // namespace trivar

@@ -18,6 +18,8 @@ Document applied(Document document, const AddCylinder& command);
 Document applied(Document document, const AddTorus& command);
 Document applied(Document document, const AddMoebius& command);
 Document applied(Document document, const AddTeapot& command);
+Document applied(Document document, const AddText& command);
+Document applied(Document document, const SetText& command);
 Document applied(Document document, const SetTransform& command);
 Document applied(Document document, const Arrange& command);
 Document applied(Document document, const SetMaterial& command);

@@ -27,6 +27,7 @@ void each_shape(auto& copy, auto&& visit)
     visit(copy.torus);
     visit(copy.moebius);
     visit(copy.teapot);
+    visit(copy.text);
 }
 
 Source source_of(const CopiedObject& copy)
@@ -43,6 +44,7 @@ Source source_of(const CopiedObject& copy)
                                    copy.object, shapes));
     if (const auto* file = std::get_if<ImportedFile>(&source); file && file->path.empty())
         throw Rejected("field \"path\" names no file");
+    if (const auto* text = std::get_if<TextShape>(&source)) check_text(*text);
     return source;
 }
 

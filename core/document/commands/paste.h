@@ -8,6 +8,7 @@
 #include "core/document/commands/primitives.h"
 #include "core/document/commands/refine.h"
 #include "core/document/commands/shape.h"
+#include "core/document/commands/text.h"
 #include "core/document/commands/travel.h"
 
 #include <string>
@@ -44,6 +45,7 @@ struct CopiedObject {
     std::optional<TorusShape> torus;
     std::optional<MoebiusShape> moebius;
     std::optional<TeapotShape> teapot;
+    std::optional<TextShape> text = {};
     Transform transform;
     Id parent = 0;
     bool hidden = false, locked = false;
@@ -87,6 +89,7 @@ template <> struct FieldsOf<CopiedObject> {
         field("torus", c.torus, "its shape, as of add_torus");
         field("moebius", c.moebius, "its shape, as of add_moebius");
         field("teapot", c.teapot, "its shape, as of add_teapot");
+        field("text", c.text, "its shape, as of add_text");
         field("transform", c.transform, "where it stands, in its group if that is copied too");
         field("parent", c.parent,
               "id of the copied group it is in, which comes before it; 0: none");

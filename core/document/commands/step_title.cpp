@@ -37,6 +37,14 @@ std::string shape_size(const TeapotShape& s)
 {
     return in_metres(s.height);
 }
+// What a row has room for of a text, in quotes.
+std::string shape_size(const TextShape& s)
+{
+    constexpr std::size_t most = 24; // bytes
+    std::size_t end = std::min({s.text.find('\n'), s.text.size(), most});
+    while (end < s.text.size() && end > 0 && (s.text[end] & '\xC0') == '\x80') --end;
+    return "“" + s.text.substr(0, end) + (end < s.text.size() ? "…" : "") + "”";
+}
 std::string shape_size(const auto& round)
 {
     return "radius " + in_metres(round.radius);
@@ -170,6 +178,16 @@ struct Titles {
     template <class Shape> StepTitle operator()(const AddShape<Shape>& c) const
     {
         return {"Add " + made(), shape_size(c.shape)};
+    }
+    StepTitle operator()(const SetText& c) const
+    {
+        const std::string name = name_in(before, c.object);
+        const Object* object = was(c.object);
+        const auto* old = object ? std::get_if<TextShape>(&object->source) : nullptr;
+        if (!old) return {"Text of " + name, {}};
+        if (old->text != c.shape.text) return {"Letters of " + name, shape_size(c.shape)};
+        if (old->font != c.shape.font) return {"Font of " + name, c.shape.font};
+        return {"Shape of the letters of " + name, {}};
     }
     StepTitle operator()(const SetTransform& c) const
     {
