@@ -7,6 +7,7 @@
 #include "core/document/commands/primitives.h"
 #include "core/document/commands/refine.h"
 #include "core/document/commands/shape.h"
+#include "core/document/commands/text.h"
 #include "core/document/commands/view.h"
 
 #include <algorithm>
