@@ -110,9 +110,17 @@ std::optional<glm::ivec3> LatticePointsTool::point_at(const Session& session,
     return nearest;
 }
 
+bool LatticePointsTool::grab(Session& session)
+{
+    keep_what_is_there(session);
+    grabbing_ = !chosen_.empty() && !session.committing();
+    return grabbing_;
+}
+
 void LatticePointsTool::use(Session& session, const ViewportInput& input)
 {
     tell(session);
+    outside_ = !input.hovered;
     if (gesture_) {
         if (!selected_placement(session)) return cancel(session);
         return go_on(session, input);
@@ -135,6 +143,11 @@ void LatticePointsTool::use(Session& session, const ViewportInput& input)
         else if (!ImGui::GetIO().KeyCtrl)
             chosen_.clear();
         box_px_.reset();
+        return;
+    }
+    if (std::exchange(grabbing_, false) && !chosen_.empty()) {
+        begin(session, input, {});
+        by_key_ = true;
         return;
     }
     if (!input.hovered && !input.pressed) return;
@@ -185,6 +198,7 @@ void LatticePointsTool::begin(const Session& session, const ViewportInput& input
     const Lattice& volume = selected_placement(session)->placement->volume;
     const MotionFrame frame = frame_of(volume, chosen_);
     of_ = size_of(volume);
+    by_key_ = false;
     // The gesture is that of an object which stands there, turned as the volume is.
     const Stand stand{object_,
                       {.translation = frame.pivot,
@@ -200,8 +214,8 @@ void LatticePointsTool::go_on(Session& session, const ViewportInput& input)
 {
     const ImGuiIO& io = ImGui::GetIO();
     gesture_->move_hand(session.camera, input.mouse, {.snap = io.KeyCtrl, .fine = io.KeyShift});
-    if (input.released || !input.down) return finish(session);
-    if (!gesture_->typed().open() && gesture_->travelled_px() < click_slip_px) return;
+    if (by_key_ ? input.pressed : input.released || !input.down) return finish(session);
+    if (!by_key_ && !gesture_->typed().open() && gesture_->travelled_px() < click_slip_px) return;
     const glm::dvec3 wanted = gesture_->motion().offset;
     // One proposal at a time: the next waits until the last one can be seen.
     if (wanted == shown_ || !session.up_to_date()) return;
@@ -212,7 +226,8 @@ void LatticePointsTool::go_on(Session& session, const ViewportInput& input)
 void LatticePointsTool::finish(Session& session)
 {
     shown_ = gesture_->motion().offset;
-    const bool meant = gesture_->travelled_px() >= click_slip_px || gesture_->typed().open();
+    const bool meant =
+        by_key_ || gesture_->travelled_px() >= click_slip_px || gesture_->typed().open();
     gesture_.reset();
     if (meant && shown_ != glm::dvec3(0) && session.propose(command())) {
         told_of_ = object_;
@@ -247,7 +262,11 @@ void LatticePointsTool::cancel(Session& session)
 
 void LatticePointsTool::take_keys(Session& session)
 {
-    if (gesture_ && take_gesture_keys(*gesture_)) finish(session);
+    if (!gesture_) return;
+    const bool ended = take_gesture_keys(*gesture_);
+    // A click elsewhere in the window ends it too, before the panel there sees the click.
+    const bool elsewhere = by_key_ && outside_ && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+    if (ended || elsewhere) finish(session);
 }
 
 // The net of control points.
@@ -352,7 +371,7 @@ std::vector<Hint> LatticePointsTool::hints(const Session& session) const
 {
     if (gesture_)
         return {{{}, gesture_->words()},
-                {{"left"}, "Let go when done"},
+                {{"left"}, by_key_ ? "Done" : "Let go when done"},
                 {{"X", "Y", "Z"}, "Along, across, up"},
                 {{"0", "-", "9"}, "Type it"},
                 {{"Ctrl"}, "Snap"},
@@ -366,6 +385,7 @@ std::vector<Hint> LatticePointsTool::hints(const Session& session) const
         {{"left"}, "Drag a box"},
         {{"middle"}, "Orbit"},
         {{"Esc"}, "Select"}};
+    if (!chosen_.empty()) hints.insert(hints.begin() + 1, {{"@Move"}, "Move with the mouse"});
     if (!all_are_shown(laid->placement->volume))
         hints.insert(hints.begin(), {{}, "There are many: those round the mouse are shown"});
     return hints;

@@ -21,6 +21,7 @@ public:
     }
     std::string page() const override { return "lattice"; }
     std::vector<ui::Chord> keys() const override { return {{'V'}, {'4'}}; }
+    bool grab(Session& session) override;
     void use(Session& session, const ViewportInput& input) override;
     bool busy() const override { return gesture_.has_value() || box_px_.has_value(); }
     bool shows_volume() const override { return true; }
@@ -53,6 +54,9 @@ private:
     std::optional<TransformGesture> gesture_;
     glm::dvec3 shown_{0}; // proposed last, along the volume's directions
     bool mirror_ = false, guard_ = true;
+    bool grabbing_ = false; // a gesture by its key begins in this frame
+    bool by_key_ = false;   // the gesture goes on till a click
+    bool outside_ = false;  // the mouse is not over the picture
     Id told_of_ = 0;
 };
 

@@ -56,6 +56,8 @@ public:
     virtual bool crosshair() const { return false; }
 
     virtual void begin(Session& session) { (void)session; } // it was chosen by its key
+    // What it has chosen goes with the mouse from now on; false where it has nothing to move.
+    virtual bool grab(Session& session) { return (void)session, false; }
     virtual void use(Session& session, const ViewportInput& input) = 0;
     virtual bool busy() const { return false; }                 // a gesture is going on
     virtual bool shows_volume() const { return !busy(); }       // of the selected placement

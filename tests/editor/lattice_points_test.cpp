@@ -127,6 +127,35 @@ TEST(LatticePoints, AreChosenByABoxAndMovedTogetherByATypedNumber)
     EXPECT_NEAR(glm::distance(rig.point({0, 0, 2}), a), 0.05, 1e-9);
 }
 
+TEST(LatticePoints, GoWithTheMouseFromTheKeyOfMoveTillAClick)
+{
+    LatticeRig rig;
+    rig.key({'G'}); // nothing is chosen: the key chooses its own tool
+    EXPECT_EQ(rig.editor.active_tool().name(), "Move");
+    rig.key({'V'});
+    rig.drag(near_roof, {0, 0});
+    const glm::vec2 from = rig.seen_at(rig.point(near_roof)) + glm::vec2(40, -30);
+    rig.move(from);
+    rig.key({'G'});
+    EXPECT_EQ(rig.editor.active_tool().name(), "Lattice");
+    rig.move(from + glm::vec2(0, -12));
+    rig.wait();
+    EXPECT_EQ(rig.shaped(), 1u);
+    rig.key({ui::key_escape});
+    rig.wait();
+    EXPECT_EQ(rig.shaped(), 0u);
+    rig.move(from);
+    rig.key({'G'});
+    rig.key({'Z'});
+    rig.type("0.05");
+    rig.wait();
+    rig.draw({from});
+    rig.wait();
+    ASSERT_EQ(rig.shaped(), 1u);
+    EXPECT_EQ(rig.last().points, std::vector{near_roof});
+    EXPECT_EQ(rig.last().by, glm::dvec3(0, 0, 0.05));
+}
+
 TEST(LatticePoints, AreLeftAsTheyAreByAClickAndByEscape)
 {
     LatticeRig rig;
