@@ -108,6 +108,44 @@ void paint_dot(glm::vec2 center, float radius, Color color, Color rim, float rim
     if (rim_width > 0) list().AddCircle(v(center), radius, rim, 0, rim_width);
 }
 
+void paint_ball(glm::vec2 center, float radius, Color color, float rim_width)
+{
+    // Rings between circles of equal steps of depth, each with the shade of its direction.
+    constexpr int sectors = 64, rings = 10;
+    const glm::vec3 light = glm::normalize(glm::vec3(-0.45f, -0.6f, 0.66f)); // y down
+    const auto shade = [&](float share, float angle) {
+        const glm::vec3 n(share * std::cos(angle), share * std::sin(angle),
+                          std::sqrt(std::max(0.0f, 1 - share * share)));
+        const float lit = std::max(0.0f, glm::dot(n, light)), edge = 1 - n.z;
+        const float gleam = std::pow(lit, 24.0f);
+        ImVec4 out = ImGui::ColorConvertU32ToFloat4(color);
+        for (float* each : {&out.x, &out.y, &out.z}) *each += (1 - *each) * 0.8f * gleam;
+        out.w *= 0.14f + 0.34f * edge * edge + 0.12f * lit + 0.4f * gleam;
+        return ImGui::ColorConvertFloat4ToU32(out);
+    };
+    ImDrawList& draw = list();
+    const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
+    draw.PrimReserve(sectors * rings * 6, (sectors + 1) * (rings + 1));
+    const unsigned first = draw._VtxCurrentIdx;
+    for (int ring = 0; ring <= rings; ++ring) {
+        const float share = std::sin(static_cast<float>(ring) / rings * 1.5707963f);
+        for (int sector = 0; sector <= sectors; ++sector) {
+            const float angle = static_cast<float>(sector) / sectors * 6.2831853f;
+            draw.PrimWriteVtx(
+                v(center + radius * share * glm::vec2(std::cos(angle), std::sin(angle))), white,
+                shade(share, angle));
+        }
+    }
+    for (int ring = 0; ring < rings; ++ring)
+        for (int sector = 0; sector < sectors; ++sector) {
+            const unsigned a = first + static_cast<unsigned>(ring * (sectors + 1) + sector),
+                           b = a + sectors + 1;
+            for (const unsigned i : {a, b, b + 1, a, b + 1, a + 1})
+                draw.PrimWriteIdx(static_cast<ImDrawIdx>(i));
+        }
+    draw.AddCircle(v(center), radius, faded(color, 0.9f), 0, rim_width);
+}
+
 void paint_line(glm::vec2 a, glm::vec2 b, Color color, float thickness)
 {
     list().AddLine(v(a), v(b), color, thickness);

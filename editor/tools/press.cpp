@@ -79,15 +79,14 @@ std::vector<VolumePart> parts_of(const Press& press, const Lattice& volume)
 }
 
 // While it is only held over the volume: the picture is not drawn anew for it.
-void paint_ball(const ui::Theme& theme, const ViewportInput& input, const Camera& camera,
-                const glm::dvec3& center, double radius)
+void paint_held_ball(const ui::Theme& theme, const ViewportInput& input, const Camera& camera,
+                     const glm::dvec3& center, double radius)
 {
     const Projected at = project(camera, center);
     if (at.depth_world <= 0) return;
     const auto radius_px = static_cast<float>(radius / pixel_size_world(camera, at.depth_world));
-    ui::paint_dot(input.rect.lo + glm::vec2(at.p_px), radius_px,
-                  ui::faded(theme.color.sphere, 0.22f), ui::faded(theme.color.sphere, 0.9f),
-                  theme.line(1.6f));
+    ui::paint_ball(input.rect.lo + glm::vec2(at.p_px), radius_px, theme.color.sphere,
+                   theme.line(1.6f));
 }
 
 } // namespace
@@ -299,7 +298,7 @@ void PressTool::overlay(const Session& session, const ui::Theme& theme,
     std::vector<glm::dvec3> centers;
     for (const glm::dvec3& place : places(press, uvw)) {
         centers.push_back(evaluate(start, place).value);
-        if (!gesture_) paint_ball(theme, input, session.camera, centers.back(), press.radius);
+        if (!gesture_) paint_held_ball(theme, input, session.camera, centers.back(), press.radius);
     }
     // The control points that the ball holds, as large as it moves them.
     const int inside = held_by(press, start, centers, [&](const glm::ivec3& at, double weight) {
@@ -344,7 +343,8 @@ void PressTool::options(Session& session, const ui::Theme& theme, float width)
                                ui::Edit::none)
                                radius_ = shown_radius;
                        },
-                       "Of the ball. The wheel changes it while the ball is pressed."});
+                       "Of the ball; 0 follows the volume's width. The wheel changes it while "
+                       "the ball is pressed."});
     options.push_back({"By", 120,
                        [&](float field) {
                            int by = static_cast<int>(by_);
