@@ -2,6 +2,7 @@
 #include "editor/command_line/replay.h"
 
 #include "core/base/parallel.h"
+#include "core/base/rounded.h"
 #include "core/base/text.h"
 #include "core/document/certificate.h"
 #include "core/document/parameters.h"
@@ -57,6 +58,26 @@ double frame_of(const ReplayOptions& options, const Document& document)
         throw Rejected(fmt::format("--frame {}: the scene's frames are {} to {}", frame,
                                    time.first_frame, time.last_frame));
     return frame;
+}
+
+// What was asked of a volume and not done, or not wholly.
+void tell_of_shaping(const Replayed& replayed, const Streams& streams)
+{
+    for (const auto& [id, ref] : replayed.evaluated.objects) {
+        if (!ref->shaped) continue;
+        const auto tell = [&](std::size_t i, const std::string& words) {
+            streams.talk << fmt::format("trivar: {}: step {} of its shaping {}\n",
+                                        object(replayed.document, id).name, i + 1, words);
+        };
+        for (std::size_t i = 0; i < ref->shaped->steps.size(); ++i) {
+            const Shaping& step = ref->shaped->steps[i];
+            if (step.would_fold)
+                tell(i, fmt::format("went {} of {} m: its volume would fold", rounded(step.done, 3),
+                                    rounded(step.asked, 3)));
+            else if (step.asked != 0 && step.done == 0)
+                tell(i, "moves nothing");
+        }
+    }
 }
 
 // What is proven of every volume. One that folds may be meant so: this is no check that fails.
@@ -126,6 +147,7 @@ Replayed replay(const ReplayOptions& options, const Streams& streams)
         for (const std::string& notice : ref->notices)
             streams.talk << "trivar: " << object(result.document, id).name << ": " << notice
                          << "\n";
+    tell_of_shaping(result, streams);
     if (options.check) {
         tell_of_volumes(result, streams);
         tell_of_walks(result, streams);
