@@ -48,6 +48,16 @@ void RefinedView::merge(const Session& session)
     ++number_;
 }
 
+std::vector<Id> RefinedView::split(const Evaluated& evaluated) const
+{
+    std::vector<Id> out;
+    for (const auto& [id, object] : seen_.objects)
+        if (const auto found = evaluated.objects.find(id);
+            found != evaluated.objects.end() && found->second != object)
+            out.push_back(id);
+    return out;
+}
+
 std::string RefinedView::words(double time_s) const
 {
     constexpr double patience_s = 0.3; // it is said of no moment of a camera's way

@@ -13,6 +13,8 @@ public:
     void follow(Session& session, double tolerance_px, bool moving, double time_s);
 
     const Evaluated& seen() const { return seen_; }
+    // What has other triangles there than in the document, ascending.
+    std::vector<Id> split(const Evaluated& evaluated) const;
     long number() const { return number_; } // counts up with each change of it
     bool up_to_date() const { return tolerance_px_ <= 0 || (current_ && done_s_ == asked_s_); }
     // "Within 1 px: 20,000 triangles", or what stands in the way; empty: no tolerance.

@@ -223,9 +223,13 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     if (texture != 0)
         ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(name), lo, hi, {0, 1},
                                              {1, 0});
-    if (session.shown().render->captions)
-        paint_captions(captions_of(session.evaluated(), session.shown(), session.aside), view,
+    if (session.shown().render->captions) { // they count the triangles of the document
+        std::vector<Id> aside = refined.split(session.evaluated());
+        aside.insert(aside.end(), session.aside.begin(), session.aside.end());
+        std::ranges::sort(aside);
+        paint_captions(captions_of(session.evaluated(), session.shown(), aside), view,
                        session.camera, over);
+    }
     tool.overlay(session, over, input);
     if (ImGui::IsMouseReleased(ImGuiMouseButton_Right)) {
         if (input.hovered && !tool.busy() && !editor.right_cancelled) open_menu(session, input);
