@@ -45,6 +45,7 @@ struct Action {
     std::vector<ui::Chord> usual_keys = {}; // before anybody changed them
     KeysIn keys_in = KeysIn::anywhere;
     bool repeats = false; // while its key is held
+    std::function<bool(const Editor&)> on = {}; // of what is switched: whether it has a tick
 };
 
 inline constexpr const char* add_action_name = "Add...";

@@ -30,6 +30,7 @@ void add_time_actions(std::vector<Action>& a)
                  }});
     a.push_back(
         {"Animate", loop_action, {}, [](Editor& e) { e.preferences.loop = !e.preferences.loop; }});
+    a.back().on = [](const Editor& e) { return e.preferences.loop; };
     a.push_back(frame_action(next_frame_action, {ui::key_right},
                              [](const Session& s) { return s.frame() + 1; }));
     a.back().group_begins = true;
@@ -59,6 +60,7 @@ void add_time_actions(std::vector<Action>& a)
                  },
                  {},
                  true});
+    a.back().on = [](const Editor& e) { return e.preferences.timeline_open; };
 }
 
 } // namespace trivar

@@ -35,6 +35,7 @@ void add_view_tolerances(std::vector<Action>& a)
                      [value](Editor& e) { e.preferences.view_tolerance = value; },
                      {[value](const Editor& e) { return e.preferences.view_tolerance != value; },
                       "it is so"}});
+        a.back().on = [value](const Editor& e) { return e.preferences.view_tolerance == value; };
     };
     tolerance("Triangles as they are", "off");
     a.back().group_begins = true;
@@ -81,6 +82,7 @@ void add_view_actions(std::vector<Action>& a)
                      Camera& camera = e.session.camera;
                      camera = ui::with_perspective(camera, !camera.perspective);
                  }});
+    a.back().on = [](const Editor& e) { return e.session.camera.perspective; };
     a.push_back(
         {"View",
          "View of pictures",
@@ -91,36 +93,31 @@ void add_view_actions(std::vector<Action>& a)
     const auto shading = [&](const char* name, const ui::Chord& key, bool Shading::*part) {
         a.push_back(
             {"View", name, {key}, [part](Editor& e) { e.shading.*part = !(e.shading.*part); }});
+        a.back().on = [part](const Editor& e) { return e.shading.*part; };
     };
     shading("Wireframe", {'Z'}, &Shading::wireframe);
     a.back().group_begins = true;
     shading("See through", alt('Z'), &Shading::see_through);
     shading("Edges over surfaces", {.key = 'Z', .shift = true}, &Shading::edges);
-    const auto colored_by = [](ColorBy by) {
-        return [by](Editor& e) {
-            RenderSettings settings = *e.session.document().render;
-            settings.color_by = by;
-            e.session.run(SetRender{settings});
+    const auto colored_by = [&](const char* name, ColorBy by) {
+        const auto so = [by](const Editor& e) {
+            return e.session.document().render->color_by == by;
         };
+        a.push_back({"View",
+                     name,
+                     {},
+                     [by](Editor& e) {
+                         RenderSettings settings = *e.session.document().render;
+                         settings.color_by = by;
+                         e.session.run(SetRender{settings});
+                     },
+                     {[so](const Editor& e) { return !so(e); }, "it is so"}});
+        a.back().on = so;
     };
-    const auto by_other_than = [](ColorBy by) {
-        return Condition{
-            [by](const Editor& e) { return e.session.document().render->color_by != by; },
-            "it is so"};
-    };
-    a.push_back({"View",
-                 "Colour by material",
-                 {},
-                 colored_by(ColorBy::material),
-                 by_other_than(ColorBy::material),
-                 true});
-    a.push_back({"View",
-                 "Colour by stretch",
-                 {},
-                 colored_by(ColorBy::stretch),
-                 by_other_than(ColorBy::stretch)});
-    a.push_back(
-        {"View", "Colour by error", {}, colored_by(ColorBy::error), by_other_than(ColorBy::error)});
+    colored_by("Colour by material", ColorBy::material);
+    a.back().group_begins = true;
+    colored_by("Colour by stretch", ColorBy::stretch);
+    colored_by("Colour by error", ColorBy::error);
     add_view_tolerances(a);
     a.push_back({"View",
                  "Keep this view",
@@ -147,6 +144,7 @@ void add_view_actions(std::vector<Action>& a)
                  [](Editor& e) { e.timing.open = !e.timing.open; },
                  {},
                  true});
+    a.back().on = [](const Editor& e) { return e.timing.open; };
 }
 
 void add_window_actions(std::vector<Action>& a)
@@ -157,6 +155,7 @@ void add_window_actions(std::vector<Action>& a)
                  [](Editor& e) { e.preferences.show_dock = !e.preferences.show_dock; },
                  {},
                  true});
+    a.back().on = [](const Editor& e) { return e.preferences.show_dock; };
     a.push_back({"View", "History", {}, [](Editor& e) { open_tab(e, Editor::Tab::history); }});
     a.push_back({"View", "Log", {}, [](Editor& e) { open_tab(e, Editor::Tab::log); }});
     a.push_back({"View", "Next panel", {{ui::key_f1 + 5}}, [](Editor& e) {
@@ -171,9 +170,11 @@ void add_window_actions(std::vector<Action>& a)
     a.push_back({"View", "Viewport only", {{.key = ui::key_space, .ctrl = true}}, [](Editor& e) {
                      e.only_view = !e.only_view;
                  }});
+    a.back().on = [](const Editor& e) { return e.only_view; };
     a.push_back({"View", "Full screen", {{ui::key_f1 + 10}}, [](Editor& e) {
                      e.full_screen = !e.full_screen;
                  }});
+    a.back().on = [](const Editor& e) { return e.full_screen; };
     const auto scaled = [](int direction) {
         return [direction](Editor& e) {
             double& scale = e.preferences.scale;

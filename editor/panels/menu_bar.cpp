@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/menu_letters.h"
 #include "editor/panels/panels.h"
-#include "editor/time_actions.h"
 
 #include <algorithm>
 #include <cctype>
@@ -178,13 +177,7 @@ void menus(Editor& editor, const ui::Theme& theme)
 
 void menu_item(Editor& editor, const Action& each)
 {
-    const bool on = (each.name == "Perspective" && editor.session.camera.perspective) ||
-                    (each.name == "Timing" && editor.timing.open) ||
-                    (each.name == "Side panels" && editor.preferences.show_dock) ||
-                    (each.name == "Viewport only" && editor.only_view) ||
-                    (each.name == "Full screen" && editor.full_screen) ||
-                    (each.name == loop_action && editor.preferences.loop) ||
-                    (each.name == timeline_action && editor.preferences.timeline_open);
+    const bool on = each.on && each.on(editor);
     if (ImGui::MenuItem(each.name.c_str(), key_text(each).c_str(), on, is_enabled(editor, each)))
         each.run(editor);
 }

@@ -141,8 +141,8 @@ ui::Edit draw_profile(const ui::Theme& theme, const ProfileRows& rows, Points& p
                                                at.width + theme.size.label);
         ui::tooltip({rows.label,
                      {},
-                     "Drag a point; Ctrl and click adds one or takes one away, Del takes the "
-                     "chosen one, a double click types."});
+                     "Drag a point. Ctrl click adds a point or removes one, Del removes the chosen "
+                     "point, a double click types its numbers."});
         if (drawn != ui::Edit::none) edit = drawn;
         ui::gap(theme, 8);
         if (chosen >= 0 && chosen < static_cast<int>(points.size())) {
