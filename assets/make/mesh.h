@@ -84,10 +84,15 @@ struct Clip {
     std::vector<Channel> channels;
 };
 
-// Joints along x that bend the root's mesh: a point between two goes with both.
-struct Spine {
-    std::vector<int> joints; // nodes
-    std::vector<float> x;    // of each, falling
+// Which joints a point of the root's mesh goes with, by their places in the skin's list.
+struct Influence {
+    std::array<std::uint8_t, 4> joints{};
+    vec4 weights{1, 0, 0, 0}; // sum 1
+};
+
+struct Skin {                // of the root's mesh
+    std::vector<int> joints; // nodes; none: no skin
+    std::function<Influence(vec3)> at = {};
 };
 
 struct Model {
@@ -95,7 +100,7 @@ struct Model {
     std::vector<Material> materials;
     std::vector<Node> nodes;
     std::vector<Clip> clips;
-    Spine spine = {};
+    Skin skin = {};
     std::vector<std::pair<std::string, std::string>> extras; // JSON values on the root node
 
     int material(const std::string& label, vec3 color, float rough = .7f, float metal = 0);

@@ -27,4 +27,14 @@ Bend reach(float x, float y, float l1, float l2, float side)
     return {std::atan2(y, x) + side * a, -side * (pi - k)};
 }
 
+Influence along_x(const std::vector<float>& x, vec3 p)
+{
+    std::size_t k = 0;
+    while (k + 1 < x.size() && x[k + 1] > p.x) ++k;
+    const bool between = k + 1 < x.size() && p.x < x[k];
+    const float t = between ? (x[k] - p.x) / (x[k] - x[k + 1]) : 0;
+    const float share = t * t * (3 - 2 * t);
+    return {{std::uint8_t(k), std::uint8_t(share > 0 ? k + 1 : 0)}, {1 - share, share, 0, 0}};
+}
+
 } // namespace make

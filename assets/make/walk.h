@@ -23,4 +23,7 @@ inline quat rotation(float angle, vec3 axis)
     return glm::angleAxis(angle, axis);
 }
 
+// Between two joints of a spine along x, which are at falling x, a point goes with both.
+Influence along_x(const std::vector<float>& x, vec3 p);
+
 } // namespace make

@@ -136,29 +136,7 @@ Split split(const Mesh& mesh)
     return out;
 }
 
-// Joints and weights of points along a spine.
-struct Skinning {
-    std::vector<std::array<std::uint8_t, 4>> joints;
-    std::vector<vec4> weights;
-};
-
-Skinning skinning(const Spine& spine, const std::vector<vec3>& points)
-{
-    Skinning out;
-    const std::vector<float>& x = spine.x;
-    for (const vec3& p : points) {
-        std::size_t k = 0;
-        while (k + 1 < x.size() && x[k + 1] > p.x) ++k;
-        const bool between = k + 1 < x.size() && p.x < x[k];
-        const float t = between ? (x[k] - p.x) / (x[k] - x[k + 1]) : 0;
-        const float share = t * t * (3 - 2 * t);
-        out.joints.push_back({std::uint8_t(k), std::uint8_t(share > 0 ? k + 1 : 0), 0, 0});
-        out.weights.emplace_back(1 - share, share, 0, 0);
-    }
-    return out;
-}
-
-std::string primitive(const Mesh& mesh, const Spine& spine, Buffer& buffer)
+std::string primitive(const Mesh& mesh, const Skin& skin, Buffer& buffer)
 {
     const Split s = split(mesh);
     vec3 lo(1e9f), hi(-1e9f);
@@ -178,10 +156,16 @@ std::string primitive(const Mesh& mesh, const Spine& spine, Buffer& buffer)
         attribute("COLOR_0",
                   buffer.add(s.colors, unsigned_byte, "VEC4", vertices, ",\"normalized\":true"));
     }
-    if (!spine.joints.empty()) {
-        const Skinning skin = skinning(spine, s.positions);
-        attribute("JOINTS_0", buffer.add(skin.joints, unsigned_byte, "VEC4", vertices));
-        attribute("WEIGHTS_0", buffer.add(skin.weights, real, "VEC4", vertices));
+    if (!skin.joints.empty()) {
+        std::vector<std::array<std::uint8_t, 4>> joints;
+        std::vector<vec4> weights;
+        for (const vec3& p : s.positions) {
+            const Influence influence = skin.at(p);
+            joints.push_back(influence.joints);
+            weights.push_back(influence.weights);
+        }
+        attribute("JOINTS_0", buffer.add(joints, unsigned_byte, "VEC4", vertices));
+        attribute("WEIGHTS_0", buffer.add(weights, real, "VEC4", vertices));
     }
     int triangles = 0;
     if (s.positions.size() < 65535) {
@@ -194,12 +178,12 @@ std::string primitive(const Mesh& mesh, const Spine& spine, Buffer& buffer)
            ",\"material\":" + std::to_string(mesh.material) + "}";
 }
 
-std::string mesh_json(const Node& node, const Spine& spine, Buffer& buffer)
+std::string mesh_json(const Node& node, const Skin& skin, Buffer& buffer)
 {
     std::map<int, Mesh> by_material;
     for (const Mesh& part : node.parts) by_material[part.material].add(part).mat(part.material);
     List primitives;
-    for (const auto& [material, mesh] : by_material) primitives.add(primitive(mesh, spine, buffer));
+    for (const auto& [material, mesh] : by_material) primitives.add(primitive(mesh, skin, buffer));
     return "{\"name\":\"" + node.name + "\",\"primitives\":[" + primitives.text + "]}";
 }
 
@@ -223,7 +207,7 @@ std::string node_json(const Model& model, int index, int mesh)
         text += ",\"rotation\":" + array({n.rotation.x, n.rotation.y, n.rotation.z, n.rotation.w});
     }
     if (mesh >= 0) text += ",\"mesh\":" + std::to_string(mesh);
-    if (index == 0 && !model.spine.joints.empty()) text += ",\"skin\":0";
+    if (index == 0 && !model.skin.joints.empty()) text += ",\"skin\":0";
     if (const std::string kids = children(model, index); !kids.empty()) {
         text += ",\"children\":[" + kids + "]";
     }
@@ -240,7 +224,7 @@ std::string skin_json(const Model& model, Buffer& buffer)
     const std::vector<mat4> to_world = world_matrices(model);
     List joints;
     std::vector<mat4> matrices;
-    for (const int joint : model.spine.joints) {
+    for (const int joint : model.skin.joints) {
         joints.add(std::to_string(joint));
         matrices.push_back(glm::inverse(to_world[std::size_t(joint)]));
     }
@@ -313,11 +297,11 @@ void write_glb(const Model& model, const std::string& path)
         const Node& node = model.nodes[i];
         const int mesh = node.parts.empty()
                              ? -1
-                             : meshes.add(mesh_json(node, i == 0 ? model.spine : Spine{}, buffer));
+                             : meshes.add(mesh_json(node, i == 0 ? model.skin : Skin{}, buffer));
         nodes.add(node_json(model, int(i), mesh));
     }
     for (const Material& m : model.materials) materials.add(material_json(m, images, buffer));
-    const std::string skin = model.spine.joints.empty() ? "" : skin_json(model, buffer);
+    const std::string skin = model.skin.joints.empty() ? "" : skin_json(model, buffer);
     for (const Clip& c : model.clips) clips.add(clip_json(c, buffer));
 
     std::string json = "{\"asset\":{\"version\":\"2.0\",\"generator\":\"trivar-make\"},\"scene\":0,"

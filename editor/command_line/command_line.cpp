@@ -89,7 +89,8 @@ CLI::App* add_render(CLI::App& app, RenderOptions& o)
         "Examples:\n"
         "  trivar render ants.trivar --frames 1:240 --out ants/ants.####.png --video ants.mp4\n"
         "  trivar render ants.trivar --frames 1:240 --out ants/ants.####.exr --shard 2/4\n"
-        "  trivar render ants.trivar --frames 1:240 --out ants/ants.####.png --resume\n\n"
+        "  trivar render ants.trivar --frames 1:240 --out ants/ants.####.png --resume\n"
+        "  trivar render ants.trivar --frames 1:240 --sheet 3x2 --size 480x270 --out ants.png\n\n"
         "Ctrl C ends it after the frame at hand, with status 130.");
     add_scene(*render, o.scene);
     render->add_option("--frames", o.frames, "from A to B, every Sth")
@@ -113,6 +114,11 @@ CLI::App* add_render(CLI::App& app, RenderOptions& o)
         ->add_option("--video", o.video,
                      "make a .mp4, .mov or .mkv by ffmpeg when all frames are there")
         ->type_name("OUT.mp4");
+    render
+        ->add_option("--sheet", o.sheet,
+                     "so many of the frames, evenly, in rows and columns of one picture, OUT")
+        ->type_name("COLUMNSxROWS")
+        ->excludes("--depth", "--shard", "--resume", "--video");
     add_threads(*render, o.threads);
     return render;
 }

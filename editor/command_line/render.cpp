@@ -4,8 +4,10 @@
 #include "core/base/digest.h"
 #include "core/base/parallel.h"
 #include "core/document/parameters.h"
+#include "core/files/image.h"
 #include "core/files/read_model.h"
 #include "editor/command_line/interrupts.h"
+#include "editor/contact_sheet.h"
 #include "editor/sequence.h"
 #include "editor/video.h"
 
@@ -43,6 +45,7 @@ std::string settings_of(const RenderOptions& options, const Document& document,
 Sequence sequence_of(const RenderOptions& options)
 {
     Sequence out;
+    if (!options.sheet.empty()) return out; // one picture
     out.names = frame_names(options.out);
     out.size_px = picture_size(options.drawing.size);
     out.depth = options.depth.value_or(8);
@@ -62,6 +65,11 @@ public:
           assets_(asset_store(options.scene)),
           evaluator_(assets_)
     {
+        if (!options.sheet.empty()) {
+            const glm::ivec2 grid = sheet_grid(options.sheet);
+            check_picture_name(options.out);
+            share_ = evenly_chosen(frames_, grid.x * grid.y);
+        }
         const std::string text = log_text(options.scene);
         const Log log = scene_log(text, options.scene.path, streams);
         History history;
@@ -69,6 +77,7 @@ public:
         document_ = history.document();
         check_relinked(options.scene, document_);
         check_frames(frames_, document_.time);
+        if (!options.sheet.empty()) return;
         sequence_.log = digest_of_log(text);
         sequence_.settings = settings_of(options, document_, *assets_);
         make_folder(sequence_.names);
@@ -78,12 +87,7 @@ public:
     {
         Interrupts interrupts; // before there are threads, so that they know of them too
         Drawing drawing(options_.drawing, streams_);
-        // Where no view is kept it is one for all of them: that of the first frame.
-        const int first = document_.time.first_frame;
-        const Document at_first = document_at(document_, first);
-        const Camera all_in_view = drawing.camera(evaluated_at(first), at_first);
-        const bool kept =
-            !options_.drawing.camera.empty() || at_first.bookmarks.contains("picture");
+        const std::optional<Camera> fixed = camera_of_all(drawing);
         const auto start = std::chrono::steady_clock::now();
         int done = 0, drawn = 0;
         for (const int frame : share_) {
@@ -91,11 +95,7 @@ public:
                 const std::chrono::duration<double> passed =
                     std::chrono::steady_clock::now() - start;
                 tell(done, drawn, passed.count());
-                const Document now = document_at(document_, frame);
-                const Evaluated evaluated = evaluated_at(frame);
-                const Camera camera = kept ? drawing.camera(evaluated, now) : all_in_view;
-                const Still& still = drawing.draw(evaluated, now, camera, sequence_.deep());
-                sequence_.writer(frame, still)();
+                sequence_.writer(frame, drawn_frame(drawing, frame, fixed))();
                 ++drawn;
             }
             ++done;
@@ -111,6 +111,16 @@ public:
         streams_.talk << fmt::format("trivar: {} frame{}, {} drawn\n", share_.size(),
                                      share_.size() == 1 ? "" : "s", drawn);
         return Status::done;
+    }
+
+    void write_sheet()
+    {
+        Drawing drawing(options_.drawing, streams_);
+        const std::optional<Camera> fixed = camera_of_all(drawing);
+        std::vector<Image> pictures;
+        for (const int frame : share_)
+            pictures.push_back(drawn_frame(drawing, frame, fixed).image());
+        write_image(contact_sheet(pictures, sheet_grid(options_.sheet).x), options_.out);
     }
 
     void write_video() const
@@ -132,6 +142,21 @@ public:
     }
 
 private:
+    // Where no view is kept it is one for all of them: that of the first frame.
+    std::optional<Camera> camera_of_all(const Drawing& drawing)
+    {
+        const int first = document_.time.first_frame;
+        const Document at_first = document_at(document_, first);
+        if (!options_.drawing.camera.empty() || at_first.bookmarks.contains("picture")) return {};
+        return drawing.camera(evaluated_at(first), at_first);
+    }
+    const Still& drawn_frame(Drawing& drawing, int frame, const std::optional<Camera>& fixed)
+    {
+        const Document now = document_at(document_, frame);
+        const Evaluated evaluated = evaluated_at(frame);
+        const Camera camera = fixed ? *fixed : drawing.camera(evaluated, now);
+        return drawing.draw(evaluated, now, camera, sequence_.deep());
+    }
     Evaluated evaluated_at(int frame)
     {
         Evaluated out = evaluator_(document_, frame);
@@ -174,6 +199,10 @@ Status run_render(const RenderOptions& options, const Streams& streams)
     std::optional<ThreadLimit> limit;
     if (options.threads > 0) limit.emplace(options.threads);
     Rendering rendering(options, streams);
+    if (!options.sheet.empty()) {
+        rendering.write_sheet();
+        return Status::done;
+    }
     const Status status = rendering.run();
     if (status == Status::done && !options.video.empty()) rendering.write_video();
     return status;

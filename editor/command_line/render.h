@@ -15,6 +15,7 @@ struct RenderOptions {
     std::optional<int> depth; // of a PNG, 8 or 16; 8
     bool resume = false;
     std::string video; // empty: none
+    std::string sheet; // empty: a picture a frame; else COLUMNSxROWS of them in one, `out`
     int threads = 0;   // 0: as many as there are
 };
 

@@ -66,7 +66,8 @@ INSTANTIATE_TEST_SUITE_P(Of, EveryScene,
                          testing::Values("first_placement", "snake_bridge", "crocodile_on_horse",
                                          "stacked", "f1_f2", "ants", "ants_moebius", "whales",
                                          "car", "variable_width", "cube_refined", "edges",
-                                         "crocodile_pressed", "pressing_tools", "fold_and_repair"),
+                                         "crocodile_pressed", "pressing_tools", "fold_and_repair",
+                                         "ants_terrain", "cars_over_obstacle", "text_teapot"),
                          [](const auto& scene) { return scene.param; });
 
 TEST(Stacked, PlacesSnakesOnWhatWasPlacedBefore)

@@ -3,7 +3,9 @@
 
 #include "core/base/text.h"
 #include "core/document/log.h"
+#include "core/document/parameters.h"
 #include "editor/captions.h"
+#include "editor/contact_sheet.h"
 #include "editor/picture.h"
 #include "gpu/context.h"
 #include "gpu/ffd/deform_timer.h"
@@ -52,7 +54,7 @@ Evaluator evaluator_here()
 Scene replayed(const std::string& name)
 {
     const Document document = document_of(name);
-    return {document, evaluator_here()(document)};
+    return {document_at(document, document.time.first_frame), evaluator_here()(document)};
 }
 
 std::vector<std::string> every_scene()
@@ -141,6 +143,35 @@ TEST_P(Gallery, IsPosedAndDeformedAlikeInEveryWay)
     EXPECT_GT(vertices, 0u);
 }
 
+class Motion : public ::testing::TestWithParam<std::string> {};
+
+// As trivar render --sheet 3x2 --size 480x270 draws it of all frames.
+TEST_P(Motion, ShowsTheSceneInSixOfItsFrames)
+{
+    constexpr glm::ivec2 size_px{480, 270};
+    const Document document = document_of(GetParam());
+    std::vector<int> frames;
+    for (int frame = document.time.first_frame; frame <= document.time.last_frame; ++frame)
+        frames.push_back(frame);
+    Evaluator evaluator = evaluator_here();
+    const gpu::HeadlessContext context;
+    gpu::Renderer renderer;
+    ShownValues values;
+    std::vector<Image> pictures;
+    for (const int frame : evenly_chosen(frames, 6)) {
+        const Document now = document_at(document, frame);
+        const Evaluated evaluated = evaluator(document, frame);
+        const Camera camera = picture_camera(evaluated, now, size_px);
+        pictures.push_back(renderer.render(picture_of(evaluated, now, camera, values), size_px));
+    }
+    EXPECT_TRUE(testing::matches_picture(contact_sheet(pictures, 3),
+                                         "docs/gallery/" + GetParam() + "_sheet.png"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Motion,
+                         ::testing::Values("ants_moebius", "ants_terrain", "cars_over_obstacle",
+                                           "text_teapot"),
+                         [](const auto& scene) { return scene.param; });
 INSTANTIATE_TEST_SUITE_P(Scenes, Gallery, ::testing::ValuesIn(every_scene()),
                          [](const auto& scene) { return scene.param; });
 

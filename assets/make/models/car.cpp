@@ -9,10 +9,12 @@
 
 namespace make {
 
-Model car()
+namespace {
+
+Model painted(unsigned color)
 {
     Model m;
-    int paint = m.material("paint", srgb(0xc51f2b), .18f),
+    int paint = m.material("paint", srgb(color), .18f),
         glass = m.material("glass", srgb(0x141b22), .05f),
         trim = m.material("trim", srgb(0x1d1e20), .6f),
         rim = m.material("rim", srgb(0xb9bec4), .25f, .7f),
@@ -253,6 +255,23 @@ Model car()
     }
     m.extras = {{"wheel_radius", std::to_string(R)}};
     return m;
+}
+
+} // namespace
+
+Model car()
+{
+    return painted(0xc51f2b);
+}
+
+Model car_blue()
+{
+    return painted(0x2c5d99);
+}
+
+Model car_cream()
+{
+    return painted(0xe3d9bd);
 }
 
 } // namespace make

@@ -16,6 +16,8 @@ std::vector<Entry> catalogue()
             {"head", head},
             {"mask", mask},
             {"car", car},
+            {"car_blue", car_blue},
+            {"car_cream", car_cream},
             {"bulldozer", bulldozer},
             {"tree", tree},
             {"trunk", trunk},

@@ -27,6 +27,8 @@ Model robot();
 Model head();
 Model mask();
 Model car();
+Model car_blue();
+Model car_cream();
 Model bulldozer();
 Model tree();
 Model trunk();

@@ -2,6 +2,7 @@
 #include "assets/make/models/models.h"
 
 #include "assets/make/kit.h"
+#include "assets/make/models/reptile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -111,9 +112,13 @@ Model reptile()
             vec3 p = b.points[b.faces[i][k]];
             b.uvs[i][k] = {p.x, p.z / .5f + .5f};
         }
+    const auto stand = [](vec3 p) { // off its belly, on its feet
+        return p + vec3(0, reptile_rise * smooth_step(.150f, .075f, std::abs(p.z)), 0);
+    };
     auto& P = m.root().parts;
-    P.push_back(b.mat(skin));
-    both(P, ball_mesh(.0092f, 6).move({.905f, .0565f, .0425f}).mat(eye));
+    P.push_back(b.warp(stand).mat(skin));
+    both(P, ball_mesh(.0092f, 6).move({.905f, .0565f, .0425f}).warp(stand).mat(eye));
+    crawl(m, fore, hind);
     return m;
 }
 

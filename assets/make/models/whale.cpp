@@ -2,6 +2,7 @@
 #include "assets/make/models/models.h"
 
 #include "assets/make/kit.h"
+#include "assets/make/walk.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,14 +20,14 @@ void swim(Model& m)
     for (std::size_t k = 0; k < x.size(); ++k) {
         const vec3 at = k == 0 ? vec3(x[0], height, 0) : vec3(x[k] - x[k - 1], 0, 0);
         parent = m.node("spine_" + std::to_string(k), parent, at);
-        m.spine.joints.push_back(parent);
+        m.skin.joints.push_back(parent);
     }
-    m.spine.x = x;
+    m.skin.at = [x](vec3 p) { return along_x(x, p); };
     Clip c;
     c.name = "swim";
     constexpr int keys = 24;
     constexpr float seconds = 1.6f;
-    for (const int joint : m.spine.joints) c.channels.push_back({joint, {}, {}});
+    for (const int joint : m.skin.joints) c.channels.push_back({joint, {}, {}});
     for (int key = 0; key <= keys; ++key) {
         const float u = float(key) / keys;
         c.times_s.push_back(seconds * u);
