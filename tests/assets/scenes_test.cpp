@@ -67,7 +67,8 @@ INSTANTIATE_TEST_SUITE_P(Of, EveryScene,
                                          "stacked", "f1_f2", "ants", "ants_moebius", "whales",
                                          "car", "variable_width", "cube_refined", "edges",
                                          "crocodile_pressed", "pressing_tools", "fold_and_repair",
-                                         "ants_terrain", "cars_over_obstacle", "text_teapot"),
+                                         "ants_terrain", "cars_over_obstacle", "text_teapot",
+                                         "bulldozer_parks", "reptiles"),
                          [](const auto& scene) { return scene.param; });
 
 TEST(Stacked, PlacesSnakesOnWhatWasPlacedBefore)

@@ -32,11 +32,14 @@ Model bulldozer()
     auto rod = [](vec3 a, vec3 b, float r) {
         return tube({vec4(a, r), vec4(glm::mix(a, b, .5f), r), vec4(b, r)}, 16, false, 1);
     };
-    // tracks
+    // tracks: their pads go round once in the clip "drive", and the blade nods
+    constexpr int pads = 38, keys = 2 * pads;
+    Clip drive;
+    drive.name = "drive";
+    for (int key = 0; key <= keys; ++key) drive.times_s.push_back(2 * float(key) / keys);
     const float x0 = .215f, x1 = .665f, yc = .112f, r = .092f;
     for (int s : {1, -1}) {
         int n = m.node(s > 0 ? "track_l" : "track_r", root, {0, 0, s * .190f});
-        auto& P = m.nodes[n].parts;
         float straight = x1 - x0, len = 2 * straight + 2 * pi * r;
         auto at = [&](float u, float& a) {
             u = std::fmod(u, len);
@@ -58,15 +61,24 @@ Model bulldozer()
             a = pi - u / r;
             return vec2(x0 - r * std::sin(u / r), yc - r * std::cos(u / r));
         };
-        const int N = 38;
-        for (int i = 0; i < N; i++) {
-            float a;
-            vec2 c = at(len * i / N, a);
-            Mesh pad = bevel_box({len / N * .47f, .0065f, .062f}, .0025f, 1, {1, 1, 3});
-            pad.add(
+        for (int i = 0; i < pads; i++) {
+            const int pad = m.node("pad_" + std::to_string(i) + (s > 0 ? "_l" : "_r"), n);
+            Channel moves{pad, {}, {}}, turns{pad, {}, {}};
+            for (int key = 0; key <= keys; ++key) {
+                float a;
+                const vec2 c = at(len * (float(i) / pads + float(key) / keys), a);
+                moves.translations.push_back({c.x, c.y, 0});
+                turns.rotations.push_back(glm::angleAxis(a, vec3(0, 0, 1)));
+            }
+            m.nodes[pad].translation = moves.translations[0];
+            m.nodes[pad].rotation = turns.rotations[0];
+            drive.channels.insert(drive.channels.end(), {moves, turns});
+            Mesh plate = bevel_box({len / pads * .47f, .0065f, .062f}, .0025f, 1, {1, 1, 3});
+            plate.add(
                 bevel_box({.0042f, .008f, .062f}, .002f, 1, {1, 1, 3}).move({-.008f, .010f, 0}));
-            P.push_back(pad.turn(glm::degrees(a), {0, 0, 1}).move({c.x, c.y, 0}).mat(track));
+            m.nodes[pad].parts.push_back(plate.mat(track));
         }
+        auto& P = m.nodes[n].parts;
         Mesh belt;
         const int K = 84;
         for (int i = 0; i < K; i++) {
@@ -255,6 +267,12 @@ Model bulldozer()
     both(B, rod({.715f, .335f, .118f}, {.80f, .285f, .120f}, .0165f).mat(yellow));
     both(B, rod({.78f, .297f, .120f}, {.862f, .248f, .121f}, .009f).mat(grey));
     both(B, bevel_box({.028f, .030f, .016f}, .008f).move({.705f, .335f, .104f}).mat(dark));
+    Channel nod{bl, {}, {}};
+    for (int key = 0; key <= keys; ++key)
+        nod.rotations.push_back(
+            glm::angleAxis(.06f * (1 - std::cos(2 * pi * float(key) / keys)), vec3(0, 0, 1)));
+    drive.channels.push_back(nod);
+    m.clips.push_back(drive);
     m.extras = {{"track_length", std::to_string(2 * (x1 - x0) + 2 * pi * r)}};
     return m;
 }
