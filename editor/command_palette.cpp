@@ -203,7 +203,7 @@ std::vector<PaletteEntry> palette_preferences(const Editor& editor)
         [](Preferences& q) { q.mouse.zoom_to_cursor = !q.mouse.zoom_to_cursor; });
     add("Reversed zoom", p.mouse.reversed_zoom,
         [](Preferences& q) { q.mouse.reversed_zoom = !q.mouse.reversed_zoom; });
-    for (int page = 0; page < Editor::PreferencesDialog::page_count; ++page)
+    for (int page = 0; page < PreferencesDialog::page_count; ++page)
         entries.push_back(
             {preferences_page_name(page), "page", ui::icon::settings, {}, {}, [page](Editor& e) {
                  e.preferences_dialog = {};

@@ -96,6 +96,7 @@ void paint_focus(const Editor& editor, const ui::Theme& theme, const Layout& lay
 
 Editor::Editor(std::function<void()> wake, std::string unnamed_folder)
     : session(wake, std::move(unnamed_folder)),
+      recording(wake, session.notices),
       stored_pictures(wake)
 {
     actions = all_actions(*this);
@@ -105,6 +106,7 @@ void Editor::lose_context()
 {
     viewport.forget_gpu();
     picture_to_file.forget_gpu();
+    recording.forget_gpu();
     stored_pictures.forget_gpu();
     session.notices.say(ui::NoticeKind::warning, "The graphics card was reset",
                         "The picture is drawn anew. Nothing of the scene is lost.");
@@ -178,6 +180,7 @@ void draw_editor(Editor& editor, ui::Frame& frame)
     editor.files.draw(theme);
     draw_manual(editor, theme);
     draw_preferences(editor, theme);
+    draw_record_dialog(editor, theme);
     draw_command_palette(editor, theme);
     // Panels drawn before the change still show what was there.
     if (editor.session.change() != change || editor.outliner.scrolling) frame.again_in(0);

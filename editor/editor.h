@@ -13,7 +13,9 @@
 #include "editor/picture_to_file.h"
 #include "editor/playback.h"
 #include "editor/preferences.h"
+#include "editor/preferences_dialog.h"
 #include "editor/recent_scenes.h"
+#include "editor/record_plan.h"
 #include "editor/stored_pictures.h"
 #include "editor/tools/tool.h"
 #include "editor/tutorial.h"
@@ -46,6 +48,8 @@ struct Editor {
     bool only_view = false, full_screen = false;
     Shading shading;
     PictureToFile picture_to_file;
+    Recording recording;
+    RecordDialog record_dialog;
     ui::TimingView timing;
     enum class Tab { inspector, history, log } tab = Tab::inspector;
     OutlinerState outliner;
@@ -96,31 +100,7 @@ struct Editor {
     Tutorial tutorial;
     LentTool lent_tool;
     HeldSpace held_space;
-    struct PreferencesDialog {
-        enum Page { // in the order of their names
-            of_general,
-            of_interface,
-            of_viewport,
-            of_mouse,
-            of_keys,
-            of_files,
-            of_performance,
-            of_accessibility,
-            of_about,
-            page_count
-        };
-        bool open = false;
-        int page = of_general;
-        std::string filter;                   // of the key map
-        std::string asking;                   // the action whose new key is waited for
-        std::string given;                    // the action that got one last ...
-        std::vector<std::string> losers;      // ... and those that lost it
-        bool show_asking = false;             // scroll to it
-        bool resetting = false;               // the rows of the page, as they are drawn next
-        bool seeking = false;                 // a key is waited for, to show whose it is
-        std::optional<ui::Chord> sought;      // that key
-        std::optional<std::size_t> discarded; // scenes; counted when they are first shown
-    } preferences_dialog;
+    PreferencesDialog preferences_dialog;
     std::string preferences_path; // of the file they are kept in; empty: in memory
     CommandPalette palette;
     CommandField command_field;

@@ -67,6 +67,11 @@ void add_file_actions(std::vector<Action>& a)
                  [](Editor& e) { e.files.ask_export(); },
                  something_there()});
     a.push_back({"File", "Render picture", {{ui::key_f1 + 11}}, render_picture, something_there()});
+    a.push_back({"File",
+                 record_action,
+                 {{.key = ui::key_f1 + 11, .ctrl = true}},
+                 [](Editor& e) { ask_record(e); },
+                 something_there()});
     a.push_back({"File", "Quit", {ctrl('Q')}, [](Editor& e) { e.files.ask_close(); }, {}, true});
 }
 

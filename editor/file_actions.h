@@ -6,6 +6,9 @@
 namespace trivar {
 
 // Scenes and models in and out.
+inline constexpr const char* record_action = "Record...";
+// The dialog that begins a recording; while one runs, shows or hides how far it is.
+void ask_record(Editor& editor);
 void add_file_actions(std::vector<Action>& actions);
 
 } // namespace trivar

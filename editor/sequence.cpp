@@ -5,6 +5,7 @@
 #include "core/base/rejected.h"
 #include "core/files/file_bytes.h"
 #include "core/files/image.h"
+#include "core/files/read_model.h"
 
 #include <algorithm>
 #include <charconv>
@@ -12,6 +13,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
+#include <map>
+#include <variant>
 
 namespace trivar {
 namespace {
@@ -139,6 +142,22 @@ std::function<void()> Sequence::writer(int frame, const Still& still) const
     };
     if (deep()) return [write, image = make_ref(still.deep_image())] { write(*image); };
     return [write, image = make_ref(still.image())] { write(*image); };
+}
+
+std::string sequence_settings(std::string drawn, const Document& document, const AssetStore& assets)
+{
+    std::map<std::string, std::string> hashes; // of contents, by name in the scene
+    for (const auto& [id, object] : document.objects)
+        if (const auto* file = std::get_if<ImportedFile>(&object->source))
+            if (!hashes.contains(file->path))
+                hashes[file->path] = file_hash(assets.resolve(file->path));
+    if (hashes.empty()) return drawn;
+    Digest digest;
+    for (const auto& [name, hash] : hashes) {
+        digest.add_text(name);
+        digest.add_text(hash);
+    }
+    return drawn + " files=" + digest.hex();
 }
 
 std::string digest_of_log(std::string_view text)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/document/asset_store.h"
 #include "editor/still.h"
 
 #include <functional>
@@ -43,6 +44,10 @@ struct Sequence {
     // It throws Rejected.
     std::function<void()> writer(int frame, const Still& still) const;
 };
+// What else than the log decides what its pictures show: words of who draws it, and the files that
+// the scene uses, which it reads. Throws Rejected where one is missing.
+std::string sequence_settings(std::string drawn, const Document& document,
+                              const AssetStore& assets);
 std::string digest_of_log(std::string_view text);
 
 // The folder of the pictures, made if only the last part of its name is missing. Throws Rejected.

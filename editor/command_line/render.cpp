@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/command_line/render.h"
 
-#include "core/base/digest.h"
 #include "core/base/parallel.h"
 #include "core/document/parameters.h"
 #include "core/files/image.h"
-#include "core/files/read_model.h"
 #include "editor/command_line/interrupts.h"
 #include "editor/contact_sheet.h"
 #include "editor/sequence.h"
@@ -14,32 +12,17 @@
 #include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
-#include <map>
-#include <variant>
 
 namespace trivar {
 namespace {
 
-// What else than the log decides what the pictures show. A file that is missing would leave a hole
-// in all of them, so it is refused rather than said.
-std::string settings_of(const RenderOptions& options, const Document& document,
-                        const AssetStore& assets)
+// How the pictures are drawn, as far as that is asked for.
+std::string words_of(const DrawingOptions& drawing)
 {
-    std::string out = "quality=" + options.drawing.quality;
-    if (!options.drawing.camera.empty()) out += " camera=" + options.drawing.camera;
-    if (options.drawing.deform != "processor") out += " deform=" + options.drawing.deform;
-    std::map<std::string, std::string> hashes; // of contents, by name in the scene
-    for (const auto& [id, object] : document.objects)
-        if (const auto* file = std::get_if<ImportedFile>(&object->source))
-            if (!hashes.contains(file->path))
-                hashes[file->path] = file_hash(assets.resolve(file->path));
-    if (hashes.empty()) return out;
-    Digest digest;
-    for (const auto& [name, hash] : hashes) {
-        digest.add_text(name);
-        digest.add_text(hash);
-    }
-    return out + " files=" + digest.hex();
+    std::string out = "quality=" + drawing.quality;
+    if (!drawing.camera.empty()) out += " camera=" + drawing.camera;
+    if (drawing.deform != "processor") out += " deform=" + drawing.deform;
+    return out;
 }
 
 Sequence sequence_of(const RenderOptions& options)
@@ -79,7 +62,7 @@ public:
         check_frames(frames_, document_.time);
         if (!options.sheet.empty()) return;
         sequence_.log = digest_of_log(text);
-        sequence_.settings = settings_of(options, document_, *assets_);
+        sequence_.settings = sequence_settings(words_of(options.drawing), document_, *assets_);
         make_folder(sequence_.names);
     }
 

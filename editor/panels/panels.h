@@ -43,6 +43,8 @@ void show_manual(Editor& editor, const std::string& page, std::size_t block = 0)
 void draw_command_palette(Editor& editor, const ui::Theme& theme);
 void draw_filling(Editor& editor, const ui::Theme& theme); // of a command's values, in its place
 void draw_preferences(Editor& editor, const ui::Theme& theme);
+void draw_record_dialog(Editor& editor, const ui::Theme& theme);
+void draw_record_button(Editor& editor, const ui::Theme& theme, glm::vec2 at);
 // The lines between the panels; before the panels, so that they lie over them.
 void drag_splitters(Editor& editor, ui::Frame& frame, const Layout& layout);
 
@@ -59,6 +61,9 @@ void draw_welcome(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
 void draw_adjustment(Editor& editor, const ui::Theme& theme, const FootCards& foot);
 std::optional<ui::Rect> draw_hint_card(Editor& editor, const ui::Theme& theme,
                                        const ui::Rect& view);
+// Of the recording that runs: how far it is, and its last frame.
+std::optional<ui::Rect> draw_recording(Editor& editor, const ui::Theme& theme,
+                                       const FootCards& foot);
 ui::Rect draw_tutorial(Editor& editor, ui::Frame& frame, const ui::Rect& view);
 
 // A picture of a file, cut to the shape of its place; the place alone till it has been read.

@@ -17,7 +17,7 @@ struct PageOf {
     const char* name;
     void (*draw)(Editor&, const ui::Theme&, const ui::Rect&); // none: the key map, which scrolls
 };
-constexpr std::array<PageOf, Editor::PreferencesDialog::page_count> pages{{
+constexpr std::array<PageOf, PreferencesDialog::page_count> pages{{
     {"General", draw_general_page},
     {"Interface", draw_interface_page},
     {"Viewport", draw_viewport_page},

@@ -92,7 +92,7 @@ void draw_top_bar(Editor& editor, const ui::Theme& theme, const Layout& layout)
     const State state = state_of(editor, c);
     const glm::vec2 square(theme.size.icon_button);
     const float buttons =
-        search_button(editor, theme, r) - theme.px(16) - 2 * square.x - theme.px(4);
+        search_button(editor, theme, r) - theme.px(24) - 3 * square.x - theme.px(4);
     const float left = menus_end + theme.px(16);
     const float words = ui::text_width(theme.font.small, state.words);
     const float room = buttons - left - words - theme.px(28);
@@ -117,6 +117,7 @@ void draw_top_bar(Editor& editor, const ui::Theme& theme, const Layout& layout)
             each.run(editor);
         at += square.x + theme.px(4);
     }
+    draw_record_button(editor, theme, {at + theme.px(4), r.lo.y + theme.px(8)});
     ImGui::End();
 }
 

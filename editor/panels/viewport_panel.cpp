@@ -247,6 +247,8 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
         draw_welcome(editor, theme, view);
     else
         foot.add(draw_hint_card(editor, theme, view));
+    editor.recording.advance(frame, editor.viewport.shaders());
+    foot.add(draw_recording(editor, theme, foot));
     foot.add(progress(editor, frame, foot));
     foot.add(draw_legend(session.document(), theme, foot));
     draw_adjustment(editor, theme, foot);

@@ -122,12 +122,15 @@ TEST_P(EveryPanel, IsDrawnAndCutsNoText)
     leave_filling(rig.editor);
     rig.editor.palette.open = false;
     look(rig, "palette closed");
-    for (int page = 0; page < Editor::PreferencesDialog::page_count; ++page) {
+    for (int page = 0; page < PreferencesDialog::page_count; ++page) {
         rig.editor.preferences_dialog.open = true;
         rig.editor.preferences_dialog.page = page;
         look(rig, "preferences, page " + std::to_string(page));
     }
     rig.editor.preferences_dialog.open = false;
+    rig.editor.record_dialog.open = true;
+    look(rig, "record");
+    rig.editor.record_dialog.open = false;
     show_manual(rig.editor, "place");
     look(rig, "help");
 }

@@ -87,7 +87,7 @@ TEST(PreferencesPages, OpenByTheirNamesInThePalette)
         EXPECT_TRUE(rig.editor.preferences_dialog.open);
         EXPECT_EQ(preferences_page_name(rig.editor.preferences_dialog.page), each.name);
     }
-    EXPECT_EQ(rig.editor.preferences_dialog.page, Editor::PreferencesDialog::of_about);
+    EXPECT_EQ(rig.editor.preferences_dialog.page, PreferencesDialog::of_about);
 }
 
 TEST(PreferencesPages, AreGoneThroughByTheArrows)
