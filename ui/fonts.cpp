@@ -89,17 +89,20 @@ Fonts load_fonts(float scale)
     const std::string medium = font_file("Inter", FC_WEIGHT_MEDIUM);
     const std::string strong = font_file("Inter", FC_WEIGHT_DEMIBOLD);
     const std::string mono = font_file("DejaVu Sans Mono", FC_WEIGHT_REGULAR);
+    const std::string others = font_file("DejaVu Sans", FC_WEIGHT_REGULAR);
     const std::string icons = font_file("FontAwesome", FC_WEIGHT_REGULAR);
     std::string missing;
     if (regular.empty() || medium.empty() || strong.empty()) missing += ", Inter (fonts-inter)";
-    if (mono.empty()) missing += ", DejaVu Sans Mono (fonts-dejavu-core)";
+    if (mono.empty() || others.empty()) missing += ", DejaVu Sans and Mono (fonts-dejavu-core)";
     if (icons.empty()) missing += ", FontAwesome 4.7 (fonts-font-awesome)";
     if (!missing.empty()) throw Rejected("These fonts are not installed:" + missing.substr(1));
 
-    // Latin, Greek (kappa, epsilon), punctuation, arrows, mathematics, geometric shapes.
-    static const ImWchar letters[] = {0x20,   0x17F,  0x391,  0x3C9,  0x2010, 0x2044,
+    // Latin, Greek, Cyrillic, punctuation, arrows, mathematics, geometric shapes.
+    static const ImWchar letters[] = {0x20,   0x17F,  0x370,  0x52F,  0x2010, 0x2044,
                                       0x2070, 0x209F, 0x2190, 0x21FF, 0x2200, 0x22FF,
                                       0x2300, 0x23FF, 0x25A0, 0x25FF, 0};
+    // Hebrew and Arabic, which Inter lacks, for what people write themselves.
+    static const ImWchar right_to_left[] = {0x590, 0x6FF, 0};
     static const ImWchar pictures[] = {0xF000, 0xF2E0, 0};
 
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
@@ -126,10 +129,19 @@ Fonts load_fonts(float scale)
         }
         return font;
     };
+    // To the font that was added last.
+    const auto add_right_to_left = [&](float line) {
+        ImFontConfig merge;
+        merge.MergeMode = true;
+        merge.FontBuilderFlags = hinting;
+        atlas.AddFontFromFileTTF(others.c_str(), std::round(line * scale), &merge, right_to_left);
+    };
     Fonts f{};
     f.body = add(regular, 16, 14);
+    add_right_to_left(16);
     f.strong = add(strong, 16, 14);
     f.small = add(medium, 14, 12);
+    add_right_to_left(14);
     f.small_strong = add(strong, 14, 12);
     f.title = add(strong, 20, 16);
     f.display = add(strong, 32, 0);

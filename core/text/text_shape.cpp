@@ -94,7 +94,8 @@ std::string lacking(const std::u32string& letters, const std::string& title)
     constexpr std::size_t named = 6;
     std::string list;
     for (std::size_t i = 0; i < std::min(named, letters.size()); ++i)
-        list += (i > 0 ? " " : "") + utf8_of(letters[i]);
+        list += fmt::format("{}{} (U+{:04X})", i > 0 ? ", " : "", utf8_of(letters[i]),
+                            static_cast<std::uint32_t>(letters[i]));
     if (letters.size() > named) list += " ...";
     return fmt::format(
         "{} lacks {} of the text: {}; a box stands for each", title,

@@ -103,6 +103,7 @@ int Triangulation::split(int triangle, const glm::ivec2& p)
 
 Triangulation::Side Triangulation::twin(Side s) const
 {
+    assert(s.triangle >= 0);
     const Triangle& t = triangles_[at(s.triangle)];
     const int other = t.n[at(s.side)];
     if (other < 0) return {-1, 0};
@@ -210,12 +211,16 @@ int Triangulation::insert(const glm::ivec2& p)
 Triangulation::Side Triangulation::find(int a, int b) const
 {
     const int first = triangle_at_[at(a)];
-    int t = first;
-    do {
-        const int slot = slot_of(triangles_[at(t)].v, a);
-        if (triangles_[at(t)].v[at(after(slot))] == b) return {t, before(slot)};
-        t = turn_round(a, t);
-    } while (t >= 0 && t != first);
+    for (const bool left :
+         {true, false}) { // both ways, for a corner of the frame has no full round
+        int t = first;
+        do {
+            const int slot = slot_of(triangles_[at(t)].v, a);
+            if (triangles_[at(t)].v[at(after(slot))] == b) return {t, before(slot)};
+            t = triangles_[at(t)].n[at(left ? after(slot) : before(slot))];
+        } while (t >= 0 && t != first);
+        if (t == first) break;
+    }
     return {-1, 0};
 }
 

@@ -91,6 +91,9 @@ std::vector<Hint> hints_here(Editor& editor, const Layout& layout)
     if (ImGui::GetTopMostPopupModal()) return {}; // a dialog says its own
     if (editor.timeline.hovered) return timeline_hints(editor.preferences.timeline_open);
     const ImGuiIO& io = ImGui::GetIO();
+    if (const ImGuiInputTextState* typed = ImGui::GetInputTextState(ImGui::GetActiveID());
+        typed && !typed->Stb.single_line)
+        return {{{"Enter"}, "New line"}, {{"Ctrl", "Enter"}, "Take it"}, {{"Esc"}, "Restore"}};
     if (io.WantTextInput)
         return {{{"Enter"}, "Take it"}, {{"Tab"}, "Go to the next field"}, {{"Esc"}, "Restore"}};
     const glm::vec2 mouse{io.MousePos.x, io.MousePos.y};

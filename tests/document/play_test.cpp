@@ -113,6 +113,22 @@ TEST_F(Play, SaysWhichClipsThereAreAndWhatHasNone)
     EXPECT_THROW(after(laid_, PlayClip{{5}, {}, {{}, {}}}), Rejected);
 }
 
+TEST_F(Play, CyclesThatGoNowhereAreSaidAndPlayByTheClock)
+{
+    const auto travelling = [&](const Playing& how) {
+        return after(playing(laid_, how), SetTravel{{5}, {.speed = 0.3, .ends = Ends::loop}});
+    };
+    for (const char* clip : {"bend", "swell"}) {
+        const Document locked = travelling({.clip = clip, .foot_lock = true});
+        const Evaluated result = evaluator()(locked, 9);
+        EXPECT_THAT(result.objects.at(5)->notices, Contains(HasSubstr("its feet are not locked")));
+        EXPECT_EQ(digest(result), digest(evaluator()(travelling({.clip = clip}), 9)));
+    }
+    Clip still;
+    still.begin_s = still.end_s = 2;
+    EXPECT_EQ(clip_time_s(still, {}, 7), 2);
+}
+
 TEST_F(Play, IsCopiedWithTheObject)
 {
     const Document document = playing(laid_, {.clip = "swell", .speed = 3});

@@ -5,6 +5,7 @@
 #include "tests/support/fixtures.h"
 #include "tests/support/rigged.h"
 
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -86,6 +87,66 @@ TEST(GltfRig, SaysWhatIsLeftOut)
     const Model boneless = read(model);
     EXPECT_THAT(boneless.notices, Contains(HasSubstr("1 skins lack joints")));
     EXPECT_EQ(boneless.nodes[0].skin, -1);
+}
+
+// The text with its joints and weights named twice more, so that vertices have up to six shares.
+std::string crowded(std::string text)
+{
+    const std::size_t begin = text.find("\"JOINTS_0\""), end = text.find('}', begin);
+    const std::string once = text.substr(begin, end - begin);
+    for (const char* set : {"1", "2"}) {
+        std::string more = "," + once;
+        for (const char* name : {"JOINTS_", "WEIGHTS_"})
+            more.replace(more.find(name) + std::string(name).size(), 1, set);
+        text.insert(end, more);
+    }
+    return text;
+}
+
+TEST(GltfRig, KeepsTheFourLargestSharesOfMoreThanFourJoints)
+{
+    const Model model = rigged_model();
+    const Model back = read_model_bytes(crowded(gltf_text(model)), "rigged.gltf", "", {});
+    EXPECT_THAT(back.notices, Contains(HasSubstr("go with more than four joints")));
+    ASSERT_EQ(back.meshes[0]->influences.size(), model.meshes[0]->influences.size());
+    for (std::size_t v = 0; v < model.meshes[0]->influences.size(); ++v) {
+        const Mesh::Influences &was = model.meshes[0]->influences[v],
+                               &is = back.meshes[0]->influences[v];
+        float tip = 0, of = 0, kept = 0;
+        for (int k = 0; k < 4; ++k) {
+            tip += was.joints[std::size_t(k)] == 1 ? was.weights[k] : 0;
+            of += is.weights[k];
+            kept += is.joints[std::size_t(k)] == 1 ? is.weights[k] : 0;
+        }
+        EXPECT_NEAR(of, 1, 1e-6);
+        // Three shares of the larger one and one of the other are the four largest.
+        const float larger = std::max(tip, 1 - tip), other = 1 - larger;
+        const float share = larger > other ? 3 * larger / (3 * larger + other) : 0.5f;
+        EXPECT_NEAR(std::max(kept, 1 - kept), share, 1e-6) << v;
+    }
+}
+
+TEST(GltfRig, LeavesOutASkinWithoutWeights)
+{
+    std::string text = gltf_text(rigged_model());
+    text.replace(text.find("WEIGHTS_0"), 9, "_WEIGHT_0");
+    const Model back = read_model_bytes(text, "rigged.gltf", "", {});
+    EXPECT_THAT(back.notices, Contains(HasSubstr("1 skins lack joints or weights")));
+    EXPECT_EQ(back.nodes[0].skin, -1);
+}
+
+TEST(GltfRig, TakesAClipThatLastsNoTime)
+{
+    Model model = rigged_model();
+    model.clips.erase(model.clips.begin()); // "swell" is left
+    model.clips[0].channels[0].times_s = {0.5f};
+    model.clips[0].channels[0].values = {0.75f};
+    const Model back = read(model);
+    ASSERT_EQ(back.clips.size(), 1u);
+    EXPECT_EQ(back.clips[0].begin_s, back.clips[0].end_s);
+    for (const double time : {0.0, 0.5, 9.0})
+        EXPECT_EQ(posed_at(back, &back.clips[0], time).positions,
+                  posed_at(back, &back.clips[0], 0.5).positions);
 }
 
 TEST(GltfRig, RefusesJointsThatAreNotThere)

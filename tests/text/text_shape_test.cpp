@@ -143,7 +143,8 @@ TEST(Text, ShowsABoxForALetterThatTheFontLacksAndSaysSo)
     const TextBody body = body_of("aשbש", inter);
     EXPECT_THAT(
         body.notices,
-        ElementsAre("Inter Regular lacks one letter of the text: ש; a box stands for each"));
+        ElementsAre(
+            "Inter Regular lacks one letter of the text: ש (U+05E9); a box stands for each"));
     EXPECT_GT(body.mesh.face_count(), body_of("ab", inter).mesh.face_count());
     EXPECT_TRUE(is_solid(body.mesh));
 }

@@ -80,6 +80,29 @@ TEST(Triangulation, KeepsItsAreaAndItsBoundsWhileItIsRefined)
         }
 }
 
+// Edges that cross those to the corners of the frame, which have no full round of triangles.
+TEST(Triangulation, JoinsAnyPointsWhereverTheyLie)
+{
+    for (std::uint32_t seed = 1; seed <= 400; ++seed) {
+        std::uint32_t random = seed;
+        const auto below = [&](int most) {
+            random = random * 1664525u + 1013904223u;
+            return static_cast<int>((random >> 8) % static_cast<std::uint32_t>(most));
+        };
+        const int wide = seed % 2 ? most_units : 1000;
+        Triangulation plane;
+        std::vector<int> points;
+        for (int i = 0; i < 12; ++i)
+            points.push_back(plane.insert({below(2 * wide) - wide, below(2 * wide) - wide}));
+        for (int i = 0; i < 40; ++i) {
+            const int a = points[static_cast<std::size_t>(below(12))],
+                      b = points[static_cast<std::size_t>(below(12))];
+            if (a == b || plane.join(a, b) == Triangulation::Joined::crosses) continue;
+            EXPECT_NE(plane.join(b, a), Triangulation::Joined::crosses) << seed; // it stays
+        }
+    }
+}
+
 TEST(Triangulation, TakesPointsOnEdgesAndInRows)
 {
     Triangulation plane;

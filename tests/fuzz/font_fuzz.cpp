@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/rejected.h"
+#include "core/mesh/solid.h"
+#include "core/text/text_shape.h"
+
+#include <cstdlib>
+
+// What letters a font gives, closed they are: accents, two directions, what it lacks, with a bevel.
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size)
+{
+    using namespace trivar;
+    try {
+        const Font font(std::string(reinterpret_cast<const char*>(data), size), 0, "fuzz.ttf");
+        const TextBody body = text_body({.text = "AB f\u00e9\n\u05d0\u05d1 \u0628\u0629",
+                                         .bevel = 0.01,
+                                         .bevel_steps = 2,
+                                         .tolerance = 0.02,
+                                         .max_edge = 0.5},
+                                        font);
+        if (body.mesh.face_count() > 0 && !is_solid(body.mesh)) std::abort();
+    } catch (const Rejected&) {
+    }
+    return 0;
+}
