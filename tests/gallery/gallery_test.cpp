@@ -168,9 +168,24 @@ TEST_P(Motion, ShowsTheSceneInSixOfItsFrames)
                                          "docs/gallery/" + GetParam() + "_sheet.png"));
 }
 
+TEST(GalleryPage, ShowsEverySceneAndNoPictureThatIsNotThere)
+{
+    const std::string folder = TRIVAR_SOURCE_DIR "/docs/";
+    const std::string page = read_text_file(folder + "gallery.md");
+    for (const std::string& scene : every_scene())
+        EXPECT_NE(page.find("](gallery/" + scene + ".png)"), std::string::npos) << scene;
+    const std::string_view before = "](";
+    for (std::size_t at = page.find("](gallery/"); at != std::string::npos;
+         at = page.find("](gallery/", at + 1)) {
+        const std::size_t begin = at + before.size();
+        const std::string picture = page.substr(begin, page.find(')', begin) - begin);
+        EXPECT_TRUE(std::filesystem::exists(folder + picture)) << picture;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, Motion,
                          ::testing::Values("ants_moebius", "ants_terrain", "cars_over_obstacle",
-                                           "text_teapot"),
+                                           "text_teapot", "bulldozer_parks", "reptiles"),
                          [](const auto& scene) { return scene.param; });
 INSTANTIATE_TEST_SUITE_P(Scenes, Gallery, ::testing::ValuesIn(every_scene()),
                          [](const auto& scene) { return scene.param; });

@@ -9,7 +9,7 @@
 namespace make {
 namespace {
 
-constexpr float travel = .15f, duty = .6f, lift = .035f; // of a foot on the ground, in the air
+constexpr float travel = .13f, duty = .6f, lift = .035f; // of a foot on the ground, in the air
 
 struct Joint {
     const char* name;
@@ -59,7 +59,7 @@ Influence influence(const Limb& fore, const Limb& hind, vec3 p)
     const vec3 q = mirror_z(p);
     const float near = q.z > .09f ? 1 : smooth_step(.035f, .005f, (front ? fore : hind)(q));
     const float limb = near * smooth_step(.045f, .085f, q.z);
-    const float foot = limb * smooth_step(.110f, .138f, q.z);
+    const float foot = limb * smooth_step(.092f, .146f, q.z);
     const int leg = int(spine.size()) + (p.z > 0 ? 0 : 4) + (front ? 0 : 2);
     out.weights *= 1 - limb;
     out.joints[2] = std::uint8_t(leg);
