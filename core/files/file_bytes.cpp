@@ -3,6 +3,7 @@
 
 #include "core/base/digest.h"
 #include "core/base/rejected.h"
+#include "core/files/growing_file.h"
 #include "core/files/read_model.h"
 
 #include <algorithm>
@@ -12,8 +13,6 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace trivar {
 namespace {
@@ -29,12 +28,6 @@ std::ifstream open_file(const std::string& path)
     std::ifstream file(path, std::ios::binary);
     if (!file) throw Rejected(fmt::format("{}: cannot be opened ({})", path, std::strerror(errno)));
     return file;
-}
-
-[[noreturn]] void fail_writing(const std::string& path, const std::string& temporary, int reason)
-{
-    if (!temporary.empty()) ::unlink(temporary.c_str());
-    throw Rejected(fmt::format("{}: cannot be written ({})", path, std::strerror(reason)));
 }
 
 } // namespace
@@ -57,25 +50,9 @@ std::string read_bytes(const std::string& path, std::uintmax_t max_bytes)
 
 void write_bytes(const std::string& path, std::string_view bytes)
 {
-    std::string temporary = path + ".XXXXXX";
-    const int file = ::mkstemp(temporary.data());
-    if (file < 0) fail_writing(path, "", errno);
-    std::size_t written = 0;
-    while (written < bytes.size()) {
-        const ssize_t count = ::write(file, bytes.data() + written, bytes.size() - written);
-        if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) {
-            const int reason = count == 0 ? ENOSPC : errno;
-            ::close(file);
-            fail_writing(path, temporary, reason);
-        }
-        written += static_cast<std::size_t>(count);
-    }
-    // mkstemp makes files for the owner only; a model is an ordinary file.
-    const bool made = ::fchmod(file, 0644) == 0 && ::fsync(file) == 0;
-    const int reason = errno;
-    if (::close(file) != 0 || !made) fail_writing(path, temporary, made ? errno : reason);
-    if (::rename(temporary.c_str(), path.c_str()) != 0) fail_writing(path, temporary, errno);
+    GrowingFile file(path);
+    file.append(bytes);
+    file.finish();
 }
 
 std::optional<std::string> file_inside(const std::string& folder, const std::string& name)

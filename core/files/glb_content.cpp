@@ -97,6 +97,18 @@ GlbContent glb_content(const std::string& path)
     return glb_content_of(read_text_file(path), path);
 }
 
+std::string glb_extras(const std::string& bytes, const std::string& name)
+{
+    try {
+        const GlbJson json = GlbJson::parse(glb_chunks(bytes).json);
+        return json.is_object() && json.contains("extras") ? json.at("extras").dump() : "";
+    } catch (const Rejected& error) {
+        throw Rejected(name + ": " + error.what());
+    } catch (const GlbJson::exception&) {
+        throw Rejected(name + ": this is no GLB file as Trivar writes them");
+    }
+}
+
 GlbContent glb_content_of(const std::string& bytes, const std::string& name)
 {
     try {

@@ -115,14 +115,26 @@ private:
         if (found_.binary.size() != expected_.binary.size())
             return say(fmt::format("it has {} bytes of data, the scene gives {}",
                                    found_.binary.size(), expected_.binary.size()));
-        std::set<FoundJson> seen;
+        std::set<FoundJson> seen; // accessors
         for (const FoundJson& mesh : json_.value("meshes", FoundJson::array()))
             for (const FoundJson& primitive : mesh.at("primitives")) {
                 const std::string whose = printable(mesh.value("name", std::string()));
                 for (const auto& [name, accessor] : primitive.at("attributes").items())
                     if (seen.insert(accessor).second) compare_values(accessor, name, whose);
+                seen.insert(primitive.at("indices"));
                 compare_values(primitive.at("indices"), "indices", whose);
+                std::size_t number = 0;
+                for (const FoundJson& target : primitive.value("targets", FoundJson::array())) {
+                    ++number;
+                    for (const auto& [name, accessor] : target.items())
+                        if (seen.insert(accessor).second)
+                            compare_values(accessor, fmt::format("{} in target {}", name, number),
+                                           whose);
+                }
             }
+        const FoundJson accessors = json_.value("accessors", FoundJson::array());
+        for (std::size_t a = 0; a < accessors.size(); ++a) // of animations and skins
+            if (seen.insert(a).second) compare_values(a, "keys", {});
         for (const FoundJson& image : json_.value("images", FoundJson::array()))
             if (!same_bytes(image.at("bufferView")))
                 say(fmt::format("its image {} is another than the scene's",
@@ -145,9 +157,19 @@ private:
     void compare_values(const FoundJson& index, const std::string& name, const std::string& whose)
     {
         const FoundJson& accessor = json_.at("accessors").at(index.get<std::size_t>());
-        const FoundJson& view_index = accessor.at("bufferView");
+        const bool floats = accessor.at("componentType") == 5126;
+        if (accessor.contains("bufferView"))
+            compare_numbers(accessor.at("bufferView"), floats, name, whose);
+        if (!accessor.contains("sparse")) return;
+        const FoundJson& sparse = accessor.at("sparse");
+        compare_numbers(sparse.at("indices").at("bufferView"), false, name, whose);
+        compare_numbers(sparse.at("values").at("bufferView"), floats, name, whose);
+    }
+
+    void compare_numbers(const FoundJson& view_index, bool floats, const std::string& name,
+                         const std::string& whose)
+    {
         if (same_bytes(view_index)) return;
-        constexpr int float32 = 5126;
         const FoundJson& range = view(view_index);
         const auto begin = range.at("byteOffset").get<std::size_t>(),
                    end = begin + range.at("byteLength").get<std::size_t>();
@@ -157,7 +179,7 @@ private:
             std::memcpy(&now, found_.binary.data() + at, 4);
             std::memcpy(&then, expected_.binary.data() + at, 4);
             const bool same = found_.binary.compare(at, 4, expected_.binary, at, 4) == 0;
-            if (!same && (accessor.at("componentType") != float32 || !is_near(now, then))) ++others;
+            if (!same && (!floats || !is_near(now, then))) ++others;
         }
         if (others > 0)
             say(fmt::format("{} of the {} numbers of {}'s {} are not the scene's", others,

@@ -14,7 +14,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-enum : int { array_buffer = 34962, element_array_buffer = 34963, float32 = 5126, uint32 = 5125 };
+enum : int {
+    array_buffer = 34962,
+    element_array_buffer = 34963,
+    float32 = 5126,
+    uint32 = 5125,
+    uint16 = 5123
+};
 
 // The double whose shortest text is the float's: 0.1, not 0.10000000149011612.
 double plain(float value)
@@ -33,9 +39,15 @@ public:
             Json entry = written(material); // adds to other lists, so the list is looked up after
             json_["materials"].push_back(std::move(entry));
         }
+        skinned_.resize(model_.meshes.size());
+        for (const Node& node : model_.nodes)
+            if (node.mesh >= 0 && node.skin >= 0) skinned_[static_cast<std::size_t>(node.mesh)] = 1;
         std::vector<int> mesh_index;
-        for (const Ref<Mesh>& mesh : model_.meshes) mesh_index.push_back(write_mesh(*mesh));
+        for (std::size_t m = 0; m < model_.meshes.size(); ++m)
+            mesh_index.push_back(write_mesh(*model_.meshes[m], skinned_[m] != 0));
         write_nodes(mesh_index);
+        for (const Skin& skin : model_.skins) write_skin(skin);
+        for (const Clip& clip : model_.clips) write_clip(clip);
         if (!model_.extras.empty()) json_["extras"] = Json::parse(model_.extras);
         if (emissive_strength_) json_["extensionsUsed"] = {"KHR_materials_emissive_strength"};
         return container();
@@ -53,13 +65,14 @@ private:
         return static_cast<int>(json_["bufferViews"].size()) - 1;
     }
 
-    template <class T> int add_accessor(const std::vector<T>& values, const char* type)
+    template <class T>
+    int add_accessor(const std::vector<T>& values, const char* type, int target = array_buffer,
+                     int component = float32)
     {
-        Json accessor{
-            {"bufferView", add_view(values.data(), values.size() * sizeof(T), array_buffer)},
-            {"componentType", float32},
-            {"count", values.size()},
-            {"type", type}};
+        Json accessor{{"bufferView", add_view(values.data(), values.size() * sizeof(T), target)},
+                      {"componentType", component},
+                      {"count", values.size()},
+                      {"type", type}};
         json_["accessors"].push_back(std::move(accessor));
         return static_cast<int>(json_["accessors"].size()) - 1;
     }
@@ -77,12 +90,8 @@ private:
     Json attributes(const Mesh& mesh)
     {
         Json result;
-        const int positions = add_accessor(mesh.positions, "VEC3");
-        glm::vec3 lo(std::numeric_limits<float>::max()), hi = -lo;
-        for (const glm::vec3& p : mesh.positions) lo = glm::min(lo, p), hi = glm::max(hi, p);
-        json_["accessors"].back()["min"] = {plain(lo.x), plain(lo.y), plain(lo.z)};
-        json_["accessors"].back()["max"] = {plain(hi.x), plain(hi.y), plain(hi.z)};
-        result["POSITION"] = positions;
+        result["POSITION"] = add_accessor(mesh.positions, "VEC3");
+        set_range(mesh.positions);
         if (!mesh.normals.empty()) result["NORMAL"] = add_accessor(mesh.normals, "VEC3");
         if (!mesh.tangents.empty()) result["TANGENT"] = add_accessor(mesh.tangents, "VEC4");
         if (!mesh.colors.empty()) {
@@ -98,8 +107,122 @@ private:
         return result;
     }
 
+    // Of the accessor that was added last.
+    void set_range(const std::vector<glm::vec3>& values)
+    {
+        glm::vec3 lo(std::numeric_limits<float>::max()), hi = -lo;
+        for (const glm::vec3& p : values) lo = glm::min(lo, p), hi = glm::max(hi, p);
+        json_["accessors"].back()["min"] = {plain(lo.x), plain(lo.y), plain(lo.z)};
+        json_["accessors"].back()["max"] = {plain(hi.x), plain(hi.y), plain(hi.z)};
+    }
+
+    // Differences of a morph target: those that are not 0 alone, where that takes less.
+    int add_differences(const std::vector<glm::vec3>& values)
+    {
+        std::vector<std::uint32_t> where;
+        std::vector<glm::vec3> what;
+        for (std::size_t v = 0; v < values.size(); ++v)
+            if (values[v] != glm::vec3(0)) {
+                where.push_back(static_cast<std::uint32_t>(v));
+                what.push_back(values[v]);
+            }
+        constexpr std::size_t sparse_bytes = 16, dense_bytes = 12; // a difference
+        if (sparse_bytes * where.size() >= dense_bytes * values.size()) {
+            add_accessor(values, "VEC3");
+        } else {
+            Json accessor{{"componentType", float32}, {"count", values.size()}, {"type", "VEC3"}};
+            if (!where.empty()) {
+                const int indices = add_view(where.data(), where.size() * 4, 0);
+                accessor["sparse"] = {
+                    {"count", where.size()},
+                    {"indices", {{"bufferView", indices}, {"componentType", uint32}}},
+                    {"values", {{"bufferView", add_view(what.data(), what.size() * 12, 0)}}}};
+            }
+            json_["accessors"].push_back(std::move(accessor));
+        }
+        set_range(values);
+        return static_cast<int>(json_["accessors"].size()) - 1;
+    }
+
+    Json targets(const Mesh& mesh)
+    {
+        Json out = Json::array();
+        for (const Mesh::MorphTarget& target : mesh.morph_targets) {
+            Json written = Json::object();
+            if (!target.positions.empty()) written["POSITION"] = add_differences(target.positions);
+            if (!target.normals.empty() && !mesh.normals.empty())
+                written["NORMAL"] = add_differences(target.normals);
+            if (!target.tangents.empty() && !mesh.tangents.empty())
+                written["TANGENT"] = add_differences(target.tangents);
+            out.push_back(std::move(written));
+        }
+        return out;
+    }
+
+    void add_influences(Json& attributes, const Mesh& mesh)
+    {
+        std::vector<std::array<std::uint16_t, 4>> joints;
+        std::vector<glm::vec4> weights;
+        for (const Mesh::Influences& each : mesh.influences) {
+            joints.push_back(each.joints);
+            for (int k = 0; k < 4; ++k) // what has no weight names no joint
+                if (each.weights[k] == 0) joints.back()[static_cast<std::size_t>(k)] = 0;
+            weights.push_back(each.weights);
+        }
+        attributes["JOINTS_0"] = add_accessor(joints, "VEC4", array_buffer, uint16);
+        attributes["WEIGHTS_0"] = add_accessor(weights, "VEC4");
+    }
+
+    void write_skin(const Skin& skin)
+    {
+        std::vector<glm::mat4> matrices(skin.mesh_to_joint.begin(), skin.mesh_to_joint.end());
+        Json written{{"joints", skin.joints}};
+        if (!matrices.empty()) written["inverseBindMatrices"] = add_accessor(matrices, "MAT4", 0);
+        json_["skins"].push_back(std::move(written));
+    }
+
+    // Many channels have the same times, and those of targets the same weights.
+    int shared_accessor(const std::vector<float>& values, const char* type, std::size_t components)
+    {
+        const auto [known, fresh] = shared_.try_emplace({type, values}, 0);
+        if (!fresh) return known->second;
+        known->second = add_accessor(values, type, 0);
+        json_["accessors"].back()["count"] = values.size() / components;
+        return known->second;
+    }
+
+    void write_clip(const Clip& clip)
+    {
+        static constexpr std::array paths{"translation", "rotation", "scale", "weights"};
+        static constexpr std::array types{"VEC3", "VEC4", "VEC3", "SCALAR"};
+        static constexpr std::array ways{"STEP", "LINEAR", "CUBICSPLINE"};
+        Json channels = Json::array(), samplers = Json::array();
+        for (const Channel& channel : clip.channels) {
+            const auto of = static_cast<std::size_t>(channel.of);
+            const bool weights = channel.of == Channel::Of::morph_weights;
+            const int times = shared_accessor(channel.times_s, "SCALAR", 1);
+            json_["accessors"][static_cast<std::size_t>(times)]["min"] = {
+                plain(channel.times_s.front())};
+            json_["accessors"][static_cast<std::size_t>(times)]["max"] = {
+                plain(channel.times_s.back())};
+            channels.push_back({{"sampler", samplers.size()},
+                                {"target", {{"node", channel.node}, {"path", paths[of]}}}});
+            samplers.push_back(
+                {{"input", times},
+                 {"output",
+                  shared_accessor(channel.values, types[of], weights ? 1 : channel.components)},
+                 {"interpolation", ways[static_cast<std::size_t>(channel.between)]}});
+        }
+        if (channels.empty()) return;
+        Json written;
+        if (!clip.name.empty()) written["name"] = clip.name;
+        written["channels"] = std::move(channels);
+        written["samplers"] = std::move(samplers);
+        json_["animations"].push_back(std::move(written));
+    }
+
     // One primitive a material, all on the same vertices. -1 where there is no face.
-    int write_mesh(const Mesh& mesh)
+    int write_mesh(const Mesh& mesh, bool skinned)
     {
         const std::vector<glm::uvec3> all = triangles(mesh);
         if (all.empty()) return -1;
@@ -110,47 +233,92 @@ private:
             for (std::size_t t = mesh.face_begin[f] - 2 * f; t < end; ++t)
                 indices.insert(indices.end(), {all[t].x, all[t].y, all[t].z});
         }
-        const Json shared = attributes(mesh);
+        Json shared = attributes(mesh);
+        if (skinned && !mesh.influences.empty()) add_influences(shared, mesh);
+        const Json all_targets = targets(mesh);
         Json primitives = Json::array();
         for (const auto& [material, indices] : by_material) {
             Json primitive{{"attributes", shared}, {"indices", add_indices(indices)}};
             if (material < model_.materials.size()) primitive["material"] = material;
+            if (!all_targets.empty()) primitive["targets"] = all_targets;
             primitives.push_back(std::move(primitive));
         }
         json_["meshes"].push_back({{"primitives", std::move(primitives)}});
         return static_cast<int>(json_["meshes"].size()) - 1;
     }
 
+    static void put_matrix(Json& into, const glm::dmat4& matrix)
+    {
+        if (matrix == glm::dmat4(1)) return;
+        Json values = Json::array();
+        for (int c = 0; c < 4; ++c)
+            for (int r = 0; r < 4; ++r) values.push_back(matrix[c][r] + 0.0); // no -0
+        into["matrix"] = std::move(values);
+    }
+
+    static void put_parts(Json& into, const Placed& p)
+    {
+        into["translation"] = {p.translation.x, p.translation.y, p.translation.z};
+        into["rotation"] = {p.rotation.x, p.rotation.y, p.rotation.z, p.rotation.w};
+        into["scale"] = {p.scale.x, p.scale.y, p.scale.z};
+    }
+
+    // Which nodes a clip moves: those must be written by their parts.
+    std::vector<bool> moved_nodes() const
+    {
+        std::vector<bool> out(model_.nodes.size());
+        for (const Clip& clip : model_.clips)
+            for (const Channel& channel : clip.channels)
+                if (channel.of != Channel::Of::morph_weights)
+                    out[static_cast<std::size_t>(channel.node)] = true;
+        return out;
+    }
+
     void write_nodes(const std::vector<int>& mesh_index)
     {
         const glm::dmat4 z_to_y({1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1});
-        Json nodes = Json::array(), roots = Json::array();
+        const std::vector<bool> moved = moved_nodes();
+        Json nodes = Json::array(), holders = Json::array(), roots = Json::array();
         for (std::size_t n = 0; n < model_.nodes.size(); ++n) {
             const Node& node = model_.nodes[n];
             Json written;
             if (!node.name.empty()) written["name"] = node.name;
-            const glm::dmat4 matrix = node.parent < 0 ? z_to_y * node.to_parent : node.to_parent;
-            if (matrix != glm::dmat4(1)) {
-                Json values = Json::array();
-                for (int c = 0; c < 4; ++c)
-                    for (int r = 0; r < 4; ++r) values.push_back(matrix[c][r] + 0.0); // no -0
-                written["matrix"] = std::move(values);
+            const glm::dmat4 outside = node.parent < 0 ? z_to_y : glm::dmat4(1);
+            std::size_t top = n; // what hangs on the parent
+            if (moved[n]) {
+                put_parts(written, node.rest);
+                if (const glm::dmat4 outer = outside * node.outer; outer != glm::dmat4(1)) {
+                    Json holder{{"children", Json::array({n})}};
+                    put_matrix(holder, outer);
+                    top = model_.nodes.size() + holders.size();
+                    holders.push_back(std::move(holder));
+                }
+            } else {
+                put_matrix(written, outside * node.to_parent);
             }
             const int mesh =
                 node.mesh < 0 ? -1 : mesh_index.at(static_cast<std::size_t>(node.mesh));
             if (mesh >= 0) {
                 written["mesh"] = mesh;
+                if (skinned_[static_cast<std::size_t>(node.mesh)] != 0 && node.skin >= 0)
+                    written["skin"] = node.skin;
+                if (!node.morph_weights.empty()) {
+                    Json weights = Json::array();
+                    for (const float weight : node.morph_weights) weights.push_back(plain(weight));
+                    written["weights"] = std::move(weights);
+                }
                 Json& target = json_["meshes"][static_cast<std::size_t>(mesh)];
                 if (!target.contains("name") && !node.name.empty()) target["name"] = node.name;
             }
             if (written.is_null()) written = Json::object();
             nodes.push_back(std::move(written));
             if (node.parent < 0)
-                roots.push_back(n);
+                roots.push_back(top);
             else
-                nodes[static_cast<std::size_t>(node.parent)]["children"].push_back(n);
+                nodes[static_cast<std::size_t>(node.parent)]["children"].push_back(top);
         }
         if (nodes.empty()) return;
+        for (Json& holder : holders) nodes.push_back(std::move(holder));
         json_["nodes"] = std::move(nodes);
         json_["scenes"] = {{{"nodes", std::move(roots)}}};
         json_["scene"] = 0;
@@ -242,6 +410,8 @@ private:
     Json json_;
     std::string binary_;
     std::map<const Image*, std::size_t> images_; // looked up only, never walked
+    std::vector<char> skinned_;                  // by mesh: some node has a skin for it
+    std::map<std::pair<std::string, std::vector<float>>, int> shared_; // accessors, by content
     bool emissive_strength_ = false;
 };
 
