@@ -103,7 +103,8 @@ EvaluatedObject evaluated_object(Id id, const Causes& causes)
                         fmt::format("step {} of its shaping: {}", i + 1, notice));
     } else
         for (const Shape::Hung& hung : causes.shape->meshes)
-            result.parts.push_back({hung.rest, causes.to_world * hung.to_model, hung.posed});
+            result.parts.push_back({hung.rest, causes.to_world * hung.to_model, hung.posed, nullptr,
+                                    static_cast<int>(result.parts.size())});
     if (causes.laid && !causes.laid->rejected.empty()) {
         result.rejected = causes.laid->rejected;
         result.notices.push_back(result.rejected);

@@ -52,6 +52,7 @@ std::vector<Standing> standing(const Shape& shape, const glm::dmat3& turned)
             each.part = {.rest = make_ref(transformed(*hung.mesh(), each.to_box))};
             each.to_box = glm::dmat4(1);
         }
+        each.part.slot = static_cast<int>(out.size());
         out.push_back(std::move(each));
     }
     return out;
@@ -258,11 +259,15 @@ Ref<Laid> Laying::moved(const Ref<Laid>& at_rest, const std::vector<Member>& mem
         for (const Member& member : members) places.push_back(member.place);
         volume = reaching(volume, *journey, parameters, places);
     }
-    const auto lay = [&](const Part& part, const Embedding& embedding) {
+    int first_slot = 0; // of the member
+    const auto lay = [&](Part part, const Embedding& embedding) {
+        part.slot += first_slot;
         laid.parts.push_back(
             in_volume(part, embedding, volume, sorted_into(*volume, part, embedding)));
     };
-    for (const auto& [posed, place] : members) {
+    for (std::size_t k = 0; k < members.size(); ++k) {
+        const auto& [posed, place] = members[k];
+        first_slot = static_cast<int>(k * at_rest->parts.size());
         const Embedding box = shifted(at_rest->placement->embedding, *volume, place.shift_u);
         if (place.hidden) continue;
         if (posed)
@@ -272,7 +277,10 @@ Ref<Laid> Laying::moved(const Ref<Laid>& at_rest, const std::vector<Member>& mem
             for (const Part& part : at_rest->parts)
                 lay(part, shifted(part.bent->embedding, *volume, place.shift_u));
         else
-            laid.parts.insert(laid.parts.end(), at_rest->parts.begin(), at_rest->parts.end());
+            for (const Part& part : at_rest->parts) {
+                laid.parts.push_back(part);
+                laid.parts.back().slot += first_slot;
+            }
     }
     moved_.insert(moved_.begin(), {at_rest, members, journey, walk, make_ref(std::move(laid))});
     if (moved_.size() > kept_results) moved_.pop_back();

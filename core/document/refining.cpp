@@ -16,7 +16,9 @@ Part in_the_same_volume(const Part& part, const Ref<Mesh>& mesh)
     const Ref<Bent> bent = part.bent;
     const Lazy<Ref<Mesh>> out(
         [=] { return make_ref(deform(*mesh, bent->embedding, *bent->volume)); });
-    return {.rest = mesh, .bent = make_ref(Bent{bent->embedding, bent->volume, out})};
+    return {.rest = mesh,
+            .bent = make_ref(Bent{bent->embedding, bent->volume, out}),
+            .slot = part.slot};
 }
 
 Laid refined(const Laid& laid, const Refining& refining, const Progress& progress)

@@ -64,6 +64,19 @@ double MiddleLine::u_at(double length) const
            chords;
 }
 
+glm::dvec2 MiddleLine::slopes(double from, double to) const
+{
+    const auto outside = [](double slope) { return slope > 0 ? 1 / slope : 0; };
+    glm::dvec2 out(endless, 0);
+    const auto add = [&](double slope) { out = {std::min(out.x, slope), std::max(out.y, slope)}; };
+    if (from <= 0) add(outside(first_));
+    if (to >= length()) add(outside(last_));
+    for (std::size_t i = 0; i < chords; ++i)
+        if (length_[i + 1] >= from && length_[i] <= to)
+            add(1 / (static_cast<double>(chords) * (length_[i + 1] - length_[i])));
+    return out;
+}
+
 // A way that is too short for the speed is covered at a lower one, in the time of the easing.
 Journey::Run Journey::run_over(double way, double speed, double in, double out)
 {
@@ -85,6 +98,19 @@ double Journey::Run::covered(double t) const
     if (t < in) return speed * t * t / (2 * in);
     if (t > end - out) return way - speed * (end - t) * (end - t) / (2 * out);
     return speed * (t - in / 2);
+}
+
+// The speed rises evenly, stays, and falls evenly, so it is least at one of the two times.
+glm::dvec2 Journey::Run::speeds(double from_s, double to_s) const
+{
+    const double end = seconds();
+    const auto at = [&](double t) {
+        if (!(way > 0) || t < 0 || t > end) return 0.0;
+        if (t < in) return speed * t / in;
+        return t > end - out ? speed * (end - t) / out : speed;
+    };
+    const bool stays = to_s >= in && from_s <= end - out && way > 0 && to_s >= 0 && from_s <= end;
+    return {std::min(at(from_s), at(to_s)), stays ? speed : std::max(at(from_s), at(to_s))};
 }
 
 // The run as far as its time lasts, at the end of which it slows down.
@@ -195,6 +221,61 @@ Journey::Place Journey::at(double seconds, int follower) const
         out.hidden |= direction_ > 0 ? length < start - tiny : length > end + tiny;
     out.shift_u = line_.u_at(length) - middle_;
     return out;
+}
+
+// Lengths a second, with their sign.
+glm::dvec2 Journey::speeds_of_first(double from_s, double to_s) const
+{
+    if (!has_room_ || travel_.speed == 0) return glm::dvec2(0);
+    const double fastest = std::max(run_.speed, back_.speed);
+    glm::dvec2 out(-fastest, fastest); // where it turns
+    if (travel_.ends != Ends::back_and_forth)
+        out = run_.speeds(from_s, to_s);
+    else if (travel_.duration > 0 && from_s >= travel_.duration)
+        out = glm::dvec2(0);
+    else if (travel_.duration > 0 && to_s > travel_.duration)
+        return out;
+    else if (to_s < run_.seconds())
+        out = run_.speeds(from_s, to_s);
+    else if (from_s > run_.seconds()) {
+        const double leg = back_.seconds(), from = (from_s - run_.seconds()) / leg,
+                     to = (to_s - run_.seconds()) / leg;
+        if (std::floor(from) != std::floor(to)) return out;
+        out = back_.speeds((from - std::floor(from)) * leg, (to - std::floor(to)) * leg);
+        if (std::fmod(std::floor(from), 2) == 0) out = {-out.y, -out.x}; // it returns
+    }
+    return direction_ > 0 ? out : glm::dvec2(-out.y, -out.x);
+}
+
+// gone_u goes at speed times slope: a function whose derivative lies in an interval is off its
+// chord by a quarter of the interval's length times the time, at most.
+double Journey::unevenness_u(double from_s, double to_s, int follower) const
+{
+    const glm::dvec2 speed = speeds_of_first(from_s, to_s);
+    if (speed == glm::dvec2(0)) return 0;
+    const double behind = direction_ * gap_ * follower;
+    double a = length_of_first(from_s), b = length_of_first(to_s);
+    const double reach = std::max(std::abs(speed.x), std::abs(speed.y)) * (to_s - from_s);
+    if (travel_.ends == Ends::back_and_forth) { // it may have turned between
+        a = std::min(a, b) - reach;
+        b = a + 3 * reach;
+    }
+    double from = std::min(a, b) - behind, to = std::max(a, b) - behind;
+    const bool again = travel_.ends == Ends::loop && (rounds_ || most_ > least_);
+    if (again) {
+        const double begin = rounds_ ? 0 : least_, lap = rounds_ ? line_.length() : most_ - least_;
+        const double laps = std::floor((from - begin) / lap) * lap;
+        from -= laps;
+        to -= laps;
+        if (to > begin + lap) { // from the end of a lap into the next
+            from = 0;
+            to = line_.length();
+        }
+    }
+    const glm::dvec2 slope = line_.slopes(from, to);
+    const double least = speed.x * (speed.x < 0 ? slope.y : slope.x),
+                 most = speed.y * (speed.y < 0 ? slope.x : slope.y);
+    return (most - least) * (to_s - from_s) / 4;
 }
 
 double Journey::seconds() const

@@ -33,6 +33,7 @@ public:
     double u_at(double length) const;
     bool closed() const { return closed_; } // it ends where it begins, and so do the rims
     double rounds_to_start() const { return rounds_to_start_; } // 2 on a twisted band
+    glm::dvec2 slopes(double from, double to) const; // of u_at between two lengths: least, greatest
 
 private:
     std::vector<double> length_;  // up to u = 0, 1/1024 .. 1
@@ -58,9 +59,13 @@ public:
     // Since it set out; the first of a procession, or one that follows. Where the stroke does not
     // reach back far enough, those that follow are not shown until they come to its start.
     Place at(double seconds, int follower = 0) const;
+    // How far gone_u is at most, between two times, from going evenly from the one's to the
+    // other's.
+    double unevenness_u(double from_s, double to_s, int follower = 0) const;
     double seconds() const; // until it rests for good or is gone; infinity: never
     // The speed with which it would take that time; as it is where speed does not decide that.
     double speed_for(double seconds) const;
+    const MiddleLine& line() const { return line_; }
     bool has_room() const { return has_room_; } // not the whole of an open stroke is filled
     bool rounds() const { return rounds_; }     // a closed stroke, where u may reach 1 + fill
     const Travel& travel() const { return travel_; }
@@ -71,11 +76,13 @@ private:
         double way = 0, speed = 0, in = 0, out = 0;
         double seconds() const;
         double covered(double seconds) const;
+        glm::dvec2 speeds(double from_s, double to_s) const; // the least and the greatest between
     };
     static Run run_over(double way, double speed, double in, double out);
     Run limited(const Run& run) const;
     double turned_length(double seconds) const;
     double length_of_first(double seconds) const;
+    glm::dvec2 speeds_of_first(double from_s, double to_s) const;
     double unrolled_u(double length) const; // every round and every return counted
 
     Travel travel_;

@@ -345,6 +345,7 @@ Refined Refinement::result()
     out.parts.resize(all_.part_count());
     for (std::size_t p = 0; p < out.parts.size(); ++p) {
         out.parts[p].mesh = all_.mesh(p);
+        out.parts[p].born = all_.born(p);
         out.parts[p].bound_at.resize(out.parts[p].mesh->vertex_count()); // some are of no face
         out.parts[p].triangles_before = all_.triangles_before(p);
         out.bound = std::max(out.bound, out.parts[p].bound);

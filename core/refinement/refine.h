@@ -3,6 +3,7 @@
 
 #include "core/base/progress.h"
 #include "core/ffd/deform.h"
+#include "core/refinement/born_vertices.h"
 #include "core/refinement/error_bounds.h"
 
 namespace trivar {
@@ -29,7 +30,8 @@ struct RefinedPart {
     // Infinite where a bound says nothing, and after chua_neumann_midpoint.
     double bound = 0;
     std::vector<std::uint32_t> not_certified; // faces of `mesh` whose bound exceeds the tolerance
-    std::vector<float> bound_at; // by vertex of `mesh`: the greatest bound of its triangles
+    std::vector<BornVertex> born; // how its further vertices came from earlier ones, in their order
+    std::vector<float> bound_at;  // by vertex of `mesh`: the greatest bound of its triangles
 };
 
 struct Refined {

@@ -223,7 +223,10 @@ void SharedTriangles::split_marked()
     for (const Triangle& t : triangles_) split_triangle(t, out);
     triangles_ = std::move(out);
     for (std::size_t e = 0; e < known; ++e) edges_[e].marked = false;
-    for (State& part : parts_) part.born.clear();
+    for (State& part : parts_) {
+        part.all_born.insert(part.all_born.end(), part.born.begin(), part.born.end());
+        part.born.clear();
+    }
 }
 
 void SharedTriangles::split_triangle(const Triangle& t, std::vector<Triangle>& out)

@@ -62,6 +62,7 @@ public:
 
     // A part as a mesh of triangles, in their order; the mesh that was given where none was split.
     Ref<Mesh> mesh(std::size_t part) const;
+    const std::vector<BornVertex>& born(std::size_t part) const { return parts_[part].all_born; }
     std::size_t part_count() const { return parts_.size(); }
     std::size_t triangles_before(std::size_t part) const { return triangles_before_[part]; }
 
@@ -73,6 +74,7 @@ private:
     struct State {
         std::vector<Index> point_of;  // by vertex
         std::vector<BornVertex> born; // in this round
+        std::vector<BornVertex> all_born;
         Index next_surface_point = 0; // for Mesh::points
         Mesh mesh;                    // vertices only are kept up
         bool split = false;

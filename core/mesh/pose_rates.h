@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/mesh/gait.h"
+
+#include <optional>
+
+namespace trivar {
+
+// How fast what hangs on a node moves, at most, while the time of a clip goes from one moment to
+// another with no key between: |M x + o| of a point x has a first derivative of at most
+// turn |x| + shift and a second of at most bend |x| + swing. Units of the model, by seconds.
+struct NodeRates {
+    double size = 1, turn = 0, bend = 0; // of the matrix
+    double shift = 0, swing = 0;         // of the origin
+};
+
+// By node of the model; nothing where a channel is not known to be smooth there (cubic rotations).
+// From the product rule over the tree: a rotation between two keys has a constant angular velocity,
+// translations and scales a constant velocity, or the derivatives of a cubic. O(#nodes +
+// #channels log #keys).
+std::optional<std::vector<NodeRates>> node_rates(const Model& model, const Clip& clip,
+                                                 double from_s, double to_s);
+
+// The same of what planted() adds to a leg, by foot: of a displacement that hangs on no point.
+// Nothing where legs change their length, or a foot is in its stance and in the air between.
+struct PlantingRates {
+    double turn = 0, bend = 0;
+};
+std::optional<std::vector<PlantingRates>> planting_rates(const Model& model, const Clip& clip,
+                                                         const Gait& gait,
+                                                         const std::vector<NodeRates>& rates,
+                                                         double from_s, double to_s);
+// Which foot's leg moves a node, -1: none; by node.
+std::vector<int> legs_of_nodes(const Model& model, const Gait& gait);
+
+// The moments between its begin and its end at which the clip, or the stance of a foot, goes on
+// otherwise than before; ascending, with both ends. The gait may be null.
+std::vector<double> breaks_of(const Clip& clip, const Gait* gait);
+
+} // namespace trivar
