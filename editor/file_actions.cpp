@@ -66,6 +66,11 @@ void add_file_actions(std::vector<Action>& a)
                  {ctrl('E')},
                  [](Editor& e) { e.files.ask_export(); },
                  something_there()});
+    a.push_back({"File",
+                 "Export frames...",
+                 {},
+                 [](Editor& e) { e.files.ask_export_frames(); },
+                 something_there()});
     a.push_back({"File", "Render picture", {{ui::key_f1 + 11}}, render_picture, something_there()});
     a.push_back({"File",
                  record_action,

@@ -22,7 +22,7 @@ struct Part {
     glm::dmat4 to_world{1}; // identity where a volume deforms it
     Ref<Posed> posed = nullptr; // null where no skin and no morph target moves its vertices
     Ref<Bent> bent = nullptr;   // null where no volume does
-    int slot = 0; // which of its object's it is, whichever of the others are shown
+    int slot = 0;               // which of its object's it is, whichever of the others are shown
 
     const Ref<Mesh>& before_volume() const { return posed ? *posed->mesh : rest; }
     const Ref<Mesh>& mesh() const { return bent ? *bent->mesh : before_volume(); }

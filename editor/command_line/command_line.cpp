@@ -6,6 +6,7 @@
 #include "editor/about.h"
 #include "editor/app.h"
 #include "editor/command_line/bench.h"
+#include "editor/command_line/export.h"
 #include "editor/command_line/info.h"
 #include "editor/command_line/render.h"
 #include "editor/command_line/replay.h"
@@ -26,6 +27,7 @@ struct Choices {
     std::string shaders;
     ReplayOptions replay;
     RenderOptions render;
+    ExportOptions exported;
     VerifyOptions verify;
     InfoOptions info;
     BenchOptions bench;
@@ -121,6 +123,31 @@ CLI::App* add_render(CLI::App& app, RenderOptions& o)
         ->excludes("--depth", "--shard", "--resume", "--video");
     add_threads(*render, o.threads);
     return render;
+}
+
+CLI::App* add_export(CLI::App& app, ExportOptions& o)
+{
+    CLI::App* verb = app.add_subcommand("export", "write a scene that moves for other programs");
+    verb->description(
+        "Writes the frames of a scene (NAME.trivar) as one file that moves: a .glb with nodes,\n"
+        "skins and morph targets, certified to be within a tolerance at every time, see trivar\n"
+        "verify; a .usda; or point caches, .pc2 or .mdd with an .obj, a pair for every object.");
+    verb->footer("Examples:\n"
+                 "  trivar export ants.trivar --to ants.glb --epsilon 0.002\n"
+                 "  trivar export ants.trivar --to ants.usda --frames 1:48\n"
+                 "  trivar export ants.trivar --to caches/ants.pc2\n\n"
+                 "Ctrl C ends it with status 130 and leaves nothing.");
+    add_scene(*verb, o.scene);
+    verb->add_option("--to", o.to, "a .glb, .usda, .pc2 or .mdd")->required()->type_name("OUT");
+    verb->add_option("--frames", o.frames, "from A to B; all of the scene's if left out")
+        ->type_name("A:B");
+    verb->add_option("--epsilon", o.epsilon,
+                     "how far a .glb may be from the scene at any time, in metres; 0.001 if left\n"
+                     "out")
+        ->type_name("E")
+        ->check(not_empty);
+    add_threads(*verb, o.threads);
+    return verb;
 }
 
 CLI::App* add_replay(CLI::App& app, ReplayOptions& o)
@@ -270,6 +297,7 @@ Status dispatch(const std::vector<std::string>& arguments, const Streams& stream
     app.require_subcommand(0, 1);
     const CLI::App* replay = add_replay(app, choices.replay);
     const CLI::App* render = add_render(app, choices.render);
+    const CLI::App* exported = add_export(app, choices.exported);
     const CLI::App* verify = add_verify(app, choices.verify);
     const CLI::App* info = add_info(app, choices.info);
     const CLI::App* commands = add_commands(app, choices);
@@ -281,6 +309,7 @@ Status dispatch(const std::vector<std::string>& arguments, const Streams& stream
     }
     if (replay->parsed()) return run_replay(choices.replay, streams);
     if (render->parsed()) return run_render(choices.render, streams);
+    if (exported->parsed()) return run_export(choices.exported, streams);
     if (verify->parsed()) return run_verify(choices.verify, streams);
     if (info->parsed()) return run_info(choices.info, streams);
     if (commands->parsed()) return list_commands(choices, streams);

@@ -4,10 +4,12 @@
 #include "core/base/text.h"
 #include "core/document/certificate.h"
 #include "core/document/log.h"
+#include "core/export/film_certificate.h"
 #include "core/files/formats.h"
 #include "core/files/glb_content.h"
 #include "core/files/glb_differences.h"
 #include "editor/command_line/scene_log.h"
+#include "editor/command_line/verify_film.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -67,22 +69,9 @@ private:
         holds_ = false;
     }
 
-    std::string log_file() const
-    {
-        if (!options_.log.empty()) return options_.log;
-        if (claims_.log.empty())
-            throw Rejected(options_.file + ": it names no scene; say which with --log");
-        const std::filesystem::path beside = std::filesystem::path(options_.file).parent_path() /
-                                             std::filesystem::path(claims_.log).filename();
-        if (!std::filesystem::is_regular_file(beside))
-            throw Rejected(fmt::format("{}: its scene {} is not beside it; say where with --log",
-                                       options_.file, printable(claims_.log)));
-        return beside.string();
-    }
-
     void evaluate()
     {
-        const std::string name = log_file();
+        const std::string name = log_of_export(options_, claims_.log);
         const Log log = read_log(read_text_file(name), name);
         History history;
         for (const LogLine& line : log.lines) {
@@ -191,6 +180,9 @@ private:
 
 Status run_verify(const VerifyOptions& options, const Streams& streams)
 {
+    const std::string bytes = read_text_file(options.file);
+    if (const std::string extras = glb_extras(bytes, options.file); has_film_certificate(extras))
+        return verify_film(options, bytes, extras, streams);
     Verification verification(options, streams);
     if (!verification.holds()) return Status::check_failed;
     streams.talk << "trivar: " << options.file

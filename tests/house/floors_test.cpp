@@ -26,6 +26,7 @@ constexpr std::array floors{"core/base",
                             "core/refinement",
                             "core/placement",
                             "core/document",
+                            "core/export",
                             "gpu",
                             "ui",
                             "editor"};

@@ -260,5 +260,32 @@ TEST(Journey, CountsEveryRoundAndReturnOfTheWay)
     }
 }
 
+TEST(Journey, IsNoFurtherFromGoingEvenlyThanItSays)
+{
+    const Placement on = over_hills(short_model());
+    for (const Ends ends : {Ends::stay, Ends::hide, Ends::run_on, Ends::loop, Ends::back_and_forth})
+        for (const double speed : {0.7, -0.4})
+            for (const double ease : {0.0, 0.5}) {
+                const Journey journey({.speed = speed,
+                                       .ends = ends,
+                                       .ease_in = ease,
+                                       .ease_out = ease,
+                                       .duration = ends == Ends::loop ? 5.0 : 0,
+                                       .followers = 1},
+                                      short_model(), on.contact);
+                for (double from = -0.3; from < 12; from += 0.37)
+                    for (const double h : {0.04, 0.3}) {
+                        const double a = journey.at(from, 1).gone_u,
+                                     b = journey.at(from + h, 1).gone_u,
+                                     most = journey.unevenness_u(from, from + h, 1);
+                        for (const double x : {0.1, 0.35, 0.5, 0.8})
+                            EXPECT_LE(
+                                std::abs(journey.at(from + x * h, 1).gone_u - (a + x * (b - a))),
+                                most + 1e-12)
+                                << static_cast<int>(ends) << " " << speed << " " << from;
+                    }
+            }
+}
+
 } // namespace
 } // namespace trivar

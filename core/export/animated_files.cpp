@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/animated_files.h"
+
+#include "core/base/rejected.h"
+#include "core/document/certificate.h"
+#include "core/export/point_cache.h"
+#include "core/export/usd_writer.h"
+#include "core/files/file_bytes.h"
+#include "core/files/write_model.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace trivar {
+
+const std::vector<std::string>& animated_extensions()
+{
+    static const std::vector<std::string> extensions{".glb", ".usda", ".pc2", ".mdd"};
+    return extensions;
+}
+
+void check_animated_name(const std::string& path)
+{
+    if (std::ranges::find(animated_extensions(), extension_of(path)) == animated_extensions().end())
+        throw Rejected(path + ": what moves is written as .glb, .usda, .pc2 and .mdd");
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    std::error_code ignored;
+    if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))
+        throw Rejected(fmt::format("{}: there is no folder {}", path, folder.string()));
+}
+
+AnimatedFile write_animated(const AnimatedScene& scene, const Ref<AssetStore>& assets,
+                            const std::string& path, const Progress& progress)
+{
+    check_animated_name(path);
+    AnimatedFile out;
+    out.frames = scene.frames.last - scene.frames.first + 1;
+    out.files = {path};
+    if (extension_of(path) == ".glb") {
+        AnimatedExport made = animated_export(scene, assets, progress);
+        report(progress, 1, "writing");
+        write_model(made.model, path);
+        out.certificate = std::move(made.certificate);
+        return out;
+    }
+    const double per_second = scene.document.time.frames_per_second;
+    const Film film =
+        film_of(scene.document, assets, moments_of(scene.frames, 1), between(progress, 0, 0.2));
+    const Progress writing = between(progress, 0.2, 1);
+    if (extension_of(path) == ".usda")
+        write_usda(film, per_second, path, writing);
+    else
+        out.files =
+            write_caches(film, extension_of(path) == ".pc2" ? CacheFormat::pc2 : CacheFormat::mdd,
+                         per_second, path, writing);
+    return out;
+}
+
+std::vector<std::string> summary(const FilmCertificate& c)
+{
+    struct Kind {
+        std::size_t parts = 0, triangles = 0, before = 0;
+        int keys = 0;
+        double bound = 0;
+    };
+    Kind bent, moving;
+    for (const FilmCertificate::PartClaim& part : c.parts) {
+        if (part.way == "still" && part.bound == 0) continue;
+        Kind& kind = part.way == "targets" || part.way == "still" ? bent : moving;
+        ++kind.parts;
+        kind.triangles += part.triangles;
+        kind.before += part.triangles_before;
+        kind.keys = std::max(kind.keys, part.keys);
+        kind.bound = std::max(kind.bound, part.bound);
+    }
+    std::vector<std::string> out;
+    if (bent.parts > 0)
+        out.push_back(fmt::format(
+            "{} parts in volumes: {} triangles where there were {}, {} keys at most, within {}",
+            bent.parts, bent.triangles, bent.before, bent.keys, bound_text(bent.bound)));
+    if (moving.parts > 0)
+        out.push_back(fmt::format(
+            "{} parts by nodes and skins: {} keys at most, within {} at {} moments to a frame",
+            moving.parts, moving.keys, bound_text(moving.bound), c.parts.front().moments));
+    return out;
+}
+
+} // namespace trivar

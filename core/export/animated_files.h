@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/export/animated_model.h"
+
+#include <optional>
+
+namespace trivar {
+
+inline constexpr double default_tolerance = 1e-3; // metres
+
+// The endings of animated files: .glb, .usda, .pc2 and .mdd.
+const std::vector<std::string>& animated_extensions();
+// Throws Rejected where a name has none of them, or its folder is not there.
+void check_animated_name(const std::string& path);
+
+// What was written. A .glb has a certificate.
+struct AnimatedFile {
+    std::vector<std::string> files;
+    int frames = 0;
+    std::optional<FilmCertificate> certificate;
+};
+
+// The frames of a scene to a file, or several, each whole or not there. The tolerance is a .glb's.
+// What the scene lacks is not said here. Throws Rejected and Cancelled.
+AnimatedFile write_animated(const AnimatedScene& scene, const Ref<AssetStore>& assets,
+                            const std::string& path, const Progress& progress = {});
+
+// What a certificate says, a line each.
+std::vector<std::string> summary(const FilmCertificate& certificate);
+
+} // namespace trivar

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/animated_model.h"
+
+#include "core/base/parallel.h"
+#include "core/base/rejected.h"
+#include "core/export/animated_nodes.h"
+#include "core/export/target_keys.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <numeric>
+
+namespace trivar {
+namespace {
+
+// Of the tolerance: for flat triangles, and for what is between the moments. What they do not take
+// is for the keys.
+constexpr double share_of_space = 0.4, share_of_between = 0.4;
+constexpr int most_moments = 16;    // to a frame
+constexpr int measured_moments = 4; // where nothing is proven between them
+
+bool moves_by_itself(const FilmStrip& strip)
+{
+    const Part& first = strip.first();
+    return std::ranges::any_of(strip.shown, [&](const Part* part) {
+        return part && (part->to_world != first.to_world || part->posed != first.posed);
+    });
+}
+
+// The strips of an object that a volume deforms at all times that they are shown at.
+struct BentObject {
+    std::vector<const FilmStrip*> strips;
+    std::unique_ptr<Between> between;
+    std::vector<std::vector<double>> bounds; // by strip and moment: up to the next
+};
+
+struct FilmPlan {
+    Film film;
+    int per_frame = 1;
+    std::map<Id, BentObject> bent;
+};
+
+bool always_bent(const FilmStrip& strip)
+{
+    return std::ranges::all_of(strip.shown,
+                               [](const Part* part) { return !part || part->bent != nullptr; });
+}
+
+void bound_between(FilmPlan& plan, const Progress& progress)
+{
+    const Film& film = plan.film;
+    double done = 0;
+    for (auto& [id, object] : plan.bent) {
+        report(progress, done++ / static_cast<double>(plan.bent.size()), "bounding the motion");
+        object.bounds.assign(object.strips.size(), std::vector<double>(film.moments.size(), 0));
+        for (std::size_t i = 0; i + 1 < film.moments.size(); ++i) {
+            report(progress, done / static_cast<double>(plan.bent.size() + 1),
+                   "bounding the motion");
+            for (std::size_t s = 0; s < object.strips.size(); ++s) {
+                const Part *a = object.strips[s]->shown[i], *b = object.strips[s]->shown[i + 1];
+                if (a && b) // what comes or goes does so at a moment
+                    object.bounds[s][i] = (*object.between)(
+                        *film.evaluated[i].objects.at(id), *a, film.moments[i],
+                        *film.evaluated[i + 1].objects.at(id), *b, film.moments[i + 1]);
+            }
+        }
+    }
+}
+
+FilmPlan planned(const AnimatedScene& scene, const Ref<AssetStore>& assets,
+                 const Progress& progress)
+{
+    for (int per_frame = 1;; per_frame *= 2) {
+        FilmPlan plan;
+        plan.per_frame = per_frame;
+        plan.film = film_of(scene.document, assets, moments_of(scene.frames, per_frame), progress);
+        bool measured = false;
+        for (const FilmStrip& strip : plan.film.strips)
+            if (always_bent(strip)) {
+                BentObject& object = plan.bent[strip.object];
+                object.strips.push_back(&strip);
+                if (!object.between)
+                    object.between =
+                        std::make_unique<Between>(scene.document, strip.object, *assets);
+                measured |= !object.between->unknown().empty();
+            } else {
+                measured |= moves_by_itself(strip) || strip.bent();
+            }
+        if (scene.frames.first == scene.frames.last) return plan;
+        bound_between(plan, progress);
+        double most = 0;
+        for (const auto& [id, object] : plan.bent)
+            for (const std::vector<double>& bounds : object.bounds)
+                for (const double bound : bounds)
+                    if (std::isfinite(bound)) most = std::max(most, bound);
+        const bool enough = most <= share_of_between * scene.tolerance &&
+                            (!measured || per_frame >= measured_moments);
+        if (enough || per_frame >= most_moments) return plan;
+    }
+}
+
+// What the keys may add at each moment, and what all comes to with what they do.
+std::vector<double> allowed_by(const AnimatedScene& scene, const std::vector<double>& space,
+                               const std::vector<double>& between)
+{
+    std::vector<double> out(space.size());
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const double around = std::max(i > 0 ? between[i - 1] : 0, between[i]);
+        const double left = scene.tolerance - space[i] - around;
+        out[i] = left > 0 ? left : share_of_between * scene.tolerance;
+    }
+    return out;
+}
+
+void claim_targets(FilmCertificate::PartClaim& claim, const Between& between,
+                   const std::vector<double>& space, const std::vector<double>& bounds,
+                   const std::vector<double>& off)
+{
+    claim.space = *std::ranges::max_element(space);
+    const auto jumps = std::ranges::count_if(bounds, [](double b) { return std::isinf(b); });
+    claim.unproven = between.unknown();
+    if (claim.unproven.empty() && jumps > 0)
+        claim.unproven = std::to_string(jumps) + " of " + std::to_string(bounds.size() - 1) +
+                         " ways from one moment to the next are not bounded: it jumps, or its clip "
+                         "or its stroke says too little";
+    for (std::size_t i = 0; i < off.size(); ++i) {
+        const double next = i + 1 < off.size() ? space[i + 1] + off[i + 1] : 0;
+        const double step = std::isfinite(bounds[i]) ? bounds[i] : 0;
+        claim.between = std::max(claim.between, step);
+        claim.bound = std::max(claim.bound, std::max(space[i] + off[i], next) + step);
+    }
+}
+
+} // namespace
+
+AnimatedExport animated_export(const AnimatedScene& scene, const Ref<AssetStore>& assets,
+                               const Progress& progress)
+{
+    if (!(scene.tolerance > 0) || !std::isfinite(scene.tolerance))
+        throw Rejected("a tolerance has to be a length above 0 m");
+    FilmPlan plan = planned(scene, assets, between(progress, 0, 0.3));
+    AnimatedExport out;
+    out.film = std::move(plan.film); // strips keep their places
+    const Film& film = out.film;
+    if (film.strips.empty()) throw Rejected("there is nothing visible to export");
+    const double per_second = scene.document.time.frames_per_second;
+    std::vector<float> times_s;
+    for (const double moment : film.moments)
+        times_s.push_back(static_cast<float>((moment - scene.frames.first) / per_second));
+
+    FilmCertificate& certificate = out.certificate;
+    certificate = {.tolerance = scene.tolerance,
+                   .first_frame = scene.frames.first,
+                   .last_frame = scene.frames.last,
+                   .frames_per_second = per_second,
+                   .log = std::filesystem::path(scene.log).filename().string(),
+                   .scene = digest(scene.document)};
+    out.parts.resize(film.strips.size());
+    for (std::size_t s = 0; s < film.strips.size(); ++s) out.parts[s].strip = &film.strips[s];
+    const auto index_of = [&](const FilmStrip* strip) {
+        return static_cast<std::size_t>(strip - film.strips.data());
+    };
+    std::vector<const std::vector<double>*> bounds(film.strips.size(), nullptr);
+    double done = 0;
+    for (auto& [id, object] : plan.bent) {
+        const double share = 0.5 / static_cast<double>(plan.bent.size());
+        std::vector<CommonMesh> common =
+            common_meshes(film, object.strips, *object.between, share_of_space * scene.tolerance,
+                          between(progress, 0.3 + done, 0.3 + done + share));
+        done += share;
+        for (std::size_t s = 0; s < object.strips.size(); ++s) {
+            out.parts[index_of(object.strips[s])].common = std::move(common[s]);
+            bounds[index_of(object.strips[s])] = &object.bounds[s];
+        }
+    }
+    AnimatedNodes nodes(film, scene.document, times_s, scene.tolerance);
+    constexpr std::size_t at_once = 16; // parts whose places are in memory
+    const std::vector<double> free(film.moments.size(), share_of_between * scene.tolerance);
+    const std::vector<double> nothing(film.moments.size(), 0);
+    for (std::size_t first = 0; first < film.strips.size(); first += at_once) {
+        report(progress,
+               0.8 + 0.2 * static_cast<double>(first) / static_cast<double>(film.strips.size()),
+               "choosing keys");
+        const std::size_t end = std::min(first + at_once, film.strips.size());
+        std::vector<TargetKeys> keys(end - first);
+        parallel_blocks(end - first, 1, [&](std::size_t begin, std::size_t stop) {
+            for (std::size_t s = begin; s < stop; ++s)
+                if (const CommonMesh& common = out.parts[first + s].common; common.mesh)
+                    keys[s] =
+                        target_keys(film, film.strips[first + s], common,
+                                    allowed_by(scene, common.space, *bounds[first + s]), times_s);
+        });
+        for (std::size_t s = first; s < end; ++s) {
+            const FilmStrip& strip = film.strips[s];
+            FilmCertificate::PartClaim claim{
+                .object = strip.object, .part = strip.slot, .name = strip.name};
+            claim.moments = plan.per_frame;
+            CommonMesh& common = out.parts[s].common;
+            if (common.mesh) {
+                claim.triangles_before = common.triangles_before;
+                claim_targets(claim, *plan.bent.at(strip.object).between, common.space, *bounds[s],
+                              keys[s - first].off);
+                nodes.add_targets(strip, std::move(keys[s - first]), claim);
+            } else if (strip.bent() || !nodes.add_moving(strip, claim)) {
+                // It lies at some moments only, or shears: its vertices, as they are then.
+                common.mesh = make_ref(in_triangles(*strip.first().rest));
+                common.space = nothing;
+                TargetKeys own = target_keys(film, strip, common, free, times_s);
+                claim = {.object = strip.object, .part = strip.slot, .name = strip.name};
+                claim.moments = plan.per_frame;
+                claim.triangles_before = common.mesh->face_count();
+                claim.unproven = strip.bent() ? "it lies on its stroke in some frames only"
+                                              : "it shears, which no node can";
+                claim.bound = *std::ranges::max_element(own.off);
+                nodes.add_targets(strip, std::move(own), claim);
+            }
+            certificate.parts.push_back(std::move(claim));
+        }
+    }
+    for (const FilmCertificate::PartClaim& part : certificate.parts)
+        certificate.bound = std::max(certificate.bound, part.bound);
+    out.model = nodes.finished();
+    out.model.extras = to_json(certificate);
+    return out;
+}
+
+} // namespace trivar

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/export/common_mesh.h"
+#include "core/export/film_certificate.h"
+
+namespace trivar {
+
+// Which scene is exported, and how.
+struct AnimatedScene {
+    Document document;
+    FrameRange frames;
+    double tolerance = 1e-3; // metres
+    std::string log;         // the scene's file; empty: it has no name
+};
+
+// How a part of the scene became a node of the file: what a check of it needs to know.
+struct AnimatedPart {
+    const FilmStrip* strip = nullptr;
+    CommonMesh common; // of what a volume deforms; else without a mesh
+};
+
+struct AnimatedExport {
+    Film film;   // at the moments at which it was compared
+    Model model; // nodes, skins, morph targets and one clip; a claim in its extras
+    FilmCertificate certificate;
+    std::vector<AnimatedPart> parts; // in the order of the certificate's
+};
+
+// The scene as one model that moves by itself, within a tolerance at every time:
+//
+//   what rests                      a node
+//   what moves as it is             a node with keys of its translation, rotation and scale
+//   what is posed and in no volume  a skin whose joints have such keys, and its own morph targets
+//   what a volume deforms           morph targets, each the place of all vertices at a key
+//
+// What comes and goes hangs on a node whose scale is 1 or 0. The same bits for any number of
+// threads. Throws Rejected and Cancelled. See docs/export.md.
+AnimatedExport animated_export(const AnimatedScene& scene, const Ref<AssetStore>& assets,
+                               const Progress& progress = {});
+
+} // namespace trivar

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/export/animated_model.h"
+#include "core/export/target_keys.h"
+
+namespace trivar {
+
+// Puts strips into a model, each at a node of its own, and says how near it is.
+class AnimatedNodes {
+public:
+    AnimatedNodes(const Film& film, const Document& document, std::vector<float> times_s,
+                  double tolerance);
+
+    // What rests, or moves as it is, or is posed; false where it cannot be said so: it shears.
+    bool add_moving(const FilmStrip& strip, FilmCertificate::PartClaim& claim);
+    void add_targets(const FilmStrip& strip, TargetKeys&& keys, FilmCertificate::PartClaim& claim);
+    Model finished();
+
+private:
+    int node(const std::string& name, int parent);
+    int group(Id id);
+    int holder(const FilmStrip& strip); // the node to hang a part on
+    int mesh(const FilmStrip& strip, Mesh mesh);
+    int skin(const FilmStrip& strip, Mesh& mesh, FilmCertificate::PartClaim& claim);
+    void add_morph_weights(const FilmStrip& strip, int node, const Mesh& mesh,
+                           FilmCertificate::PartClaim& claim);
+    bool add_motion(int node, const std::vector<glm::dmat4>& matrices, const Box& box,
+                    FilmCertificate::PartClaim& claim);
+    // A value at each moment; where it is not shown that of the moment before, or the first.
+    template <class Value>
+    std::vector<Value> each_moment(const FilmStrip& strip, const auto& value) const;
+
+    const Film& film_;
+    const Document& document_;
+    std::vector<float> times_s_;
+    double tolerance_;
+    Model model_;
+    Clip clip_;
+    std::map<Id, int> groups_;
+    std::map<Ref<std::vector<Material>>, std::uint32_t> first_material_; // looked up only
+};
+
+} // namespace trivar

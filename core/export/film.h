@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/evaluate.h"
+
+namespace trivar {
+
+// The frames of a scene that are exported, both ends included.
+struct FrameRange {
+    int first = 1, last = 1;
+    bool operator==(const FrameRange&) const = default;
+};
+// "A:B", or "A"; empty: all of the scene's. Throws Rejected where one is none of the scene's.
+FrameRange frame_range(const std::string& text, const Time& time);
+
+// One part of an object through all moments of a film.
+struct FilmStrip {
+    Id object = 0;
+    int slot = 0; // Part::slot
+    std::string name;
+    std::vector<const Part*> shown; // by moment; null: it is not shown then
+    Ref<std::vector<Material>> materials;
+    const Part& first() const; // that is shown
+    bool bent() const;         // at some moment a volume deforms it
+    bool posed() const;        // at some moment a pose moves its vertices
+};
+
+// A scene at some moments, ascending, in frames; those between two frames, too. Meshes are not
+// worked out.
+struct Film {
+    std::vector<double> moments;
+    std::vector<Evaluated> evaluated; // by moment
+    std::vector<FilmStrip> strips;    // by object and slot
+};
+
+// The choices of refined objects are left out: their triangles would differ from frame to frame.
+// Throws Rejected where the triangles of something change, and Cancelled.
+Film film_of(const Document& document, const Ref<AssetStore>& assets, std::vector<double> moments,
+             const Progress& progress = {});
+// The moments of a range, some to a frame.
+std::vector<double> moments_of(const FrameRange& range, int per_frame);
+
+// The mesh in the world, worked out anew and not kept.
+Mesh mesh_in_world(const Part& part);
+
+} // namespace trivar

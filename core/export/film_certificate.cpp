@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/film_certificate.h"
+
+#include "core/base/rejected.h"
+#include "core/base/text.h"
+#include "core/document/certificate.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+
+namespace trivar {
+namespace {
+
+using FilmJson = nlohmann::ordered_json;
+constexpr int film_certificate_version = 1;
+
+FilmJson film_number(double value) // JSON knows no infinity
+{
+    return std::isfinite(value) ? FilmJson(value) : FilmJson(nullptr);
+}
+double film_number(const FilmJson& value)
+{
+    return value.is_null() ? std::numeric_limits<double>::infinity() : value.get<double>();
+}
+
+} // namespace
+
+std::string part_title(const FilmCertificate::PartClaim& claim)
+{
+    return fmt::format("{} (part {})", printable(claim.name), claim.part + 1);
+}
+
+std::vector<std::string> not_certified(const FilmCertificate& certificate)
+{
+    std::vector<std::string> out;
+    std::map<std::pair<Id, std::string>, int> unproven; // parts of an object, by why
+    std::map<Id, std::string> names;
+    for (const FilmCertificate::PartClaim& part : certificate.parts) {
+        names[part.object] = printable(part.name);
+        if (!part.unproven.empty()) ++unproven[{part.object, part.unproven}];
+        if (!(part.bound <= certificate.tolerance))
+            out.push_back(fmt::format("{} is not within {:.3g} m: its bound is {}",
+                                      part_title(part), certificate.tolerance,
+                                      bound_text(part.bound)));
+    }
+    for (const auto& [of, parts] : unproven)
+        out.push_back(fmt::format("{} is compared at {} moments to a frame and not certified "
+                                  "between them: {}",
+                                  names[of.first], certificate.parts.front().moments, of.second));
+    return out;
+}
+
+std::string to_json(const FilmCertificate& c)
+{
+    FilmJson parts = FilmJson::array();
+    for (const FilmCertificate::PartClaim& p : c.parts) {
+        parts.push_back({{"object", p.object},
+                         {"part", p.part},
+                         {"name", p.name},
+                         {"node", p.node},
+                         {"way", p.way},
+                         {"keys", p.keys},
+                         {"moments_per_frame", p.moments},
+                         {"triangles_before", p.triangles_before},
+                         {"triangles", p.triangles},
+                         {"space_m", film_number(p.space)},
+                         {"between_m", film_number(p.between)},
+                         {"bound_m", film_number(p.bound)}});
+        if (!p.unproven.empty()) parts.back()["unproven"] = p.unproven;
+    }
+    const FilmJson all{{"version", film_certificate_version},
+                       {"tolerance_m", c.tolerance},
+                       {"bound_m", film_number(c.bound)},
+                       {"frames", {c.first_frame, c.last_frame}},
+                       {"frames_per_second", c.frames_per_second},
+                       {"log", c.log},
+                       {"scene", c.scene},
+                       {"parts", std::move(parts)}};
+    return FilmJson{{"trivar_animation", all}}.dump(-1, ' ', false,
+                                                    FilmJson::error_handler_t::replace);
+}
+
+bool has_film_certificate(const std::string& extras)
+{
+    const FilmJson all = FilmJson::parse(extras, nullptr, false);
+    return all.is_object() && all.contains("trivar_animation");
+}
+
+FilmCertificate film_certificate_from_json(const std::string& text)
+{
+    try {
+        const FilmJson all = FilmJson::parse(text).at("trivar_animation");
+        if (all.at("version") != film_certificate_version)
+            throw Rejected("its certificate is of another version of Trivar");
+        FilmCertificate out;
+        out.tolerance = all.at("tolerance_m").get<double>();
+        out.bound = film_number(all.at("bound_m"));
+        out.first_frame = all.at("frames").at(0).get<int>();
+        out.last_frame = all.at("frames").at(1).get<int>();
+        out.frames_per_second = all.at("frames_per_second").get<double>();
+        out.log = all.at("log").get<std::string>();
+        out.scene = all.at("scene").get<std::string>();
+        if (!(out.tolerance > 0) || !(out.frames_per_second > 0))
+            throw Rejected("its certificate has a number that is not above 0");
+        for (const FilmJson& p : all.at("parts"))
+            out.parts.push_back({.object = p.at("object").get<Id>(),
+                                 .part = p.at("part").get<int>(),
+                                 .name = p.at("name").get<std::string>(),
+                                 .node = p.at("node").get<int>(),
+                                 .way = p.at("way").get<std::string>(),
+                                 .keys = p.at("keys").get<int>(),
+                                 .moments = p.at("moments_per_frame").get<int>(),
+                                 .triangles_before = p.at("triangles_before").get<std::size_t>(),
+                                 .triangles = p.at("triangles").get<std::size_t>(),
+                                 .space = film_number(p.at("space_m")),
+                                 .between = film_number(p.at("between_m")),
+                                 .bound = film_number(p.at("bound_m")),
+                                 .unproven = p.value("unproven", std::string())});
+        return out;
+    } catch (const FilmJson::exception&) {
+        throw Rejected("its certificate cannot be read");
+    }
+}
+
+} // namespace trivar

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/point_cache.h"
+
+#include "core/base/rejected.h"
+#include "core/files/growing_file.h"
+#include "core/files/write_model.h"
+
+#include <algorithm>
+#include <bit>
+#include <filesystem>
+#include <fmt/format.h>
+#include <limits>
+#include <memory>
+#include <set>
+
+namespace trivar {
+namespace {
+
+// Bytes of a number, the least or the most significant one first.
+void put_number(std::string& out, std::uint32_t bits, bool big)
+{
+    for (int i = 0; i < 4; ++i)
+        out.push_back(static_cast<char>(bits >> (8 * (big ? 3 - i : i)) & 0xff));
+}
+void put_number(std::string& out, float value, bool big)
+{
+    put_number(out, std::bit_cast<std::uint32_t>(value), big);
+}
+
+struct CachedObject {
+    std::string name;
+    std::vector<const FilmStrip*> strips;
+};
+
+std::vector<CachedObject> objects_of(const Film& film)
+{
+    std::vector<CachedObject> out;
+    std::set<std::string> taken;
+    Id last = 0;
+    for (const FilmStrip& strip : film.strips) {
+        if (strip.object != last) {
+            std::string name;
+            for (const char c : strip.name)
+                name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+            if (name.empty() || !taken.insert(name).second)
+                name += fmt::format("_{}", strip.object);
+            taken.insert(name);
+            out.push_back({name, {}});
+        }
+        last = strip.object;
+        out.back().strips.push_back(&strip);
+    }
+    return out;
+}
+
+const Part& shown_at(const FilmStrip& strip, std::size_t moment)
+{
+    for (std::size_t i = moment + 1; i-- > 0;)
+        if (strip.shown[i]) return *strip.shown[i];
+    return strip.first();
+}
+
+// All of an object in one mesh, Z up, and which of its vertices have a place in the cache: the
+// first of each point, as an OBJ has them.
+struct CachedMesh {
+    Model model;
+    std::vector<std::vector<std::uint32_t>> vertices; // by strip
+};
+
+CachedMesh cached_mesh(const CachedObject& object)
+{
+    CachedMesh out;
+    Mesh all;
+    for (const FilmStrip* strip : object.strips) {
+        const Mesh mesh = mesh_in_world(shown_at(*strip, 0));
+        std::vector<std::uint32_t> place_of(mesh.vertex_count()), first;
+        constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+        std::vector<std::uint32_t> known(mesh.vertex_count() ? point_count(mesh) : 0, none);
+        for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+            std::uint32_t& place = known[mesh.point(v)];
+            if (place == none || mesh.positions[first[place]] != mesh.positions[v]) {
+                place = static_cast<std::uint32_t>(first.size());
+                first.push_back(v);
+            }
+            place_of[v] = place;
+        }
+        const auto begin = static_cast<std::uint32_t>(all.positions.size());
+        for (const std::uint32_t v : first) all.positions.push_back(mesh.positions[v]);
+        for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+            std::vector<std::uint32_t> corners;
+            for (std::uint32_t c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c)
+                corners.push_back(begin + place_of[mesh.corners[c]]);
+            add_face(all, corners);
+        }
+        out.vertices.push_back(std::move(first));
+    }
+    out.model = single_mesh_model(object.name, std::move(all));
+    return out;
+}
+
+std::string header(CacheFormat format, std::size_t points, const Film& film, double per_second)
+{
+    const auto count = static_cast<std::uint32_t>(points),
+               frames = static_cast<std::uint32_t>(film.moments.size());
+    std::string out;
+    if (format == CacheFormat::pc2) {
+        out.assign("POINTCACHE2\0", 12);
+        put_number(out, std::uint32_t{1}, false);
+        put_number(out, count, false);
+        put_number(out, static_cast<float>(film.moments.front()), false);
+        put_number(out, 1.0f, false); // frames a sample
+        put_number(out, frames, false);
+        return out;
+    }
+    put_number(out, frames, true);
+    put_number(out, count, true);
+    for (const double frame : film.moments)
+        put_number(out, static_cast<float>((frame - film.moments.front()) / per_second), true);
+    return out;
+}
+
+} // namespace
+
+std::vector<std::string> write_caches(const Film& film, CacheFormat format,
+                                      double frames_per_second, const std::string& path,
+                                      const Progress& progress)
+{
+    const std::filesystem::path target(path);
+    const std::string extension = format == CacheFormat::pc2 ? ".pc2" : ".mdd";
+    const std::vector<CachedObject> objects = objects_of(film);
+    if (objects.empty()) throw Rejected(path + ": there is nothing visible to write");
+    struct Made {
+        std::string name;
+        std::unique_ptr<GrowingFile> cache;
+        Model first;
+    };
+    std::vector<Made> made;
+    for (std::size_t o = 0; o < objects.size(); ++o) {
+        CachedMesh cached = cached_mesh(objects[o]);
+        const std::string name =
+            (target.parent_path() / (target.stem().string() + "." + objects[o].name)).string();
+        auto cache = std::make_unique<GrowingFile>(name + extension);
+        GrowingFile& file = *cache;
+        file.append(
+            header(format, cached.model.meshes.front()->vertex_count(), film, frames_per_second));
+        for (std::size_t i = 0; i < film.moments.size(); ++i) {
+            const auto done = static_cast<double>(o * film.moments.size() + i),
+                       all = static_cast<double>(objects.size() * film.moments.size());
+            report(progress, done / all, "writing places");
+            std::string places;
+            for (std::size_t s = 0; s < objects[o].strips.size(); ++s) {
+                const Mesh mesh = mesh_in_world(shown_at(*objects[o].strips[s], i));
+                for (const std::uint32_t v : cached.vertices[s]) {
+                    const glm::vec3& p = mesh.positions[v];
+                    for (const float value : {p.x, p.z, 0 - p.y})
+                        put_number(places, value, format == CacheFormat::mdd);
+                }
+            }
+            file.append(places);
+        }
+        file.close();
+        made.push_back({name, std::move(cache), std::move(cached.model)});
+    }
+    std::vector<std::string> out; // all of them or, where it was stopped before, none
+    for (Made& each : made) {
+        write_model(each.first, each.name + ".obj");
+        each.cache->finish();
+        out.push_back(each.name + extension);
+    }
+    return out;
+}
+
+} // namespace trivar

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/command_line/export.h"
+
+#include "core/base/parallel.h"
+#include "core/base/rejected.h"
+#include "core/document/certificate.h"
+#include "core/export/animated_files.h"
+#include "editor/command_line/interrupts.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+// A terminal sees how far it is; Ctrl C ends it.
+Progress stoppable(const Streams& streams, const Interrupts& interrupts)
+{
+    return [shown = shown_progress(streams), &interrupts](double fraction, std::string_view stage) {
+        if (interrupts.came()) throw Cancelled();
+        report(shown, fraction, stage);
+    };
+}
+
+Status tell(const AnimatedFile& written, const ExportOptions& options, const Streams& streams)
+{
+    clear_progress(streams);
+    for (const std::string& path : written.files)
+        streams.talk << fmt::format("trivar: {}: {} frames\n", path, written.frames);
+    if (!written.certificate) return Status::done;
+    const std::vector<std::string> open = not_certified(*written.certificate);
+    for (const std::string& sentence : open)
+        streams.talk << "trivar: " << options.scene.path << ": " << sentence << "\n";
+    for (const std::string& sentence : summary(*written.certificate))
+        streams.talk << "trivar: " << sentence << "\n";
+    return open.empty() ? Status::done : Status::check_failed;
+}
+
+} // namespace
+
+Status run_export(const ExportOptions& options, const Streams& streams)
+{
+    relinked_files(options.scene.relinked);
+    check_animated_name(options.to);
+    if (options.epsilon && !(*options.epsilon > 0 && std::isfinite(*options.epsilon)))
+        throw WrongUsage("--epsilon: must be a length above 0, in metres");
+    std::optional<ThreadLimit> limit;
+    if (options.threads > 0) limit.emplace(options.threads);
+    const Log log = scene_log(log_text(options.scene), options.scene.path, streams);
+    History history;
+    for (const LogLine& line : log.lines) apply(history, line, log.name);
+    check_relinked(options.scene, history.document());
+    AnimatedScene scene{history.document(), frame_range(options.frames, history.document().time),
+                        options.epsilon.value_or(default_tolerance), options.scene.path};
+    const Interrupts interrupts; // before there are threads, so that they know of them too
+    try {
+        return tell(write_animated(scene, asset_store(options.scene), options.to,
+                                   stoppable(streams, interrupts)),
+                    options, streams);
+    } catch (const Cancelled&) {
+        clear_progress(streams);
+        streams.talk << "trivar: stopped; nothing was written\n";
+        return Status::interrupted;
+    }
+}
+
+} // namespace trivar

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/command_line/verify_film.h"
+
+#include "core/base/text.h"
+#include "core/document/certificate.h"
+#include "core/document/log.h"
+#include "core/export/film_check.h"
+#include "core/files/formats.h"
+#include "core/files/glb_differences.h"
+#include "editor/command_line/scene_log.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+class FilmVerification {
+public:
+    FilmVerification(const VerifyOptions& options, const FilmCertificate& claims,
+                     const Streams& streams)
+        : options_(options),
+          claims_(claims),
+          streams_(streams)
+    {
+    }
+
+    bool holds(const std::string& bytes)
+    {
+        const std::string name = log_of_export(options_, claims_.log);
+        const Log log = read_log(read_text_file(name), name);
+        History history;
+        for (const LogLine& line : log.lines) apply(history, line, log.name);
+        const Document& document = history.document();
+        if (digest(document) != claims_.scene)
+            wrong(
+                fmt::format("{} is not the scene that it was exported from, or was changed", name));
+        const Time& time = document.time;
+        if (claims_.first_frame < time.first_frame || claims_.last_frame > time.last_frame ||
+            claims_.last_frame < claims_.first_frame)
+            throw Rejected(fmt::format("{}: the scene has no frames {} to {}", options_.file,
+                                       claims_.first_frame, claims_.last_frame));
+        const auto assets = std::make_shared<const AssetStore>(
+            std::filesystem::absolute(name).lexically_normal().parent_path().string(),
+            relinked_files(options_.relinked));
+        const AnimatedExport again = animated_export(
+            {document, {claims_.first_frame, claims_.last_frame}, claims_.tolerance, claims_.log},
+            assets, shown_progress(streams_));
+        for (const std::string& sentence : glb_differences(bytes, write_glb(again.model)))
+            wrong(sentence);
+        compare_claims(again.certificate);
+        constexpr int times_the_rate = 10;
+        tell(sampled_film(again, document, assets, times_the_rate, shown_progress(streams_)));
+        for (const std::string& sentence : not_certified(claims_)) wrong(sentence);
+        return holds_;
+    }
+
+private:
+    void wrong(const std::string& sentence)
+    {
+        clear_progress(streams_);
+        streams_.talk << fmt::format("trivar: {}: {}\n", options_.file, sentence);
+        holds_ = false;
+    }
+
+    void compare_claims(const FilmCertificate& given)
+    {
+        if (claims_.frames_per_second != given.frames_per_second)
+            wrong("it claims another frame rate than the scene's");
+        if (claims_.parts.size() != given.parts.size())
+            return wrong(fmt::format("the scene gives {} parts and it claims {}",
+                                     given.parts.size(), claims_.parts.size()));
+        constexpr double last_bits = 1 - 1e-9;
+        for (std::size_t p = 0; p < given.parts.size(); ++p) {
+            const FilmCertificate::PartClaim &claim = claims_.parts[p], &part = given.parts[p];
+            if (claim.object != part.object || claim.part != part.part || claim.name != part.name ||
+                claim.node != part.node || claim.way != part.way || claim.keys != part.keys ||
+                claim.moments != part.moments || claim.triangles != part.triangles ||
+                claim.triangles_before != part.triangles_before || claim.unproven != part.unproven)
+                wrong(part_title(claim) + " is not what the scene gives: " + part_title(part));
+            if (!(claim.bound >= last_bits * part.bound))
+                wrong(fmt::format("{} claims {} where {} is found", part_title(claim),
+                                  bound_text(claim.bound), bound_text(part.bound)));
+        }
+        if (!(claims_.bound >= last_bits * given.bound))
+            wrong(fmt::format("it claims {} where {} is found", bound_text(claims_.bound),
+                              bound_text(given.bound)));
+    }
+
+    // One line an object. What is proven must keep to its own claim, all else to the tolerance.
+    void tell(const std::vector<FilmSample>& samples)
+    {
+        clear_progress(streams_);
+        for (std::size_t p = 0; p < samples.size();) {
+            const Id object = claims_.parts[p].object;
+            const std::string name = printable(claims_.parts[p].name);
+            std::size_t count = 0, parts = 0;
+            double furthest = 0, bound = 0, frame = claims_.first_frame;
+            for (; p < samples.size() && claims_.parts[p].object == object; ++p, ++parts) {
+                const FilmCertificate::PartClaim& claim = claims_.parts[p];
+                count += samples[p].samples;
+                bound = std::max(bound, claim.bound);
+                if (samples[p].furthest > furthest) {
+                    furthest = samples[p].furthest;
+                    frame = samples[p].at_frame;
+                }
+                const bool proven = claim.unproven.empty() && claim.way == "targets";
+                const double allowed = proven ? claim.bound : claims_.tolerance;
+                if (!(samples[p].furthest <= allowed + glb_number_tolerance))
+                    wrong(fmt::format("{} is {:.3g} m off at frame {}, further than {}",
+                                      part_title(claim), samples[p].furthest,
+                                      shortest(samples[p].at_frame), bound_text(allowed)));
+            }
+            streams_.out << fmt::format(
+                "{}: {} parts, {} samples at ten times the frame rate, the furthest off by {:.3g} "
+                "m at frame {}, claimed: {}\n",
+                name, parts, count, furthest, shortest(frame), bound_text(bound));
+        }
+    }
+
+    const VerifyOptions& options_;
+    const FilmCertificate& claims_;
+    const Streams& streams_;
+    bool holds_ = true;
+};
+
+} // namespace
+
+std::string log_of_export(const VerifyOptions& options, const std::string& named)
+{
+    if (!options.log.empty()) return options.log;
+    if (named.empty()) throw Rejected(options.file + ": it names no scene; say which with --log");
+    const std::filesystem::path beside =
+        std::filesystem::path(options.file).parent_path() / std::filesystem::path(named).filename();
+    if (!std::filesystem::is_regular_file(beside))
+        throw Rejected(fmt::format("{}: its scene {} is not beside it; say where with --log",
+                                   options.file, printable(named)));
+    return beside.string();
+}
+
+Status verify_film(const VerifyOptions& options, const std::string& bytes,
+                   const std::string& extras, const Streams& streams)
+{
+    FilmCertificate claims;
+    try {
+        claims = film_certificate_from_json(extras);
+    } catch (const Rejected& error) {
+        throw Rejected(options.file + ": " + error.what());
+    }
+    if (!FilmVerification(options, claims, streams).holds(bytes)) return Status::check_failed;
+    streams.talk << "trivar: " << options.file << ": what it claims holds\n";
+    return Status::done;
+}
+
+} // namespace trivar

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "editor/command_line/verify.h"
+
+namespace trivar {
+
+// trivar verify of a file that moves: exports the scene again, compares the file with that, and
+// samples it at ten times the frame rate. Throws Rejected.
+Status verify_film(const VerifyOptions& options, const std::string& bytes,
+                   const std::string& extras, const Streams& streams);
+
+// The scene that a file names, beside it, unless --log says another.
+std::string log_of_export(const VerifyOptions& options, const std::string& named);
+
+} // namespace trivar

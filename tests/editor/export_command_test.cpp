@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Scenes that move, exported and verified by the command line.
+#include "core/base/text.h"
+#include "editor/command_line/command_line.h"
+#include "tests/editor/scenes.h"
+#include "tests/support/fixtures.h"
+
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <gmock/gmock.h>
+#include <spawn.h>
+#include <sstream>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+namespace trivar {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using testing::TemporaryFolder, testing::write_file;
+
+class ExportCommand : public ::testing::Test {
+protected:
+    struct Told {
+        Status status;
+        std::string text;
+    };
+    ExportCommand()
+    {
+        SceneFile file = testing::typical_scene();
+        file.save_as(scene_);
+    }
+    static Told run(const std::vector<std::string>& arguments)
+    {
+        std::ostringstream out, talk;
+        const Status status = run_program(arguments, {out, talk});
+        return {status, out.str() + talk.str()};
+    }
+    Told exported(const std::string& to, const std::vector<std::string>& more = {}) const
+    {
+        std::vector<std::string> all{"export", scene_, "--to", folder_.file(to)};
+        all.insert(all.end(), more.begin(), more.end());
+        return run(all);
+    }
+    std::size_t files() const
+    {
+        return static_cast<std::size_t>(
+            std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()));
+    }
+    TemporaryFolder folder_;
+    const std::string scene_ = folder_.file("scene.trivar");
+};
+
+TEST_F(ExportCommand, WritesAFileThatIsVerified)
+{
+    const Told told = exported("a.glb", {"--frames", "1:4", "--epsilon", "0.004"});
+    EXPECT_EQ(told.status, Status::done) << told.text;
+    EXPECT_THAT(told.text, HasSubstr("4 frames"));
+    const Told verified = run({"verify", folder_.file("a.glb")});
+    EXPECT_EQ(verified.status, Status::done) << verified.text;
+    EXPECT_THAT(verified.text, HasSubstr("ten times the frame rate"));
+    EXPECT_THAT(verified.text, HasSubstr("what it claims holds"));
+}
+
+TEST_F(ExportCommand, IsFoundOutWhereAFileWasChanged)
+{
+    ASSERT_EQ(exported("a.glb", {"--frames", "1:3", "--epsilon", "0.004"}).status, Status::done);
+    const std::string bytes = read_text_file(folder_.file("a.glb"));
+    std::string claims = bytes;
+    const std::size_t bound = claims.find("\"bound_m\":") + 10;
+    claims[bound] = claims[bound] == '0' ? '1' : '0'; // another number of as many digits
+    std::string data = bytes;                         // the last number of a key is another
+    std::memset(data.data() + data.size() - 4, 0x3f, 4);
+    for (const std::string& changed : {claims, data}) {
+        write_file(folder_.file("a.glb"), changed);
+        const Told told = run({"verify", folder_.file("a.glb")});
+        EXPECT_TRUE(told.status == Status::check_failed || changed == claims) << told.text;
+    }
+}
+
+TEST_F(ExportCommand, RefusesWhatCannotBeInASentence)
+{
+    const std::size_t before = files();
+    const auto says = [&](const Told& told, Status status, const std::string& words) {
+        EXPECT_EQ(told.status, status) << told.text;
+        EXPECT_THAT(told.text, HasSubstr(words));
+        EXPECT_EQ(std::count(told.text.begin(), told.text.end(), '\n'), 1) << told.text;
+    };
+    says(exported("a.glb", {"--frames", "0:4"}), Status::rejected, "frames are 1 to 240");
+    says(exported("a.glb", {"--frames", "4:2"}), Status::rejected, "must go up");
+    says(exported("a.glb", {"--frames", "x"}), Status::rejected, "such as 1:240");
+    says(exported("a.glb", {"--epsilon", "0"}), Status::usage, "above 0");
+    says(exported("a.glb", {"--epsilon", "-1"}), Status::usage, "above 0");
+    says(exported("a.xyz"), Status::rejected, ".glb, .usda, .pc2 and .mdd");
+    says(exported("nowhere/a.glb"), Status::rejected, "there is no folder");
+    EXPECT_EQ(files(), before);
+}
+
+TEST_F(ExportCommand, StoppedByAnInterruptLeavesNothing)
+{
+    const std::string to = folder_.file("a.glb");
+    std::vector<std::string> words{
+        TRIVAR_BINARY_DIR "/trivar", "export", scene_, "--to", to, "--epsilon", "0.0005"};
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    const std::size_t before = files();
+    pid_t id = -1;
+    ASSERT_EQ(::posix_spawn(&id, arguments[0], nullptr, nullptr, arguments.data(), environ), 0);
+    // Until it waits for the signal: before that it simply ends, and leaves nothing either.
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    ::kill(id, SIGINT);
+    int status = 0;
+    ::waitpid(id, &status, 0);
+    EXPECT_TRUE(WIFSIGNALED(status) || WEXITSTATUS(status) == 130 || WEXITSTATUS(status) == 0);
+    const bool done = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    EXPECT_EQ(files(), before + (done ? 1 : 0));
+}
+
+} // namespace
+} // namespace trivar

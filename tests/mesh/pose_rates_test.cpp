@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/pose_rates.h"
+#include "tests/support/rigged.h"
+
+#include <gtest/gtest.h>
+
+namespace trivar {
+namespace {
+
+// A chain of three nodes that turn, move and grow.
+Model chain()
+{
+    Model model;
+    for (int n = 0; n < 3; ++n) {
+        Node node;
+        node.parent = n - 1;
+        node.rest.translation = {0.5 * n, 0, 0.1};
+        model.nodes.push_back(node);
+    }
+    Clip clip;
+    clip.end_s = 1;
+    for (int n = 0; n < 3; ++n) {
+        Channel turn;
+        turn.node = n;
+        turn.of = Channel::Of::rotation;
+        turn.components = 4;
+        turn.times_s = {0, 0.5f, 1};
+        turn.values = {0, 0, 0, 1, 0, 0.6f, 0, 0.8f, 0.48f, 0.36f, 0, 0.8f};
+        clip.channels.push_back(turn);
+    }
+    Channel way;
+    way.node = 1;
+    way.times_s = {0, 1};
+    way.values = {0.5f, 0, 0.1f, 1.5f, 1, 0.1f};
+    clip.channels.push_back(way);
+    Channel size;
+    size.node = 0;
+    size.of = Channel::Of::scale;
+    size.times_s = {0, 1};
+    size.values = {1, 1, 1, 2, 2, 2};
+    clip.channels.push_back(size);
+    model.clips.push_back(clip);
+    return model;
+}
+
+TEST(PoseRates, BoundTheDerivativesOfEveryPoint)
+{
+    const Model model = chain();
+    const Clip& clip = model.clips.front();
+    const auto rates = node_rates(model, clip, 0.5, 1);
+    ASSERT_TRUE(rates);
+    const double h = 1e-4;
+    double closest = 0;
+    for (double t = 0.51; t < 0.99; t += 0.02)
+        for (std::size_t n = 0; n < model.nodes.size(); ++n)
+            for (const glm::dvec4& p : {glm::dvec4(0, 0, 0, 1), glm::dvec4(0.3, -0.4, 0.2, 1)}) {
+                const auto at = [&](double time) {
+                    return glm::dvec3(stance_at(model, &clip, time).to_model[n] * p);
+                };
+                const glm::dvec3 before = at(t - h), now = at(t), after = at(t + h);
+                const double far = glm::length(glm::dvec3(p));
+                const NodeRates& r = (*rates)[n];
+                const double first = glm::length(after - before) / (2 * h),
+                             second = glm::length(after - 2.0 * now + before) / (h * h);
+                EXPECT_LE(first, r.turn * far + r.shift + 1e-6) << n << " " << t;
+                EXPECT_LE(second, r.bend * far + r.swing + 1e-4) << n << " " << t;
+                if (r.turn * far + r.shift > 0)
+                    closest = std::max(closest, first / (r.turn * far + r.shift));
+            }
+    EXPECT_GT(closest, 0.3); // no idle bound
+}
+
+TEST(PoseRates, SayNothingOfCubicRotations)
+{
+    Model model = chain();
+    Channel& turn = model.clips.front().channels.front();
+    turn.between = Channel::Between::cubic;
+    turn.values.resize(3 * turn.values.size(), 0.1f);
+    EXPECT_FALSE(node_rates(model, model.clips.front(), 0.5, 1));
+}
+
+TEST(PoseRates, BreaksAreWhereAnyChannelHasAKey)
+{
+    const Model model = chain();
+    EXPECT_EQ(breaks_of(model.clips.front(), nullptr), (std::vector<double>{0, 0.5, 1}));
+}
+
+} // namespace
+} // namespace trivar
