@@ -67,6 +67,7 @@ struct Renderer::State {
     glm::ivec2 whole_px{0};                  // its size before scaling
     bool kept = false;                       // its copy is what shows
     const bool software = is_software();
+    bool may_lag = false; // what is drawn now
     StudioKey studio_key;
     std::optional<Studio> studio;
     std::optional<Work> work;
@@ -137,7 +138,7 @@ struct Renderer::State {
         const int contact_px = draft ? 96 : 192;
         // On software GL what the ground sees of the sky lags behind what is dragged until it
         // rests.
-        const bool lags = draft && software && contact_map.drawn();
+        const bool lags = draft && may_lag && software && contact_map.drawn();
         if (!lags && contact_map.stale(work->frame, work->scene, contact_px))
             clock.pass("contact map",
                        [&] { contact_map.draw(tools, work->frame, work->scene, contact_px); });
@@ -220,6 +221,7 @@ unsigned Renderer::draw(const Picture& picture, glm::ivec2 size_px)
     check_size(size_px);
     State& s = *state_;
     const StateGuard guard;
+    s.may_lag = true;
     s.begin(picture, size_px);
     while (s.work) s.step();
     return texture();
@@ -230,6 +232,7 @@ void Renderer::begin(const Picture& picture, glm::ivec2 size_px)
     check_size(size_px);
     State& s = *state_;
     const StateGuard guard;
+    s.may_lag = false;
     s.begin(picture, size_px);
     if (s.whole != s.work->targets || s.kept) return;
     const Targets& t = *s.whole;

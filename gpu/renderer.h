@@ -20,12 +20,14 @@ public:
 
     // Draws into a texture of its own, `size_px` large times the picture's scale (the camera's
     // aspect follows it), and returns that texture's name: RGBA8, sRGB-encoded, row 0 at the
-    // bottom; valid till the next call.
+    // bottom; valid till the next call. On software GL the ground of a draft may be as it was in
+    // the one before.
     unsigned draw(const Picture& picture, glm::ivec2 size_px);
 
-    // The same in pieces, so that a window on a slow machine stays awake: begin() drops what was
-    // begun before, each advance() draws on for about so long (a pass at least) and tells whether
-    // the picture is whole. Until then texture() stays the last whole picture.
+    // The same in pieces, so that a window on a slow machine stays awake, and with nothing left of
+    // what was drawn before: begin() drops what was begun, each advance() draws on for about so
+    // long (a pass at least) and tells whether the picture is whole. Until then texture() stays
+    // the last whole picture.
     void begin(const Picture& picture, glm::ivec2 size_px);
     bool advance(double budget_ms);
     unsigned texture() const;

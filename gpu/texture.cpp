@@ -10,12 +10,19 @@
 #include <utility>
 
 namespace trivar::gpu {
+namespace {
+
+// Where textures are made and filled: no pass reads from it, so that none loses what it has bound
+// when another texture is made halfway.
+constexpr unsigned spare_unit = 13;
+
+} // namespace
 
 Texture2D::Texture2D(unsigned format, glm::ivec2 size_px, bool linear, int levels)
     : size_px_(size_px)
 {
     glGenTextures(1, &name_);
-    bind(0);
+    bind(spare_unit);
     glTexStorage2D(GL_TEXTURE_2D, levels, format, size_px.x, size_px.y);
     const GLint filter = linear ? GL_LINEAR : GL_NEAREST;
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
@@ -48,7 +55,7 @@ Texture2D Texture2D::view(unsigned format) const
     result.size_px_ = size_px_;
     glGenTextures(1, &result.name_);
     glTextureView(result.name_, GL_TEXTURE_2D, name_, format, 0, 1, 0, 1);
-    result.bind(0);
+    result.bind(spare_unit);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -59,7 +66,7 @@ Texture2D Texture2D::view(unsigned format) const
 void Texture2D::write_rgba(std::span<const std::uint8_t> rgba)
 {
     assert(rgba.size() == static_cast<std::size_t>(size_px_.x) * size_px_.y * 4);
-    bind(0);
+    bind(spare_unit);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size_px_.x, size_px_.y, GL_RGBA, GL_UNSIGNED_BYTE,
                     rgba.data());

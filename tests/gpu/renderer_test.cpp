@@ -115,6 +115,34 @@ TEST_F(TheRenderer, DrawsInPiecesWhatItDrawsAtOnceAndShowsTheLastPictureMeanwhil
     EXPECT_EQ(texels(renderer.draw(picture, size), size), whole);
 }
 
+// As the frames of a sequence are drawn in any order: shadows on the ground, and glass.
+TEST_F(TheRenderer, DrawsInPiecesWithNothingLeftOfThePictureBefore)
+{
+    const glm::ivec2 size(96, 64);
+    for (const bool draft : {true, false}) {
+        Picture picture;
+        picture.draft = draft;
+        picture.samples = 1;
+        picture.camera = looking_at_origin(6);
+        picture.camera.eye.z = 3;
+        picture.instances = {instance_of(torus_mesh(0.8, 0.3, {48, 24})),
+                             instance_of(sphere_mesh(0.5, 24, 12))};
+        picture.instances[1].opacity = 0.5f;
+        Picture before = picture;
+        before.instances[0].to_world[3].x = 1;
+        Renderer alone;
+        const auto drawn = [&](Renderer& by, const Picture& wanted) {
+            by.begin(wanted, size);
+            while (!by.advance(1e9)) continue;
+            return texels(by.texture(), size);
+        };
+        const auto first = drawn(alone, picture);
+        EXPECT_EQ(drawn(alone, picture), first) << draft;
+        EXPECT_NE(drawn(alone, before), first) << draft;
+        EXPECT_EQ(drawn(alone, picture), first) << draft;
+    }
+}
+
 TEST_F(TheRenderer, DrawsADraftSmallerAndStillPicksByThePlaceItIsShownAt)
 {
     Picture picture;
