@@ -5,6 +5,7 @@
 #include "editor/editor.h"
 #include "editor/file_actions.h"
 #include "editor/help_actions.h"
+#include "editor/key_actions.h"
 #include "editor/new_material.h"
 #include "editor/panels/panels.h"
 #include "editor/reset_actions.h"
@@ -72,6 +73,7 @@ std::vector<Action> all_actions(const Editor& editor)
     add_view_actions(a);
     add_window_actions(a);
     add_time_actions(a);
+    add_key_actions(a);
     for (std::size_t i = 0; i < editor.tools.size(); ++i)
         a.push_back({"Tools", editor.tools[i]->name(), editor.tools[i]->keys(), [i](Editor& e) {
                          if (e.tools[i]->name() == "Move" && e.active_tool().grab(e.session))
@@ -104,6 +106,7 @@ std::vector<Action> all_actions(const Editor& editor)
                  {[](const Editor& e) { return !e.active_tool().held_parts(e.session).empty(); },
                   "choose control points first, or hold the ball of the press somewhere"}});
     add_help_actions(a);
+    let_keys_take(a);
     for (Action& each : a) each.usual_keys = each.keys;
     return a;
 }
@@ -183,6 +186,7 @@ void run_keys(Editor& editor)
         ui::swallow_keys();
         return;
     }
+    if (editor.timeline.keys.gesture.by_key) return; // the timeline takes them
     if (editor.files.asking()) return;
     if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId)) {
         if (escape()) ImGui::ClosePopupToLevel(0, true);

@@ -44,7 +44,7 @@ struct Action {
     bool group_begins = false;              // a rule above it in the menu
     std::vector<ui::Chord> usual_keys = {}; // before anybody changed them
     KeysIn keys_in = KeysIn::anywhere;
-    bool repeats = false; // while its key is held
+    bool repeats = false;                       // while its key is held
     std::function<bool(const Editor&)> on = {}; // of what is switched: whether it has a tick
 };
 

@@ -153,6 +153,7 @@ void draw_editor(Editor& editor, ui::Frame& frame)
     follow_click(editor, layout);
     paint_ground(theme, frame.size_px);
     editor.timeline.hovered = false;
+    editor.keys_under_mouse = {};
     if (!editor.only_view) {
         draw_top_bar(editor, theme, layout);
         draw_tool_strip(editor, theme, layout);

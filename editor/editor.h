@@ -8,6 +8,7 @@
 #include "editor/files.h"
 #include "editor/held_keys.h"
 #include "editor/hints.h"
+#include "editor/key_target.h"
 #include "editor/manual.h"
 #include "editor/outline.h"
 #include "editor/picture_to_file.h"
@@ -17,6 +18,7 @@
 #include "editor/recent_scenes.h"
 #include "editor/record_plan.h"
 #include "editor/stored_pictures.h"
+#include "editor/timeline_state.h"
 #include "editor/tools/tool.h"
 #include "editor/tutorial.h"
 #include "editor/viewport.h"
@@ -55,15 +57,8 @@ struct Editor {
     OutlinerState outliner;
     std::vector<std::string> fonts; // by title; looked for when a text is first shown
     Playback playback;
-    struct Timeline {
-        enum class Hand { none, shift, begin, end }; // what of a bar is dragged
-        Hand hand = Hand::none;
-        Id id = 0;
-        Travel travel;                        // before it was
-        double grabbed = 0, from = 0, to = 0; // frames: under the mouse, and the bar's ends then
-        bool hovered = false;
-        std::optional<glm::dvec2> shown; // the frames between which it is open; none: all
-    } timeline;
+    using Timeline = TimelineState;
+    Timeline timeline;
     enum class Panel { view, outliner, dock } panel = Panel::view; // the keyboard's
     bool show_focus = false;                                       // it came there by a key
     struct Menu {
@@ -77,6 +72,7 @@ struct Editor {
     bool add_menu_asked = false;  // it opens at the mouse in the next frame
     bool right_cancelled = false; // the right button, which is held, ended a gesture
     bool inspecting = false;      // a proposal of the inspector is pending
+    KeyTarget keys_under_mouse;   // the numbers of the field that it is over
     std::string manual_folder;    // its pages are read when the first is shown
     std::string sample_pictures;  // a folder
     std::vector<ManualPage> manual;

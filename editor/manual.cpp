@@ -12,9 +12,10 @@
 namespace trivar {
 namespace {
 
-constexpr std::array<std::string_view, 12> order{
-    "start",  "place",           "select", "move-rotate-scale", "outliner",    "timeline",
-    "record", "history-and-log", "files",  "picture",           "preferences", keys_page};
+constexpr std::array<std::string_view, 13> order{
+    "start",    "place",       "select", "move-rotate-scale", "outliner",
+    "timeline", "animate",     "record", "history-and-log",   "files",
+    "picture",  "preferences", keys_page};
 
 std::string lowered(std::string_view text)
 {

@@ -66,7 +66,7 @@ void Session::look_at_frame()
 
 Command Session::said(const Command& command) const
 {
-    return keyed(committed(), command, frame_, false);
+    return keyed(committed(), command, frame_, auto_key);
 }
 
 void Session::show_frame(int frame)
@@ -282,7 +282,8 @@ void Session::replace_scene(SceneFile scene, std::vector<ui::Notices::Action> of
     const auto picture = bookmarks.find("picture");
     frame_all_when_evaluated = picture == bookmarks.end();
     go_to.reset();
-    if (picture != bookmarks.end()) go_to = picture->second;
+    follows.reset();
+    if (picture != bookmarks.end()) follows = FollowedView{"picture"};
     const std::vector<std::string>& said = scene_.notices();
     if (said.size() == 1)
         notices.say(ui::NoticeKind::warning, said.front(), {}, {}, std::move(offers));

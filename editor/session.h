@@ -3,6 +3,7 @@
 
 #include "core/document/scene_file.h"
 #include "editor/background_evaluator.h"
+#include "editor/followed_view.h"
 #include "editor/job.h"
 #include "editor/left_scene.h"
 #include "editor/selection.h"
@@ -48,7 +49,7 @@ public:
     void commit_if_placed(Id object);
     void cancel();
     bool run(const Command& command); // propose and commit
-    // The same; why it was refused, and no notice. The note stands beside it in the scene.
+    // Why it was refused, and no notice. The note stands beside it in the scene.
     std::string try_run(const Command& command, const std::string& note = {});
     void undo();
     void redo();
@@ -64,7 +65,6 @@ public:
     void look_at_step(std::size_t position);
     bool proposing() const { return scene_.history().proposal().has_value(); }
     bool committing() const { return check_.has_value(); }
-
     // What was refused, of the present scene: for the log, not in the file.
     struct Refused {
         std::size_t after = 0; // lines of the file
@@ -88,8 +88,7 @@ public:
     void save_compact(const std::string& path);         // may throw Rejected
     Ref<AssetStore> assets() const { return assets_; }
 
-    // Takes in what other threads finished; once a frame.
-    void poll();
+    void poll(); // takes in what other threads finished; once a frame
     // While steps are not on disk: tries again every few seconds.
     void try_to_write(double time_s);
     // While a file is only looked at: takes up, once a second, what was added to it.
@@ -98,7 +97,6 @@ public:
     const Jobs& jobs() const { return jobs_; }
     BackgroundEvaluator& evaluator() { return *evaluator_; }
     const BackgroundEvaluator& evaluator() const { return *evaluator_; }
-
     // The person's own; not part of the document and of no undo step.
     Selection selected;
     std::vector<Id> aside;     // ascending: left out of the picture while others are worked on
@@ -106,7 +104,9 @@ public:
     Camera camera;
     bool deform_on_processor = true; // else who draws does it: parts are left to be asked for
     bool frame_all_when_evaluated = false;
-    std::optional<Camera> go_to; // a kept view, taken up by the next frame, which knows its size
+    bool auto_key = false;       // every change of a number that can have keys is one
+    std::optional<Camera> go_to; // a view, taken up by the next frame, which knows its size
+    std::optional<FollowedView> follows;
     ui::Notices notices;
 
 private:

@@ -119,6 +119,7 @@ void Tutorial::begin(Session& session, std::string title)
     count_ = session.scene().history().steps().size();
     motion_.reset();
     session.go_to.reset();
+    session.follows.reset();
     show(session, std::min<std::size_t>(1, count_));
     session.frame_all_when_evaluated = !session.go_to;
 }

@@ -87,7 +87,7 @@ void add_view_actions(std::vector<Action>& a)
         {"View",
          "View of pictures",
          {keypad(0)},
-         [](Editor& e) { e.session.go_to = e.session.document().bookmarks.at("picture"); },
+         [](Editor& e) { e.session.follows = FollowedView{"picture"}; },
          {[](const Editor& e) { return e.session.document().bookmarks.contains("picture"); },
           "no view is kept for pictures"}});
     const auto shading = [&](const char* name, const ui::Chord& key, bool Shading::*part) {
@@ -134,7 +134,7 @@ void add_view_actions(std::vector<Action>& a)
                  {},
                  true});
     a.push_back({"View", "Use this view for pictures", {}, [](Editor& e) {
-                     if (e.session.run(SaveCamera{"picture", e.session.camera}))
+                     if (e.session.run(SaveCamera{"picture", camera_for_pictures(e.session)}))
                          e.session.notices.say(ui::NoticeKind::good, "This view is kept",
                                                "Replayed pictures and this scene open in it.");
                  }});

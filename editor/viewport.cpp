@@ -81,10 +81,12 @@ ViewportInput Viewport::take_input(Session& session, const ui::Frame& frame, con
     input.hovered = ImGui::IsItemHovered();
     const glm::dvec2 drag = input.mouse - last_mouse_;
     last_mouse_ = input.mouse;
-    if (session.go_to)
-        session.camera =
-            ui::reshaped(*std::exchange(session.go_to, std::nullopt), glm::dvec2(rect.size()));
-    session.camera.size_px = glm::max(glm::dvec2(rect.size()), 1.0);
+    const glm::dvec2 size_px(rect.size());
+    if (session.go_to) {
+        session.camera = ui::reshaped(*std::exchange(session.go_to, std::nullopt), size_px);
+        session.follows.reset();
+    }
+    session.camera = followed(session.follows, session.document(), session.camera, size_px);
 
     const bool moves_camera = emulates_middle() && !tool.busy();
     if (ImGui::IsItemActive() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !moves_camera) {

@@ -146,6 +146,14 @@ void paint_ball(glm::vec2 center, float radius, Color color, float rim_width)
     draw.AddCircle(v(center), radius, faded(color, 0.9f), 0, rim_width);
 }
 
+void paint_diamond(glm::vec2 center, float radius, Color fill, Color rim, float rim_width)
+{
+    const ImVec2 up = v(center - glm::vec2(0, radius)), right = v(center + glm::vec2(radius, 0)),
+                 down = v(center + glm::vec2(0, radius)), left = v(center - glm::vec2(radius, 0));
+    if (fill) list().AddQuadFilled(up, right, down, left, fill);
+    if (rim) list().AddQuad(up, right, down, left, rim, rim_width);
+}
+
 void paint_line(glm::vec2 a, glm::vec2 b, Color color, float thickness)
 {
     list().AddLine(v(a), v(b), color, thickness);

@@ -44,6 +44,8 @@ void paint_rim(const Rect& rect, Color color, float rounding, float thickness);
 void paint_dot(glm::vec2 center, float radius, Color color, Color rim = 0, float rim_width = 0);
 // Of glass, lit from above left: seen through in the middle, hardly at its rim.
 void paint_ball(glm::vec2 center, float radius, Color color, float rim_width);
+// On a corner; `fill` or `rim` 0: without it.
+void paint_diamond(glm::vec2 center, float radius, Color fill, Color rim, float rim_width);
 void paint_line(glm::vec2 a, glm::vec2 b, Color color, float thickness);
 void paint_path(const std::vector<glm::vec2>& points, Color color, float thickness,
                 bool closed = false);

@@ -80,7 +80,7 @@ Row label_row(const Theme& theme, const std::string& label, bool changed, const 
     ImGui::PopID();
     paint_text(theme.font.body, {{x, r.lo.y}, r.hi}, c.text_2, shown);
     ImGui::SetCursorScreenPos({x + theme.size.label, r.lo.y});
-    row.width = r.hi.x - theme.px(16) - (x + theme.size.label);
+    row.width = r.hi.x - theme.px(key_gutter) - (x + theme.size.label);
     return row;
 }
 

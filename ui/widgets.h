@@ -71,6 +71,8 @@ void name_text(const ImFont* font, const Rect& in, Color color, const std::strin
 bool section(const Theme& theme, const std::string& title, bool open_at_first = true,
              const std::string& note = {}, Color note_color = 0);
 
+// At the right of a row's field, pixels at scale 1: a mark and the scroll bar.
+inline constexpr float key_gutter = 26;
 // The label at the left of a row; the cursor is left where the field goes. Returns the field's
 // width. A dot marks a value that differs from its default; clicking the dot resets it.
 struct Row {

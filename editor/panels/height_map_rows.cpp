@@ -61,8 +61,8 @@ ui::Edit grid_row(const ui::Theme& theme, HeightGrid& grid, int& chosen)
 
 } // namespace
 
-ui::Edit draw_height_map(const ui::Theme& theme, const std::string& help, double size_world,
-                         HeightGrid& grid, int& chosen)
+ui::Edit draw_height_map(const ui::Theme& theme, const HeightMapRows& rows, HeightGrid& grid,
+                         int& chosen)
 {
     ImGui::PushID("height map");
     ui::Edit edit = ui::Edit::none;
@@ -76,7 +76,14 @@ ui::Edit draw_height_map(const ui::Theme& theme, const std::string& help, double
         names.push_back(name);
     }
     names.emplace_back("Custom");
-    const ui::Row at = ui::label_row(theme, "Height map", !grid.empty(), help);
+    const ui::Row at = ui::label_row(theme, "Height map", !grid.empty(), rows.words.help);
+    const auto name_of = [&](std::size_t i, std::size_t j) {
+        return rows.words.parameter + "." + std::to_string(i) + "." + std::to_string(j);
+    };
+    std::vector<std::string> all;
+    for (std::size_t i = 0; i < grid.size(); ++i)
+        for (std::size_t j = 0; j < grid[i].size(); ++j) all.push_back(name_of(i, j));
+    if (rows.keys && !all.empty()) rows.keys->mark(theme, at, all);
     if (at.reset) {
         grid.clear();
         edit = ui::Edit::changed;
@@ -90,8 +97,8 @@ ui::Edit draw_height_map(const ui::Theme& theme, const std::string& help, double
     }
     if (!grid.empty()) {
         const HeightMap map(grid);
-        const bool known = size_world > 0;
-        const double scale = known ? size_world : 1;
+        const bool known = rows.size_world > 0;
+        const double scale = known ? rows.size_world : 1;
         const std::string unit = known ? "m" : "";
         ImGui::SetCursorScreenPos(
             {ImGui::GetWindowPos().x + theme.size.padding, ImGui::GetCursorScreenPos().y});
@@ -112,14 +119,16 @@ ui::Edit draw_height_map(const ui::Theme& theme, const std::string& help, double
         take(grid_row(theme, grid, chosen));
         const auto columns = grid.front().size();
         if (chosen >= 0 && static_cast<std::size_t>(chosen) < grid.size() * columns) {
-            double& value = grid[static_cast<std::size_t>(chosen) / columns]
-                                [static_cast<std::size_t>(chosen) % columns];
+            const auto i = static_cast<std::size_t>(chosen) / columns,
+                       j = static_cast<std::size_t>(chosen) % columns;
+            double& value = grid[i][j];
             double size = value * scale;
-            const float width =
-                ui::label_row(theme, "Point", false, "The height of the chosen point.").width;
+            const ui::Row row =
+                ui::label_row(theme, "Point", false, "The height of the chosen point.");
+            if (rows.keys) rows.keys->mark(theme, row, {name_of(i, j)});
             const ui::Edit typed = ui::number_field(
                 theme, "point", size,
-                {.lo = least_profile * scale, .hi = most_profile * scale, .unit = unit}, width);
+                {.lo = least_profile * scale, .hi = most_profile * scale, .unit = unit}, row.width);
             if (typed == ui::Edit::changed) value = size / scale;
             take(typed);
         }

@@ -2,14 +2,19 @@
 #pragma once
 
 #include "core/placement/height_map.h"
+#include "editor/panels/key_gutter.h"
 #include "ui/widgets.h"
 
 namespace trivar {
 
+struct HeightMapRows {
+    RowWords words;
+    double size_world = 0; // that the factors multiply, metres; 0: not known yet
+    const KeyGutter* keys = nullptr;
+};
 // A list of shapes to begin with and, where the height changes over the strip, its surface, the
-// size of the grid and the number of the chosen point. `size_world` is what the factors multiply,
-// metres; 0: not known yet.
-ui::Edit draw_height_map(const ui::Theme& theme, const std::string& help, double size_world,
-                         HeightGrid& grid, int& chosen);
+// size of the grid and the number of the chosen point.
+ui::Edit draw_height_map(const ui::Theme& theme, const HeightMapRows& rows, HeightGrid& grid,
+                         int& chosen);
 
 } // namespace trivar

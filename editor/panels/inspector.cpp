@@ -6,6 +6,7 @@
 #include "editor/clipboard.h"
 #include "editor/field_words.h"
 #include "editor/new_material.h"
+#include "editor/panels/key_gutter.h"
 #include "editor/panels/panels.h"
 #include "ui/icons.h"
 #include "ui/sentence.h"
@@ -20,10 +21,12 @@
 namespace trivar {
 namespace {
 
-ui::Edit vector_row(const ui::Theme& theme, const std::string& label, glm::dvec3& value,
-                    const glm::dvec3& rest, const ui::NumberStyle& style, const std::string& help)
+ui::Edit vector_row(const ui::Theme& theme, const KeyGutter& keys, const std::string& label,
+                    glm::dvec3& value, const glm::dvec3& rest, const ui::NumberStyle& style,
+                    const RowWords& words)
 {
-    const ui::Row row = ui::label_row(theme, label, value != rest, help);
+    const ui::Row row = ui::label_row(theme, label, value != rest, words.help);
+    keys.mark(theme, row, axes_of(words.parameter), true);
     if (row.reset) {
         value = rest;
         return ui::Edit::changed;
@@ -196,7 +199,8 @@ void finish_edit(Editor& editor)
     const Document before = document_at(editor.session.committed(), editor.session.frame());
     // A drag that came back to where it began is no step.
     bool changed = *now.render != *before.render || now.time != before.time ||
-                   *now.tracks != *before.tracks || now.objects.size() != before.objects.size();
+                   now.bookmarks != before.bookmarks || *now.tracks != *before.tracks ||
+                   now.objects.size() != before.objects.size();
     for (const auto& [id, each] : now.objects) {
         if (changed) break;
         const auto found = before.objects.find(id);
@@ -219,15 +223,19 @@ void draw_transform(Editor& editor, const ui::Theme& theme, Id id)
     const auto take = [&edit](ui::Edit one) {
         if (one != ui::Edit::none) edit = one;
     };
+    const KeyGutter keys(editor, {id});
+    const auto words = [](const std::string& field) {
+        return RowWords(help_of_field("transform", field), "transform." + field);
+    };
     if (!each.placement) { // the stroke says where a placed object is
-        take(vector_row(theme, "Position", t.translation, rest.translation, {.unit = "m"},
-                        help_of_field("transform", "translation")));
-        take(vector_row(theme, "Rotation", t.rotation_deg, rest.rotation_deg,
+        take(vector_row(theme, keys, "Position", t.translation, rest.translation, {.unit = "m"},
+                        words("translation")));
+        take(vector_row(theme, keys, "Rotation", t.rotation_deg, rest.rotation_deg,
                         {.lo = -36000, .hi = 36000, .step = 1, .unit = "deg"},
-                        help_of_field("transform", "rotation_deg")));
+                        words("rotation_deg")));
     }
-    take(vector_row(theme, "Scale", t.scale, rest.scale, {.lo = -1e6, .hi = 1e6},
-                    help_of_field("transform", "scale")));
+    take(vector_row(theme, keys, "Scale", t.scale, rest.scale, {.lo = -1e6, .hi = 1e6},
+                    words("scale")));
     const ui::Row row = ui::label_row(theme, "All alike", false, "one factor along X, Y and Z");
     double uniform = t.scale.x;
     const ui::Edit one =
@@ -260,13 +268,15 @@ void draw_material(Editor& editor, const ui::Theme& theme, Id id)
         return;
     }
     Surfacing s = *each.surfacing;
-    const auto help = [](const char* field) { return help_of_field("set_material", field); };
-    ui::Edit edit =
-        ui::color_field(theme, "color", s.base_color,
-                        ui::label_row(theme, "Colour", false, help("base_color")).width);
-    const auto share = [&](const char* label, const char* field, float& value) {
+    const auto help = [](const std::string& field) { return help_of_field("set_material", field); };
+    const KeyGutter keys(editor, {id});
+    const ui::Row color = ui::label_row(theme, "Colour", false, help("base_color"));
+    keys.mark(theme, color, axes_of("material.base_color"));
+    ui::Edit edit = ui::color_field(theme, "color", s.base_color, color.width);
+    const auto share = [&](const char* label, const std::string& field, float& value) {
         double number = value;
         const ui::Row row = ui::label_row(theme, label, false, help(field));
+        keys.mark(theme, row, {"material." + field});
         const ui::Edit one =
             ui::number_field(theme, label, number, {.lo = 0, .hi = 1, .bar_hi = 1}, row.width);
         value = static_cast<float>(number);
@@ -296,8 +306,11 @@ void draw_picture_settings(Editor& editor, const ui::Theme& theme)
         if (one != ui::Edit::none) edit = one;
     };
     if (!ui::section(theme, "Picture")) return;
-    const auto row_of = [&](const char* label, const char* field) {
-        return ui::label_row(theme, label, false, help_of_field("set_render", field)).width;
+    const KeyGutter keys(editor, {0});
+    const auto row_of = [&](const char* label, const std::string& field) {
+        const ui::Row row = ui::label_row(theme, label, false, help_of_field("set_render", field));
+        if (field != "look" && field != "color_by") keys.mark(theme, row, {"render." + field});
+        return row.width;
     };
     int look = 0;
     for (std::size_t i = 0; i < looks.size(); ++i)
@@ -354,6 +367,7 @@ void draw_inspector(Editor& editor, const ui::Theme& theme, const Layout& layout
         const ui::Rect& r = layout.inspector;
         const bool nothing = objects.empty();
         if (!nothing) draw_picture_settings(editor, theme);
+        if (!nothing) draw_kept_view(editor, theme);
         const float top = nothing ? r.lo.y : ImGui::GetCursorScreenPos().y;
         const float end = nothing ? std::min(r.hi.y, top + theme.px(220)) : top + theme.px(200);
         ui::empty_state(theme, {{r.lo.x, top}, {r.hi.x, end}}, ui::icon::sliders,
@@ -384,6 +398,7 @@ void draw_inspector(Editor& editor, const ui::Theme& theme, const Layout& layout
     if (std::holds_alternative<TextShape>(each->source)) part(draw_text);
     part(draw_transform);
     part(draw_material);
+    part(draw_other_numbers);
     facts(editor, theme, *each, id);
     ImGui::PopID();
     ImGui::End();

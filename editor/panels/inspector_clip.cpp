@@ -92,7 +92,8 @@ void draw_clip(Editor& editor, const ui::Theme& theme, const std::vector<Id>& id
         return mixed_style(all, before, part, own);
     };
     Playing p = before;
-    ValueRows rows{theme};
+    const KeyGutter keys(editor, ids);
+    ValueRows rows{theme, &keys};
     const std::optional<std::string> taken =
         clip_row(rows, before.clip, clips, differs(all, before, &Playing::clip));
     if (taken) p.clip = *taken;
@@ -116,7 +117,7 @@ void draw_clip(Editor& editor, const ui::Theme& theme, const std::vector<Id>& id
         if (!p.foot_lock) repeat_row(rows, p.repeat);
         rows.number("Offset", p.offset, rest.offset,
                     style(&Playing::offset, {.lo = -1e6, .hi = 1e6, .unit = "s"}),
-                    help_of_clip("offset"));
+                    {help_of_clip("offset"), "playing.offset"});
         if (!p.foot_lock)
             rows.integer(
                 "Begins", p.start_frame, document.time.first_frame,

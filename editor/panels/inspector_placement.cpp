@@ -13,9 +13,9 @@
 namespace trivar {
 namespace {
 
-std::string help_of(const char* parameter)
+RowWords help_of(const std::string& parameter)
 {
-    return help_of_field("edit_placement", std::string("parameters.") + parameter);
+    return {help_of_field("edit_placement", "parameters." + parameter), "placement." + parameter};
 }
 
 std::string percent(double share)
@@ -57,8 +57,8 @@ void volume_rows(ValueRows& rows, PlacementParameters& p, bool round, const Plac
     const PlacementParameters rest;
     const auto profile = [&](const char* label, const char* field, double present, ui::Color color,
                              ProfileKind kind, std::vector<glm::dvec2>& points, int& chosen) {
-        rows.take(draw_profile(rows.theme, {label, help_of(field), present, color, kind}, points,
-                               chosen));
+        rows.take(draw_profile(rows.theme, {label, help_of(field), present, color, kind, rows.keys},
+                               points, chosen));
     };
     const ui::Palette& c = rows.theme.color;
     const double width = report ? report->width_world : 0;
@@ -71,8 +71,8 @@ void volume_rows(ValueRows& rows, PlacementParameters& p, bool round, const Plac
             p.height_profile, editor.height_point);
     profile("Height across", "height_across", height, c.lattice, ProfileKind::across,
             p.height_across, editor.across_point);
-    rows.take(
-        draw_height_map(rows.theme, help_of("height_map"), height, p.height_map, editor.map_point));
+    rows.take(draw_height_map(rows.theme, {help_of("height_map"), height, rows.keys}, p.height_map,
+                              editor.map_point));
     profile("Rise", "rise_profile", height, c.contact, ProfileKind::rise, p.rise_profile,
             editor.rise_point);
     rows.number("Sunk", p.contact_level, rest.contact_level, {.lo = 0, .hi = 1, .bar_hi = 1},
@@ -128,7 +128,7 @@ void contact_rows(ValueRows& rows, PlacementParameters& p)
     const PlacementParameters rest;
     int misses = static_cast<int>(p.misses);
     const ui::Row at =
-        ui::label_row(rows.theme, "Misses", p.misses != rest.misses, help_of("misses"));
+        ui::label_row(rows.theme, "Misses", p.misses != rest.misses, help_of("misses").help);
     if (at.reset) {
         p.misses = rest.misses;
         rows.take(ui::Edit::changed);
@@ -158,7 +158,8 @@ void draw_placement(Editor& editor, const ui::Theme& theme, Id id)
                                      ? nullptr
                                      : effects->second->placement.get();
     const bool round = each.placement->round;
-    ValueRows rows{theme};
+    const KeyGutter keys(editor, {id});
+    ValueRows rows{theme, &keys};
     const auto part = [&](const char* title, bool open, auto&& fill) {
         ImGui::PushID(title);
         if (ui::section(theme, title, open)) {

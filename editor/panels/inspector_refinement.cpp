@@ -92,12 +92,13 @@ void draw_refinement(Editor& editor, const ui::Theme& theme, const std::vector<I
     const auto style = [&](auto Refining::*part, const ui::NumberStyle& own) {
         return mixed_style(all, before, part, own);
     };
-    ValueRows rows{theme};
+    const KeyGutter keys(editor, ids);
+    ValueRows rows{theme, &keys};
     std::optional<SplitPoint> split;
     if (!ids.empty()) {
         rows.number("Tolerance", r.tolerance, rest.tolerance,
                     style(&Refining::tolerance, {.lo = 1e-6, .hi = 1e3, .unit = "m"}),
-                    help_of_refine("tolerance"));
+                    {help_of_refine("tolerance"), "refining.tolerance"});
         split = split_row(rows, r.split, differs(all, before, &Refining::split));
         rows.integer("Budget", r.budget, rest.budget,
                      style(&Refining::budget, {.lo = 12, .hi = 20000000}),

@@ -2,6 +2,7 @@
 #include "editor/field_words.h"
 #include "editor/new_material.h"
 #include "editor/panels/inspect.h"
+#include "editor/panels/key_gutter.h"
 #include "editor/panels/panels.h"
 #include "editor/tools/motion.h"
 #include "ui/icons.h"
@@ -40,14 +41,15 @@ ui::Edit shared_number(const ui::Theme& theme, const std::string& id, std::vecto
 
 using Component = glm::dvec3 Transform::*;
 
-ui::Edit shared_row(const ui::Theme& theme, const std::string& label,
+ui::Edit shared_row(const ui::Theme& theme, const KeyGutter& keys, const std::string& label,
                     std::vector<Transform>& transforms, Component part,
-                    const ui::NumberStyle& style, const char* field)
+                    const ui::NumberStyle& style, const std::string& field)
 {
     const glm::dvec3 rest = Transform{}.*part;
     bool changed = false;
     for (const Transform& t : transforms) changed = changed || t.*part != rest;
     const ui::Row row = ui::label_row(theme, label, changed, help_of_field("transform", field));
+    keys.mark(theme, row, axes_of("transform." + field), true);
     if (row.reset) {
         for (Transform& t : transforms) t.*part = rest;
         return ui::Edit::changed;
@@ -70,10 +72,13 @@ void transforms(Editor& editor, const ui::Theme& theme)
     const auto take = [&edit](ui::Edit one) {
         if (one != ui::Edit::none) edit = one;
     };
-    take(shared_row(theme, "Position", all, &Transform::translation, {.unit = "m"}, "translation"));
-    take(shared_row(theme, "Rotation", all, &Transform::rotation_deg,
+    const KeyGutter keys(editor, ids);
+    take(shared_row(theme, keys, "Position", all, &Transform::translation, {.unit = "m"},
+                    "translation"));
+    take(shared_row(theme, keys, "Rotation", all, &Transform::rotation_deg,
                     {.lo = -36000, .hi = 36000, .step = 1, .unit = "deg"}, "rotation_deg"));
-    take(shared_row(theme, "Scale", all, &Transform::scale, {.lo = -1e6, .hi = 1e6}, "scale"));
+    take(
+        shared_row(theme, keys, "Scale", all, &Transform::scale, {.lo = -1e6, .hi = 1e6}, "scale"));
     ui::gap(theme, 8);
     propose_edit(editor, edit, [&] { return arranged(ids, all); });
 }
@@ -100,8 +105,14 @@ void material(Editor& editor, const ui::Theme& theme)
     if (!same) ui::fact_row(theme, "Values", "mixed");
     if (!own) {
         Surfacing s = *active.surfacing;
-        const auto row_of = [&](const char* label, const char* field) {
-            return ui::label_row(theme, label, false, help_of_field("set_material", field)).width;
+        const KeyGutter keys(editor, ids);
+        const auto row_of = [&](const char* label, const std::string& field) {
+            const ui::Row row =
+                ui::label_row(theme, label, false, help_of_field("set_material", field));
+            keys.mark(theme, row,
+                      field == "base_color" ? axes_of("material." + field)
+                                            : std::vector{"material." + field});
+            return row.width;
         };
         ui::Edit edit =
             ui::color_field(theme, "color", s.base_color, row_of("Colour", "base_color"));

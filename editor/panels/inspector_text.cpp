@@ -11,9 +11,9 @@
 namespace trivar {
 namespace {
 
-std::string help_of_text(const char* field)
+RowWords help_of_text(const std::string& field)
 {
-    return help_of_field("set_text", field);
+    return {help_of_field("set_text", field), "shape." + field};
 }
 
 // Several lines: Enter begins a new one.
@@ -40,8 +40,9 @@ void font_row(Editor& editor, ValueRows& rows, TextShape& s)
     if (at == words.end()) at = words.insert(words.begin(), s.font); // a family, a file, a lost one
     int chosen = static_cast<int>(at - words.begin());
     const int shown = chosen;
-    rows.take(ui::choice(rows.theme, "font", chosen, words,
-                         ui::label_row(rows.theme, "Font", false, help_of_text("font")).width));
+    rows.take(
+        ui::choice(rows.theme, "font", chosen, words,
+                   ui::label_row(rows.theme, "Font", false, help_of_text("font").help).width));
     if (chosen == shown) return;
     s.font = words[static_cast<std::size_t>(chosen)];
     s = std::get<SetText>(prepare(SetText{0, s}, *editor.session.assets())).shape;
@@ -55,7 +56,8 @@ void draw_text(Editor& editor, const ui::Theme& theme, Id id)
     if (!ui::section(theme, "Text")) return;
     TextShape s = std::get<TextShape>(each.source);
     const TextShape rest;
-    ValueRows rows{theme};
+    const KeyGutter keys(editor, {id});
+    ValueRows rows{theme, &keys};
     rows.take(letters_field(theme, s.text));
     font_row(editor, rows, s);
     const ui::NumberStyle metres{.lo = 1e-6, .hi = 1e6, .unit = "m"};

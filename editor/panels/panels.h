@@ -82,6 +82,9 @@ void draw_shaping(Editor& editor, const ui::Theme& theme, Id id);
 void draw_clip(Editor& editor, const ui::Theme& theme, const std::vector<Id>& imported);
 void draw_several(Editor& editor, const ui::Theme& theme); // where several objects are selected
 void draw_picture_settings(Editor& editor, const ui::Theme& theme);
+void draw_kept_view(Editor& editor, const ui::Theme& theme); // that of pictures, if there is one
+// Numbers that no command sets and keys do.
+void draw_other_numbers(Editor& editor, const ui::Theme& theme, Id id);
 
 // The page of the preferences that shows every key and changes it.
 void draw_key_map(Editor& editor, const ui::Theme& theme, const ui::Rect& page);

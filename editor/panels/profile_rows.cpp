@@ -60,12 +60,16 @@ Points custom(ProfileKind kind)
     return {{0, 1}, {0.5, 1.2}, {1, 1}};
 }
 
-ui::Edit point_row(const ui::Theme& theme, Points& points, std::size_t i, double scale,
-                   const std::string& unit, ProfileKind kind)
+ui::Edit point_row(const ui::Theme& theme, const ProfileRows& rows, Points& points, std::size_t i,
+                   double scale, const std::string& unit)
 {
-    const float width = ui::label_row(theme, "Point", false,
-                                      "Where the chosen point of the curve stands, and its size.")
-                            .width;
+    const ProfileKind kind = rows.kind;
+    const ui::Row row = ui::label_row(theme, "Point", false,
+                                      "Where the chosen point of the curve stands, and its size.");
+    if (rows.keys)
+        rows.keys->mark(theme, row, axes_of(rows.words.parameter + "." + std::to_string(i), 2),
+                        true);
+    const float width = row.width;
     const float gap = theme.px(4), each = std::floor((width - gap) / 2);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const bool end = i == 0 || i + 1 == points.size();
@@ -107,7 +111,12 @@ ui::Edit draw_profile(const ui::Theme& theme, const ProfileRows& rows, Points& p
         if (known_shapes[i].second == points) shape = static_cast<int>(i);
     }
     names.emplace_back("Custom");
-    const ui::Row at = ui::label_row(theme, rows.label, !points.empty(), rows.help);
+    const ui::Row at = ui::label_row(theme, rows.label, !points.empty(), rows.words.help);
+    std::vector<std::string> all; // its numbers
+    for (std::size_t i = 0; i < points.size(); ++i)
+        for (std::string& name : axes_of(rows.words.parameter + "." + std::to_string(i), 2))
+            all.push_back(std::move(name));
+    if (rows.keys && !all.empty()) rows.keys->mark(theme, at, all);
     if (at.reset) {
         points.clear();
         edit = ui::Edit::changed;
@@ -147,7 +156,7 @@ ui::Edit draw_profile(const ui::Theme& theme, const ProfileRows& rows, Points& p
         ui::gap(theme, 8);
         if (chosen >= 0 && chosen < static_cast<int>(points.size())) {
             const ui::Edit typed =
-                point_row(theme, points, static_cast<std::size_t>(chosen), scale, unit, rows.kind);
+                point_row(theme, rows, points, static_cast<std::size_t>(chosen), scale, unit);
             if (typed != ui::Edit::none) edit = typed;
         }
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "editor/panels/key_gutter.h"
 #include "ui/widgets.h"
 
 #include <vector>
@@ -11,10 +12,12 @@ namespace trivar {
 // height is shared out between floor and roof.
 enum class ProfileKind { along, across, rise };
 struct ProfileRows {
-    std::string label, help;
+    std::string label;
+    RowWords words;
     double size_world = 0; // that the factors multiply; 0: not known yet
     ui::Color color = 0;
     ProfileKind kind = ProfileKind::along;
+    const KeyGutter* keys = nullptr;
 };
 // A list of shapes to begin with and, where the size changes, the curve and the numbers of the
 // chosen point.

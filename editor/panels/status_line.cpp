@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/help_actions.h"
+#include "editor/key_actions.h"
 #include "editor/panels/panels.h"
 #include "editor/time_actions.h"
 
@@ -51,15 +52,45 @@ void paint_input(const ui::Theme& theme, glm::vec2 at, float height, const std::
         ui::paint_keycap(theme, at, height, input);
 }
 
-std::vector<Hint> timeline_hints(bool open)
+std::vector<Hint> open_timeline_hints(const Editor& editor)
 {
-    if (open)
-        return {{{"left"}, "Drag to a frame, or drag a bar"},
-                {{std::string("@") + play_action}, "Play"},
+    const KeysView& keys = editor.timeline.keys;
+    if (keys.gesture.by_key)
+        return {{{"left"}, "Leave them here"},
+                {{"Shift"}, "Finely"},
+                {{"Ctrl"}, "Between frames"},
+                {{"Esc"}, "Cancel"}};
+    const bool any = !animated_ids(editor.session.document()).empty();
+    if (any && keys.curves)
+        return {{{"left"}, "Drag keys and handles"},
+                {{"Alt", "left"}, "One handle alone"},
+                {{"right"}, "Ways to the next key"},
+                {{"wheel"}, "Zoom"},
+                {{"middle"}, "Pan"},
+                {{"@Frame all"}, "Show all"}};
+    if (!keys.chosen.empty())
+        return {{{"left"}, "Drag to move"}, {{"Ctrl", "left"}, "Add or remove"},
+                {{"Alt", "left"}, "Copy"},  {{"@Scale"}, "Scale about the frame"},
+                {{"@Delete"}, "Delete"},    {{"right"}, "More"}};
+    const std::string play = std::string("@") + play_action;
+    if (any)
+        return {{{"left"}, "Choose keys, or draw a box"},
+                {{play}, "Play"},
+                {{std::string("@") + previous_key_action, "/", std::string("@") + next_key_action},
+                 "Go from key to key"},
                 {{"wheel"}, "Zoom the ruler"},
-                {{"Shift", "wheel"}, "Roll"},
-                {{"@Frame all"}, "Show all frames"},
-                {{std::string("@") + timeline_action}, "Close"}};
+                {{"@Frame all"}, "Show all frames"}};
+    return {{{"left"}, "Drag to a frame, or drag a bar"},
+            {{play}, "Play"},
+            {{"wheel"}, "Zoom the ruler"},
+            {{"Shift", "wheel"}, "Roll"},
+            {{"@Frame all"}, "Show all frames"},
+            {{std::string("@") + timeline_action}, "Close"}};
+}
+
+std::vector<Hint> timeline_hints(const Editor& editor)
+{
+    if (editor.preferences.timeline_open) return open_timeline_hints(editor);
     return {{{"left"}, "Drag to a frame"},
             {{std::string("@") + play_action}, "Play"},
             {{std::string("@") + previous_frame_action, "/", std::string("@") + next_frame_action},
@@ -89,10 +120,10 @@ std::vector<Hint> hints_here(Editor& editor, const Layout& layout)
     const std::vector<Hint> of_tool = editor.active_tool().hints(editor.session);
     if (editor.active_tool().busy()) return of_tool;
     if (ImGui::GetTopMostPopupModal()) return {}; // a dialog says its own
-    if (editor.timeline.hovered) return timeline_hints(editor.preferences.timeline_open);
+    if (editor.timeline.hovered) return timeline_hints(editor);
     const ImGuiIO& io = ImGui::GetIO();
     if (const ImGuiInputTextState* typed = ImGui::GetInputTextState(ImGui::GetActiveID());
-        typed && !typed->Stb.single_line)
+        typed && typed->ID != 0 && !typed->Stb.single_line)
         return {{{"Enter"}, "New line"}, {{"Ctrl", "Enter"}, "Take it"}, {{"Esc"}, "Restore"}};
     if (io.WantTextInput)
         return {{{"Enter"}, "Take it"}, {{"Tab"}, "Go to the next field"}, {{"Esc"}, "Restore"}};

@@ -2,6 +2,7 @@
 #include "editor/panels/timeline.h"
 
 #include "editor/field_words.h"
+#include "editor/key_actions.h"
 #include "editor/panels/inspect.h"
 #include "editor/time_actions.h"
 #include "ui/icons.h"
@@ -75,6 +76,18 @@ void buttons(Editor& editor, Transport& line)
     if (line.icon(loop_action, ui::icon::again,
                   tip_of(editor, again, "After the last frame comes the first.")))
         again.run(editor);
+    const ui::Palette& c = line.theme.color;
+    const glm::vec2 dot{line.x + line.theme.size.icon_button / 2, line.bar.center().y};
+    const Action& auto_key = action(editor, auto_key_action);
+    if (line.icon(auto_key_action, "",
+                  tip_of(editor, auto_key,
+                         "Every change of a number that can have keys is one, in the present "
+                         "frame. The picture has a red rim meanwhile.")))
+        auto_key.run(editor);
+    if (editor.session.auto_key)
+        ui::paint_dot(dot, line.theme.px(6), c.bad);
+    else
+        ui::paint_dot(dot, line.theme.px(5), c.header, c.text_2, 1.5f * line.theme.scale);
     line.x += line.theme.px(8);
 }
 
@@ -82,13 +95,12 @@ void buttons(Editor& editor, Transport& line)
 struct Room {
     bool title = true, rate = true, range = true;
 };
-constexpr float title_width = 72, rate_width = 72, range_width = 146, rest_width = 292,
-                least_ruler = 140;
-Room room_in(const ui::Theme& theme, float width, bool with_ruler)
+constexpr float title_width = 72, rate_width = 72, range_width = 146, rest_width = 320,
+                least_ruler = 140, least_key_numbers = 172;
+Room room_in(const ui::Theme& theme, float width, float least_rest)
 {
     Room room;
-    float needed = theme.px(title_width + rate_width + range_width + rest_width +
-                            (with_ruler ? least_ruler : 0));
+    float needed = theme.px(title_width + rate_width + range_width + rest_width + least_rest);
     const auto drop = [&](bool& part, float part_width) {
         if (needed <= width) return;
         part = false;
@@ -224,20 +236,22 @@ void follow_playhead(Editor& editor)
     shown->y = shown->x + width;
 }
 
-void paint_playhead(const ui::Theme& theme, const ui::Rect& r, const FrameScale& scale, int frame,
-                    bool numbered)
+void paint_playhead(const ui::Theme& theme, const ui::Rect& r, const FrameScale& scale,
+                    const Session& session, bool numbered)
 {
     const ui::Palette& c = theme.color;
+    const int frame = session.frame();
+    const ui::Color color = session.auto_key ? c.bad : c.focus;
     const float x = std::round(scale.x(frame));
-    ui::paint_line({x, r.lo.y}, {x, r.hi.y}, c.focus, 1.5f * theme.scale);
+    ui::paint_line({x, r.lo.y}, {x, r.hi.y}, color, 1.5f * theme.scale);
     if (!numbered) {
-        ui::paint_dot({x, r.lo.y + theme.px(3)}, theme.px(3), c.focus);
+        ui::paint_dot({x, r.lo.y + theme.px(3)}, theme.px(3), color);
         return;
     }
     const std::string text = std::to_string(frame);
     const float half = ui::text_width(theme.font.small_strong, text) / 2 + theme.px(6);
     const ui::Rect tag = {{x - half, r.lo.y + theme.px(2)}, {x + half, r.lo.y + theme.px(22)}};
-    ui::paint_box(tag, c.accent, theme.size.rounding_small);
+    ui::paint_box(tag, session.auto_key ? c.bad_fill : c.accent, theme.size.rounding_small);
     ui::paint_text(theme.font.small_strong, tag, c.on_accent, text, ui::Align::center);
 }
 
@@ -264,6 +278,55 @@ void paint_thin_bars(const Editor& editor, const ui::Theme& theme, const ui::Rec
     }
 }
 
+// Of everything, the selected ones' over the others.
+void paint_key_strip(const Editor& editor, const ui::Theme& theme, const ui::Rect& r,
+                     const FrameScale& scale)
+{
+    const ui::Palette& c = theme.color;
+    const Document& document = editor.session.document();
+    const std::vector<Id> ids = animated_ids(document);
+    std::vector<Id> selected;
+    for (const Id id : ids)
+        if (editor.session.selected.contains(id)) selected.push_back(id);
+    const float y = std::round(r.center().y);
+    const auto paint = [&](const std::vector<Id>& of, ui::Color fill) {
+        for (const double frame : key_frames(document, of))
+            if (frame >= scale.first && frame <= scale.last)
+                ui::paint_diamond({scale.x(frame), y}, theme.px(4) + 0.5f, fill, c.key,
+                                  theme.size.hairline);
+    };
+    paint(ids, c.header);
+    paint(selected, c.key);
+}
+
+// At the upper left of the open timeline: how keys are shown, and room for what travels.
+void draw_corner(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
+{
+    const Action& room = action(editor, make_room_action);
+    const bool needs_room = is_enabled(editor, room);
+    const float wide = needs_room ? ui::text_width(theme.font.body, "Make room") + theme.px(16) : 0;
+    KeysView& view = editor.timeline.keys;
+    const float width = std::min(theme.px(112), r.width() - wide - theme.px(16));
+    if (width > theme.px(80)) {
+        ImGui::SetCursorScreenPos({r.lo.x + theme.px(8), r.lo.y});
+        int curves = view.curves ? 1 : 0;
+        if (ui::segments(theme, "shown", curves, {"Keys", "Curves"}, width) == ui::Edit::changed) {
+            view.curves = curves == 1;
+            constexpr double least = 260; // pixels at scale 1: curves need height
+            editor.preferences.timeline = std::max(editor.preferences.timeline, least);
+        }
+        ui::tooltip(
+            {"Keys or curves", {}, "When keys are, or how numbers go from one to the next."});
+    }
+    if (!needs_room) return;
+    ImGui::SetCursorScreenPos({r.hi.x - wide, r.lo.y});
+    const bool pressed = ui::button(theme, "Make room", ui::ButtonKind::quiet, {wide, r.height()});
+    ui::tooltip(tip_of(editor, room,
+                       "Something is still on its way in the last frame. The range grows by "
+                       "whole seconds until all have come to their ends."));
+    if (pressed) room.run(editor);
+}
+
 void draw_open(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
 {
     const ui::Palette& c = theme.color;
@@ -273,25 +336,7 @@ void draw_open(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
     ui::paint_box({r.lo, {split, r.hi.y}}, c.panel);
     follow_playhead(editor);
     const FrameScale scale = track_scale(theme, r, editor);
-    const std::size_t count = travelling(editor.session.document()).size();
-    const std::string words = count == 0   ? "Nothing travels"
-                              : count == 1 ? "1 object travels"
-                                           : std::to_string(count) + " objects travel";
-    const Action& room = action(editor, make_room_action);
-    const float wide =
-        is_enabled(editor, room) ? ui::text_width(theme.font.body, "Make room") + theme.px(16) : 0;
-    ui::paint_text(theme.font.small, {{r.lo.x + theme.px(12), r.lo.y}, {split, under}},
-                   count == 0 ? c.text_3 : c.text_2,
-                   ui::elided(theme.font.small, words, split - r.lo.x - theme.px(20) - wide));
-    if (wide > 0) {
-        ImGui::SetCursorScreenPos({split - wide, r.lo.y});
-        const bool pressed =
-            ui::button(theme, "Make room", ui::ButtonKind::quiet, {wide, under - r.lo.y - line});
-        ui::tooltip(tip_of(editor, room,
-                           "Something is still on its way in the last frame. The range grows by "
-                           "whole seconds until all have come to their ends."));
-        if (pressed) room.run(editor);
-    }
+    draw_corner(editor, theme, {r.lo, {split, under - line}});
     const ui::Rect ruler = {{split + line, r.lo.y}, {r.hi.x, under}};
     ImGui::PushClipRect({ruler.lo.x, ruler.lo.y}, {ruler.hi.x, ruler.hi.y}, true);
     paint_ticks(theme, ruler, scale, true);
@@ -301,15 +346,22 @@ void draw_open(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
     const ui::Rect names = {{r.lo.x, under}, {split, r.hi.y}};
     const ui::Rect tracks = {{split + line, under}, r.hi};
     zoom(editor, ruler, tracks, scale);
-    if (count == 0)
-        ui::empty_state(theme, tracks, ui::icon::travel, "Nothing travels yet",
-                        "Select what lies on a stroke and give it a speed under Travel.");
+    const bool has_keys = !animated_ids(editor.session.document()).empty();
+    const bool curves = editor.timeline.keys.curves;
+    if (!has_keys && (curves || travelling(editor.session.document()).empty())) {
+        const std::string key = key_text(action(editor, insert_key_action));
+        ui::empty_state(theme, tracks, ui::icon::travel, "No keys yet",
+                        "Hold the mouse over a value and press " +
+                            (key.empty() ? std::string("its diamond") : key) +
+                            ", or let something travel.");
+    } else if (curves)
+        draw_curves(editor, theme, names, tracks, scale);
     else
-        draw_tracks(editor, theme, names, tracks, scale);
+        draw_key_rows(editor, theme, names, tracks, scale);
     ui::paint_box({{split, r.lo.y}, {split + line, r.hi.y}}, c.gap);
     // Over everything, and only over the frames.
     ImGui::PushClipRect({ruler.lo.x, r.lo.y}, {r.hi.x, r.hi.y}, true);
-    paint_playhead(theme, {ruler.lo, r.hi}, scale, editor.session.frame(), true);
+    paint_playhead(theme, {ruler.lo, r.hi}, scale, editor.session, true);
     ImGui::PopClipRect();
 }
 
@@ -323,12 +375,12 @@ void draw_timeline(Editor& editor, const ui::Theme& theme, const Layout& layout)
     begin_panel("timeline", r, c.header);
     editor.timeline.hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
     const ui::Rect bar = {r.lo, {r.hi.x, std::min(r.hi.y, r.lo.y + theme.px(40))}};
-    const Room room = room_in(theme, r.width(), !open);
+    const Room room = room_in(theme, r.width(), open ? least_key_numbers : least_ruler);
     Transport line{theme, bar, r.lo.x + theme.px(8)};
     const Action& toggle = action(editor, timeline_action);
     if (line.icon("open", open ? ui::icon::open : ui::icon::closed,
                   {open ? "Close the timeline" : "Open the timeline", key_text(toggle),
-                   "What travels, and when: bars to drag."}))
+                   "Keys and what travels, and when: to be chosen and dragged."}))
         toggle.run(editor);
     if (room.title) {
         ui::paint_text(theme.font.strong, {{line.x, bar.lo.y}, bar.hi}, c.text, "Timeline");
@@ -344,11 +396,13 @@ void draw_timeline(Editor& editor, const ui::Theme& theme, const Layout& layout)
         const ui::Rect ruler = {{line.x, bar.lo.y}, bar.hi};
         paint_ticks(theme, {ruler.lo, ruler.hi - glm::vec2(0, theme.px(4))}, scale, false);
         paint_thin_bars(editor, theme, ruler, scale);
+        paint_key_strip(editor, theme, ruler, scale);
         scrub(editor, ruler, scale);
         paint_playhead(theme,
                        {{ruler.lo.x, ruler.lo.y + theme.px(3)}, ruler.hi - glm::vec2(theme.px(4))},
-                       scale, editor.session.frame(), false);
+                       scale, editor.session, false);
     }
+    if (open) draw_key_numbers(editor, theme, {{line.x, bar.lo.y}, bar.hi});
     if (open) draw_open(editor, theme, {{r.lo.x, bar.hi.y}, r.hi});
     ImGui::End();
 }

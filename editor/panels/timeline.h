@@ -2,6 +2,7 @@
 #pragma once
 
 #include "editor/panels/panels.h"
+#include "editor/timeline_rows.h"
 #include "editor/travel_time.h"
 
 namespace trivar {
@@ -26,8 +27,22 @@ FrameScale track_scale(const ui::Theme& theme, const ui::Rect& timeline, const E
 glm::dvec2 zoomed_frames(glm::dvec2 shown, const Time& time, double frame, double notches);
 glm::dvec2 rolled_frames(glm::dvec2 shown, const Time& time, double notches);
 
-// A row for each object that travels, with its bar to drag.
-void draw_tracks(Editor& editor, const ui::Theme& theme, const ui::Rect& names,
+// A row for what travels and for what has keys, which are chosen and dragged there.
+void draw_key_rows(Editor& editor, const ui::Theme& theme, const ui::Rect& names,
+                   const ui::Rect& tracks, const FrameScale& scale);
+// The names of rows from that height on, with or without what folds them; returns where they end.
+float draw_row_names(Editor& editor, const ui::Theme& theme, const ui::Rect& names,
+                     const std::vector<TimelineRow>& rows, float y, bool folds);
+// In its row: when the object travels, to be dragged, and the end of that.
+void draw_travel_bar(Editor& editor, const ui::Theme& theme, const ui::Rect& row,
+                     const FrameScale& scale, Id id);
+void let_go_of_bar(Editor& editor);
+
+// The curves of what is chosen, in place of the rows' tracks.
+void draw_curves(Editor& editor, const ui::Theme& theme, const ui::Rect& names,
                  const ui::Rect& tracks, const FrameScale& scale);
+
+// The numbers of the chosen keys, and how they go on, at the right of the transport from there on.
+void draw_key_numbers(Editor& editor, const ui::Theme& theme, const ui::Rect& place);
 
 } // namespace trivar

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/timeline.h"
-#include "ui/icons.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -84,19 +83,6 @@ void drag(Editor& editor, const Journey& journey, double frame)
         session.propose(SetTravel{{t.id}, wanted});
 }
 
-void let_go(Editor& editor)
-{
-    Session& session = editor.session;
-    Editor::Timeline& t = editor.timeline;
-    if (t.hand == Hand::none) return;
-    t.hand = Hand::none;
-    if (!session.proposing()) return;
-    if (object(session.document(), t.id).travel != t.travel)
-        session.commit();
-    else
-        session.cancel();
-}
-
 Hand hand_over(const ui::Theme& theme, float x, float from, float to)
 {
     const float grip = std::min(theme.px(6), (to - from) / 3);
@@ -119,8 +105,23 @@ void paint_bar(const ui::Theme& theme, const ui::Rect& bar, bool selected, bool 
         ui::paint_text(theme.font.small, in, c.text_2, endless_words, ui::Align::right);
 }
 
-void draw_bar(Editor& editor, const ui::Theme& theme, const ui::Rect& row, const FrameScale& scale,
-              Id id)
+} // namespace
+
+void let_go_of_bar(Editor& editor)
+{
+    Session& session = editor.session;
+    Editor::Timeline& t = editor.timeline;
+    if (t.hand == Hand::none) return;
+    t.hand = Hand::none;
+    if (!session.proposing()) return;
+    if (object(session.document(), t.id).travel != t.travel)
+        session.commit();
+    else
+        session.cancel();
+}
+
+void draw_travel_bar(Editor& editor, const ui::Theme& theme, const ui::Rect& row,
+                     const FrameScale& scale, Id id)
 {
     Session& session = editor.session;
     const auto bar = bar_of(session, id);
@@ -155,60 +156,6 @@ void draw_bar(Editor& editor, const ui::Theme& theme, const ui::Rect& row, const
         ui::tooltip({name_of(session.document(), id),
                      {},
                      "Drag it to move it in time, an end to make it faster or slower."});
-}
-
-void draw_name(Editor& editor, const ui::Theme& theme, const ui::Rect& row, Id id)
-{
-    const ui::Palette& c = theme.color;
-    Session& session = editor.session;
-    const Object& each = object(session.document(), id);
-    ImGui::SetCursorScreenPos({row.lo.x, row.lo.y});
-    if (ImGui::InvisibleButton("name", {row.width(), row.height()})) select(session, id);
-    const bool selected = session.selected.contains(id);
-    if (selected)
-        ui::paint_box(row, c.row_selected);
-    else if (ImGui::IsItemHovered())
-        ui::paint_box(row, c.row_hover);
-    const bool dim = !visible(session.document(), id);
-    const std::string speed = speed_text(each.travel);
-    const ui::Rect in = {row.lo + glm::vec2(theme.px(12), 0), row.hi - glm::vec2(theme.px(8), 0)};
-    const float room = in.width() - ui::text_width(theme.font.small, speed) - theme.px(8);
-    ui::paint_text(theme.font.body, in, dim ? c.text_off : c.text,
-                   ui::elided(theme.font.body, each.name, room));
-    ui::paint_text(theme.font.small, in, c.text_2, speed, ui::Align::right);
-    ui::tooltip({each.name});
-}
-
-} // namespace
-
-void draw_tracks(Editor& editor, const ui::Theme& theme, const ui::Rect& names,
-                 const ui::Rect& tracks, const FrameScale& scale)
-{
-    const ui::Palette& c = theme.color;
-    ImGui::SetCursorScreenPos({names.lo.x, names.lo.y});
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-    ImGui::BeginChild("tracks", {tracks.hi.x - names.lo.x, tracks.height()});
-    const float height = theme.size.row;
-    float y = ImGui::GetCursorScreenPos().y;
-    const std::vector<Id> ids = travelling(editor.session.document()); // edits replace it
-    for (const Id id : ids) {
-        ImGui::PushID(id);
-        ui::paint_box({{names.lo.x, y + height - theme.size.hairline}, {tracks.hi.x, y + height}},
-                      c.line_soft);
-        draw_name(editor, theme, {{names.lo.x, y}, {names.hi.x, y + height}}, id);
-        draw_bar(editor, theme, {{tracks.lo.x, y}, {tracks.hi.x, y + height}}, scale, id);
-        ImGui::PopID();
-        y += height;
-    }
-    ImGui::SetCursorScreenPos({names.lo.x, y});
-    ImGui::Dummy({1, 1});
-    const float now = std::round(scale.x(editor.session.frame())); // over the bars
-    if (now >= tracks.lo.x)
-        ui::paint_line({now, tracks.lo.y}, {now, tracks.hi.y}, c.focus, 1.5f * theme.scale);
-    if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) let_go(editor);
-    ImGui::EndChild();
-    ImGui::PopStyleVar(2);
 }
 
 } // namespace trivar

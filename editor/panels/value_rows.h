@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "editor/panels/key_gutter.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -28,6 +29,7 @@ ui::NumberStyle mixed_style(const std::vector<T>& all, const T& active, Part T::
 // Rows that change one value each and remember whether any did.
 struct ValueRows {
     const ui::Theme& theme;
+    const KeyGutter* keys = nullptr; // without it no row has a mark
     ui::Edit edit = ui::Edit::none;
 
     void take(ui::Edit one)
@@ -36,10 +38,12 @@ struct ValueRows {
     }
     // The row's field, unless its dot was pressed, which resets the value.
     template <class T, class Field>
-    void row(const std::string& label, T& value, const T& rest, const std::string& help,
+    void row(const std::string& label, T& value, const T& rest, const RowWords& words,
              Field&& field)
     {
-        const ui::Row at = ui::label_row(theme, label, value != rest, help);
+        const ui::Row at = ui::label_row(theme, label, value != rest, words.help);
+        if constexpr (std::is_same_v<T, double> || std::is_same_v<T, bool>)
+            if (keys && !words.parameter.empty()) keys->mark(theme, at, {words.parameter});
         if (at.reset) {
             value = rest;
             take(ui::Edit::changed);
@@ -48,18 +52,18 @@ struct ValueRows {
         take(field(at.width));
     }
     void number(const std::string& label, double& value, double rest, const ui::NumberStyle& style,
-                const std::string& help)
+                const RowWords& words)
     {
-        row(label, value, rest, help,
+        row(label, value, rest, words,
             [&](float width) { return ui::number_field(theme, label, value, style, width); });
     }
     // A length that at zero is what stands there already: a drag from "auto" begins at that.
-    void size(const std::string& label, double& value, double present, const std::string& help)
+    void size(const std::string& label, double& value, double present, const RowWords& words)
     {
         const std::string zero = present > 0 ? "auto, " + ui::short_number(present) : "auto";
         const ui::NumberStyle style{
             .lo = 0, .hi = 1e6, .unit = "m", .zero = zero, .words = value == 0 ? zero : ""};
-        row(label, value, 0.0, help, [&](float width) {
+        row(label, value, 0.0, words, [&](float width) {
             double shown = value > 0 ? value : present;
             const ui::Edit one = ui::number_field(theme, label, shown, style, width);
             if (one == ui::Edit::changed) value = shown;
@@ -67,28 +71,28 @@ struct ValueRows {
         });
     }
     void integer(const std::string& label, int& value, int rest, const ui::NumberStyle& style,
-                 const std::string& help)
+                 const RowWords& words)
     {
-        row(label, value, rest, help,
+        row(label, value, rest, words,
             [&](float width) { return ui::integer_field(theme, label, value, style, width); });
     }
     void check(const std::string& label, bool& value, bool rest, const std::string& effect,
-               const std::string& help)
+               const RowWords& words)
     {
-        row(label, value, rest, help,
+        row(label, value, rest, words,
             [&](float) { return ui::check_box(theme, label, value, effect); });
     }
     void choice(const std::string& label, int value, int rest,
-                const std::vector<std::string>& names, const std::string& help, auto&& use)
+                const std::vector<std::string>& names, const RowWords& words, auto&& use)
     {
-        row(label, value, rest, help,
+        row(label, value, rest, words,
             [&](float width) { return ui::segments(theme, label, value, names, width); });
         use(value);
     }
     void triple(const std::string& label, glm::ivec3& value, const glm::ivec3& rest,
-                const ui::NumberStyle& style, const std::string& help)
+                const ui::NumberStyle& style, const RowWords& words)
     {
-        row(label, value, rest, help, [&](float width) {
+        row(label, value, rest, words, [&](float width) {
             constexpr std::array<const char*, 3> names{"U", "V", "W"};
             const float gap = theme.px(4), each = std::floor((width - 2 * gap) / 3);
             const ImVec2 at = ImGui::GetCursorScreenPos();

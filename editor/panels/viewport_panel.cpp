@@ -71,6 +71,8 @@ void labels(Editor& editor, const ui::Theme& theme, ui::Frame& frame, const ui::
     const std::string name = name_of(session.document(), session.selected);
     std::string label = session.camera.perspective ? "Perspective" : "Orthographic";
     const auto add = [&](const std::string& words) { label += "  ·  " + words; };
+    if (session.follows && session.follows->shown)
+        add(session.follows->name == "picture" ? "View of pictures" : session.follows->name);
     if (editor.shading.wireframe)
         add("Wireframe");
     else if (editor.shading.see_through)
@@ -252,6 +254,7 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     foot.add(progress(editor, frame, foot));
     foot.add(draw_legend(session.document(), theme, foot));
     draw_adjustment(editor, theme, foot);
+    if (session.auto_key) ui::paint_rim(view, theme.color.bad, 0, 2 * theme.scale);
     ImGui::End();
     const float notices = ui::Notices::left_of(theme, view); // cover no card's buttons
     session.notices.draw(frame, foot.above(notices, view.hi.x));

@@ -228,6 +228,39 @@ Image timeline()
     return window.taken();
 }
 
+// A pot that hops, and what its curve has of handles.
+Image curves()
+{
+    Window window;
+    window.editor.preferences.timeline_open = true;
+    window.editor.preferences.timeline = 296;
+    AddPlane table;
+    table.name = "Table";
+    table.shape.size = {5, 5};
+    window.run(table);
+    AddTeapot pot;
+    pot.name = "Pot";
+    pot.shape.height = 0.8;
+    pot.material = Surfacing{};
+    pot.material->base_color = {0.6f, 0.2f, 0.12f, 1};
+    window.run(pot);
+    window.run(SetTime{{1, 120, 24}});
+    const TrackName rise{2, "transform.translation.z"};
+    window.run(
+        Animate{{{2,
+                  {{rise.parameter, {{1, 0}, {25, 1}, {49, 0}, {73, 0.7}, {97, 0}}, Repeat::once},
+                   {"transform.rotation_deg.z", {{1, 0}, {97, 180}}}}}}});
+    window.select("Pot");
+    window.editor.session.show_frame(36);
+    window.finish();
+    window.act("Frame all");
+    KeysView& view = window.editor.timeline.keys;
+    view.curves = true;
+    view.tracks = {rise};
+    view.chosen = {{rise, 49}};
+    return window.taken();
+}
+
 Image outliner()
 {
     Window window({2048, 1400}, 2);
@@ -283,7 +316,7 @@ constexpr Picture pictures[] = {{"start", start},       {"place", place},
                                 {"outliner", outliner}, {"preferences", preferences},
                                 {"palette", palette},   {"move-rotate-scale", move},
                                 {"press", press},       {"lattice", lattice},
-                                {"heights", heights}};
+                                {"heights", heights},   {"curves", curves}};
 
 } // namespace
 } // namespace trivar

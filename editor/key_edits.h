@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/keying.h"
+
+#include <compare>
+#include <functional>
+#include <set>
+#include <string>
+
+namespace trivar {
+
+// A track of an object, 0: of the scene; and one of its keys.
+struct TrackName {
+    Id id = 0;
+    std::string parameter;
+    auto operator<=>(const TrackName&) const = default;
+};
+struct KeyName {
+    TrackName track;
+    double frame = 0;
+    auto operator<=>(const KeyName&) const = default;
+};
+using ChosenKeys = std::set<KeyName>;
+
+// Those of them that are there.
+ChosenKeys present_keys(const Document& document, ChosenKeys keys);
+const Track* track_of(const Document& document, const TrackName& name);
+const Key* key_of(const Document& document, const KeyName& name);
+
+// What a hand does to keys: the command, if there is anything to do, and the same keys by their
+// names after it. A key that is moved onto another takes its place, and a value that is beyond its
+// range becomes the range's end. Tracks of what is not there any more stay.
+struct KeyEdit {
+    std::optional<Command> command;
+    ChosenKeys keys;
+};
+KeyEdit moved(const Document& document, const ChosenKeys& keys, double frames, double value = 0);
+KeyEdit copied(const Document& document, const ChosenKeys& keys, double frames);
+// In time about a frame, to whole frames; below 0 turned round.
+KeyEdit scaled(const Document& document, const ChosenKeys& keys, double about, double factor);
+KeyEdit without(const Document& document, const ChosenKeys& keys);
+KeyEdit with_tween(const Document& document, const ChosenKeys& keys, Tween tween);
+KeyEdit with_value(const Document& document, const ChosenKeys& keys, double value);
+// Handles chosen so that the curve is smooth.
+KeyEdit smoothed(const Document& document, const ChosenKeys& keys);
+// What comes after the last key of each of their tracks.
+KeyEdit with_repeat(const Document& document, const ChosenKeys& keys, Repeat repeat);
+
+// A key's curve handle, put to [frame, value], no further than the other key. The handle opposite
+// turns with it and keeps its reach, unless `alone`.
+enum class KeyHandle { before, after };
+KeyEdit with_handle(const Document& document, const KeyName& key, KeyHandle which, glm::dvec2 to,
+                    bool alone);
+
+} // namespace trivar

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/key_words.h"
+#include "editor/panels/curve_scale.h"
+#include "editor/panels/key_hands.h"
+#include "ui/widgets.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <imgui.h>
+#include <utility>
+
+namespace trivar {
+namespace {
+
+ui::Color color_of_curve(const ui::Palette& c, const std::string& parameter, std::size_t count)
+{
+    if (parameter.ends_with(".x")) return c.letter_x;
+    if (parameter.ends_with(".y")) return c.letter_y;
+    if (parameter.ends_with(".z")) return c.letter_z;
+    const std::array others{c.accent_text, c.good, c.bad, c.text_2};
+    return others[count % others.size()];
+}
+
+void paint_values(const ui::Theme& theme, const ui::Rect& r, const CurveScale& scale)
+{
+    const ui::Palette& c = theme.color;
+    const ValueTicks ticks = value_ticks(scale, theme.px(28));
+    for (int i = 0; i < 100; ++i) {
+        const double value = ticks.first + i * ticks.step;
+        const float y = std::round(scale.y(value));
+        if (y < r.lo.y) break;
+        const bool zero = std::abs(value) < ticks.step / 2;
+        ui::paint_line({r.lo.x, y}, {r.hi.x, y}, zero ? c.text_off : c.line_soft,
+                       theme.size.hairline);
+        ui::paint_text(theme.font.small,
+                       {{r.lo.x + theme.px(6), y - theme.px(15)}, {r.hi.x, y - theme.px(1)}},
+                       c.text_3, ui::short_number(zero ? 0 : value));
+    }
+}
+
+// Before the names of the tracks whose curves are shown, as these are coloured.
+void paint_swatches(const ui::Theme& theme, const ui::Rect& names,
+                    const std::vector<TimelineRow>& rows, const std::vector<TrackName>& shown,
+                    float y)
+{
+    for (const TimelineRow& row : rows) {
+        const auto at = std::ranges::find(shown, row.track());
+        if (row.kind == TimelineRow::Kind::track && at != shown.end())
+            ui::paint_dot({names.lo.x + theme.px(28), y + theme.size.row / 2}, theme.px(4),
+                          color_of_curve(theme.color, row.parameter,
+                                         static_cast<std::size_t>(at - shown.begin())));
+        y += theme.size.row;
+    }
+}
+
+// Handles of a key that is chosen, where its curve has them.
+void add_handles(std::vector<KeySpot>& spots, const Track& track, std::size_t k,
+                 const KeyName& name, const CurveScale& scale, double factor)
+{
+    const auto at = [&](glm::dvec2 p) { return scale.at(p.x, p.y * factor); };
+    if (k + 1 < track.keys.size() && track.keys[k].tween == Tween::cubic)
+        spots.push_back({at(curve_between(track, k).p1), {name}, KeyHandle::after});
+    if (k > 0 && track.keys[k - 1].tween == Tween::cubic)
+        spots.push_back({at(curve_between(track, k - 1).p2), {name}, KeyHandle::before});
+}
+
+std::vector<KeySpot> spots_of(const Document& document, const KeysView& view,
+                              const std::vector<TrackName>& tracks, const CurveScale& scale)
+{
+    std::vector<KeySpot> handles, keys;
+    for (const TrackName& name : tracks) {
+        const Track& track = *track_of(document, name);
+        const double factor = words_of_number(name.parameter).factor;
+        for (std::size_t k = 0; k < track.keys.size(); ++k) {
+            const KeyName key{name, track.keys[k].frame};
+            if (view.chosen.contains(key)) add_handles(handles, track, k, key, scale, factor);
+            keys.push_back({scale.at(key.frame, track.keys[k].value * factor), {key}});
+        }
+    }
+    handles.insert(handles.end(), keys.begin(), keys.end()); // a key lies over its handles
+    return handles;
+}
+
+void paint_curves(const ui::Theme& theme, const Document& document, const KeysView& view,
+                  const std::vector<TrackName>& tracks, const KeyField& field,
+                  const CurveScale& scale, const KeySpot* hot)
+{
+    const ui::Palette& c = theme.color;
+    for (std::size_t i = 0; i < tracks.size(); ++i) {
+        const Track& track = *track_of(document, tracks[i]);
+        const double factor = words_of_number(tracks[i].parameter).factor;
+        const ui::Color color = color_of_curve(c, tracks[i].parameter, i);
+        const auto& first = track.keys.front();
+        ui::paint_line(scale.at(std::min(scale.frames.first, first.frame), first.value * factor),
+                       scale.at(first.frame, first.value * factor), ui::faded(color, 0.4f),
+                       theme.size.hairline);
+        ui::paint_path(curve_path(track, scale, factor, false), ui::faded(color, 0.4f),
+                       theme.size.hairline);
+        ui::paint_path(curve_path(track, scale, factor, true), color, 1.8f * theme.scale);
+    }
+    for (const KeySpot& spot : field.spots) {
+        const bool under = hot == &spot;
+        if (spot.handle) {
+            const Key& key = *key_of(document, spot.keys.front());
+            const double factor = words_of_number(spot.keys.front().track.parameter).factor;
+            ui::paint_line(scale.at(key.frame, key.value * factor), spot.at, c.text_3,
+                           theme.size.hairline);
+            ui::paint_dot(spot.at, theme.px(under ? 5 : 4), c.base, c.text_2, 1.5f * theme.scale);
+            continue;
+        }
+        const bool chosen = is_chosen(view, spot.keys);
+        const float radius = theme.px(under ? 6 : 5) + 0.5f;
+        ui::paint_diamond(spot.at, radius, chosen ? c.key : c.base, c.key,
+                          1.5f * theme.size.hairline);
+        if (chosen) ui::paint_diamond(spot.at, radius, 0, c.text, theme.size.hairline);
+    }
+}
+
+// The wheel zooms about the mouse, the middle button moves what is shown.
+void look_round(Editor& editor, const CurveScale& scale, bool hovered, bool panning)
+{
+    const ImGuiIO& io = ImGui::GetIO();
+    const float wheel = io.MouseWheel;
+    if (hovered && wheel != 0 && !io.KeyCtrl && !io.KeyShift) {
+        editor.timeline.keys.values =
+            zoomed_values(scale.values, scale.value_at(io.MousePos.y), static_cast<double>(wheel));
+        const glm::dvec2 shown =
+            zoomed_frames({scale.frames.first, scale.frames.last}, scale.frames.time,
+                          scale.frames.frame_at(io.MousePos.x), static_cast<double>(wheel));
+        const Time& time = scale.frames.time;
+        const bool all = shown.x <= time.first_frame && shown.y >= time.last_frame;
+        editor.timeline.shown = all ? std::nullopt : std::optional(shown);
+    }
+    if (!panning || (io.MouseDelta.x == 0 && io.MouseDelta.y == 0)) return;
+    const double up = scale.value_at(0) - scale.value_at(io.MouseDelta.y);
+    editor.timeline.keys.values = scale.values + up;
+    const double width = scale.frames.last - scale.frames.first;
+    const double notches = (scale.frames.frame_at(io.MouseDelta.x) - scale.frames.frame_at(0)) /
+                           std::max(1e-9, 0.1 * width);
+    if (editor.timeline.shown)
+        editor.timeline.shown = rolled_frames(*editor.timeline.shown, scale.frames.time, notches);
+}
+
+void fit_chosen(Editor& editor)
+{
+    KeysView& view = editor.timeline.keys;
+    if (!std::exchange(view.fit_chosen, false) || view.chosen.empty()) return;
+    const Time& time = editor.session.document().time;
+    double first = 1e300, last = -1e300;
+    for (const KeyName& key : view.chosen) {
+        first = std::min(first, key.frame);
+        last = std::max(last, key.frame);
+    }
+    const double width =
+        std::clamp(last - first, 10.0, std::max(10.0, 1.0 * time.last_frame - time.first_frame));
+    const double middle = (first + last) / 2;
+    editor.timeline.shown = rolled_frames({middle - width / 2, middle + width / 2}, time, 0);
+    if (view.curves) view.values = values_of_keys(editor.session.document(), view.chosen);
+}
+
+} // namespace
+
+void draw_curves(Editor& editor, const ui::Theme& theme, const ui::Rect& names,
+                 const ui::Rect& tracks, const FrameScale& frames)
+{
+    const ui::Palette& c = theme.color;
+    Session& session = editor.session;
+    KeysView& view = editor.timeline.keys;
+    std::set<Id> all; // every track can be chosen here
+    for (const Id id : animated_ids(session.document())) all.insert(id);
+    ImGui::SetCursorScreenPos({names.lo.x, names.lo.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::BeginChild("names", {names.width(), names.height()});
+    std::vector<TimelineRow> rows = timeline_rows(session.document(), all);
+    std::erase_if(rows, [&](const TimelineRow& row) {
+        return row.kind == TimelineRow::Kind::travel ||
+               tracks_of(session.document(), row.id).empty();
+    });
+    const std::vector<TrackName> shown =
+        shown_curves(session.document(), view, session.selected.ids());
+    const float first = ImGui::GetCursorScreenPos().y;
+    const float end =
+        draw_row_names(editor, theme, {{names.lo.x, 0}, {names.hi.x, 0}}, rows, first, false);
+    paint_swatches(theme, names, rows, shown, first);
+    ImGui::SetCursorScreenPos({names.lo.x, end});
+    ImGui::Dummy({1, 1});
+    ImGui::EndChild();
+    ImGui::PopStyleVar(2);
+
+    const bool held = view.gesture.hand != KeyGesture::Hand::none;
+    CurveScale scale{frames, tracks.lo.y + theme.px(18), tracks.hi.y - theme.px(14)};
+    scale.values = held && view.gesture.values != glm::dvec2(0)
+                       ? view.gesture.values
+                       : view.values.value_or(values_of_curves(session.document(), shown));
+    view.gesture.values = scale.values;
+    ui::lower_area("curves", tracks,
+                   ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
+    KeyField field;
+    field.hovered = ImGui::IsItemHovered();
+    const bool middle = ImGui::IsMouseDown(ImGuiMouseButton_Middle);
+    field.active = ImGui::IsItemActive() && !middle;
+    field.activated = ImGui::IsItemActivated() && !middle;
+    field.values = true;
+    field.reach_px = theme.px(9);
+    field.meant = [scale](glm::vec2 p) {
+        return glm::dvec2(scale.frames.frame_at(p.x), scale.value_at(p.y));
+    };
+    field.spots = spots_of(session.document(), view, shown, scale);
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const KeySpot* hot = field.hovered ? spot_at(field, {mouse.x, mouse.y}) : nullptr;
+    ImGui::PushClipRect({tracks.lo.x, tracks.lo.y}, {tracks.hi.x, tracks.hi.y}, true);
+    paint_values(theme, tracks, scale);
+    paint_curves(theme, session.document(), view, shown, field, scale, hot);
+    const float now = std::round(frames.x(session.frame()));
+    ui::paint_line({now, tracks.lo.y}, {now, tracks.hi.y}, c.focus, 1.5f * theme.scale);
+    use_keys(editor, theme, field);
+    paint_key_box(theme, view);
+    ImGui::PopClipRect();
+    look_round(editor, scale, field.hovered, ImGui::IsItemActive() && middle);
+    if (hot && !hot->handle && view.gesture.hand == KeyGesture::Hand::none)
+        ui::tooltip_in({hot->at - 8.0f, hot->at + 8.0f},
+                       {words_of_number(hot->keys.front().track.parameter).label});
+    fit_chosen(editor);
+}
+
+} // namespace trivar

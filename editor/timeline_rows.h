@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "editor/keys_view.h"
+
+#include <string>
+#include <vector>
+
+namespace trivar {
+
+// The rows of the open timeline: what travels, and what has keys, in the order of the outliner,
+// the scene first. An object that does both and is unfolded has a row for its travel among those
+// of its tracks.
+struct TimelineRow {
+    enum class Kind { object, travel, track } kind = Kind::object;
+    Id id = 0;
+    std::string parameter; // of a track
+    bool travels = false;  // its bar stands in this row
+    TrackName track() const { return {id, parameter}; }
+    bool operator==(const TimelineRow&) const = default;
+};
+std::vector<TimelineRow> timeline_rows(const Document& document, const std::set<Id>& unfolded);
+
+// The tracks among the rows whose number is not there any more.
+std::set<TrackName> lost_tracks(const Document& document, const std::vector<TimelineRow>& rows);
+
+// What the row is called: the object, "Scene", or the number in words.
+std::string name_of_row(const Document& document, const TimelineRow& row);
+
+// Keys that a row shows at one frame: of a track one, of an object those of all its tracks.
+struct KeysAt {
+    double frame = 0;
+    std::vector<KeyName> keys;
+};
+std::vector<KeysAt> keys_of_row(const Document& document, const TimelineRow& row);
+// The frames of all keys there are, ascending.
+std::set<double> key_frames(const Document& document, const std::vector<Id>& ids);
+
+// The tracks whose curves are shown: those whose rows are chosen, else those of what is selected,
+// else all.
+std::vector<TrackName> shown_curves(const Document& document, const KeysView& view,
+                                    const std::vector<Id>& selected);
+
+} // namespace trivar

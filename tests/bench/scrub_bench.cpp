@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/evaluate.h"
+#include "core/document/parameters.h"
+
+#include <benchmark/benchmark.h>
+
+// Any frame of a scene, wherever the hand drags: the values of that frame, and what is deformed
+// worked out for it, as the window asks for it. A body of 101,762 vertices lies on a stroke over
+// a ring; its keys change how wide it is, so that its volume is laid anew in every frame, or where
+// it is in it, or its colour. The baseline works out the same frames knowing nothing of others.
+namespace trivar {
+namespace {
+
+Document scene(const std::vector<Track>& tracks)
+{
+    AddTorus hill;
+    hill.shape.radius = 2;
+    hill.shape.tube = 0.5;
+    Document document = after({}, hill);
+    AddSphere body;
+    body.shape = {.radius = 0.3, .segments = 318, .rings = 320};
+    document = after(document, body);
+    Place place;
+    place.object = 2;
+    place.sketch.camera.eye = {0.5, -6, 4};
+    for (int i = 0; i < 20; ++i)
+        place.sketch.samples.push_back({{400 + 24 * i, 360 + 3 * (i % 5)}, 0.02 * i, 1});
+    place.parameters.fill = 0.4;
+    place.onto = {1};
+    document = after(document, place);
+    document = after(document, SetMaterial{{2}, Surfacing{}});
+    return tracks.empty() ? document : after(document, Animate{{{2, tracks}}});
+}
+
+std::vector<Key> up_and_down(double lo, double hi)
+{
+    return {{1, lo}, {60, hi}, {120, lo}, {180, hi}, {240, lo}};
+}
+
+enum class How { as_the_window, knowing_nothing, values_alone };
+
+void scrub(benchmark::State& state, const std::vector<Track>& tracks, How how)
+{
+    const Document document = scene(tracks);
+    const auto assets = std::make_shared<const AssetStore>();
+    Evaluator kept(assets);
+    std::size_t vertices = 0;
+    int frame = 1;
+    const auto show = [&] {
+        frame = 1 + (frame + 96) % 240; // far from the one before
+        const Document now = document_at(document, frame);
+        if (how == How::values_alone) return benchmark::DoNotOptimize(now.objects.size());
+        Evaluator fresh(assets);
+        const Evaluated evaluated = (how == How::as_the_window ? kept : fresh)(now, frame);
+        vertices = 0;
+        for (const Part& part : evaluated.objects.at(2)->parts)
+            vertices += part.mesh()->vertex_count();
+    };
+    show();
+    for (auto _ : state) show();
+    state.counters["vertices"] = static_cast<double>(vertices);
+}
+void frames(benchmark::internal::Benchmark* each)
+{
+    each->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+}
+const std::vector<Track> width{{"placement.width", up_and_down(0.3, 0.5)}},
+    start{{"placement.start", up_and_down(0, 0.5)}},
+    roughness{{"material.roughness", up_and_down(0, 1)}};
+BENCHMARK_CAPTURE(scrub, width, width, How::as_the_window)->Apply(frames);
+BENCHMARK_CAPTURE(scrub, width_knowing_nothing, width, How::knowing_nothing)->Apply(frames);
+BENCHMARK_CAPTURE(scrub, start, start, How::as_the_window)->Apply(frames);
+BENCHMARK_CAPTURE(scrub, start_knowing_nothing, start, How::knowing_nothing)->Apply(frames);
+BENCHMARK_CAPTURE(scrub, roughness, roughness, How::as_the_window)->Apply(frames);
+BENCHMARK_CAPTURE(scrub, values_alone, width, How::values_alone)->Apply(frames);
+
+} // namespace
+} // namespace trivar
