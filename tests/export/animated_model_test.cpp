@@ -68,7 +68,7 @@ TEST_F(AnimatedExports, AreProvenWhileASkinBendsInAVolumeAndTravels)
 {
     const Document document = playing(travelling(round(), {.speed = 0.4, .ends = Ends::loop}),
                                       {.clip = "bend", .repeat = Repeat::back_and_forth});
-    const AnimatedExport made = exported(document, 4e-3);
+    const AnimatedExport made = exported(document, 2e-2);
     EXPECT_EQ(of(made, 5).front().way, "targets");
     EXPECT_THAT(of(made, 5).front().unproven, IsEmpty());
     EXPECT_GT(of(made, 5).front().between, 0);
