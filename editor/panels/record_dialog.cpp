@@ -147,7 +147,9 @@ void draw_record_dialog(Editor& editor, const ui::Theme& theme)
                   c.line_soft);
     const float y0 = r.lo.y + head + theme.px(12), y1 = r.hi.y - foot;
     ImGui::SetCursorScreenPos({r.lo.x + theme.px(12), y0});
-    ImGui::BeginChild("plan", {r.width() - theme.px(24), theme.px(188)}, false,
+    // The fields end where the buttons do.
+    const float past = theme.px(ui::key_gutter) - pad;
+    ImGui::BeginChild("plan", {r.width() - theme.px(12) + past, theme.px(188)}, false,
                       ImGuiWindowFlags_NoScrollbar);
     draw_plan(theme, dialog.plan, editor.session);
     ImGui::EndChild();
