@@ -2,10 +2,10 @@
 #include "editor/contact_sheet.h"
 
 #include "core/base/rejected.h"
+#include "core/base/whole_numbers.h"
 
 #include <algorithm>
 #include <cassert>
-#include <charconv>
 #include <fmt/format.h>
 
 namespace trivar {
@@ -18,15 +18,9 @@ constexpr std::uint8_t gap_rgba[4] = {30, 32, 35, 255}; // of the dark theme's p
 
 glm::ivec2 sheet_grid(std::string_view text)
 {
-    glm::ivec2 grid{0};
-    const char* const end = text.data() + text.size();
-    const auto columns = std::from_chars(text.data(), end, grid.x);
-    if (columns.ec == std::errc{} && columns.ptr != end && *columns.ptr == 'x') {
-        const auto rows = std::from_chars(columns.ptr + 1, end, grid.y);
-        if (rows.ec == std::errc{} && rows.ptr == end && grid.x >= 1 && grid.y >= 1 &&
-            grid.x <= most_cells && grid.y <= most_cells)
-            return grid;
-    }
+    const std::vector<int> n = whole_numbers(text, 'x');
+    if (n.size() == 2 && n[0] >= 1 && n[1] >= 1 && n[0] <= most_cells && n[1] <= most_cells)
+        return {n[0], n[1]};
     throw Rejected(
         fmt::format("--sheet {}: must be COLUMNSxROWS, such as 3x2, up to {}", text, most_cells));
 }

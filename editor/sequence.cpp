@@ -3,12 +3,12 @@
 
 #include "core/base/digest.h"
 #include "core/base/rejected.h"
+#include "core/base/whole_numbers.h"
 #include "core/files/file_bytes.h"
 #include "core/files/image.h"
 #include "core/files/read_model.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -28,20 +28,6 @@ ImageTags tags_of(const Sequence& sequence, int frame)
     ImageTags tags{{tag_log, sequence.log}, {tag_frame, std::to_string(frame)}};
     if (!sequence.settings.empty()) tags.emplace_back(tag_settings, sequence.settings);
     return tags;
-}
-
-// The numbers between `mark`s; nothing where there is anything else.
-std::vector<int> numbers_of(std::string_view text, char mark)
-{
-    std::vector<int> numbers;
-    const char *at = text.data(), *const end = at + text.size();
-    while (true) {
-        const auto read = std::from_chars(at, end, numbers.emplace_back());
-        if (read.ec != std::errc{}) return {};
-        if (read.ptr == end) return numbers;
-        if (*read.ptr != mark) return {};
-        at = read.ptr + 1;
-    }
 }
 
 } // namespace
@@ -83,7 +69,7 @@ FrameNames frame_names(const std::string& text)
 
 std::vector<int> frames_of(std::string_view text)
 {
-    const std::vector<int> n = numbers_of(text, ':');
+    const std::vector<int> n = whole_numbers(text, ':');
     if (n.empty() || n.size() > 3)
         throw Rejected(
             fmt::format("--frames {}: must be A:B or A:B:S, such as 1:240 or 1:240:2", text));
@@ -109,7 +95,7 @@ void check_frames(const std::vector<int>& frames, const Time& time)
 
 std::vector<int> share_of(const std::vector<int>& frames, std::string_view shard)
 {
-    const std::vector<int> n = numbers_of(shard, '/');
+    const std::vector<int> n = whole_numbers(shard, '/');
     if (n.size() != 2 || n[0] < 1 || n[0] > n[1])
         throw Rejected(
             fmt::format("--shard {}: must be I/N with I from 1 to N, such as 1/4", shard));

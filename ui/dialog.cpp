@@ -35,6 +35,15 @@ Rect begin_dialog(const Theme& theme, const char* name, glm::vec2 size, const Di
     return rect;
 }
 
+float draw_dialog_head(const Theme& theme, const Rect& dialog, const char* title)
+{
+    const float rule = dialog.lo.y + theme.px(56), end = rule + theme.size.hairline;
+    paint_text(theme.font.title, {dialog.lo + glm::vec2(theme.px(24), 0), {dialog.hi.x, rule}},
+               theme.color.text, title);
+    paint_box({{dialog.lo.x, rule}, {dialog.hi.x, end}}, theme.color.line_soft);
+    return end;
+}
+
 void end_dialog()
 {
     ImGui::EndPopup();

@@ -32,6 +32,8 @@ struct DialogStyle {
 };
 Rect begin_dialog(const Theme& theme, const char* name, glm::vec2 size,
                   const DialogStyle& style = {});
+// Its title over a rule, across the top; returns where what is below begins, pixels of the window.
+float draw_dialog_head(const Theme& theme, const Rect& dialog, const char* title);
 void end_dialog();
 
 } // namespace trivar::ui

@@ -7,8 +7,6 @@
 
 namespace trivar {
 
-inline constexpr double default_tolerance = 1e-3; // metres
-
 // The endings of animated files: .glb, .usda, .pc2 and .mdd.
 const std::vector<std::string>& animated_extensions();
 // Throws Rejected where a name has none of them, or its folder is not there.

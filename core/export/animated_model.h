@@ -6,12 +6,14 @@
 
 namespace trivar {
 
+inline constexpr double default_tolerance = 1e-3; // metres
+
 // Which scene is exported, and how.
 struct AnimatedScene {
     Document document;
     FrameRange frames;
-    double tolerance = 1e-3; // metres
-    std::string log;         // the scene's file; empty: it has no name
+    double tolerance = default_tolerance; // metres
+    std::string log;                      // the scene's file; empty: it has no name
 };
 
 // How a part of the scene became a node of the file: what a check of it needs to know.

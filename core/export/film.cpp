@@ -3,20 +3,13 @@
 
 #include "core/base/rejected.h"
 #include "core/base/text.h"
+#include "core/base/whole_numbers.h"
 
 #include <algorithm>
 #include <fmt/format.h>
 
 namespace trivar {
 namespace {
-
-int frame_number(std::string_view text, const std::string& all)
-{
-    const auto value = parse_number(text);
-    if (!value || *value != std::floor(*value) || std::abs(*value) > 1e9)
-        throw Rejected(fmt::format("--frames {}: must be A:B, such as 1:240", all));
-    return static_cast<int>(*value);
-}
 
 bool same_faces(const Mesh& a, const Mesh& b)
 {
@@ -42,12 +35,10 @@ Document unrefined(Document document)
 FrameRange frame_range(const std::string& text, const Time& time)
 {
     if (text.empty()) return {time.first_frame, time.last_frame};
-    const std::size_t colon = text.find(':');
-    FrameRange out;
-    out.first = frame_number(std::string_view(text).substr(0, colon), text);
-    out.last = colon == std::string::npos
-                   ? out.first
-                   : frame_number(std::string_view(text).substr(colon + 1), text);
+    const std::vector<int> n = whole_numbers(text, ':');
+    if (n.empty() || n.size() > 2)
+        throw Rejected(fmt::format("--frames {}: must be A:B, such as 1:240", text));
+    const FrameRange out{n.front(), n.back()};
     if (out.last < out.first)
         throw Rejected(fmt::format("--frames {}: must go up, such as 1:240", text));
     if (out.first < time.first_frame || out.last > time.last_frame)

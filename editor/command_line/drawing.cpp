@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/command_line/drawing.h"
 
+#include "core/base/whole_numbers.h"
 #include "editor/picture.h"
 #include "gpu/shader_folder.h"
 #include "ui/camera_control.h"
 
-#include <charconv>
 #include <fmt/format.h>
 
 namespace trivar {
@@ -28,15 +28,10 @@ gpu::DeformBy deform_of(const std::string& text)
 
 glm::ivec2 picture_size(const std::string& text)
 {
-    glm::ivec2 size{0};
-    const char* const end = text.data() + text.size();
-    const auto width = std::from_chars(text.data(), end, size.x);
-    if (width.ec == std::errc{} && width.ptr != end && *width.ptr == 'x') {
-        const auto height = std::from_chars(width.ptr + 1, end, size.y);
-        if (height.ec == std::errc{} && height.ptr == end && size.x >= 1 && size.y >= 1 &&
-            size.x <= 16384 && size.y <= 16384)
-            return size;
-    }
+    constexpr int most_px = 16384;
+    const std::vector<int> n = whole_numbers(text, 'x');
+    if (n.size() == 2 && n[0] >= 1 && n[1] >= 1 && n[0] <= most_px && n[1] <= most_px)
+        return {n[0], n[1]};
     throw WrongUsage("--size " + text + ": must be WIDTHxHEIGHT, such as 1280x720, up to 16384");
 }
 

@@ -116,16 +116,12 @@ void draw_preferences(Editor& editor, const ui::Theme& theme)
     if (!dialog.open) return;
     const ui::Palette& c = theme.color;
     const ui::Rect r = ui::begin_dialog(theme, "preferences", {theme.px(840), theme.px(620)});
-    const float head = theme.px(56), foot = theme.px(60), left = theme.px(184);
+    const float foot = theme.px(60), left = theme.px(184);
     const float pad = theme.px(24);
     // Read before the page, which takes the key that is waited for.
     const bool leave =
         dialog.asking.empty() && !dialog.seeking && ImGui::IsKeyPressed(ui::key_escape, false);
-    ui::paint_text(theme.font.title, {r.lo + glm::vec2(pad, 0), {r.hi.x, r.lo.y + head}}, c.text,
-                   "Preferences");
-    ui::paint_box({{r.lo.x, r.lo.y + head}, {r.hi.x, r.lo.y + head + theme.size.hairline}},
-                  c.line_soft);
-    const float y0 = r.lo.y + head + theme.size.hairline, y1 = r.hi.y - foot;
+    const float y0 = ui::draw_dialog_head(theme, r, "Preferences"), y1 = r.hi.y - foot;
     draw_page_names(editor, theme, {{r.lo.x, y0}, {r.lo.x + left, y1}});
     const ui::Rect page = {{r.lo.x + left + theme.px(12), y0}, {r.hi.x - theme.px(12), y1}};
     draw_rows_of_page(editor, theme, page);

@@ -139,13 +139,9 @@ void draw_record_dialog(Editor& editor, const ui::Theme& theme)
     if (!dialog.open) return;
     const ui::Palette& c = theme.color;
     const ui::Rect r = ui::begin_dialog(theme, "record", {theme.px(600), theme.px(404)});
-    const float head = theme.px(56), foot = theme.px(60), pad = theme.px(24);
+    const float foot = theme.px(60), pad = theme.px(24);
     const bool escape = ImGui::IsKeyPressed(ui::key_escape, false) && !ImGui::IsAnyItemActive();
-    ui::paint_text(theme.font.title, {r.lo + glm::vec2(pad, 0), {r.hi.x, r.lo.y + head}}, c.text,
-                   "Record");
-    ui::paint_box({{r.lo.x, r.lo.y + head}, {r.hi.x, r.lo.y + head + theme.size.hairline}},
-                  c.line_soft);
-    const float y0 = r.lo.y + head + theme.px(12), y1 = r.hi.y - foot;
+    const float y0 = ui::draw_dialog_head(theme, r, "Record") + theme.px(12), y1 = r.hi.y - foot;
     ImGui::SetCursorScreenPos({r.lo.x + theme.px(12), y0});
     // The fields end where the buttons do.
     const float past = theme.px(ui::key_gutter) - pad;
