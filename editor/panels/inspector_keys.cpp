@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/parameters.h"
 #include "editor/field_words.h"
-#include "editor/key_words.h"
 #include "editor/panels/inspect.h"
 #include "editor/panels/key_gutter.h"
 #include "editor/panels/panels.h"
+#include "editor/timeline/key_words.h"
 
 #include <algorithm>
 

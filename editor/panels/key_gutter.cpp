@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/key_gutter.h"
 
-#include "editor/key_actions.h"
 #include "editor/panels/inspect.h"
+#include "editor/timeline/key_actions.h"
 
 #include <algorithm>
 #include <cmath>

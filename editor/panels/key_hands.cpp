@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/key_hands.h"
 
-#include "editor/key_actions.h"
-#include "editor/key_words.h"
+#include "editor/timeline/key_actions.h"
+#include "editor/timeline/key_words.h"
 #include "ui/input.h"
 #include "ui/keys.h"
 

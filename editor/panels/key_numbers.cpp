@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/key_words.h"
 #include "editor/panels/inspect.h"
 #include "editor/panels/timeline.h"
+#include "editor/timeline/key_words.h"
 
 #include <algorithm>
 #include <cmath>

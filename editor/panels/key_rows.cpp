@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/key_words.h"
 #include "editor/panels/key_hands.h"
 #include "editor/panels/timeline.h"
-#include "editor/timeline_rows.h"
+#include "editor/timeline/key_words.h"
+#include "editor/timeline/rows.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
 

@@ -2,9 +2,9 @@
 #include "editor/panels/timeline.h"
 
 #include "editor/field_words.h"
-#include "editor/key_actions.h"
 #include "editor/panels/inspect.h"
 #include "editor/time_actions.h"
+#include "editor/timeline/key_actions.h"
 #include "ui/icons.h"
 
 #include <algorithm>

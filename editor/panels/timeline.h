@@ -2,7 +2,7 @@
 #pragma once
 
 #include "editor/panels/panels.h"
-#include "editor/timeline_rows.h"
+#include "editor/timeline/rows.h"
 #include "editor/travel_time.h"
 
 namespace trivar {

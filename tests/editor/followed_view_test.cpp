@@ -2,7 +2,7 @@
 #include "editor/followed_view.h"
 
 #include "core/document/keying.h"
-#include "editor/key_actions.h"
+#include "editor/timeline/key_actions.h"
 #include "tests/editor/rig.h"
 
 namespace trivar {

@@ -2,7 +2,7 @@
 #include "editor/panels/key_gutter.h"
 
 #include "core/document/parameters.h"
-#include "editor/key_actions.h"
+#include "editor/timeline/key_actions.h"
 #include "tests/editor/rig.h"
 #include "tests/editor/scenes.h"
 

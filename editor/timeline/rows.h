@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "editor/keys_view.h"
+#include "editor/timeline/keys_view.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "editor/key_edits.h"
+#include "editor/timeline/key_edits.h"
 
 #include <optional>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/key_actions.h"
+#include "editor/timeline/key_actions.h"
 
 #include "editor/editor.h"
 

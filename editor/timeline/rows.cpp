@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/timeline_rows.h"
+#include "editor/timeline/rows.h"
 
 #include "core/document/parameters.h"
-#include "editor/key_words.h"
 #include "editor/session_facts.h"
+#include "editor/timeline/key_words.h"
 
 #include <algorithm>
 #include <map>

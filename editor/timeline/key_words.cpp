@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/key_words.h"
+#include "editor/timeline/key_words.h"
 
 #include "editor/field_words.h"
 

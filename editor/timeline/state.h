@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/document/document.h"
-#include "editor/keys_view.h"
+#include "editor/timeline/keys_view.h"
 
 #include <optional>
 

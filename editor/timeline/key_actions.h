@@ -2,7 +2,7 @@
 #pragma once
 
 #include "editor/actions.h"
-#include "editor/key_target.h"
+#include "editor/timeline/key_target.h"
 
 namespace trivar {
 
