@@ -6,7 +6,6 @@
 #include "core/base/rounded.h"
 #include "core/base/text.h"
 #include "core/document/commands/refine.h"
-#include "core/document/json_length.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +25,16 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 template <class E> std::string chosen_name(E value)
 {
     return std::string(choice_names<E>.at(static_cast<std::size_t>(value)));
+}
+
+// JSON knows no infinity.
+CertificateJson finite_or_null(double value)
+{
+    return std::isfinite(value) ? CertificateJson(value) : CertificateJson(nullptr);
+}
+double or_infinite(const CertificateJson& value)
+{
+    return value.is_null() ? infinite : value.get<double>();
 }
 
 // The triangles in the order in which a GLB has them.

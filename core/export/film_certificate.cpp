@@ -4,10 +4,10 @@
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/document/certificate.h"
-#include "core/document/json_length.h"
 
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -16,6 +16,15 @@ namespace {
 
 using FilmJson = nlohmann::ordered_json;
 constexpr int film_certificate_version = 1;
+
+FilmJson film_number(double value) // JSON knows no infinity
+{
+    return std::isfinite(value) ? FilmJson(value) : FilmJson(nullptr);
+}
+double film_number(const FilmJson& value)
+{
+    return value.is_null() ? std::numeric_limits<double>::infinity() : value.get<double>();
+}
 
 } // namespace
 
@@ -57,14 +66,14 @@ std::string to_json(const FilmCertificate& c)
                          {"moments_per_frame", p.moments},
                          {"triangles_before", p.triangles_before},
                          {"triangles", p.triangles},
-                         {"space_m", finite_or_null(p.space)},
-                         {"between_m", finite_or_null(p.between)},
-                         {"bound_m", finite_or_null(p.bound)}});
+                         {"space_m", film_number(p.space)},
+                         {"between_m", film_number(p.between)},
+                         {"bound_m", film_number(p.bound)}});
         if (!p.unproven.empty()) parts.back()["unproven"] = p.unproven;
     }
     const FilmJson all{{"version", film_certificate_version},
                        {"tolerance_m", c.tolerance},
-                       {"bound_m", finite_or_null(c.bound)},
+                       {"bound_m", film_number(c.bound)},
                        {"frames", {c.first_frame, c.last_frame}},
                        {"frames_per_second", c.frames_per_second},
                        {"log", c.log},
@@ -88,7 +97,7 @@ FilmCertificate film_certificate_from_json(const std::string& text)
             throw Rejected("its certificate is of another version of Trivar");
         FilmCertificate out;
         out.tolerance = all.at("tolerance_m").get<double>();
-        out.bound = or_infinite(all.at("bound_m"));
+        out.bound = film_number(all.at("bound_m"));
         out.first_frame = all.at("frames").at(0).get<int>();
         out.last_frame = all.at("frames").at(1).get<int>();
         out.frames_per_second = all.at("frames_per_second").get<double>();
@@ -106,9 +115,9 @@ FilmCertificate film_certificate_from_json(const std::string& text)
                                  .moments = p.at("moments_per_frame").get<int>(),
                                  .triangles_before = p.at("triangles_before").get<std::size_t>(),
                                  .triangles = p.at("triangles").get<std::size_t>(),
-                                 .space = or_infinite(p.at("space_m")),
-                                 .between = or_infinite(p.at("between_m")),
-                                 .bound = or_infinite(p.at("bound_m")),
+                                 .space = film_number(p.at("space_m")),
+                                 .between = film_number(p.at("between_m")),
+                                 .bound = film_number(p.at("bound_m")),
                                  .unproven = p.value("unproven", std::string())});
         return out;
     } catch (const FilmJson::exception&) {
