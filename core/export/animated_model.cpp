@@ -88,8 +88,8 @@ FilmPlan planned(const AnimatedScene& scene, const Ref<AssetStore>& assets,
             } else {
                 measured |= moves_by_itself(strip) || strip.bent();
             }
-        if (scene.frames.first == scene.frames.last) return plan;
         bound_between(plan, progress);
+        if (scene.frames.first == scene.frames.last) return plan;
         double most = 0;
         for (const auto& [id, object] : plan.bent)
             for (const std::vector<double>& bounds : object.bounds)
@@ -175,7 +175,7 @@ AnimatedExport animated_export(const AnimatedScene& scene, const Ref<AssetStore>
             bounds[index_of(object.strips[s])] = &object.bounds[s];
         }
     }
-    AnimatedNodes nodes(film, scene.document, times_s, scene.tolerance);
+    AnimatedNodes nodes(film, scene.document, *assets, times_s, scene.tolerance);
     constexpr std::size_t at_once = 16; // parts whose places are in memory
     const std::vector<double> free(film.moments.size(), share_of_between * scene.tolerance);
     const std::vector<double> nothing(film.moments.size(), 0);

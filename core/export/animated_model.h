@@ -33,7 +33,7 @@ struct AnimatedExport {
 //
 //   what rests                      a node
 //   what moves as it is             a node with keys of its translation, rotation and scale
-//   what is posed and in no volume  a skin whose joints have such keys, and its own morph targets
+//   a model's nodes, in no volume   the same nodes, skins and channels below such a node
 //   what a volume deforms           morph targets, each the place of all vertices at a key
 //
 // What comes and goes hangs on a node whose scale is 1 or 0. The same bits for any number of

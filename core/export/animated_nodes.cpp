@@ -8,10 +8,11 @@
 
 namespace trivar {
 
-AnimatedNodes::AnimatedNodes(const Film& film, const Document& document, std::vector<float> times_s,
-                             double tolerance)
+AnimatedNodes::AnimatedNodes(const Film& film, const Document& document, const AssetStore& assets,
+                             std::vector<float> times_s, double tolerance)
     : film_(film),
       document_(document),
+      assets_(assets),
       times_s_(std::move(times_s)),
       tolerance_(tolerance)
 {
@@ -99,105 +100,25 @@ bool AnimatedNodes::add_motion(int node, const std::vector<glm::dmat4>& matrices
     return true;
 }
 
-// Each joint stands in the middle of what it moves, and its own matrix at every moment is that of
-// the pose: no bone of the model has to be known for that.
-int AnimatedNodes::skin(const FilmStrip& strip, Mesh& mesh, FilmCertificate::PartClaim& claim)
-{
-    const Part& first = strip.first();
-    std::vector<Box> boxes(first.posed->pose.joints.size());
-    std::vector<int> used(boxes.size(), -1);
-    for (std::size_t v = 0; v < mesh.vertex_count(); ++v)
-        for (int k = 0; k < 4; ++k)
-            if (mesh.influences[v].weights[k] > 0)
-                boxes[mesh.influences[v].joints[static_cast<std::size_t>(k)]].add(
-                    glm::dvec3(mesh.positions[v]));
-    const int parent = node(strip.name + " joints", 0);
-    Skin out;
-    for (std::size_t j = 0; j < boxes.size(); ++j) {
-        if (boxes[j].empty()) continue;
-        used[j] = static_cast<int>(out.joints.size());
-        const int joint =
-            node(strip.name + " joint " + std::to_string(out.joints.size() + 1), parent);
-        const glm::dmat4 from_middle = glm::translate(glm::dmat4(1), boxes[j].center());
-        const auto matrices = each_moment<glm::dmat4>(strip, [&](const Part& part) {
-            const bool posed = part.posed && j < part.posed->pose.joints.size();
-            return part.to_world *
-                   (posed ? glm::dmat4(part.posed->pose.joints[j]) : glm::dmat4(1)) * from_middle;
-        });
-        Box box;
-        box.add(boxes[j].lo - boxes[j].center());
-        box.add(boxes[j].hi - boxes[j].center());
-        if (!add_motion(joint, matrices, box, claim)) return -1;
-        out.joints.push_back(joint);
-        out.mesh_to_joint.push_back(glm::inverse(from_middle));
-    }
-    for (Mesh::Influences& each : mesh.influences)
-        for (int k = 0; k < 4; ++k) {
-            std::uint16_t& joint = each.joints[static_cast<std::size_t>(k)];
-            joint =
-                each.weights[k] > 0 ? static_cast<std::uint16_t>(used[joint]) : std::uint16_t{0};
-        }
-    model_.skins.push_back(std::move(out));
-    return static_cast<int>(model_.skins.size()) - 1;
-}
-
-void AnimatedNodes::add_morph_weights(const FilmStrip& strip, int node, const Mesh& mesh,
-                                      FilmCertificate::PartClaim& claim)
-{
-    const std::size_t targets = mesh.morph_targets.size();
-    const auto weights = each_moment<std::vector<float>>(strip, [&](const Part& part) {
-        std::vector<float> out = part.posed ? part.posed->pose.morph_weights : std::vector<float>{};
-        out.resize(targets, 0);
-        return out;
-    });
-    Channel channel;
-    channel.node = node;
-    channel.of = Channel::Of::morph_weights;
-    channel.components = targets;
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-        const bool same = i > 0 && i + 1 < weights.size() && weights[i] == weights[i - 1] &&
-                          weights[i] == weights[i + 1];
-        if (same) continue;
-        channel.times_s.push_back(times_s_[i]);
-        channel.values.insert(channel.values.end(), weights[i].begin(), weights[i].end());
-    }
-    claim.keys = std::max(claim.keys, static_cast<int>(channel.times_s.size()));
-    model_.nodes[static_cast<std::size_t>(node)].morph_weights = weights.front();
-    clip_.channels.push_back(std::move(channel));
-}
-
 bool AnimatedNodes::add_moving(const FilmStrip& strip, FilmCertificate::PartClaim& claim)
 {
+    if (Tree& known = tree(strip); known.from) {
+        if (known.whole) hang(strip, known, claim);
+        return known.whole;
+    }
     const Model before = model_; // references are shared, so that is cheap
     const std::size_t channels = clip_.channels.size();
-    const Part& first = strip.first();
-    Mesh mesh = *first.rest;
+    Mesh mesh = *strip.first().rest;
+    mesh.influences.clear();
+    mesh.morph_targets.clear();
     const int at = node(strip.name, holder(strip));
-    const bool skinned = std::ranges::any_of(
-        strip.shown, [](const Part* p) { return p && p->posed && !p->posed->pose.joints.empty(); });
-    const bool morphs = std::ranges::any_of(strip.shown, [](const Part* p) {
-        return p && p->posed && !p->posed->pose.morph_weights.empty();
-    });
-    if (!morphs) mesh.morph_targets.clear();
-    claim.way = skinned || morphs ? "skin" : "node";
-    bool whole = true;
-    if (skinned) {
-        const int skin_index = skin(strip, mesh, claim);
-        model_.nodes[static_cast<std::size_t>(at)].skin = skin_index;
-        whole = skin_index >= 0;
-    } else {
-        mesh.influences.clear();
-        whole =
-            add_motion(at, each_moment<glm::dmat4>(strip, [](const Part& p) { return p.to_world; }),
-                       bounding_box(mesh), claim);
-    }
-    if (!whole) {
+    if (!add_motion(at, each_moment<glm::dmat4>(strip, [](const Part& p) { return p.to_world; }),
+                    bounding_box(mesh), claim)) {
         model_ = before;
         clip_.channels.resize(channels);
         return false;
     }
-    if (morphs) add_morph_weights(strip, at, mesh, claim);
-    if (clip_.channels.size() == channels) claim.way = "still";
+    claim.way = clip_.channels.size() == channels ? "still" : "node";
     claim.triangles_before = claim.triangles = triangles(mesh).size();
     claim.node = at;
     const int index = this->mesh(strip, std::move(mesh));

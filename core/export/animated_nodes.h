@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/export/animated_model.h"
+#include "core/export/kept_clip.h"
 #include "core/export/target_keys.h"
 
 namespace trivar {
@@ -9,8 +10,8 @@ namespace trivar {
 // Puts strips into a model, each at a node of its own, and says how near it is.
 class AnimatedNodes {
 public:
-    AnimatedNodes(const Film& film, const Document& document, std::vector<float> times_s,
-                  double tolerance);
+    AnimatedNodes(const Film& film, const Document& document, const AssetStore& assets,
+                  std::vector<float> times_s, double tolerance);
 
     // What rests, or moves as it is, or is posed; false where it cannot be said so: it shears.
     bool add_moving(const FilmStrip& strip, FilmCertificate::PartClaim& claim);
@@ -22,9 +23,21 @@ private:
     int group(Id id);
     int holder(const FilmStrip& strip); // the node to hang a part on
     int mesh(const FilmStrip& strip, Mesh mesh);
-    int skin(const FilmStrip& strip, Mesh& mesh, FilmCertificate::PartClaim& claim);
-    void add_morph_weights(const FilmStrip& strip, int node, const Mesh& mesh,
-                           FilmCertificate::PartClaim& claim);
+    // The nodes of an object's model below one for the object, as they hang on each other.
+    struct Tree {
+        Ref<Model> from;    // null: it has no nodes but one, and no clips
+        bool whole = false; // false: it shears, so it is not there
+        int object = 0;     // its node
+        int first = 0;      // that of the model's first node; the others follow in their order
+        std::vector<int> with_mesh;       // of the model's, by slot
+        FilmCertificate::PartClaim claim; // of how the object moves
+        std::map<int, int> skins;         // by the model's
+    };
+    Tree& tree(const FilmStrip& strip);
+    void add_clip(Tree& tree, const Object& source);
+    bool add_motion_of_object(Tree& tree, const FilmStrip& strip);
+    void hang(const FilmStrip& strip, Tree& tree, FilmCertificate::PartClaim& claim);
+    int skin(Tree& tree, int index);
     bool add_motion(int node, const std::vector<glm::dmat4>& matrices, const Box& box,
                     FilmCertificate::PartClaim& claim);
     // A value at each moment; where it is not shown that of the moment before, or the first.
@@ -33,11 +46,13 @@ private:
 
     const Film& film_;
     const Document& document_;
+    const AssetStore& assets_;
     std::vector<float> times_s_;
     double tolerance_;
     Model model_;
     Clip clip_;
     std::map<Id, int> groups_;
+    std::map<Id, Tree> trees_;
     std::map<Ref<std::vector<Material>>, std::uint32_t> first_material_; // looked up only
 };
 

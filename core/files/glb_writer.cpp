@@ -274,10 +274,24 @@ private:
         return out;
     }
 
+    // Skinned meshes on nodes that nothing else is there for: where these are does not count, so
+    // they are roots and have no place.
+    std::vector<bool> placeless_nodes(const std::vector<bool>& moved) const
+    {
+        std::vector<bool> out;
+        for (std::size_t n = 0; n < model_.nodes.size(); ++n)
+            out.push_back(model_.nodes[n].skin >= 0 && model_.nodes[n].mesh >= 0 && !moved[n]);
+        for (const Node& node : model_.nodes)
+            if (node.parent >= 0) out[static_cast<std::size_t>(node.parent)] = false;
+        for (const Skin& skin : model_.skins)
+            for (const int joint : skin.joints) out[static_cast<std::size_t>(joint)] = false;
+        return out;
+    }
+
     void write_nodes(const std::vector<int>& mesh_index)
     {
         const glm::dmat4 z_to_y({1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1});
-        const std::vector<bool> moved = moved_nodes();
+        const std::vector<bool> moved = moved_nodes(), placeless = placeless_nodes(moved);
         Json nodes = Json::array(), holders = Json::array(), roots = Json::array();
         for (std::size_t n = 0; n < model_.nodes.size(); ++n) {
             const Node& node = model_.nodes[n];
@@ -293,7 +307,7 @@ private:
                     top = model_.nodes.size() + holders.size();
                     holders.push_back(std::move(holder));
                 }
-            } else {
+            } else if (!placeless[n]) {
                 put_matrix(written, outside * node.to_parent);
             }
             const int mesh =
@@ -312,7 +326,7 @@ private:
             }
             if (written.is_null()) written = Json::object();
             nodes.push_back(std::move(written));
-            if (node.parent < 0)
+            if (node.parent < 0 || placeless[n])
                 roots.push_back(top);
             else
                 nodes[static_cast<std::size_t>(node.parent)]["children"].push_back(top);
