@@ -4,6 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
 #include "core/export/animated_nodes.h"
+#include "core/export/sag.h"
 #include "core/export/target_keys.h"
 
 #include <algorithm>
@@ -18,15 +19,23 @@ namespace {
 // Of the tolerance: for flat triangles, and for what is between the moments. What they do not take
 // is for the keys.
 constexpr double share_of_space = 0.4, share_of_between = 0.4;
-constexpr int most_moments = 16;    // to a frame
-constexpr int measured_moments = 4; // where nothing is proven between them
+constexpr double share_of_sag = 0.2; // where nothing is proven between them
+constexpr double no_less = 0.6;      // of the sag with half as many moments: they do not help
+constexpr int most_moments = 16;     // to a frame
+constexpr int measured_moments = 4;  // where nothing is proven between them
 
 bool moves_by_itself(const FilmStrip& strip)
 {
     const Part& first = strip.first();
     return std::ranges::any_of(strip.shown, [&](const Part* part) {
-        return part && (part->to_world != first.to_world || part->posed != first.posed);
+        return part && (part->to_world != first.to_world || part->posed != first.posed ||
+                        part->rest != first.rest);
     });
+}
+
+bool plays_by_itself(const Document& document, const FilmStrip& strip)
+{
+    return !strip.bent() && !object(document, strip.object).playing.clip.empty();
 }
 
 // The strips of an object that a volume deforms at all times that they are shown at.
@@ -72,11 +81,17 @@ void bound_between(FilmPlan& plan, const Progress& progress)
 FilmPlan planned(const AnimatedScene& scene, const Ref<AssetStore>& assets,
                  const Progress& progress)
 {
+    double sag_before = std::numeric_limits<double>::infinity();
     for (int per_frame = 1;; per_frame *= 2) {
         FilmPlan plan;
         plan.per_frame = per_frame;
         plan.film = film_of(scene.document, assets, moments_of(scene.frames, per_frame), progress);
         bool measured = false;
+        double sag = 0;
+        const auto measure = [&](const FilmStrip& strip) {
+            measured = true;
+            if (per_frame >= measured_moments) sag = std::max(sag, sag_between_moments(strip));
+        };
         for (const FilmStrip& strip : plan.film.strips)
             if (always_bent(strip)) {
                 BentObject& object = plan.bent[strip.object];
@@ -84,9 +99,11 @@ FilmPlan planned(const AnimatedScene& scene, const Ref<AssetStore>& assets,
                 if (!object.between)
                     object.between =
                         std::make_unique<Between>(scene.document, strip.object, *assets);
-                measured |= !object.between->unknown().empty();
-            } else {
-                measured |= moves_by_itself(strip) || strip.bent();
+                if (!object.between->unknown().empty()) measure(strip);
+            } else if (plays_by_itself(scene.document, strip)) {
+                measured = true; // its channels are kept as they are
+            } else if (moves_by_itself(strip) || strip.bent()) {
+                measure(strip);
             }
         bound_between(plan, progress);
         if (scene.frames.first == scene.frames.last) return plan;
@@ -96,8 +113,10 @@ FilmPlan planned(const AnimatedScene& scene, const Ref<AssetStore>& assets,
                 for (const double bound : bounds)
                     if (std::isfinite(bound)) most = std::max(most, bound);
         const bool enough = most <= share_of_between * scene.tolerance &&
+                            (sag <= share_of_sag * scene.tolerance || sag > no_less * sag_before) &&
                             (!measured || per_frame >= measured_moments);
         if (enough || per_frame >= most_moments) return plan;
+        if (per_frame >= measured_moments) sag_before = sag;
     }
 }
 
@@ -203,16 +222,17 @@ AnimatedExport animated_export(const AnimatedScene& scene, const Ref<AssetStore>
                 claim_targets(claim, *plan.bent.at(strip.object).between, common.space, *bounds[s],
                               keys[s - first].off);
                 nodes.add_targets(strip, std::move(keys[s - first]), claim);
-            } else if (strip.bent() || !nodes.add_moving(strip, claim)) {
-                // It lies at some moments only, or shears: its vertices, as they are then.
+            } else if (strip.bent() || strip.reshaped() || !nodes.add_moving(strip, claim)) {
+                // Its vertices, as they are at the moments.
                 common.mesh = make_ref(in_triangles(*strip.first().rest));
                 common.space = nothing;
                 TargetKeys own = target_keys(film, strip, common, free, times_s);
                 claim = {.object = strip.object, .part = strip.slot, .name = strip.name};
                 claim.moments = plan.per_frame;
                 claim.triangles_before = common.mesh->face_count();
-                claim.unproven = strip.bent() ? "it lies on its stroke in some frames only"
-                                              : "it shears, which no node can";
+                claim.unproven = strip.bent()       ? "it lies on its stroke in some frames only"
+                                 : strip.reshaped() ? "keys change its shape"
+                                                    : "it shears, which no node can";
                 claim.bound = *std::ranges::max_element(own.off);
                 nodes.add_targets(strip, std::move(own), claim);
             }

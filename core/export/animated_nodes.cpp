@@ -50,7 +50,8 @@ int AnimatedNodes::holder(const FilmStrip& strip)
     for (std::size_t i = 0; i < strip.shown.size(); ++i) {
         const float scale = strip.shown[i] ? 1 : 0;
         if (!channel.values.empty() && channel.values.back() == scale) continue;
-        channel.times_s.push_back(times_s_[i]);
+        channel.times_s.push_back(not_after((film_.moments[i] - film_.moments.front()) /
+                                            document_.time.frames_per_second));
         channel.values.insert(channel.values.end(), 3, scale);
     }
     model_.nodes[static_cast<std::size_t>(out)].rest.scale = glm::dvec3(strip.shown[0] ? 1 : 0);

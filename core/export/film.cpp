@@ -7,15 +7,10 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <iterator>
 
 namespace trivar {
 namespace {
-
-bool same_faces(const Mesh& a, const Mesh& b)
-{
-    return a.vertex_count() == b.vertex_count() && a.corners == b.corners &&
-           a.face_begin == b.face_begin;
-}
 
 Document unrefined(Document document)
 {
@@ -30,7 +25,35 @@ Document unrefined(Document document)
     return document;
 }
 
+// The piece that has the part's triangles, a new one where none has.
+FilmStrip& piece_of(std::vector<FilmStrip>& pieces, const Part& part, double frame)
+{
+    const auto has_them = [&](const FilmStrip& strip) {
+        const Ref<Mesh>& rest = strip.first().rest;
+        return rest == part.rest || same_faces(*rest, *part.rest);
+    };
+    if (const auto found = std::ranges::find_if(pieces, has_them); found != pieces.end())
+        return *found;
+    FilmStrip next = pieces.front();
+    constexpr std::size_t most_pieces = 1000;
+    if (pieces.size() >= most_pieces)
+        throw Rejected(fmt::format("{}: its triangles change more than {} times, and each time it "
+                                   "would be another mesh; take keys of what changes them away",
+                                   printable(next.name), most_pieces));
+    next.piece = static_cast<int>(pieces.size());
+    next.name += fmt::format(" from frame {}", shortest(frame));
+    std::ranges::fill(next.shown, nullptr);
+    pieces.push_back(std::move(next));
+    return pieces.back();
+}
+
 } // namespace
+
+bool same_faces(const Mesh& a, const Mesh& b)
+{
+    return a.vertex_count() == b.vertex_count() && a.corners == b.corners &&
+           a.face_begin == b.face_begin;
+}
 
 FrameRange frame_range(const std::string& text, const Time& time)
 {
@@ -62,6 +85,12 @@ bool FilmStrip::posed() const
     return std::ranges::any_of(shown, [](const Part* part) { return part && part->posed; });
 }
 
+bool FilmStrip::reshaped() const
+{
+    const Ref<Mesh>& rest = first().rest;
+    return std::ranges::any_of(shown, [&](const Part* part) { return part && part->rest != rest; });
+}
+
 std::vector<double> moments_of(const FrameRange& range, int per_frame)
 {
     std::vector<double> out;
@@ -84,24 +113,23 @@ Film film_of(const Document& document, const Ref<AssetStore>& assets, std::vecto
                "going through the frames");
         film.evaluated.push_back(evaluator(plain, film.moments[i]));
     }
-    std::map<std::pair<Id, int>, FilmStrip> strips;
+    std::map<std::pair<Id, int>, std::vector<FilmStrip>> strips;
     for (std::size_t i = 0; i < film.moments.size(); ++i)
         for (const auto& [id, ref] : film.evaluated[i].objects)
             for (const Part& part : ref->parts) {
-                FilmStrip& strip = strips[{id, part.slot}];
-                if (strip.shown.empty()) {
-                    strip = {id, part.slot, object(document, id).name,
-                             std::vector<const Part*>(film.moments.size()), ref->materials};
-                } else if (const Part& first = strip.first();
-                           first.rest != part.rest && !same_faces(*first.rest, *part.rest)) {
-                    throw Rejected(fmt::format(
-                        "{}: its triangles are others at frame {} than before, so it is not one "
-                        "mesh that moves; take the keys of what changes them away",
-                        printable(strip.name), shortest(film.moments[i])));
+                std::vector<FilmStrip>& pieces = strips[{id, part.slot}];
+                if (pieces.empty()) {
+                    pieces.push_back({.object = id,
+                                      .slot = part.slot,
+                                      .name = object(document, id).name,
+                                      .shown = std::vector<const Part*>(film.moments.size()),
+                                      .materials = ref->materials});
+                    pieces.front().shown[i] = &part;
+                } else {
+                    piece_of(pieces, part, film.moments[i]).shown[i] = &part;
                 }
-                strip.shown[i] = &part;
             }
-    for (auto& [key, strip] : strips) film.strips.push_back(std::move(strip));
+    for (auto& [key, pieces] : strips) std::ranges::move(pieces, std::back_inserter(film.strips));
     return film;
 }
 

@@ -13,28 +13,32 @@ struct FrameRange {
 // "A:B", or "A"; empty: all of the scene's. Throws Rejected where one is none of the scene's.
 FrameRange frame_range(const std::string& text, const Time& time);
 
-// One part of an object through all moments of a film.
+// One part of an object through all moments of a film, as long as it has the same triangles. Where
+// they change in time, as a text's that grows, each kind of them is a piece of its own.
 struct FilmStrip {
     Id object = 0;
     int slot = 0; // Part::slot
     std::string name;
+    int piece = 0;                  // of the part, in the order in which they come
     std::vector<const Part*> shown; // by moment; null: it is not shown then
     Ref<std::vector<Material>> materials;
     const Part& first() const; // that is shown
     bool bent() const;         // at some moment a volume deforms it
     bool posed() const;        // at some moment a pose moves its vertices
+    bool reshaped() const;     // at some moment its vertices are others before all that, by keys
 };
+bool same_faces(const Mesh& a, const Mesh& b); // and as many vertices
 
 // A scene at some moments, ascending, in frames; those between two frames, too. Meshes are not
 // worked out.
 struct Film {
     std::vector<double> moments;
     std::vector<Evaluated> evaluated; // by moment
-    std::vector<FilmStrip> strips;    // by object and slot
+    std::vector<FilmStrip> strips;    // by object, slot and piece
 };
 
 // The choices of refined objects are left out: their triangles would differ from frame to frame.
-// Throws Rejected where the triangles of something change, and Cancelled.
+// Throws Rejected where the triangles of something change very often, and Cancelled.
 Film film_of(const Document& document, const Ref<AssetStore>& assets, std::vector<double> moments,
              const Progress& progress = {});
 // The moments of a range, some to a frame.

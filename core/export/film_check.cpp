@@ -95,8 +95,17 @@ std::vector<FilmSample> sampled_film(const AnimatedExport& exported, const Docum
     const Film film =
         film_of(document, assets, moments_of({claims.first_frame, claims.last_frame}, per_frame),
                 between(progress, 0, 0.1));
-    std::map<std::pair<Id, int>, const FilmStrip*> strips;
-    for (const FilmStrip& strip : film.strips) strips[{strip.object, strip.slot}] = &strip;
+    std::map<std::pair<Id, int>, std::vector<const FilmStrip*>> strips;
+    for (const FilmStrip& strip : film.strips) strips[{strip.object, strip.slot}].push_back(&strip);
+    // The part as it is then, if it has the triangles that it has in the file.
+    const auto shown_then = [&](const FilmStrip& claimed, std::size_t moment) -> const Part* {
+        const auto pieces = strips.find({claimed.object, claimed.slot});
+        if (pieces == strips.end()) return nullptr;
+        for (const FilmStrip* strip : pieces->second)
+            if (const Part* part = strip->shown[moment])
+                return same_faces(*part->rest, *claimed.first().rest) ? part : nullptr;
+        return nullptr;
+    };
     const Model& model = exported.model;
     const Clip* clip = model.clips.empty() ? nullptr : &model.clips.front();
     std::vector<FilmSample> out(claims.parts.size());
@@ -117,10 +126,8 @@ std::vector<FilmSample> sampled_film(const AnimatedExport& exported, const Docum
         parallel_blocks(out.size(), 1, [&](std::size_t begin, std::size_t end) {
             for (std::size_t p = begin; p < end; ++p) {
                 const AnimatedPart& part = exported.parts[p];
-                const auto strip = strips.find({part.strip->object, part.strip->slot});
-                if (strip == strips.end() || !part.strip->shown[before] || !part.strip->shown[next])
-                    continue;
-                if (const Part* truth = strip->second->shown[i])
+                if (!part.strip->shown[before] || !part.strip->shown[next]) continue;
+                if (const Part* truth = shown_then(*part.strip, i))
                     compare(out[p], part, *truth,
                             shown_by_file(model, claims.parts[p].node, stance, weights[p], time_s),
                             frame);

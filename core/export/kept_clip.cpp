@@ -3,6 +3,7 @@
 
 #include "core/document/parameters.h"
 #include "core/document/posing.h"
+#include "core/export/keys.h"
 
 #include <algorithm>
 #include <cmath>
@@ -182,17 +183,6 @@ private:
     }
     Channel& to_;
 };
-
-float not_before(double time_s)
-{
-    const auto out = static_cast<float>(time_s);
-    return double{out} < time_s ? std::nextafter(out, for_ever) : out;
-}
-float not_after(double time_s)
-{
-    const auto out = static_cast<float>(time_s);
-    return double{out} > time_s ? std::nextafter(out, -for_ever) : out;
-}
 
 } // namespace
 

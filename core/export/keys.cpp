@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace trivar {
 
@@ -28,6 +29,18 @@ std::vector<std::size_t> chosen_keys(std::size_t count,
         out.push_back(good);
     }
     return out;
+}
+
+float not_before(double time_s)
+{
+    const auto out = static_cast<float>(time_s);
+    return double{out} < time_s ? std::nextafter(out, std::numeric_limits<float>::infinity()) : out;
+}
+float not_after(double time_s)
+{
+    const auto out = static_cast<float>(time_s);
+    return double{out} > time_s ? std::nextafter(out, -std::numeric_limits<float>::infinity())
+                                : out;
 }
 
 std::optional<Placed> as_parts(const glm::dmat4& m)

@@ -16,6 +16,10 @@ namespace trivar {
 std::vector<std::size_t> chosen_keys(std::size_t count,
                                      const std::function<bool(std::size_t, std::size_t)>& holds);
 
+// The number in single precision that is nearest to a time and not after it, or not before it.
+float not_after(double time_s);
+float not_before(double time_s);
+
 // An affine matrix as its parts; nothing where they do not give it, as when it shears.
 std::optional<Placed> as_parts(const glm::dmat4& matrix);
 // Between two, as a viewer has it: rotations the shorter way round.

@@ -2,6 +2,7 @@
 #include "core/export/point_cache.h"
 
 #include "core/base/rejected.h"
+#include "core/base/text.h"
 #include "core/files/growing_file.h"
 #include "core/files/write_model.h"
 
@@ -38,6 +39,10 @@ std::vector<CachedObject> objects_of(const Film& film)
     std::set<std::string> taken;
     Id last = 0;
     for (const FilmStrip& strip : film.strips) {
+        if (strip.piece > 0)
+            throw Rejected(fmt::format("{}: its triangles are others than before, and a cache has "
+                                       "one mesh; .glb and .usda have one after the other",
+                                       printable(strip.name)));
         if (strip.object != last) {
             std::string name;
             for (const char c : strip.name)

@@ -103,7 +103,7 @@ public:
         if (!mesh.uvs.empty())
             line("texCoord2f[] primvars:st = " + usd_list(mesh.uvs.front()) +
                  " (\n            interpolation = \"vertex\"\n        )");
-        if (strip_.bent() || strip_.posed())
+        if (strip_.bent() || strip_.posed() || strip_.reshaped())
             write_points(progress);
         else
             write_matrices();

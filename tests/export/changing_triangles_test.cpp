@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/rejected.h"
+#include "core/base/text.h"
+#include "core/document/commands/text.h"
+#include "core/export/animated_files.h"
+#include "core/export/film_check.h"
+#include "tests/export/scenes.h"
+
+#include <gmock/gmock.h>
+
+namespace trivar {
+namespace {
+
+using ::testing::HasSubstr;
+
+class ChangingTriangles : public testing::ExportedScenes {
+protected:
+    // A word 6 that becomes thicker, and gets more rows of triangles for that.
+    Document growing() const
+    {
+        AddText add;
+        add.shape = {.text = "illi", .size = 0.5, .depth = 0.06, .max_edge = 0.15};
+        Document document = after(still_, add);
+        return keyed(document, 6, "shape.depth",
+                     {{.frame = 1, .value = 0.06}, {.frame = 7, .value = 0.1}});
+    }
+    void expect_holds(const Document& document, const AnimatedExport& made, Id id) const
+    {
+        const std::vector<FilmSample> found = sampled_film(made, document, assets_, 10);
+        std::size_t samples = 0;
+        for (std::size_t p = 0; p < found.size(); ++p) {
+            if (made.certificate.parts[p].object != id) continue;
+            EXPECT_LE(found[p].furthest, made.certificate.tolerance)
+                << made.certificate.parts[p].name << " at frame " << found[p].at_frame;
+            samples += found[p].samples;
+        }
+        EXPECT_GT(samples, 1000u);
+    }
+};
+
+TEST_F(ChangingTriangles, AreMeshesShownOneAfterTheOther)
+{
+    const Document document = growing();
+    const AnimatedExport made = exported(document, 5e-3);
+    std::vector<const AnimatedPart*> pieces;
+    for (std::size_t p = 0; p < made.parts.size(); ++p)
+        if (made.certificate.parts[p].object == 6) {
+            pieces.push_back(&made.parts[p]);
+            EXPECT_EQ(made.certificate.parts[p].way, "targets");
+            EXPECT_THAT(made.certificate.parts[p].unproven, HasSubstr("keys change its shape"));
+        }
+    ASSERT_GT(pieces.size(), 1u);
+    for (std::size_t i = 0; i < made.film.moments.size(); ++i)
+        EXPECT_EQ(std::ranges::count_if(
+                      pieces, [&](const AnimatedPart* p) { return p->strip->shown[i] != nullptr; }),
+                  1)
+            << "at frame " << made.film.moments[i];
+    EXPECT_THAT(pieces[1]->strip->name, HasSubstr(" from frame "));
+    expect_holds(document, made, 6);
+}
+
+TEST_F(ChangingTriangles, OfAVolumesObjectDoSoToo)
+{
+    Document document = growing();
+    PlacementParameters p;
+    p.fill = 0.4;
+    document = after(document, Place{6, testing::small_sketch(), p, {1}});
+    const AnimatedExport made = exported(document, 5e-3);
+    EXPECT_GT(std::ranges::count(made.certificate.parts, 6, &FilmCertificate::PartClaim::object),
+              1);
+    expect_holds(document, made, 6);
+}
+
+TEST_F(ChangingTriangles, OfATextAreInvisiblePrimsInAnUsdFileAndNoPointCache)
+{
+    const AnimatedScene scene{growing(), {1, 7}, 1e-3, ""};
+    write_animated(scene, assets_, folder_.file("a.usda"));
+    EXPECT_THAT(read_text_file(folder_.file("a.usda")), HasSubstr("_from_frame_"));
+    try {
+        write_animated(scene, assets_, folder_.file("a.pc2"));
+        FAIL();
+    } catch (const Rejected& error) {
+        EXPECT_THAT(error.what(), HasSubstr("a cache has one mesh"));
+    }
+}
+
+TEST_F(ChangingTriangles, StayWhereOnlyTheirVerticesMove)
+{
+    const Document document =
+        keyed(still_, 2, "shape.radius", {{.frame = 1, .value = 0.5}, {.frame = 7, .value = 0.7}});
+    const AnimatedExport made = exported(document, 2e-2);
+    EXPECT_EQ(std::ranges::count(made.certificate.parts, 2, &FilmCertificate::PartClaim::object),
+              1);
+    expect_holds(document, made, 2);
+    write_animated({document, {1, 7}, 1e-3, ""}, assets_, folder_.file("a.usda"));
+    const std::string text = read_text_file(folder_.file("a.usda"));
+    const std::size_t at = text.find("def Mesh \"" + object(document, 2).name);
+    ASSERT_NE(at, text.npos);
+    EXPECT_THAT(text.substr(at, text.find("def Mesh", at + 1) - at),
+                HasSubstr("points.timeSamples"));
+}
+
+} // namespace
+} // namespace trivar
