@@ -130,7 +130,7 @@ void each_preference(auto& p, const auto& field)
     field("scale", p.scale, interface_scales.front(), interface_scales.back());
     field("dock", p.dock, 280.0, 480.0);
     field("outliner", p.outliner, 120.0, 4000.0);
-    field("timeline", p.timeline, 160.0, 296.0);
+    field("timeline", p.timeline, 160.0, 4000.0);
     field("timeline_open", p.timeline_open);
     field("loop", p.loop);
     field("light", p.look.light);

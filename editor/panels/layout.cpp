@@ -29,9 +29,11 @@ Layout layout_of(const ui::Theme& theme, glm::vec2 size_px, const Preferences& p
     l.strip = {{0, y0}, {m.tool_strip, y1}};
     const float left = m.tool_strip + line, view_right = l.dock ? right - line : right;
     l.options = {{left, y0}, {view_right, y0 + m.options_bar}};
+    // The picture keeps as much as a hand can work in.
+    const float kept = std::min(theme.px(least_view), (y1 - y0) / 3) + m.options_bar + 2 * line;
     const float asked =
         preferences.timeline_open
-            ? std::min(theme.px(static_cast<float>(preferences.timeline)), (y1 - y0) / 2)
+            ? std::min(theme.px(static_cast<float>(preferences.timeline)), y1 - y0 - kept)
             : 0;
     l.timeline = {{left, y1 - std::round(std::max(asked, theme.px(40)))}, {view_right, y1}};
     l.view = {{left, l.options.hi.y + line}, {view_right, l.timeline.lo.y - line}};

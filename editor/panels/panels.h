@@ -16,7 +16,7 @@ struct Layout {
 };
 // Pixels at scale 1; the outliner takes at most 60 % of the dock.
 inline constexpr float narrowest_dock = 280, widest_dock = 480, lowest_outliner = 120,
-                       lowest_timeline = 160, highest_timeline = 296;
+                       lowest_timeline = 160, least_view = 200;
 Layout layout_of(const ui::Theme& theme, glm::vec2 size_px, const Preferences& preferences,
                  bool only_view = false);
 

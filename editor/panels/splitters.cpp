@@ -35,8 +35,12 @@ void drag_splitters(Editor& editor, ui::Frame& frame, const Layout& layout)
     } else if (timeline.dragged) {
         const double wanted = (layout.timeline.hi.y - timeline.at) / theme.scale;
         p.timeline_open = wanted > lowest_timeline / 2;
-        if (p.timeline_open)
-            p.timeline = std::clamp<double>(wanted, lowest_timeline, highest_timeline);
+        if (p.timeline_open) { // no more than the window has room for
+            p.timeline = std::max<double>(wanted, lowest_timeline);
+            const Layout got = layout_of(theme, frame.size_px, p, false);
+            p.timeline = std::clamp<double>(got.timeline.height() / theme.scale, lowest_timeline,
+                                            p.timeline);
+        }
     }
     if (!layout.dock) return;
     const float y = layout.outliner.hi.y;

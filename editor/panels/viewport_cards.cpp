@@ -70,6 +70,9 @@ void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& vie
     const glm::vec2 square(theme.px(32));
     ui::Rect bar =
         ui::rect_at({middle.x - square.x / 2, middle.y + theme.px(56)}, {square.x, 2 * square.y});
+    if (bar.hi.y > view.hi.y - theme.px(8)) // a low picture has room beside the axes
+        bar = ui::rect_at({middle.x - theme.px(56) - square.x, middle.y - square.y},
+                          {square.x, 2 * square.y});
     ui::paint_box(bar, c.chip, theme.size.rounding_card);
     ui::lower_area("bar", bar);
     ui::Theme on_chip = theme; // which is dark whatever the panels are

@@ -30,6 +30,25 @@ TEST(Splitters, GiveThePanelsTheSizesTheyAreDraggedTo)
     EXPECT_NEAR(rig.layout().outliner.hi.y, before.outliner.hi.y - 40, 2);
 }
 
+TEST(Splitters, LetTheTimelineGrowAsFarAsThePictureKeepsRoom)
+{
+    Rig rig({1024, 800});
+    rig.editor.preferences.timeline_open = true;
+    rig.frames();
+    const Layout before = rig.layout();
+    drag(rig, {400, before.timeline.lo.y - 1}, {400, before.timeline.lo.y - 101});
+    EXPECT_NEAR(rig.layout().timeline.height(), before.timeline.height() + 100, 2);
+    drag(rig, {400, rig.layout().timeline.lo.y - 1}, {400, 5});
+    const Layout highest = rig.layout();
+    EXPECT_GT(highest.timeline.height(), 400);
+    EXPECT_GE(highest.view.height(), 199) << "a hand can still work in it";
+    drag(rig, {400, highest.timeline.lo.y - 1}, {400, highest.timeline.lo.y + 59});
+    EXPECT_NEAR(rig.layout().timeline.height(), highest.timeline.height() - 60, 2)
+        << "it follows at once: no more than there was room for is remembered";
+    const Layout low = layout_of(rig.screen.theme(), {1024, 420}, rig.editor.preferences, false);
+    EXPECT_GE(low.view.height(), 100);
+}
+
 TEST(Splitters, HideTheDockAtTheEdgeAndBringItBack)
 {
     Rig rig;

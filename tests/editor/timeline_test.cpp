@@ -278,8 +278,8 @@ TEST(Timeline, OpensAndClosesByItsUpperLine)
     EXPECT_TRUE(rig.editor.preferences.timeline_open);
     EXPECT_NEAR(rig.layout().timeline.height(), 200, 3);
     drag(900);
-    EXPECT_EQ(rig.layout().timeline.height(), 296);
-    drag(-260);
+    EXPECT_GE(rig.layout().view.height(), 150) << "the picture keeps its room";
+    drag(-600);
     EXPECT_FALSE(rig.editor.preferences.timeline_open);
     EXPECT_EQ(rig.layout().timeline.height(), 40);
 }
