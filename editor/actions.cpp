@@ -76,8 +76,7 @@ std::vector<Action> all_actions(const Editor& editor)
     add_key_actions(a);
     for (std::size_t i = 0; i < editor.tools.size(); ++i)
         a.push_back({"Tools", editor.tools[i]->name(), editor.tools[i]->keys(), [i](Editor& e) {
-                         if (e.tools[i]->name() == "Move" && e.active_tool().grab(e.session))
-                             return;
+                         if (e.tools[i]->moves() && e.active_tool().grab(e.session)) return;
                          e.choose_tool(i);
                          e.active_tool().begin(e.session);
                      }});

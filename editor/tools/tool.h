@@ -56,6 +56,9 @@ public:
     virtual bool crosshair() const { return false; }
 
     virtual void begin(Session& session) { (void)session; } // it was chosen by its key
+    // It moves what is chosen: of the tool at work, where that grabs something, else what is
+    // selected.
+    virtual bool moves() const { return false; }
     // What it has chosen goes with the mouse from now on; false where it has nothing to move.
     virtual bool grab(Session& session) { return (void)session, false; }
     virtual void use(Session& session, const ViewportInput& input) = 0;
