@@ -71,6 +71,7 @@ struct Causes { // all that one evaluated object comes from
     Ref<Laid> laid;
     glm::dmat4 to_world{1};
     std::optional<Surfacing> surfacing;
+    bool feet_on_nothing = false; // they are to be locked to a travel, and there is no stroke
     bool operator==(const Causes&) const = default;
 };
 
@@ -105,6 +106,8 @@ EvaluatedObject evaluated_object(Id id, const Causes& causes)
         for (const Shape::Hung& hung : causes.shape->meshes)
             result.parts.push_back({hung.rest, causes.to_world * hung.to_model, hung.posed, nullptr,
                                     static_cast<int>(result.parts.size())});
+    if (causes.feet_on_nothing)
+        result.notices.emplace_back("its feet are locked to its travel, and it lies on no stroke");
     if (causes.laid && !causes.laid->rejected.empty()) {
         result.rejected = causes.laid->rejected;
         result.notices.push_back(result.rejected);
@@ -238,6 +241,8 @@ Evaluated Evaluator::operator()(const Document& still, double frame, const Progr
         const double playing_s = seconds_since(ref->playing.start_frame);
         const Ref<Shape> posed = kept.posing(kept.shape, ref->playing, playing_s);
         Causes causes{posed, nullptr, to_world(document, id), ref->surfacing};
+        causes.feet_on_nothing =
+            !ref->placement && ref->playing.foot_lock && !ref->playing.clip.empty();
         if (ref->placement) {
             const auto laid_on = [&](const std::vector<Support>& supports) {
                 return kept.laying(kept.shape, glm::dmat3(ref->transform.matrix()), *ref->placement,

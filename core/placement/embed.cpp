@@ -73,6 +73,11 @@ PlacementParameters with_lying(PlacementParameters parameters, const Lying& lyin
     return parameters;
 }
 
+bool looks_back(const PlacementParameters& parameters)
+{
+    return parameters.reverse != (parameters.along == LengthAxis::y);
+}
+
 ModelFrame model_frame(const PlacementParameters& parameters, const Box& model)
 {
     for (int axis = 0; axis < 3; ++axis)

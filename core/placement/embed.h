@@ -17,6 +17,11 @@ struct Lying {
 Lying lying_of(const PlacementParameters& parameters);
 PlacementParameters with_lying(PlacementParameters parameters, const Lying& lying);
 
+// Whether it looks toward the start of its stroke. The front of a model is at its +x; where its y
+// axis runs along the stroke at its -y, as of glTF's assets, whose front is +Z with Y up (glTF 2.0,
+// 3.4). Which models have it elsewhere no file says.
+bool looks_back(const PlacementParameters& parameters);
+
 // How a model lies along a stroke: turned so, and what its box measures then. An edge without
 // length counts as flat.
 struct ModelFrame {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/placement/travel.h"
 
+#include "core/placement/embed.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -139,7 +141,7 @@ Journey::Journey(const Travel& travel, const PlacementParameters& parameters,
       most_(line_.length_at(1 - parameters.fill / 2))
 {
     constexpr double least_room = 1e-6; // of the length: less is rounding
-    direction_ = (travel.speed < 0) != parameters.reverse ? -1 : 1;
+    direction_ = (travel.speed < 0) != looks_back(parameters) ? -1 : 1;
     rounds_ = travel.ends == Ends::loop && line_.closed();
     has_room_ =
         rounds_ || travel.ends == Ends::run_on || most_ - least_ > least_room * line_.length();

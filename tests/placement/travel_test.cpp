@@ -63,9 +63,15 @@ TEST(Journey, StaysWhereItsFrontReachesTheEnd)
     EXPECT_EQ(ahead.at(1e6), ahead.at(ahead.seconds()));
     const Journey back({.speed = -0.5}, short_model(), on.contact);
     EXPECT_NEAR(back.at(1e6).shift_u, -0.1, 1e-9);
+    const Journey ahead_without_easing({.speed = 0.5}, short_model(), on.contact);
     PlacementParameters turned = short_model();
     turned.reverse = true; // it looks toward the start, and goes there
     EXPECT_EQ(Journey({.speed = 0.5}, turned, on.contact).at(1e6), back.at(1e6));
+    PlacementParameters of_gltf = short_model();
+    of_gltf.along = LengthAxis::y; // whose front, at -y, is toward the start too
+    EXPECT_EQ(Journey({.speed = 0.5}, of_gltf, on.contact).at(1e6), back.at(1e6));
+    of_gltf.reverse = true;
+    EXPECT_EQ(Journey({.speed = 0.5}, of_gltf, on.contact).at(1e6), ahead_without_easing.at(1e6));
 }
 
 TEST(Journey, RestsTillItSetsOutAndWithoutSpeed)
