@@ -85,7 +85,7 @@ void add_edit_actions(std::vector<Action>& a)
     add_clipboard_actions(a);
     a.push_back({"Edit",
                  "Duplicate",
-                 {{.key = 'D', .shift = true}},
+                 {{.key = 'D', .shift = true}, {.key = 'D', .ctrl = true}},
                  [](Editor& e) {
                      const Id first = e.session.committed().next_id;
                      if (!e.session.run(Duplicate{chosen(e), {0, 0, 0}})) return;

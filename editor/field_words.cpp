@@ -3,9 +3,7 @@
 
 #include "core/document/command.h"
 
-#include <algorithm>
 #include <cassert>
-#include <cctype>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -41,16 +39,6 @@ std::string without_unit(std::string help)
 }
 
 } // namespace
-
-std::string label_of_field(std::string_view name)
-{
-    if (name == "translation") return "Position";
-    std::string label(name.substr(0, name.ends_with("_deg") ? name.size() - 4 : name.size()));
-    std::ranges::replace(label, '_', ' ');
-    if (!label.empty())
-        label[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(label[0])));
-    return label;
-}
 
 std::string unit_of_field(std::string_view name, std::string_view help)
 {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/document/number_words.h"
+
 #include <string>
 #include <string_view>
 
 namespace trivar {
 
-// As a person reads a field's name: "rotation_deg" is the rotation.
-std::string label_of_field(std::string_view name);
 // "m", "deg", "rad", "s", "m/s" or nothing, by the field's name and what its help says of it.
 std::string unit_of_field(std::string_view name, std::string_view help);
 // What a field of a command means, as docs/commands.md has it, to be shown beside a field that

@@ -3,11 +3,13 @@
 
 #include "core/base/rejected.h"
 #include "core/document/commands/check.h"
+#include "core/document/commands/import.h"
 #include "core/document/commands/place.h"
 #include "core/document/commands/primitives.h"
 #include "core/document/commands/refine.h"
 #include "core/document/commands/shape.h"
 #include "core/document/commands/text.h"
+#include "core/document/commands/travel.h"
 #include "core/document/commands/view.h"
 
 #include <algorithm>
@@ -16,7 +18,14 @@
 namespace trivar {
 namespace {
 
-// Calls leaf(name, number, rule) for the numbers in a value and all that it has inside.
+// What such a field holds says of which things something is true, not how they are.
+bool is_fixed(std::string_view field)
+{
+    return field == "points" || field == "of" || field == "size_px";
+}
+
+// Calls leaf(name, number, rule) for the numbers, choices and switches in a value and all that it
+// has inside.
 template <class T, class Leaf>
 void walk(const std::string& name, T& value, const Rule& rule, Leaf&& leaf)
 {
@@ -24,20 +33,20 @@ void walk(const std::string& name, T& value, const Rule& rule, Leaf&& leaf)
     if constexpr (Nested<V>)
         each_field(value,
                    [&](std::string_view inner, auto& v, std::string_view, const Rule& r = {}) {
-                       walk(name + "." + std::string(inner), v, r, leaf);
+                       if (!is_fixed(inner)) walk(name + "." + std::string(inner), v, r, leaf);
                    });
-    else if constexpr (std::is_same_v<V, bool> || std::is_floating_point_v<V>)
+    else if constexpr (std::is_arithmetic_v<V> || std::is_enum_v<V>)
         leaf(name, value, rule);
-    else if constexpr (is_optional<V>) {
+    else if constexpr (std::is_same_v<V, std::string>) {
+        if (!rule.choices.empty()) leaf(name, value, rule);
+    } else if constexpr (is_optional<V>) {
         if (value) walk(name, *value, rule, leaf);
     } else if constexpr (is_list<V>) {
         if constexpr (!std::is_same_v<typename V::value_type, StrokeSample>)
             for (std::size_t i = 0; i < value.size(); ++i)
                 walk(name + "." + std::to_string(i), value[i], rule, leaf);
-    } else if constexpr (requires { V::length(); }) {
-        if constexpr (std::is_floating_point_v<typename V::value_type>)
-            for (int i = 0; i < V::length(); ++i) leaf(name + "." + "xyzw"[i], value[i], rule);
-    }
+    } else if constexpr (requires { V::length(); })
+        for (int i = 0; i < V::length(); ++i) leaf(name + "." + "xyzw"[i], value[i], rule);
 }
 
 template <class O, class Leaf> void walk_object(O& object, Leaf&& leaf)
@@ -49,12 +58,19 @@ template <class O, class Leaf> void walk_object(O& object, Leaf&& leaf)
             using V = std::remove_const_t<S>;
             if constexpr (!std::is_same_v<V, GroupShape> && !std::is_same_v<V, ImportedFile>)
                 walk("shape", source, {}, leaf);
+            else if constexpr (std::is_same_v<V, ImportedFile>)
+                leaf("shape.subdivisions", source.subdivisions, between(0, 6));
         },
         object.source);
     if (object.surfacing) walk("material", *object.surfacing, {}, leaf);
     if (object.placement) {
         walk("placement", object.placement->parameters, {}, leaf);
         if (object.placement->round) leaf("placement.level", object.placement->level, {});
+        each_field(object.travel,
+                   [&](std::string_view field, auto& v, std::string_view, const Rule& rule = {}) {
+                       if (field == "followers" || field == "gap" || field == "phase")
+                           walk("travel." + std::string(field), v, rule, leaf);
+                   });
     }
     for (std::size_t i = 0; i < object.shaping.size(); ++i) {
         const std::string name = "shaping." + std::to_string(i);
@@ -67,28 +83,74 @@ template <class O, class Leaf> void walk_object(O& object, Leaf&& leaf)
         }
     }
     leaf("playing.offset", object.playing.offset, between(-1e6, 1e6));
-    if (object.refining) leaf("refining.tolerance", object.refining->tolerance, positive);
+    if (object.refining) walk("refining", *object.refining, {}, leaf);
+}
+
+std::vector<std::string_view> choices_in(std::string_view listed) // separated by |
+{
+    std::vector<std::string_view> out;
+    for (std::size_t at = 0; at <= listed.size();) {
+        const std::size_t end = std::min(listed.find('|', at), listed.size());
+        out.push_back(listed.substr(at, end - at));
+        at = end + 1;
+    }
+    return out;
+}
+
+// What a value is as a parameter, all but its name.
+template <class T> Parameter parameter_of(const std::string& name, const T& value, const Rule& rule)
+{
+    using Kind = Parameter::Kind;
+    Parameter out{name, 0, rule.lo, rule.hi};
+    const auto choose = [&out](std::size_t chosen, std::vector<std::string_view> choices) {
+        out.value = static_cast<double>(chosen);
+        out.lo = 0;
+        out.hi = static_cast<double>(choices.size() - 1);
+        out.kind = Kind::choice;
+        out.choices = std::move(choices);
+    };
+    if constexpr (std::is_enum_v<T>)
+        choose(static_cast<std::size_t>(value), {choice_names<T>.begin(), choice_names<T>.end()});
+    else if constexpr (std::is_same_v<T, std::string>) {
+        const std::vector<std::string_view> all = choices_in(rule.choices);
+        const auto at = std::ranges::find(all, value);
+        choose(at == all.end() ? 0 : static_cast<std::size_t>(at - all.begin()), all);
+    } else {
+        out.value = static_cast<double>(value);
+        const bool quarters = name.ends_with(".roll_deg");
+        out.kind = std::is_same_v<T, bool>             ? Kind::on_off
+                   : std::is_integral_v<T> || quarters ? Kind::whole
+                                                       : Kind::number;
+        if (out.kind == Kind::on_off) {
+            out.lo = 0;
+            out.hi = 1;
+        }
+    }
+    return out;
 }
 
 auto gather(std::vector<Parameter>& to)
 {
     return [&to](const std::string& name, const auto& value, const Rule& rule) {
-        constexpr bool is_switch = std::is_same_v<decltype(value), const bool&>;
-        to.push_back({name, static_cast<double>(value), is_switch ? 0 : rule.lo,
-                      is_switch ? 1 : rule.hi, is_switch});
+        to.push_back(parameter_of(name, value, rule));
     };
 }
 
 auto change(const NewValue& to)
 {
-    return [&to](const std::string& name, auto& value, const Rule& rule) {
+    return [&to]<class T>(const std::string& name, T& value, const Rule& rule) {
         const std::optional<double> number = to(name);
         if (!number) return;
-        if constexpr (std::is_same_v<decltype(value), bool&>)
-            value = *number >= 0.5;
-        else {
-            value = static_cast<std::remove_reference_t<decltype(value)>>(
-                std::clamp(*number, rule.lo, rule.hi));
+        const Parameter range = parameter_of(name, value, rule);
+        double taken = std::clamp(*number, range.lo, range.hi);
+        if (range.stays()) taken = std::round(taken);
+        if constexpr (std::is_same_v<T, std::string>)
+            value = range.choices[static_cast<std::size_t>(taken)];
+        else if constexpr (std::is_enum_v<T>)
+            value = static_cast<T>(static_cast<int>(taken));
+        else
+            value = static_cast<T>(taken);
+        if constexpr (std::is_floating_point_v<T>) {
             constexpr float least_scale = 1e-6f;
             if (value == 0 && name.starts_with("transform.scale.")) value = least_scale;
         }
@@ -105,6 +167,16 @@ NewValue values_at(const std::vector<Track>& tracks, double frame)
 }
 
 } // namespace
+
+Track as_taken(Track track, const Parameter& parameter)
+{
+    if (parameter.stays())
+        for (Key& key : track.keys) {
+            key.value = std::round(key.value);
+            key.tween = Tween::step;
+        }
+    return track;
+}
 
 std::vector<Parameter> parameters(const Object& object)
 {

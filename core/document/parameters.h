@@ -8,18 +8,26 @@
 // The numbers of a document that change in time where they have keys, by name: the fields of the
 // commands that set them, joined by dots, lists and vectors by numbers from 0 and x, y, z, w:
 // "transform.translation.z", "placement.width_profile.2.y", "shaping.0.press.radius". Switches
-// count as 0 and 1. What asks for whole numbers, files or choices stays as it is, and so do the
-// stroke and what itself says how something goes in time.
+// count as 0 and 1, choices from 0 in the order in which they are listed. Files, letters, strokes,
+// which control points were moved, the size of pictures and what itself says how something goes in
+// time stay as they are.
 
 namespace trivar {
 
 struct Parameter {
+    enum class Kind { number, whole, choice, on_off };
     std::string name;
     double value = 0;
     double lo = 0, hi = 0; // inclusive
-    bool is_switch = false;
+    Kind kind = Kind::number;
+    std::vector<std::string_view> choices = {}; // of a choice, by value
+    // There is nothing between two values: each stays until the next key.
+    bool stays() const { return kind != Kind::number; }
     bool operator==(const Parameter&) const = default;
 };
+
+// The track as it counts for that parameter: where this stays, whole values and steps between.
+Track as_taken(Track track, const Parameter& parameter);
 
 // All that the object has at present, in the order of the panels.
 std::vector<Parameter> parameters(const Object& object);

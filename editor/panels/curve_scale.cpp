@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/curve_scale.h"
 
-#include "editor/timeline/key_words.h"
+#include "core/document/number_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,10 +36,14 @@ float CurveScale::y(double value) const
     return bottom + static_cast<float>((value - values.x) / (values.y - values.x)) * (top - bottom);
 }
 
+double CurveScale::share_at(float y_px) const
+{
+    return static_cast<double>((y_px - bottom) / std::min(-1.0f, top - bottom));
+}
+
 double CurveScale::value_at(float y_px) const
 {
-    return values.x + static_cast<double>((y_px - bottom) / std::min(-1.0f, top - bottom)) *
-                          (values.y - values.x);
+    return values.x + share_at(y_px) * (values.y - values.x);
 }
 
 glm::dvec2 values_of_curves(const Document& document, const std::vector<TrackName>& tracks)
@@ -60,13 +64,36 @@ glm::dvec2 values_of_curves(const Document& document, const std::vector<TrackNam
     return values.values();
 }
 
-glm::dvec2 values_of_keys(const Document& document, const ChosenKeys& keys)
+glm::dvec2 values_of_keys(const Document& document, const ChosenKeys& keys,
+                          const CurveScales& scales)
 {
     ValueReach values;
-    for (const KeyName& name : keys)
-        if (const Key* key = key_of(document, name))
-            values.add(key->value * words_of_number(name.track.parameter).factor);
+    for (const KeyName& name : keys) {
+        const Key* key = key_of(document, name);
+        if (!key) continue;
+        const double shown = key->value * words_of_number(name.track.parameter).factor;
+        const auto own = scales.own.find(name.track);
+        values.add(own == scales.own.end()
+                       ? shown
+                       : (shown - own->second.x) / (own->second.y - own->second.x));
+    }
     return values.values();
+}
+
+CurveScale CurveScales::of(const TrackName& track) const
+{
+    CurveScale out = all;
+    if (const auto reach = own.find(track); reach != own.end())
+        out.values = reach->second.x + all.values * (reach->second.y - reach->second.x);
+    return out;
+}
+
+bool units_differ(const std::vector<TrackName>& tracks)
+{
+    return std::ranges::any_of(tracks, [&](const TrackName& track) {
+        return words_of_number(track.parameter).unit !=
+               words_of_number(tracks.front().parameter).unit;
+    });
 }
 
 glm::dvec2 zoomed_values(glm::dvec2 shown, double value, double notches)

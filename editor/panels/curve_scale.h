@@ -3,6 +3,8 @@
 
 #include "editor/panels/timeline.h"
 
+#include <map>
+
 namespace trivar {
 
 // Where frames and values stand among the curves, in pixels.
@@ -12,8 +14,17 @@ struct CurveScale {
     glm::dvec2 values{0, 1};   // those, the least first
     float y(double value) const;
     double value_at(float y) const;
+    double share_at(float y) const; // of the height, from below
     glm::vec2 at(double frame, double value) const { return {frames.x(frame), y(value)}; }
 };
+
+// Curves that stand by the same values, or each by its own: what it reaches fills the height.
+struct CurveScales {
+    CurveScale all; // where they have their own, between shares of what they reach
+    std::map<TrackName, glm::dvec2> own;
+    CurveScale of(const TrackName& track) const;
+};
+bool units_differ(const std::vector<TrackName>& tracks);
 
 // Between which values all that these curves reach lies, as they are shown; a little more where
 // that is one value. The names of chosen keys instead of the tracks: what these reach.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/number_words.h"
 #include "editor/panels/curve_scale.h"
 #include "editor/panels/key_hands.h"
-#include "editor/timeline/key_words.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -13,16 +13,28 @@
 namespace trivar {
 namespace {
 
-ui::Color color_of_curve(const ui::Palette& c, const std::string& parameter, std::size_t count)
+// One for each of the curves that are shown: of its axis, where no other has that already.
+std::vector<ui::Color> colors_of_curves(const ui::Palette& c, const std::vector<TrackName>& tracks)
 {
-    if (parameter.ends_with(".x")) return c.letter_x;
-    if (parameter.ends_with(".y")) return c.letter_y;
-    if (parameter.ends_with(".z")) return c.letter_z;
-    const std::array others{c.accent_text, c.good, c.bad, c.text_2};
-    return others[count % others.size()];
+    const std::array axes{c.letter_x, c.letter_y, c.letter_z};
+    const std::array others{c.lattice, c.text_2, c.stroke, c.good};
+    std::array<bool, 3> taken{};
+    std::size_t next = 0;
+    std::vector<ui::Color> out;
+    for (const TrackName& track : tracks) {
+        const auto axis = std::string_view("xyz").find(track.parameter.back());
+        const bool has_axis = axis < 3 && track.parameter[track.parameter.size() - 2] == '.';
+        if (has_axis && !std::exchange(taken[axis], true))
+            out.push_back(axes[axis]);
+        else
+            out.push_back(others[next++ % others.size()]);
+    }
+    return out;
 }
 
-void paint_values(const ui::Theme& theme, const ui::Rect& r, const CurveScale& scale)
+// The numbers at the left: of all curves, or of that one.
+void paint_values(const ui::Theme& theme, const ui::Rect& r, const CurveScale& scale,
+                  const std::string& unit, ui::Color color)
 {
     const ui::Palette& c = theme.color;
     const ValueTicks ticks = value_ticks(scale, theme.px(28));
@@ -33,23 +45,47 @@ void paint_values(const ui::Theme& theme, const ui::Rect& r, const CurveScale& s
         const bool zero = std::abs(value) < ticks.step / 2;
         ui::paint_line({r.lo.x, y}, {r.hi.x, y}, zero ? c.text_off : c.line_soft,
                        theme.size.hairline);
+        const std::string number = ui::short_number(zero ? 0 : value);
         ui::paint_text(theme.font.small,
-                       {{r.lo.x + theme.px(6), y - theme.px(15)}, {r.hi.x, y - theme.px(1)}},
-                       c.text_3, ui::short_number(zero ? 0 : value));
+                       {{r.lo.x + theme.px(6), y - theme.px(15)}, {r.hi.x, y - theme.px(1)}}, color,
+                       unit.empty()    ? number
+                       : unit == "deg" ? number + "°"
+                                       : number + " " + unit);
     }
+}
+
+// At the upper right: whether each curve fills the height.
+void draw_alone(Editor& editor, const ui::Theme& theme, const ui::Rect& r, bool alone)
+{
+    const ui::Palette& c = theme.color;
+    const std::string words = "Normalised";
+    const glm::vec2 size{ui::text_width(theme.font.body, words) + theme.px(20), theme.px(22)};
+    const ui::Rect at = ui::rect_at({r.hi.x - size.x - theme.px(8), r.lo.y + theme.px(6)}, size);
+    ImGui::SetCursorScreenPos({at.lo.x, at.lo.y});
+    const bool clicked = ImGui::InvisibleButton("alone", {size.x, size.y});
+    ui::paint_box(at,
+                  alone                    ? c.segment
+                  : ImGui::IsItemHovered() ? c.field_hover
+                                           : c.field,
+                  theme.size.rounding_small);
+    ui::paint_text(theme.font.body, at, alone ? c.text : c.text_2, words, ui::Align::center);
+    ui::tooltip({"Each curve fills the height",
+                 {},
+                 "Where units differ that is so by itself. The numbers at the left are those of "
+                 "the curve in their colour: the one under the mouse, or of the chosen key."});
+    if (clicked) editor.timeline.keys.alone = !alone;
 }
 
 // Before the names of the tracks whose curves are shown, as these are coloured.
 void paint_swatches(const ui::Theme& theme, const ui::Rect& names,
                     const std::vector<TimelineRow>& rows, const std::vector<TrackName>& shown,
-                    float y)
+                    const std::vector<ui::Color>& colors, float y)
 {
     for (const TimelineRow& row : rows) {
         const auto at = std::ranges::find(shown, row.track());
         if (row.kind == TimelineRow::Kind::track && at != shown.end())
             ui::paint_dot({names.lo.x + theme.px(28), y + theme.size.row / 2}, theme.px(4),
-                          color_of_curve(theme.color, row.parameter,
-                                         static_cast<std::size_t>(at - shown.begin())));
+                          colors[static_cast<std::size_t>(at - shown.begin())]);
         y += theme.size.row;
     }
 }
@@ -66,11 +102,12 @@ void add_handles(std::vector<KeySpot>& spots, const Track& track, std::size_t k,
 }
 
 std::vector<KeySpot> spots_of(const Document& document, const KeysView& view,
-                              const std::vector<TrackName>& tracks, const CurveScale& scale)
+                              const std::vector<TrackName>& tracks, const CurveScales& scales)
 {
     std::vector<KeySpot> handles, keys;
     for (const TrackName& name : tracks) {
         const Track& track = *track_of(document, name);
+        const CurveScale scale = scales.of(name);
         const double factor = words_of_number(name.parameter).factor;
         for (std::size_t k = 0; k < track.keys.size(); ++k) {
             const KeyName key{name, track.keys[k].frame};
@@ -84,13 +121,15 @@ std::vector<KeySpot> spots_of(const Document& document, const KeysView& view,
 
 void paint_curves(const ui::Theme& theme, const Document& document, const KeysView& view,
                   const std::vector<TrackName>& tracks, const KeyField& field,
-                  const CurveScale& scale, const KeySpot* hot)
+                  const CurveScales& scales, const std::vector<ui::Color>& colors,
+                  const KeySpot* hot)
 {
     const ui::Palette& c = theme.color;
     for (std::size_t i = 0; i < tracks.size(); ++i) {
         const Track& track = *track_of(document, tracks[i]);
+        const CurveScale scale = scales.of(tracks[i]);
         const double factor = words_of_number(tracks[i].parameter).factor;
-        const ui::Color color = color_of_curve(c, tracks[i].parameter, i);
+        const ui::Color color = colors[i];
         const auto& first = track.keys.front();
         ui::paint_line(scale.at(std::min(scale.frames.first, first.frame), first.value * factor),
                        scale.at(first.frame, first.value * factor), ui::faded(color, 0.4f),
@@ -104,6 +143,7 @@ void paint_curves(const ui::Theme& theme, const Document& document, const KeysVi
         if (spot.handle) {
             const Key& key = *key_of(document, spot.keys.front());
             const double factor = words_of_number(spot.keys.front().track.parameter).factor;
+            const CurveScale scale = scales.of(spot.keys.front().track);
             ui::paint_line(scale.at(key.frame, key.value * factor), spot.at, c.text_3,
                            theme.size.hairline);
             ui::paint_dot(spot.at, theme.px(under ? 5 : 4), c.base, c.text_2, 1.5f * theme.scale);
@@ -142,7 +182,7 @@ void look_round(Editor& editor, const CurveScale& scale, bool hovered, bool pann
         editor.timeline.shown = rolled_frames(*editor.timeline.shown, scale.frames.time, notches);
 }
 
-void fit_chosen(Editor& editor)
+void fit_chosen(Editor& editor, const CurveScales& scales)
 {
     KeysView& view = editor.timeline.keys;
     if (!std::exchange(view.fit_chosen, false) || view.chosen.empty()) return;
@@ -156,7 +196,19 @@ void fit_chosen(Editor& editor)
         std::clamp(last - first, 10.0, std::max(10.0, 1.0 * time.last_frame - time.first_frame));
     const double middle = (first + last) / 2;
     editor.timeline.shown = rolled_frames({middle - width / 2, middle + width / 2}, time, 0);
-    if (view.curves) view.values = values_of_keys(editor.session.document(), view.chosen);
+    if (view.curves) view.values = values_of_keys(editor.session.document(), view.chosen, scales);
+}
+
+// The curve that has the numbers where each fills the height: the one under the mouse, else of the
+// first chosen key, else the first.
+TrackName leading_curve(const KeysView& view, const std::vector<TrackName>& shown,
+                        const KeySpot* hot)
+{
+    if (hot) return hot->keys.front().track;
+    for (const TrackName& name : shown)
+        if (std::ranges::any_of(view.chosen, [&](const KeyName& key) { return key.track == name; }))
+            return name;
+    return shown.empty() ? TrackName{} : shown.front();
 }
 
 } // namespace
@@ -180,20 +232,29 @@ void draw_curves(Editor& editor, const ui::Theme& theme, const ui::Rect& names,
     });
     const std::vector<TrackName> shown =
         shown_curves(session.document(), view, session.selected.ids());
+    const std::vector<ui::Color> colors = colors_of_curves(c, shown);
     const float first = ImGui::GetCursorScreenPos().y;
     const float end =
         draw_row_names(editor, theme, {{names.lo.x, 0}, {names.hi.x, 0}}, rows, first, false);
-    paint_swatches(theme, names, rows, shown, first);
+    paint_swatches(theme, names, rows, shown, colors, first);
     ImGui::SetCursorScreenPos({names.lo.x, end});
     ImGui::Dummy({1, 1});
     ImGui::EndChild();
     ImGui::PopStyleVar(2);
 
     const bool held = view.gesture.hand != KeyGesture::Hand::none;
-    CurveScale scale{frames, tracks.lo.y + theme.px(18), tracks.hi.y - theme.px(14)};
-    scale.values = held && view.gesture.values != glm::dvec2(0)
-                       ? view.gesture.values
-                       : view.values.value_or(values_of_curves(session.document(), shown));
+    const bool alone = !shown.empty() && view.alone.value_or(units_differ(shown));
+    if (alone != std::exchange(view.was_alone, alone)) view.values.reset();
+    const float above = theme.px(shown.size() > 1 ? 36 : 18); // that button has its place
+    CurveScales scales{{frames, tracks.lo.y + above, tracks.hi.y - theme.px(14)}, {}};
+    CurveScale& scale = scales.all;
+    if (alone) // as they were before a hand took one: nothing else moves under it
+        for (const TrackName& name : shown)
+            scales.own[name] =
+                values_of_curves(held ? session.committed() : session.document(), {name});
+    const glm::dvec2 usual = alone ? glm::dvec2(0, 1) : values_of_curves(session.document(), shown);
+    scale.values = held && view.gesture.values != glm::dvec2(0) ? view.gesture.values
+                                                                : view.values.value_or(usual);
     view.gesture.values = scale.values;
     ui::lower_area("curves", tracks,
                    ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
@@ -202,17 +263,24 @@ void draw_curves(Editor& editor, const ui::Theme& theme, const ui::Rect& names,
     const bool middle = ImGui::IsMouseDown(ImGuiMouseButton_Middle);
     field.active = ImGui::IsItemActive() && !middle;
     field.activated = ImGui::IsItemActivated() && !middle;
-    field.values = true;
+    field.values = [&scales](const TrackName& name) { return scales.of(name).values; };
     field.reach_px = theme.px(9);
-    field.meant = [scale](glm::vec2 p) {
-        return glm::dvec2(scale.frames.frame_at(p.x), scale.value_at(p.y));
+    field.meant = [&scale](glm::vec2 p) {
+        return glm::dvec2(scale.frames.frame_at(p.x), scale.share_at(p.y));
     };
-    field.spots = spots_of(session.document(), view, shown, scale);
+    field.spots = spots_of(session.document(), view, shown, scales);
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const KeySpot* hot = field.hovered ? spot_at(field, {mouse.x, mouse.y}) : nullptr;
     ImGui::PushClipRect({tracks.lo.x, tracks.lo.y}, {tracks.hi.x, tracks.hi.y}, true);
-    paint_values(theme, tracks, scale);
-    paint_curves(theme, session.document(), view, shown, field, scale, hot);
+    const TrackName leading = leading_curve(view, shown, hot);
+    const NumberWords words = words_of_number(leading.parameter);
+    const auto order = std::ranges::find(shown, leading) - shown.begin();
+    const ui::Color of_leading = shown.empty() ? c.text_3 : colors[static_cast<std::size_t>(order)];
+    if (!shown.empty())
+        paint_values(theme, tracks, scales.of(leading),
+                     units_differ(shown) && !alone ? "" : words.unit,
+                     alone ? of_leading : c.text_3);
+    paint_curves(theme, session.document(), view, shown, field, scales, colors, hot);
     const float now = std::round(frames.x(session.frame()));
     ui::paint_line({now, tracks.lo.y}, {now, tracks.hi.y}, c.focus, 1.5f * theme.scale);
     use_keys(editor, theme, field);
@@ -222,7 +290,8 @@ void draw_curves(Editor& editor, const ui::Theme& theme, const ui::Rect& names,
     if (hot && !hot->handle && view.gesture.hand == KeyGesture::Hand::none)
         ui::tooltip_in({hot->at - 8.0f, hot->at + 8.0f},
                        {words_of_number(hot->keys.front().track.parameter).label});
-    fit_chosen(editor);
+    fit_chosen(editor, scales);
+    if (shown.size() > 1) draw_alone(editor, theme, tracks, alone);
 }
 
 } // namespace trivar

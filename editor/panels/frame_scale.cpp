@@ -17,7 +17,7 @@ FrameScale track_scale(const ui::Theme& theme, const ui::Rect& r, const Editor& 
     const glm::dvec2 all(time.first_frame, time.last_frame);
     glm::dvec2 shown = editor.timeline.shown.value_or(all);
     if (shown.x < all.x || shown.y > all.y) shown = all; // the range was changed
-    return {names_end(theme, r) + theme.px(28), r.hi.x - theme.px(28), shown.x, shown.y, time};
+    return {names_end(theme, r) + theme.px(48), r.hi.x - theme.px(28), shown.x, shown.y, time};
 }
 
 glm::dvec2 zoomed_frames(glm::dvec2 shown, const Time& time, double frame, double notches)

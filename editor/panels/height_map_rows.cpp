@@ -78,7 +78,7 @@ ui::Edit draw_height_map(const ui::Theme& theme, const HeightMapRows& rows, Heig
     names.emplace_back("Custom");
     const ui::Row at = ui::label_row(theme, "Height map", !grid.empty(), rows.words.help);
     const auto name_of = [&](std::size_t i, std::size_t j) {
-        return rows.words.parameter + "." + std::to_string(i) + "." + std::to_string(j);
+        return rows.words.parameters.front() + "." + std::to_string(i) + "." + std::to_string(j);
     };
     std::vector<std::string> all;
     for (std::size_t i = 0; i < grid.size(); ++i)

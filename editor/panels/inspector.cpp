@@ -26,7 +26,7 @@ ui::Edit vector_row(const ui::Theme& theme, const KeyGutter& keys, const std::st
                     const RowWords& words)
 {
     const ui::Row row = ui::label_row(theme, label, value != rest, words.help);
-    keys.mark(theme, row, axes_of(words.parameter), true);
+    keys.mark(theme, row, axes_of(words.parameters.front()), true);
     if (row.reset) {
         value = rest;
         return ui::Edit::changed;
@@ -105,6 +105,7 @@ void draw_file(Editor& editor, const ui::Theme& theme, const ImportedFile& file,
     EditImport edit{id, file};
     const ui::Row row = ui::label_row(theme, "Subdivide", file.subdivisions != 0,
                                       help_of_field("edit_import", "subdivisions"));
+    KeyGutter(editor, {id}).mark(theme, row, {"shape.subdivisions"});
     ui::Edit one = ui::integer_field(theme, "subdivisions", edit.file.subdivisions,
                                      {.lo = 0, .hi = 6, .bar_hi = 6}, row.width);
     if (row.reset) {
@@ -283,9 +284,10 @@ void draw_material(Editor& editor, const ui::Theme& theme, Id id)
         if (one != ui::Edit::none) edit = one;
     };
     int solid = static_cast<int>(s.solid);
+    const ui::Row filling = ui::label_row(theme, "Filling", false, help("solid"));
+    keys.mark(theme, filling, {"material.solid"});
     const ui::Edit filled =
-        ui::segments(theme, "filling", solid, {"None", "Wood", "Flesh"},
-                     ui::label_row(theme, "Filling", false, help("solid")).width);
+        ui::segments(theme, "filling", solid, {"None", "Wood", "Flesh"}, filling.width);
     if (filled != ui::Edit::none) edit = filled;
     s.solid = static_cast<Solid>(solid);
     if (s.solid == Solid::none) { // the others have their own
@@ -309,7 +311,7 @@ void draw_picture_settings(Editor& editor, const ui::Theme& theme)
     const KeyGutter keys(editor, {0});
     const auto row_of = [&](const char* label, const std::string& field) {
         const ui::Row row = ui::label_row(theme, label, false, help_of_field("set_render", field));
-        if (field != "look" && field != "color_by") keys.mark(theme, row, {"render." + field});
+        keys.mark(theme, row, {"render." + field});
         return row.width;
     };
     int look = 0;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/number_words.h"
 #include "core/document/parameters.h"
 #include "editor/field_words.h"
 #include "editor/panels/inspect.h"
 #include "editor/panels/key_gutter.h"
 #include "editor/panels/panels.h"
-#include "editor/timeline/key_words.h"
+#include "editor/panels/value_field.h"
 
 #include <algorithm>
 
@@ -16,7 +17,9 @@ namespace {
 bool only_by_keys(const Object& object, const Parameter& number)
 {
     const std::string& name = number.name;
-    if (name.starts_with("shape.")) return !std::holds_alternative<TextShape>(object.source);
+    if (name.starts_with("shape."))
+        return !std::holds_alternative<TextShape>(object.source) &&
+               !std::holds_alternative<ImportedFile>(object.source);
     const bool step = name.find(".press.") != name.npos || name.find(".shift.") != name.npos;
     return name.starts_with("shaping.") && step && name.find(".samples.") == name.npos &&
            name.find(".points.") == name.npos;
@@ -54,11 +57,7 @@ void draw_other_numbers(Editor& editor, const ui::Theme& theme, Id id)
         const ui::NumberStyle style{.lo = std::max(number.lo, -endless),
                                     .hi = std::min(number.hi, endless),
                                     .unit = words.unit};
-        bool on = number.value >= 0.5;
-        const ui::Edit edit =
-            number.is_switch ? ui::check_box(theme, number.name, on, "on")
-                             : ui::number_field(theme, number.name, number.value, style, row.width);
-        if (number.is_switch) number.value = on ? 1 : 0;
+        const ui::Edit edit = value_field(theme, number, style, row.width);
         propose_edit(editor, edit,
                      [&] { return with_key_of(document, id, number, editor.session.frame()); });
         if (edit != ui::Edit::none) break; // the object is another one now

@@ -112,13 +112,16 @@ void fit_rows(ValueRows& rows, PlacementParameters& p)
     Lying lying = lying_of(p);
     const Lying before = lying;
     int side = static_cast<int>(lying.on);
-    rows.row("Lies on", side, 0, "which side of the model lies on the scene", [&](float width) {
-        return ui::choice(rows.theme, "lies on", side,
-                          {"Bottom", "Right side", "Top", "Left side", "Front", "Back"}, width);
-    });
+    const std::vector<std::string> turns{"placement.along", "placement.reverse",
+                                         "placement.roll_deg"};
+    rows.row(
+        "Lies on", side, 0, {"which side of the model lies on the scene", turns}, [&](float width) {
+            return ui::choice(rows.theme, "lies on", side,
+                              {"Bottom", "Right side", "Top", "Left side", "Front", "Back"}, width);
+        });
     lying.on = static_cast<Underside>(side);
     rows.choice("Turned", lying.quarters, 0, {"0", "90", "180", "270"},
-                "about the vertical, toward the left, degrees",
+                {"about the vertical, toward the left, degrees", turns},
                 [&](int chosen) { lying.quarters = chosen; });
     if (!(lying == before)) p = with_lying(std::move(p), lying);
 }
@@ -127,17 +130,11 @@ void contact_rows(ValueRows& rows, PlacementParameters& p)
 {
     const PlacementParameters rest;
     int misses = static_cast<int>(p.misses);
-    const ui::Row at =
-        ui::label_row(rows.theme, "Misses", p.misses != rest.misses, help_of("misses").help);
-    if (at.reset) {
-        p.misses = rest.misses;
-        rows.take(ui::Edit::changed);
-    } else {
-        rows.take(ui::choice(rows.theme, "misses", misses,
-                             {"Membrane", "Drop to the ground", "Nearest point", "Shrink"},
-                             at.width));
-        p.misses = static_cast<Misses>(misses);
-    }
+    rows.row("Misses", misses, static_cast<int>(rest.misses), help_of("misses"), [&](float width) {
+        return ui::choice(rows.theme, "misses", misses,
+                          {"Membrane", "Drop to the ground", "Nearest point", "Shrink"}, width);
+    });
+    p.misses = static_cast<Misses>(misses);
     rows.check("Edges", p.sharp, rest.sharp, "stay sharp", help_of("sharp"));
     rows.number("Clearance", p.clearance, rest.clearance, {.lo = 0, .hi = 1e6, .unit = "m"},
                 help_of("clearance"));

@@ -12,9 +12,9 @@
 namespace trivar {
 namespace {
 
-std::string help_of_refine(const char* field)
+RowWords help_of_refine(const std::string& field)
 {
-    return help_of_field("refine", field);
+    return {help_of_field("refine", field), "refining." + field};
 }
 
 Command refine_each(const std::vector<Id>& ids, const std::vector<Refining>& all)
@@ -98,7 +98,7 @@ void draw_refinement(Editor& editor, const ui::Theme& theme, const std::vector<I
     if (!ids.empty()) {
         rows.number("Tolerance", r.tolerance, rest.tolerance,
                     style(&Refining::tolerance, {.lo = 1e-6, .hi = 1e3, .unit = "m"}),
-                    {help_of_refine("tolerance"), "refining.tolerance"});
+                    help_of_refine("tolerance"));
         split = split_row(rows, r.split, differs(all, before, &Refining::split));
         rows.integer("Budget", r.budget, rest.budget,
                      style(&Refining::budget, {.lo = 12, .hi = 20000000}),

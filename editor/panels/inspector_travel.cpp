@@ -15,6 +15,10 @@ std::string help_of_travel(const char* field)
 {
     return help_of_field("set_travel", field);
 }
+RowWords with_keys(const std::string& field)
+{
+    return {help_of_travel(field.c_str()), "travel." + field};
+}
 
 void ends_row(ValueRows& rows, Ends& ends)
 {
@@ -64,7 +68,8 @@ void draw_travel(Editor& editor, const ui::Theme& theme, const std::vector<Id>& 
     const auto style = [&](auto Travel::*part, const ui::NumberStyle& own) {
         return mixed_style(all, before, part, own);
     };
-    ValueRows rows{theme};
+    const KeyGutter keys(editor, placed);
+    ValueRows rows{theme, &keys};
     rows.number("Speed", t.speed, 0,
                 style(&Travel::speed, {.lo = -1e6, .hi = 1e6, .unit = "m/s", .zero = "rests"}),
                 help_of_travel("speed"));
@@ -91,16 +96,16 @@ void draw_travel(Editor& editor, const ui::Theme& theme, const std::vector<Id>& 
     }
     rows.integer("Followers", t.followers, rest.followers,
                  style(&Travel::followers, {.lo = 0, .hi = 999, .zero = "alone"}),
-                 help_of_travel("followers"));
+                 with_keys("followers"));
     if (t.followers > 0) {
         rows.number(
             "Gap", t.gap, rest.gap,
             style(
                 &Travel::gap,
                 {.lo = 0, .hi = 1e6, .unit = "m", .zero = t.ends == Ends::loop ? "even" : "close"}),
-            help_of_travel("gap"));
+            with_keys("gap"));
         rows.number("Phase", t.phase, rest.phase, style(&Travel::phase, {.lo = -1, .hi = 1}),
-                    help_of_travel("phase"));
+                    with_keys("phase"));
     }
     ui::gap(theme, 8);
     propose_edit(editor, rows.edit, [&] {

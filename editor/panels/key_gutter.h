@@ -32,15 +32,20 @@ private:
 // "transform.translation" and the axes that it has.
 std::vector<std::string> axes_of(const std::string& parameter, int count = 3);
 
-// What a row says of its value, and the name that this has among the numbers with keys, if any.
+// What a row says of its value, and the names that this has among the numbers with keys, if any.
 struct RowWords {
-    RowWords(std::string sentence, std::string name = {})
+    RowWords(std::string sentence, std::vector<std::string> names = {})
         : help(std::move(sentence)),
-          parameter(std::move(name))
+          parameters(std::move(names))
+    {
+    }
+    RowWords(std::string sentence, std::string name)
+        : RowWords(std::move(sentence), std::vector{std::move(name)})
     {
     }
     RowWords(const char* sentence) : help(sentence) {}
-    std::string help, parameter;
+    std::string help;
+    std::vector<std::string> parameters;
 };
 
 } // namespace trivar

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/key_hands.h"
 
+#include "core/document/number_words.h"
 #include "editor/timeline/key_actions.h"
-#include "editor/timeline/key_words.h"
 #include "ui/input.h"
 #include "ui/keys.h"
 
@@ -101,11 +101,15 @@ void go_on(Editor& editor, const KeyField& field)
     if (!g.strayed) return;
     const Document& before = editor.session.committed();
     const glm::dvec2 at = field.meant(mouse), way = (at - g.grabbed) * (io.KeyShift ? 0.1 : 1.0);
+    // As it is stored, of a share of the height.
+    const auto stored = [&](const TrackName& track, double share, bool difference) {
+        const glm::dvec2 shown = field.values(track);
+        return ((difference ? 0 : shown.x) + share * (shown.y - shown.x)) /
+               words_of_number(track.parameter).factor;
+    };
     if (g.hand == KeyHand::handle)
-        return show_edit(
-            editor, with_handle(before, g.key, g.which,
-                                at / glm::dvec2(1, words_of_number(g.key.track.parameter).factor),
-                                io.KeyAlt));
+        return show_edit(editor, with_handle(before, g.key, g.which,
+                                             {at.x, stored(g.key.track, at.y, false)}, io.KeyAlt));
     if (g.hand == KeyHand::scale) {
         const double from = g.grabbed.x - g.about;
         const double reach = std::abs(from) < 1 ? std::copysign(1.0, from) : from;
@@ -114,10 +118,10 @@ void go_on(Editor& editor, const KeyField& field)
     const double frames = io.KeyCtrl ? way.x : std::round(way.x);
     // A hand that goes sideways leaves the values.
     const bool up = field.values && std::abs(mouse.y - g.grabbed_px.y) > least_px;
-    const double factor = words_of_number(g.key.track.parameter).factor;
-    show_edit(editor, g.hand == KeyHand::copy
-                          ? copied(before, g.before, frames)
-                          : moved(before, g.before, frames, up ? way.y / factor : 0));
+    TrackRise rise;
+    if (up) rise = [&](const TrackName& track) { return stored(track, way.y, true); };
+    show_edit(editor, g.hand == KeyHand::copy ? copied(before, g.before, frames)
+                                              : moved(before, g.before, frames, rise));
 }
 
 void end(Editor& editor, const KeyField& field, bool cancelled)

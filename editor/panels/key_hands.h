@@ -20,8 +20,9 @@ struct KeySpot {
 // A part of the timeline in which keys are taken.
 struct KeyField {
     std::vector<KeySpot> spots;                      // the last lie over the first
-    std::function<glm::dvec2(glm::vec2 p_px)> meant; // frame and value there
-    bool values = false;                             // a drag up and down changes them
+    std::function<glm::dvec2(glm::vec2 p_px)> meant; // frame there, and share of the height
+    // Between which values a track is shown, from foot to top; empty: a drag changes none.
+    std::function<glm::dvec2(const TrackName&)> values = {};
     float reach_px = 8;
     // Of the area that takes the mouse where nothing else does, as ImGui items tell it.
     bool hovered = false, active = false, activated = false;

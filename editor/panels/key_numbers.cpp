@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/number_words.h"
 #include "editor/panels/inspect.h"
 #include "editor/panels/timeline.h"
-#include "editor/timeline/key_words.h"
+#include "editor/panels/value_field.h"
 
 #include <algorithm>
 #include <cmath>
 #include <imgui.h>
+#include <map>
 
 namespace trivar {
 namespace {
@@ -15,17 +17,29 @@ struct Common {
     const Key* first = nullptr;
     const Track* track = nullptr;
     NumberWords words;
+    Parameter number; // whose the first one's value is
     bool values = true, tweens = true, repeats = true;
+    bool stay = true; // none of them has a way to the next
 };
 Common common(const Document& document, const ChosenKeys& keys)
 {
     Common out;
+    std::map<Id, std::vector<Parameter>> known;
     for (const KeyName& name : keys) {
         const Key* key = key_of(document, name);
         if (!key) continue;
         const Track* track = track_of(document, name.track);
         const NumberWords words = words_of_number(name.track.parameter);
+        const auto [of, is_new] = known.try_emplace(name.track.id);
+        if (is_new)
+            of->second = name.track.id == 0 ? scene_parameters(document)
+                                            : parameters(object(document, name.track.id));
+        const auto number = std::ranges::find(of->second, name.track.parameter, &Parameter::name);
+        const Parameter own =
+            number == of->second.end() ? Parameter{name.track.parameter} : *number;
+        out.stay = out.stay && own.stays();
         if (!out.first) {
+            out.number = own;
             out.first = key;
             out.track = track;
             out.words = words;
@@ -35,6 +49,8 @@ Common common(const Document& document, const ChosenKeys& keys)
         out.tweens = out.tweens && key->tween == out.first->tween;
         out.repeats = out.repeats && track->repeat == out.track->repeat;
         if (words.unit != out.words.unit) out.words.unit.clear();
+        if (own.kind != out.number.kind || own.choices != out.number.choices)
+            out.number.kind = Parameter::Kind::number;
     }
     return out;
 }
@@ -60,7 +76,7 @@ void draw_key_numbers(Editor& editor, const ui::Theme& theme, const ui::Rect& pl
     constexpr float frame_width = 68, value_width = 88, way_width = 144, after_width = 124,
                     between = 4;
     float room = place.width() / theme.scale - frame_width - value_width - between;
-    const bool has_way = room >= way_width + between;
+    const bool has_way = room >= way_width + between && !now.stay;
     if (has_way) room -= way_width + between;
     const bool has_after = room >= after_width + between;
     float x = place.hi.x - theme.px(8);
@@ -95,13 +111,15 @@ void draw_key_numbers(Editor& editor, const ui::Theme& theme, const ui::Rect& pl
                      "Step stays till then, linear goes straight, cubic along a curve whose "
                      "handles can be dragged under Curves."});
     }
-    double value = now.first->value * now.words.factor;
+    Parameter value = now.number;
+    value.name = "value";
+    value.value = now.first->value * now.words.factor;
     ui::NumberStyle style{.unit = now.words.unit};
     if (!now.values) style.words = "mixed";
     const float value_px = next(value_width);
-    const ui::Edit of_value = ui::number_field(theme, "value", value, style, value_px);
+    const ui::Edit of_value = value_field(theme, value, style, value_px);
     ui::tooltip({"Value of the chosen keys", {}, now.words.label});
-    take(of_value, [&] { return with_value(document, chosen, value / now.words.factor); });
+    take(of_value, [&] { return with_value(document, chosen, value.value / now.words.factor); });
     double frame = first_frame(view.chosen);
     ui::NumberStyle frames{.lo = -1e6, .hi = 1e6, .step = 1, .axis = "F"};
     const double before = first_frame(chosen);

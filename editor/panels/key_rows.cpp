@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/document/number_words.h"
 #include "editor/panels/key_hands.h"
 #include "editor/panels/timeline.h"
-#include "editor/timeline/key_words.h"
 #include "editor/timeline/rows.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
@@ -37,14 +37,14 @@ void choose_row(Editor& editor, const TimelineRow& row)
         view.tracks.insert(row.track());
 }
 
-// The present value, with which a row of a track ends.
-std::string value_of_row(const Document& document, const TimelineRow& row, double frame)
+// The present value, with which a row of a track ends; nothing where there is no such number.
+std::string value_of_row(const Document& document, const TimelineRow& row,
+                         const NumbersOfTracks& numbers, double frame)
 {
     const Track* track = track_of(document, row.track());
-    if (!track) return {};
-    const NumberWords words = words_of_number(row.parameter);
-    const std::string value = ui::short_number(value_at(*track, frame) * words.factor);
-    return words.unit.empty() ? value : value + " " + words.unit;
+    const auto number = numbers.find(row.track());
+    if (!track || number == numbers.end()) return {};
+    return words_of_value(number->second, value_at(*track, frame));
 }
 
 void paint_row_keys(const ui::Theme& theme, const ui::Rect& row, const FrameScale& scale,
@@ -78,13 +78,14 @@ void paint_row_keys(const ui::Theme& theme, const ui::Rect& row, const FrameScal
 }
 
 void draw_row_name(Editor& editor, const ui::Theme& theme, const ui::Rect& row,
-                   const TimelineRow& of, bool folds, bool lost)
+                   const TimelineRow& of, bool folds, const NumbersOfTracks& numbers)
 {
     const ui::Palette& c = theme.color;
     Session& session = editor.session;
     KeysView& view = editor.timeline.keys;
     const Document& document = session.document();
     const bool whole = of.kind == RowKind::object;
+    const bool lost = of.kind == RowKind::track && !numbers.contains(of.track());
     const bool can_open = folds && whole && !tracks_of(document, of.id).empty();
     const float indent = whole ? 0 : theme.px(16);
     if (can_open) {
@@ -112,10 +113,10 @@ void draw_row_name(Editor& editor, const ui::Theme& theme, const ui::Rect& row,
     if (can_open)
         ui::paint_text(theme.font.body, {row.lo + glm::vec2(theme.px(10), 0), row.hi}, c.text_2,
                        view.unfolded.contains(of.id) ? ui::icon::open : ui::icon::closed);
-    const std::string note = of.kind == RowKind::track ? value_of_row(document, of, session.frame())
-                             : of.travels
-                                 ? ui::short_number(object(document, of.id).travel.speed) + " m/s"
-                                 : std::string();
+    const std::string note =
+        of.kind == RowKind::track ? value_of_row(document, of, numbers, session.frame())
+        : of.travels              ? ui::short_number(object(document, of.id).travel.speed) + " m/s"
+                                  : std::string();
     const float room = in.width() - ui::text_width(theme.font.small, note) - theme.px(8);
     const std::string name = name_of_row(document, of);
     ui::paint_text(whole ? theme.font.body : theme.font.small, in,
@@ -137,7 +138,7 @@ float draw_row_names(Editor& editor, const ui::Theme& theme, const ui::Rect& nam
                      const std::vector<TimelineRow>& rows, float y, bool folds)
 {
     const float height = theme.size.row;
-    const std::set<TrackName> lost = lost_tracks(editor.session.document(), rows);
+    const NumbersOfTracks numbers = numbers_of(editor.session.document(), rows);
     for (const TimelineRow& row : rows) {
         ImGui::PushID(row.id);
         ImGui::PushID(static_cast<int>(row.kind));
@@ -145,7 +146,7 @@ float draw_row_names(Editor& editor, const ui::Theme& theme, const ui::Rect& nam
         ui::paint_box({{names.lo.x, y + height - theme.size.hairline}, {names.hi.x, y + height}},
                       theme.color.line_soft);
         draw_row_name(editor, theme, {{names.lo.x, y}, {names.hi.x, y + height}}, row, folds,
-                      lost.contains(row.track()));
+                      numbers);
         ImGui::PopID();
         ImGui::PopID();
         ImGui::PopID();

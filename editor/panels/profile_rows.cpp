@@ -67,8 +67,8 @@ ui::Edit point_row(const ui::Theme& theme, const ProfileRows& rows, Points& poin
     const ui::Row row = ui::label_row(theme, "Point", false,
                                       "Where the chosen point of the curve stands, and its size.");
     if (rows.keys)
-        rows.keys->mark(theme, row, axes_of(rows.words.parameter + "." + std::to_string(i), 2),
-                        true);
+        rows.keys->mark(theme, row,
+                        axes_of(rows.words.parameters.front() + "." + std::to_string(i), 2), true);
     const float width = row.width;
     const float gap = theme.px(4), each = std::floor((width - gap) / 2);
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -114,7 +114,8 @@ ui::Edit draw_profile(const ui::Theme& theme, const ProfileRows& rows, Points& p
     const ui::Row at = ui::label_row(theme, rows.label, !points.empty(), rows.words.help);
     std::vector<std::string> all; // its numbers
     for (std::size_t i = 0; i < points.size(); ++i)
-        for (std::string& name : axes_of(rows.words.parameter + "." + std::to_string(i), 2))
+        for (std::string& name :
+             axes_of(rows.words.parameters.front() + "." + std::to_string(i), 2))
             all.push_back(std::move(name));
     if (rows.keys && !all.empty()) rows.keys->mark(theme, at, all);
     if (at.reset) {

@@ -36,14 +36,14 @@ struct ValueRows {
     {
         if (one != ui::Edit::none) edit = one;
     }
-    // The row's field, unless its dot was pressed, which resets the value.
+    // The row's field, unless its dot was pressed, which resets the value. `apart`: each of the
+    // numbers has one of its own.
     template <class T, class Field>
     void row(const std::string& label, T& value, const T& rest, const RowWords& words,
-             Field&& field)
+             Field&& field, bool apart = false)
     {
         const ui::Row at = ui::label_row(theme, label, value != rest, words.help);
-        if constexpr (std::is_same_v<T, double> || std::is_same_v<T, bool>)
-            if (keys && !words.parameter.empty()) keys->mark(theme, at, {words.parameter});
+        if (keys && !words.parameters.empty()) keys->mark(theme, at, words.parameters, apart);
         if (at.reset) {
             value = rest;
             take(ui::Edit::changed);
@@ -92,20 +92,27 @@ struct ValueRows {
     void triple(const std::string& label, glm::ivec3& value, const glm::ivec3& rest,
                 const ui::NumberStyle& style, const RowWords& words)
     {
-        row(label, value, rest, words, [&](float width) {
-            constexpr std::array<const char*, 3> names{"U", "V", "W"};
-            const float gap = theme.px(4), each = std::floor((width - 2 * gap) / 3);
-            const ImVec2 at = ImGui::GetCursorScreenPos();
-            ui::Edit any = ui::Edit::none;
-            for (int i = 0; i < 3; ++i) {
-                ui::NumberStyle one = style;
-                one.axis = names[static_cast<std::size_t>(i)];
-                ImGui::SetCursorScreenPos({at.x + static_cast<float>(i) * (each + gap), at.y});
-                const ui::Edit e = ui::integer_field(theme, label + one.axis, value[i], one, each);
-                if (e != ui::Edit::none) any = e;
-            }
-            return any;
-        });
+        const RowWords each_axis = words.parameters.empty()
+                                       ? words
+                                       : RowWords(words.help, axes_of(words.parameters.front()));
+        row(
+            label, value, rest, each_axis,
+            [&](float width) {
+                constexpr std::array<const char*, 3> names{"U", "V", "W"};
+                const float gap = theme.px(4), each = std::floor((width - 2 * gap) / 3);
+                const ImVec2 at = ImGui::GetCursorScreenPos();
+                ui::Edit any = ui::Edit::none;
+                for (int i = 0; i < 3; ++i) {
+                    ui::NumberStyle one = style;
+                    one.axis = names[static_cast<std::size_t>(i)];
+                    ImGui::SetCursorScreenPos({at.x + static_cast<float>(i) * (each + gap), at.y});
+                    const ui::Edit e =
+                        ui::integer_field(theme, label + one.axis, value[i], one, each);
+                    if (e != ui::Edit::none) any = e;
+                }
+                return any;
+            },
+            keys != nullptr);
     }
 };
 

@@ -21,7 +21,7 @@ std::vector<Parameter> numbers_of(const Document& document, Id id)
 
 // What becomes of a track's keys, of which those at `frames` are chosen, and of its name's frames.
 using TrackChange =
-    std::function<void(Track& track, std::set<double>& frames, const Parameter& range)>;
+    std::function<void(Id id, Track& track, std::set<double>& frames, const Parameter& range)>;
 
 KeyEdit changed_tracks_of(const Document& document, const ChosenKeys& keys,
                           const TrackChange& change)
@@ -40,7 +40,8 @@ KeyEdit changed_tracks_of(const Document& document, const ChosenKeys& keys,
             Track track = *had;
             const auto range = std::ranges::find(numbers, name, &Parameter::name);
             const bool lost = range == numbers.end();
-            change(track, frames, lost ? Parameter{name, 0, -1e300, 1e300} : *range);
+            change(id, track, frames, lost ? Parameter{name, 0, -1e300, 1e300} : *range);
+            if (!lost) track = as_taken(std::move(track), *range);
             const bool can_be = !lost || track.keys.empty(); // what is lost can only go
             if (can_be && track != *had) of.tracks.push_back(track);
             for (const double frame : frames)
@@ -56,17 +57,18 @@ KeyEdit changed_tracks_of(const Document& document, const ChosenKeys& keys,
 
 // Each chosen key as `change` has it; with `stay` those that were there stay as well.
 KeyEdit changed_keys(const Document& document, const ChosenKeys& keys,
-                     const std::function<Key(Key)>& change, bool stay = false)
+                     const std::function<Key(Key, const TrackName&)>& change, bool stay = false)
 {
     return changed_tracks_of(
-        document, keys, [&](Track& track, std::set<double>& frames, const Parameter& range) {
+        document, keys, [&](Id id, Track& track, std::set<double>& frames, const Parameter& range) {
+            const TrackName name{id, track.parameter};
             std::map<double, Key> by_frame;
             for (const Key& key : track.keys)
                 if (stay || !frames.contains(key.frame)) by_frame[key.frame] = key;
             std::set<double> now;
             for (Key key : track.keys) {
                 if (!frames.contains(key.frame)) continue;
-                key = change(key);
+                key = change(key, name);
                 key.frame = std::clamp(key.frame, -farthest_frame, farthest_frame);
                 key.value = std::clamp(key.value, range.lo, range.hi);
                 by_frame[key.frame] = key;
@@ -100,11 +102,12 @@ ChosenKeys present_keys(const Document& document, ChosenKeys keys)
     return keys;
 }
 
-KeyEdit moved(const Document& document, const ChosenKeys& keys, double frames, double value)
+KeyEdit moved(const Document& document, const ChosenKeys& keys, double frames,
+              const TrackRise& value)
 {
-    return changed_keys(document, keys, [&](Key key) {
+    return changed_keys(document, keys, [&](Key key, const TrackName& track) {
         key.frame += frames;
-        key.value += value;
+        if (value) key.value += value(track);
         return key;
     });
 }
@@ -113,7 +116,7 @@ KeyEdit copied(const Document& document, const ChosenKeys& keys, double frames)
 {
     return changed_keys(
         document, keys,
-        [&](Key key) {
+        [&](Key key, const TrackName&) {
             key.frame += frames;
             return key;
         },
@@ -122,7 +125,7 @@ KeyEdit copied(const Document& document, const ChosenKeys& keys, double frames)
 
 KeyEdit scaled(const Document& document, const ChosenKeys& keys, double about, double factor)
 {
-    return changed_keys(document, keys, [&](Key key) {
+    return changed_keys(document, keys, [&](Key key, const TrackName&) {
         key.frame = std::round(about + (key.frame - about) * factor);
         key.before.x *= factor;
         key.after.x *= factor;
@@ -135,14 +138,14 @@ KeyEdit scaled(const Document& document, const ChosenKeys& keys, double about, d
 KeyEdit without(const Document& document, const ChosenKeys& keys)
 {
     return changed_tracks_of(
-        document, keys, [](Track& track, std::set<double>& frames, const Parameter&) {
+        document, keys, [](Id, Track& track, std::set<double>& frames, const Parameter&) {
             std::erase_if(track.keys, [&](const Key& key) { return frames.contains(key.frame); });
         });
 }
 
 KeyEdit with_tween(const Document& document, const ChosenKeys& keys, Tween tween)
 {
-    return changed_keys(document, keys, [&](Key key) {
+    return changed_keys(document, keys, [&](Key key, const TrackName&) {
         key.tween = tween;
         return key;
     });
@@ -150,7 +153,7 @@ KeyEdit with_tween(const Document& document, const ChosenKeys& keys, Tween tween
 
 KeyEdit with_value(const Document& document, const ChosenKeys& keys, double value)
 {
-    return changed_keys(document, keys, [&](Key key) {
+    return changed_keys(document, keys, [&](Key key, const TrackName&) {
         key.value = value;
         return key;
     });
@@ -158,7 +161,7 @@ KeyEdit with_value(const Document& document, const ChosenKeys& keys, double valu
 
 KeyEdit smoothed(const Document& document, const ChosenKeys& keys)
 {
-    return changed_keys(document, keys, [](Key key) {
+    return changed_keys(document, keys, [](Key key, const TrackName&) {
         key.before = key.after = glm::dvec2(0);
         return key;
     });
@@ -168,7 +171,7 @@ KeyEdit with_repeat(const Document& document, const ChosenKeys& keys, Repeat rep
 {
     return changed_tracks_of(
         document, keys,
-        [&](Track& track, std::set<double>&, const Parameter&) { track.repeat = repeat; });
+        [&](Id, Track& track, std::set<double>&, const Parameter&) { track.repeat = repeat; });
 }
 
 KeyEdit with_handle(const Document& document, const KeyName& name, KeyHandle which, glm::dvec2 to,
@@ -176,7 +179,7 @@ KeyEdit with_handle(const Document& document, const KeyName& name, KeyHandle whi
 {
     constexpr double least = 1e-3; // frames: of none the handle would choose itself
     return changed_tracks_of(
-        document, {name}, [&](Track& track, std::set<double>&, const Parameter&) {
+        document, {name}, [&](Id, Track& track, std::set<double>&, const Parameter&) {
             const auto at = std::ranges::find(track.keys, name.frame, &Key::frame);
             if (at == track.keys.end()) return;
             const auto k = static_cast<std::size_t>(at - track.keys.begin());

@@ -35,7 +35,10 @@ struct KeyEdit {
     std::optional<Command> command;
     ChosenKeys keys;
 };
-KeyEdit moved(const Document& document, const ChosenKeys& keys, double frames, double value = 0);
+// `value`: by how much those of a track go up.
+using TrackRise = std::function<double(const TrackName&)>;
+KeyEdit moved(const Document& document, const ChosenKeys& keys, double frames,
+              const TrackRise& value = {});
 KeyEdit copied(const Document& document, const ChosenKeys& keys, double frames);
 // In time about a frame, to whole frames; below 0 turned round.
 KeyEdit scaled(const Document& document, const ChosenKeys& keys, double about, double factor);

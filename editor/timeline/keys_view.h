@@ -14,7 +14,7 @@ struct KeyGesture {
     Hand hand = Hand::none;
     bool by_key = false, strayed = false; // the hand went further than a click does
     ChosenKeys before;                    // that were chosen
-    glm::dvec2 grabbed{0};                // frame and shown value under the mouse
+    glm::dvec2 grabbed{0};                // frame, and share of the height, under the mouse
     glm::vec2 grabbed_px{0};
     double about = 0; // frame: of scaling
     KeyName key;      // the one under the mouse, or that whose handle it is
@@ -28,8 +28,12 @@ struct KeysView {
     std::set<Id> unfolded;      // objects, 0: the scene, whose tracks have rows
     std::set<TrackName> tracks; // whose rows are chosen
     ChosenKeys chosen;
-    std::optional<glm::dvec2> values;      // between which curves are shown; none: all of theirs
-    bool fit_chosen = false;               // asked for
+    // Between which values curves are shown, or, where each fills the height by itself, shares of
+    // what it reaches; none: all of theirs.
+    std::optional<glm::dvec2> values;
+    std::optional<bool> alone; // each fills the height by itself; none: where their units differ
+    bool was_alone = false;    // when they were drawn last
+    bool fit_chosen = false;   // asked for
     std::optional<KeyGesture::Hand> asked; // a gesture that begins where the mouse is
     KeyGesture gesture;
     ChosenKeys typed; // that were chosen when a hand began on one of their numbers

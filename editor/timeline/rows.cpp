@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/timeline/rows.h"
 
+#include "core/document/number_words.h"
 #include "core/document/parameters.h"
 #include "editor/session_facts.h"
-#include "editor/timeline/key_words.h"
 
 #include <algorithm>
 #include <map>
@@ -31,21 +31,18 @@ std::vector<TimelineRow> timeline_rows(const Document& document, const std::set<
     return out;
 }
 
-std::set<TrackName> lost_tracks(const Document& document, const std::vector<TimelineRow>& rows)
+NumbersOfTracks numbers_of(const Document& document, const std::vector<TimelineRow>& rows)
 {
-    std::set<TrackName> out;
-    std::set<std::string> known; // numbers of the object of that id
+    NumbersOfTracks out;
+    std::vector<Parameter> known; // of the object of that id
     std::optional<Id> of;
     for (const TimelineRow& row : rows) {
         if (row.kind != TimelineRow::Kind::track) continue;
-        if (of != row.id) {
-            known.clear();
-            for (Parameter& each :
-                 row.id == 0 ? scene_parameters(document) : parameters(object(document, row.id)))
-                known.insert(std::move(each.name));
-            of = row.id;
-        }
-        if (!known.contains(row.parameter)) out.insert(row.track());
+        if (of != row.id)
+            known = row.id == 0 ? scene_parameters(document) : parameters(object(document, row.id));
+        of = row.id;
+        const auto found = std::ranges::find(known, row.parameter, &Parameter::name);
+        if (found != known.end()) out.emplace(row.track(), *found);
     }
     return out;
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/document/parameters.h"
 #include "editor/timeline/keys_view.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -21,8 +23,9 @@ struct TimelineRow {
 };
 std::vector<TimelineRow> timeline_rows(const Document& document, const std::set<Id>& unfolded);
 
-// The tracks among the rows whose number is not there any more.
-std::set<TrackName> lost_tracks(const Document& document, const std::vector<TimelineRow>& rows);
+// What the tracks among the rows move. Those whose number is not there any more have none.
+using NumbersOfTracks = std::map<TrackName, Parameter>;
+NumbersOfTracks numbers_of(const Document& document, const std::vector<TimelineRow>& rows);
 
 // What the row is called: the object, "Scene", or the number in words.
 std::string name_of_row(const Document& document, const TimelineRow& row);

@@ -43,10 +43,8 @@ TEST(Animate, MovesEveryParameterThatThereIs)
         std::set<std::string> names;
         for (const Parameter& p : all) {
             EXPECT_TRUE(names.insert(p.name).second) << p.name << " is there twice";
-            const double to = p.is_switch ? 1 - p.value
-                              : std::clamp(p.value + 0.125, p.lo, p.hi) != p.value
-                                  ? p.value + 0.125
-                                  : p.value - 0.125;
+            const double step = p.stays() ? 1 : 0.125;
+            const double to = p.value + step <= p.hi ? p.value + step : p.value - step;
             const Document moved = animated(document, id, {{p.name, {{1, to}}}});
             EXPECT_NEAR(value_of(now(document_at(moved, 7)), p.name), to, 1e-6) << p.name;
         }
@@ -55,16 +53,56 @@ TEST(Animate, MovesEveryParameterThatThereIs)
     const std::set<std::string> pot =
         check(3, parameters(object(document, 3)),
               [](const Document& d) { return parameters(object(d, 3)); });
-    for (const char* name :
-         {"transform.rotation_deg.z", "hidden", "shape.height", "material.base_color.x",
-          "placement.width", "placement.width_profile.1.y", "placement.height_map.1.0",
-          "placement.fill", "shaping.0.press.radius", "shaping.0.press.samples.0.w",
-          "refining.tolerance"})
+    for (const char* name : {"transform.rotation_deg.z",
+                             "hidden",
+                             "shape.height",
+                             "material.base_color.x",
+                             "placement.width",
+                             "placement.width_profile.1.y",
+                             "placement.height_map.1.0",
+                             "placement.fill",
+                             "shaping.0.press.radius",
+                             "shaping.0.press.samples.0.w",
+                             "refining.tolerance",
+                             "shape.resolution",
+                             "material.solid",
+                             "placement.grid.y",
+                             "placement.misses",
+                             "placement.sharp",
+                             "travel.followers",
+                             "travel.gap",
+                             "shaping.0.press.decay",
+                             "refining.method"})
         EXPECT_TRUE(pot.contains(name)) << name;
     const std::set<std::string> scene =
         check(0, scene_parameters(document), [](const Document& d) { return scene_parameters(d); });
-    for (const char* name : {"render.exposure", "render.sun_azimuth", "camera.front.eye.z"})
+    for (const char* name : {"render.exposure", "render.sun_azimuth", "camera.front.eye.z",
+                             "render.look", "render.color_by", "render.shadows"})
         EXPECT_TRUE(scene.contains(name)) << name;
+    EXPECT_FALSE(scene.contains("camera.front.size_px.x"));
+}
+
+TEST(Animate, LetsCountsChoicesAndSwitchesStayUntilTheNextKey)
+{
+    Document document = animated(rich_document(), 3,
+                                 {{"hidden", {{1, 0}, {9, 1}}},
+                                  {"travel.followers", {{1, 2}, {9, 6.2, Tween::linear}, {12, 8}}},
+                                  {"material.solid", {{1, 0}, {9, 2}}}});
+    document = animated(document, 0, {{"render.look", {{1, 2}, {9, 1}}}});
+    const Document before = document_at(document, 8.9), then = document_at(document, 9);
+    EXPECT_FALSE(object(before, 3).hidden);
+    EXPECT_TRUE(object(then, 3).hidden);
+    EXPECT_EQ(object(before, 3).travel.followers, 2);
+    EXPECT_EQ(object(document_at(document, 11), 3).travel.followers, 6);
+    EXPECT_EQ(object(before, 3).surfacing->solid, Solid::none);
+    EXPECT_EQ(object(then, 3).surfacing->solid, Solid::flesh);
+    EXPECT_EQ(before.render->look, "dark");
+    EXPECT_EQ(then.render->look, "clay");
+    for (const Track& track : object(document, 3).tracks)
+        for (const Key& key : track.keys) {
+            EXPECT_EQ(key.tween, Tween::step) << track.parameter;
+            EXPECT_EQ(key.value, std::round(key.value)) << track.parameter;
+        }
 }
 
 TEST(Animate, LeavesWhatHasNoKeysAsItIs)
@@ -171,6 +209,8 @@ TEST(Animate, RefusesWhatCannotBe)
     refused(3, {{"placement.width", {{5, 1}, {5, 2}}}}, "do not ascend");
     refused(3, {{"placement.fill", {{5, 1.5}}}}, "must lie between 0.001 and 1");
     refused(3, {{"hidden", {{5, 2}}}}, "between 0 and 1");
+    refused(3, {{"material.solid", {{5, 3}}}}, "between 0 and 2");
+    refused(3, {{"placement.grid.x", {{5, 1}}}}, "between 2 and 1024");
     refused(3, {{"hidden", {{5, 1, Tween::cubic, {1, 0}}}}}, "wrong way");
     refused(3, {{"hidden", {{std::nan(""), 1}}}}, "frame");
 }

@@ -45,6 +45,10 @@ TEST(Keying, KeysEveryChangeWhereThatIsWanted)
     const Command key = keyed(small_document(), SetRender{{.exposure = 2}}, 5, true);
     ASSERT_TRUE(std::holds_alternative<Animate>(key));
     EXPECT_EQ(std::get<Animate>(key), (Animate{{{0, {{"render.exposure", {{5, 2}}}}}}}));
+    const Command look =
+        keyed(small_document(), SetRender{{.look = "clay", .exposure = 1}}, 5, true);
+    EXPECT_EQ(std::get<Animate>(look),
+              (Animate{{{0, {{"render.look", {{5, 1}}}, {"render.exposure", {{5, 1}}}}}}}));
     const Command hide = keyed(small_document(), Hide{{2}}, 9, true);
     EXPECT_EQ(std::get<Animate>(hide), (Animate{{{2, {{"hidden", {{9, 1}}}}}}}));
 }
@@ -52,10 +56,9 @@ TEST(Keying, KeysEveryChangeWhereThatIsWanted)
 TEST(Keying, LeavesWhatIsMoreThanNumbersAsItIs)
 {
     const Document document = moving_ball();
-    for (const Command& command :
-         {Command(Rename{2, "Sun"}), Command(Delete{{2}}), Command(Duplicate{{2}, {}}),
-          Command(SetRender{{.look = "clay", .exposure = 1}}), Command(SetMaterial{{2}, {}}),
-          Command(Group{{2, 3}, "Both"}), Command(SetTime{{0, 9, 24}})})
+    for (const Command& command : {Command(Rename{2, "Sun"}), Command(Delete{{2}}),
+                                   Command(Duplicate{{2}, {}}), Command(SetMaterial{{2}, {}}),
+                                   Command(Group{{2, 3}, "Both"}), Command(SetTime{{0, 9, 24}})})
         EXPECT_EQ(keyed(document, command, 6, true), command) << to_json_line(command);
 }
 

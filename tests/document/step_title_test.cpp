@@ -55,7 +55,7 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Take Pot off its stroke",
         "Let Pot travel 0.5 m/s",
         "Let snail play walk",
-        "Animate Pot 2 parameters",
+        "Animate 2 values of Pot",
         "Refine Pot 0.01 m",
         "Give Pot its own triangles back",
         "Press Pot Gaussian 0.1 m",
@@ -94,6 +94,22 @@ TEST(StepTitle, NamesWhatChangedOfATravel)
     EXPECT_EQ(edited([](Travel& t) { t.ease_in = t.ease_out = 0.5; }),
               "Ease in and ease out of Pot");
     EXPECT_EQ(said(document, SetTime{{1, 120, 24}}), "Last frame 120");
+}
+
+TEST(StepTitle, NamesKeysInTheWordsOfThePanels)
+{
+    const auto keys = [](std::vector<Track> tracks) { return Animate{{{2, std::move(tracks)}}}; };
+    const std::string up = "transform.translation.z";
+    EXPECT_EQ(said(keys({{up, {{24, 0.5}}}})), "Animate position Z of Ball 0.5 m in frame 24");
+    EXPECT_EQ(said(keys({{up, {{1, 0}, {24, 0.5}}}})), "Animate position Z of Ball");
+    EXPECT_EQ(said(keys({{"transform.translation.x", {{1, 0}}}, {up, {{1, 0}}}})),
+              "Animate position of Ball");
+    EXPECT_EQ(said(keys({{up, {}}})), "Clear keys of position Z of Ball");
+    EXPECT_EQ(said(Animate{{{0, {{"render.look", {{9, 1}}}}}}}),
+              "Animate look of the scene Clay in frame 9");
+    const Document document = after(small_document(), keys({{up, {{1, 0}, {24, 0.5}}}}));
+    EXPECT_EQ(said(document, keys({{up, {{1, 0}, {24, 0.75}}}})),
+              "Animate position Z of Ball 0.75 m in frame 24");
 }
 
 TEST(StepTitle, NamesTheOneNumberOfAPlacementThatChanged)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/timeline/key_edits.h"
 
-#include "editor/timeline/key_words.h"
+#include "core/document/number_words.h"
 #include "editor/timeline/rows.h"
 
 #include <gtest/gtest.h>
@@ -56,9 +56,11 @@ TEST(KeyEdits, KeysPassOneAnotherAndKeepTheirOrder)
 TEST(KeyEdits, ValuesStayInTheirRange)
 {
     const Document before = with_keys();
-    EXPECT_EQ(
-        key_of(done(before, moved(before, {{shine_track, 11}}, 0, 7)), {shine_track, 11})->value,
-        1);
+    EXPECT_EQ(key_of(done(before, moved(before, {{shine_track, 11}}, 0,
+                                        [](const TrackName&) { return 7.0; })),
+                     {shine_track, 11})
+                  ->value,
+              1);
     EXPECT_EQ(
         key_of(done(before, with_value(before, {{shine_track, 11}}, -3)), {shine_track, 11})->value,
         0);
@@ -125,7 +127,7 @@ TEST(KeyEdits, TracksOfWhatIsNotThereAnyMoreStayAndCanGo)
 {
     Document document = with_keys();
     document = after(document, ClearMaterial{{2}});
-    EXPECT_EQ(lost_tracks(document, timeline_rows(document, {1, 2})), (std::set{shine_track}));
+    EXPECT_FALSE(numbers_of(document, timeline_rows(document, {1, 2})).contains(shine_track));
     const KeyEdit edit = moved(document, {{shine_track, 1}, {upward_track, 1}}, 2);
     ASSERT_TRUE(edit.command);
     const Document now = after(document, *edit.command);
@@ -156,9 +158,11 @@ TEST(NumberWords, SayWhatANameMeans)
     EXPECT_EQ(label("placement.width_profile.2.y"), "Width profile 3 Y");
     EXPECT_EQ(label("material.base_color.x"), "Colour red");
     EXPECT_EQ(label("shaping.0.shift.by.z"), "Step 1 shift by Z");
-    EXPECT_EQ(label("camera.picture.eye.x"), "Picture eye X");
+    EXPECT_EQ(label("camera.picture.eye.x"), "Picture from X");
+    EXPECT_EQ(label("placement.grid.y"), "Density V");
+    EXPECT_EQ(label("render.color_by"), "Colour by");
     EXPECT_EQ(label("hidden"), "Hidden");
-    EXPECT_EQ(label("camera.99999999999999999999.eye.x"), "99999999999999999999 eye X");
+    EXPECT_EQ(label("camera.99999999999999999999.eye.x"), "99999999999999999999 from X");
     EXPECT_EQ(words_of_number("transform.rotation_deg.z").unit, "deg");
     EXPECT_NEAR(words_of_number("render.sun_azimuth").factor, 57.29578, 1e-5);
 }

@@ -159,6 +159,19 @@ TEST(TimelineKeys, SScalesAboutThePlayheadTillAClick)
     EXPECT_EQ(rig.steps(), steps + 1);
 }
 
+TEST(TimelineKeys, CtrlDCopiesTheChosenOnesTillAClick)
+{
+    Keyed rig;
+    rig.click(rig.at(61, 2));
+    rig.key({.key = 'D', .ctrl = true});
+    rig.move(rig.at(81, 2));
+    rig.click(rig.at(81, 2));
+    rig.wait();
+    EXPECT_EQ(rig.frames_of(rising_track), (Frames{21, 61, 81, 121}));
+    EXPECT_EQ(rig.view().chosen, (ChosenKeys{{rising_track, 81}}));
+    EXPECT_EQ(rig.editor.session.document().objects.size(), 1u);
+}
+
 TEST(TimelineKeys, UpAndDownGoFromKeyToKey)
 {
     Keyed rig;
@@ -211,7 +224,8 @@ struct Curved : Keyed {
     CurveScale curves() const
     {
         const ui::Rect r = layout().timeline;
-        CurveScale out{scale(), r.lo.y + 40 + 24 + 18, r.hi.y - 14};
+        const float above = editor.timeline.keys.tracks.size() > 1 ? 36 : 18;
+        CurveScale out{scale(), r.lo.y + 40 + 24 + above, r.hi.y - 14};
         out.values = editor.timeline.keys.values.value_or(
             values_of_curves(editor.session.document(), {rising_track}));
         return out;
@@ -256,6 +270,29 @@ TEST(Curves, AHandleOfTheChosenKeyIsDragged)
     EXPECT_NEAR(rig.key(61).after.y, -0.8, 0.05);
     EXPECT_EQ(rig.steps(), steps + 1);
     EXPECT_EQ(rig.frames_of(rising_track), (Frames{21, 61, 121}));
+}
+
+TEST(Curves, OfDifferentUnitsFillTheHeightEachByItself)
+{
+    Curved rig;
+    const TrackName turning{1, "transform.rotation_deg.z"};
+    rig.editor.session.run(Animate{{{1, {{turning.parameter, {{21, 0}, {121, 90}}}}}}});
+    rig.view().tracks = {rising_track, turning};
+    rig.wait();
+    CurveScale scale = rig.curves();
+    scale.values = values_of_curves(rig.editor.session.document(), {turning});
+    rig.view().chosen = {{rising_track, 61}, {turning, 121}};
+    rig.draw({scale.at(121, 90), scale.at(121, 45)});
+    rig.wait();
+    EXPECT_NEAR(key_of(rig.editor.session.document(), {turning, 121})->value, 45, 2);
+    EXPECT_NEAR(rig.key(61).value, 0.5, 0.02) << "as far as the other, as it is seen";
+    EXPECT_TRUE(rig.view().was_alone);
+    rig.view().tracks = {rising_track, sliding_track};
+    rig.frames();
+    EXPECT_FALSE(rig.view().was_alone) << "both are metres";
+    rig.view().alone = true;
+    rig.frames();
+    EXPECT_TRUE(rig.view().was_alone);
 }
 
 TEST(Curves, AreZoomedByTheWheelAndFitAgain)

@@ -37,7 +37,7 @@ std::vector<Track> merged(std::vector<Track> tracks, const std::vector<Track>& m
 {
     if (more.empty()) throw Rejected("field \"tracks\" is empty: say which parameter");
     for (const Track& track : more) {
-        const auto had = std::ranges::lower_bound(tracks, track.parameter, {}, &Track::parameter);
+        auto had = std::ranges::lower_bound(tracks, track.parameter, {}, &Track::parameter);
         const bool has = had != tracks.end() && had->parameter == track.parameter;
         if (track.keys.empty()) { // of what is not there any more, too
             if (has) tracks.erase(had);
@@ -47,10 +47,8 @@ std::vector<Track> merged(std::vector<Track> tracks, const std::vector<Track>& m
         if (parameter == known.end())
             throw Rejected(fmt::format("{} has no parameter \"{}\"", whose, track.parameter));
         check_keys(track, *parameter);
-        if (has)
-            *had = track;
-        else
-            tracks.insert(had, track);
+        if (!has) had = tracks.insert(had, Track{});
+        *had = as_taken(track, *parameter);
     }
     std::size_t keys = 0;
     for (const Track& track : tracks) keys += track.keys.size();

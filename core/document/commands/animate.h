@@ -15,9 +15,13 @@ template <> struct FieldsOf<Key> {
     static void fields(auto& k, auto&& field)
     {
         field("frame", k.frame, "when, between two frames too", required_between(-1e6, 1e6));
-        field("value", k.value, "of the parameter then; switches are 0 and 1", required);
+        field("value", k.value,
+              "of the parameter then; switches are 0 and 1, choices count from 0 in the order in "
+              "which they are listed",
+              required);
         field("tween", k.tween,
-              "how it goes on to the next key: it stays, straight, or along a Bezier curve");
+              "how it goes on to the next key: it stays, straight, or along a Bezier curve; whole "
+              "numbers, choices and switches always stay");
         field("before", k.before,
               "the curve's inner control point toward the key before, [frames, value] from this "
               "key; zeros: chosen so that it is smooth");

@@ -2,11 +2,15 @@
 #include "core/document/step_title.h"
 
 #include "core/document/commands/changes.h"
+#include "core/document/keying.h"
+#include "core/document/number_words.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <set>
 
 namespace trivar {
 namespace {
@@ -121,6 +125,57 @@ StepTitle arranged_title(const Document& before, const Arrange& c)
     if (turned) return {"Rotate " + names, turn(first.rotation_deg, now.rotation_deg)};
     if (scaled) return {"Scale " + names, growth(first.scale, now.scale)};
     return {"Move " + names, in_metres(glm::length(now.translation - first.translation))};
+}
+
+// "Position Z" and, of several, what they have in common: "Position".
+std::string numbers_in(const Animate& c)
+{
+    std::set<std::string> names, rows;
+    for (const auto& [id, tracks] : c.of)
+        for (const Track& track : tracks) {
+            const std::string& name = track.parameter;
+            names.insert(name);
+            const bool axis = name.size() > 2 && name[name.size() - 2] == '.' &&
+                              std::isdigit(static_cast<unsigned char>(name.back())) == 0;
+            rows.insert(axis ? name.substr(0, name.size() - 2) : name);
+        }
+    if (names.size() == 1) return words_of_number(*names.begin()).label;
+    if (rows.size() == 1) return words_of_number(*rows.begin()).label;
+    return fmt::format("{} values", names.size());
+}
+
+// The one key that is not as it was, where there is just one: what it is and when.
+std::string key_in(const Document& before, const Animate& c)
+{
+    if (c.of.size() != 1 || c.of[0].tracks.size() != 1) return {};
+    const auto& [id, tracks] = c.of[0];
+    const bool known = id == 0 || before.objects.contains(id);
+    const Track* had = known ? track_of(before, id, tracks[0].parameter) : nullptr;
+    std::vector<Key> others = had ? had->keys : std::vector<Key>{}, changed;
+    for (const Key& key : tracks[0].keys)
+        if (std::erase(others, key) == 0) changed.push_back(key);
+    if (changed.size() != 1 || others.size() > 1) return {};
+    const std::vector<Parameter> all = id == 0 ? scene_parameters(before)
+                                       : known ? parameters(*before.objects.at(id))
+                                               : std::vector<Parameter>{};
+    const auto number = std::ranges::find(all, tracks[0].parameter, &Parameter::name);
+    if (number == all.end()) return {};
+    return fmt::format("{} in frame {}", words_of_value(*number, changed[0].value),
+                       brief_number(changed[0].frame));
+}
+
+StepTitle animated_title(const Document& before, const Animate& c)
+{
+    std::vector<Id> ids;
+    bool clears = true;
+    for (const auto& [id, tracks] : c.of) {
+        ids.push_back(id);
+        for (const Track& track : tracks) clears = clears && track.keys.empty();
+    }
+    const bool scene = ids.size() == 1 && ids.front() == 0;
+    std::string what = numbers_in(c) + " of " + (scene ? "the scene" : names_in(before, ids));
+    what[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(what[0])));
+    return {(clears ? "Clear keys of " : "Animate ") + what, key_in(before, c)};
 }
 
 const char* axis_name(VolumeAxis axis)
@@ -305,24 +360,7 @@ struct Titles {
         if (old.clip != now.clip) return {"Let " + names + " play", now.clip};
         return title_of_changes(changes(old, now), "Clip", names);
     }
-    StepTitle operator()(const Animate& c) const
-    {
-        std::vector<Id> ids;
-        std::vector<std::string> parameters;
-        std::size_t keys = 0;
-        for (const auto& [id, tracks] : c.of) {
-            ids.push_back(id);
-            for (const Track& track : tracks) {
-                keys += track.keys.size();
-                parameters.push_back(track.parameter);
-            }
-        }
-        const bool scene = ids.size() == 1 && ids.front() == 0;
-        const std::string of = scene ? "the scene" : names_in(before, ids);
-        return {(keys == 0 ? "Clear keys of " : "Animate ") + of,
-                parameters.size() == 1 ? parameters.front()
-                                       : fmt::format("{} parameters", parameters.size())};
-    }
+    StepTitle operator()(const Animate& c) const { return animated_title(before, c); }
     StepTitle operator()(const Refine& c) const
     {
         const Refining& now = c.refinings.empty() ? c.refining : c.refinings.front();
