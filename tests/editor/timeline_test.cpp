@@ -195,7 +195,7 @@ TEST(Timeline, AnEndThatIsDraggedMakesItSlowerAndLeavesTheOtherEnd)
     EXPECT_LT(rig.travel().speed, 0.2);
     before = rig.bar();
     rig.pull(rig.scale().x(before.begin) + 2, -10);
-    EXPECT_EQ(rig.bar().begin, before.begin - 10);
+    EXPECT_NEAR(rig.bar().begin, before.begin - 10, 1) << "a mouse stands on whole pixels";
     EXPECT_NEAR(rig.bar().end, before.end, 1e-6);
     EXPECT_EQ(rig.steps(), steps + 2);
 }
