@@ -117,13 +117,21 @@ struct Between::Moving {
     glm::dmat4 e0{1}, e1{1};                           // to_uvw at both, laps counted
 };
 
-// A matrix that moves points, and the box of those that it moves.
+// How far a matrix moves the points of a box by each axis, at most; or the differences in it.
 struct Between::Deviation {
-    glm::dvec3 by_axis{0};
-    void add(const glm::dmat4& off, const Box& box)
+    static glm::dvec3 of_points(const glm::dmat4& off, const Box& box)
     {
+        glm::dvec3 out(0);
         for (const glm::dvec3& p : corners_of(box))
-            by_axis = glm::max(by_axis, glm::abs(glm::dvec3(off * glm::dvec4(p, 1))));
+            out = glm::max(out, glm::abs(glm::dvec3(off * glm::dvec4(p, 1))));
+        return out;
+    }
+    static glm::dvec3 of_differences(const glm::dmat4& off, const Box& box)
+    {
+        glm::dvec3 out(0);
+        for (const glm::dvec3& d : corners_of(box))
+            out = glm::max(out, glm::abs(glm::dmat3(off) * d));
+        return out;
     }
 };
 
@@ -140,13 +148,22 @@ std::optional<glm::dvec3> Between::deviation(const Moving& m) const
     const Node& node = model_->nodes[static_cast<std::size_t>(m.node)];
     const Mesh& mesh = *model_->meshes[static_cast<std::size_t>(node.mesh)];
     const ImportedFile& file = std::get<ImportedFile>(object_.source);
-    const auto has_weights = [](const Part& part) {
-        return part.posed && !part.posed->pose.morph_weights.empty();
+    std::vector<Box> targets = target_bounds(*m.a.rest);
+    const auto weights_of = [&](const Part& part) {
+        std::vector<float> weights(targets.size(), 0);
+        if (part.posed) std::ranges::copy(part.posed->pose.morph_weights, weights.begin());
+        return weights;
     };
-    const bool swells = std::ranges::any_of(clip->channels, [&](const Channel& c) {
-        return c.node == m.node && c.of == Channel::Of::morph_weights;
-    });
-    if (swells || has_weights(m.a) || has_weights(m.b) || (node.skin >= 0 && gait)) return {};
+    const std::vector<float> weights_from = weights_of(m.a), weights_to = weights_of(m.b);
+    const auto any = [](const std::vector<float>& weights) {
+        return std::ranges::any_of(weights, [](float weight) { return weight != 0; });
+    };
+    const bool swells = any(weights_from) || any(weights_to) ||
+                        std::ranges::any_of(clip->channels, [&](const Channel& c) {
+                            return c.node == m.node && c.of == Channel::Of::morph_weights;
+                        });
+    if (!swells) targets.clear();
+    if (gait && (node.skin >= 0 || swells)) return {};
     if (file.subdivisions > 0 && node.skin >= 0) return out; // stands as it came
     const glm::dmat3 turned(object_.transform.matrix());
     const glm::dmat4 base = m.object.placement->embedding.to_uvw * glm::dmat4(turned);
@@ -212,7 +229,7 @@ std::optional<glm::dvec3> Between::deviation(const Moving& m) const
     const double lo = std::min(t0, t1), hi = std::max(t0, t1);
     const std::vector<double> cuts = clock.cuts(lo, hi, breaks_of(*clip, gait));
     const std::vector<int> legs = gait ? legs_of_nodes(*model_, *gait) : std::vector<int>{};
-    Deviation at_cuts;
+    glm::dvec3 at_cuts(0);
     double smooth = 0; // in the model's units
     for (std::size_t c = 0; c + 1 < cuts.size(); ++c) {
         const double h = cuts[c + 1] - cuts[c];
@@ -220,8 +237,9 @@ std::optional<glm::dvec3> Between::deviation(const Moving& m) const
         const double from = std::max(middle - h / 2, clip->begin_s),
                      to = std::min(middle + h / 2, clip->end_s);
         const bool returns = clock.folded(cuts[c] + 0.75 * h) < middle;
-        for (const bool end : {false, true}) { // as it is there, coming from within
-            const double t = end != returns ? to : from;
+        const double within = 1e-9 * (to - from); // where a channel steps both sides are looked at
+        for (const bool end : {false, true}) {
+            const double t = end != returns ? to - within : from + within;
             const Stance stance =
                 gait ? planted(*model_, *clip, *gait, t) : stance_at(*model_, &*clip, t);
             const double share = ((end ? cuts[c + 1] : cuts[c]) - t0) / (t1 - t0);
@@ -230,7 +248,15 @@ std::optional<glm::dvec3> Between::deviation(const Moving& m) const
             for (const Mover& mover : movers) {
                 const glm::dmat4 now =
                     there * stance.to_model[static_cast<std::size_t>(mover.node)] * mover.before;
-                at_cuts.add(now - (mover.at_from * (1 - share) + mover.at_to * share), mover.box);
+                const glm::dmat4 a = mover.at_from * (1 - share), b = mover.at_to * share;
+                glm::dvec3 off = Deviation::of_points(now - (a + b), mover.box);
+                for (std::size_t k = 0; k < targets.size(); ++k) {
+                    const double w = stance.morph_weights[static_cast<std::size_t>(m.node)][k];
+                    off += Deviation::of_differences(
+                        now * w - (a * double{weights_from[k]} + b * double{weights_to[k]}),
+                        targets[k]);
+                }
+                at_cuts = glm::max(at_cuts, off);
             }
         }
         const auto rates = node_rates(*model_, *clip, from, to);
@@ -240,12 +266,25 @@ std::optional<glm::dvec3> Between::deviation(const Moving& m) const
                  : std::optional<std::vector<PlantingRates>>(std::vector<PlantingRates>{});
         if (!planting) return {};
         const Stance stance = stance_at(*model_, &*clip, middle);
+        const std::vector<WeightRates> swelling =
+            targets.empty() ? std::vector<WeightRates>{}
+                            : weight_rates(*model_, *clip, m.node, from, to);
         for (const Mover& mover : movers) {
             double far = 0;
             for (const glm::dvec3& p : corners_of(mover.box))
                 far = std::max(far, glm::length(glm::dvec3(mover.before * glm::dvec4(p, 1))));
+            double first = 0, second = 0; // of the point itself, by its targets
+            for (std::size_t k = 0; k < targets.size(); ++k) {
+                double size = 0;
+                for (const glm::dvec3& d : corners_of(targets[k]))
+                    size = std::max(size, glm::length(glm::dmat3(mover.before) * d));
+                far += swelling[k].most * size;
+                first += swelling[k].first * size;
+                second += swelling[k].second * size;
+            }
             const NodeRates& r = (*rates)[static_cast<std::size_t>(mover.node)];
-            double turn = r.turn * far + r.shift, bend = r.bend * far + r.swing;
+            double turn = r.turn * far + r.shift + r.size * first,
+                   bend = r.bend * far + r.swing + 2 * r.turn * first + r.size * second;
             if (const int leg = gait ? legs[static_cast<std::size_t>(mover.node)] : -1; leg >= 0) {
                 // A point of a leg takes the share of its joint and how far it is along it.
                 const std::vector<int>& joints = gait->feet[static_cast<std::size_t>(leg)].leg;
@@ -261,10 +300,10 @@ std::optional<glm::dvec3> Between::deviation(const Moving& m) const
                 turn += share * (*planting)[static_cast<std::size_t>(leg)].turn;
                 bend += share * (*planting)[static_cast<std::size_t>(leg)].bend;
             }
-            smooth = std::max(smooth, bend * h * h / 8 + turn * uneven_t);
+            smooth = std::max(smooth, bend * h * h / 8 + turn * (uneven_t + within));
         }
     }
-    return out + at_cuts.by_axis + rows * smooth;
+    return out + at_cuts + rows * smooth;
 }
 
 double Between::operator()(const EvaluatedObject& from, const Part& a, double from_frame,

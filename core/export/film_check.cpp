@@ -113,6 +113,13 @@ std::vector<FilmSample> sampled_film(const AnimatedExport& exported, const Docum
     for (const FilmCertificate::PartClaim& claim : claims.parts)
         weights.push_back(weights_of_node(model, claim.node));
     const std::vector<double>& moments = exported.film.moments;
+    // What was compared last of each part, and how many samples that was: what rests in the file
+    // and in the scene is found once.
+    struct Compared {
+        const Part* part = nullptr;
+        std::size_t samples = 0;
+    };
+    std::vector<Compared> last(out.size());
     for (std::size_t i = 0; i < film.moments.size(); ++i) {
         const double frame = film.moments[i];
         report(progress,
@@ -127,10 +134,17 @@ std::vector<FilmSample> sampled_film(const AnimatedExport& exported, const Docum
             for (std::size_t p = begin; p < end; ++p) {
                 const AnimatedPart& part = exported.parts[p];
                 if (!part.strip->shown[before] || !part.strip->shown[next]) continue;
-                if (const Part* truth = shown_then(*part.strip, i))
-                    compare(out[p], part, *truth,
-                            shown_by_file(model, claims.parts[p].node, stance, weights[p], time_s),
-                            frame);
+                const Part* truth = shown_then(*part.strip, i);
+                if (!truth) continue;
+                if (claims.parts[p].way == "still" && last[p].part == truth) {
+                    out[p].samples += last[p].samples;
+                    continue;
+                }
+                last[p] = {truth, out[p].samples};
+                compare(out[p], part, *truth,
+                        shown_by_file(model, claims.parts[p].node, stance, weights[p], time_s),
+                        frame);
+                last[p].samples = out[p].samples - last[p].samples;
             }
         });
     }

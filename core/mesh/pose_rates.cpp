@@ -157,6 +157,44 @@ std::optional<std::vector<NodeRates>> node_rates(const Model& model, const Clip&
     return out;
 }
 
+std::vector<WeightRates> weight_rates(const Model& model, const Clip& clip, int index,
+                                      double from_s, double to_s)
+{
+    const Node& node = model.nodes[static_cast<std::size_t>(index)];
+    std::vector<WeightRates> out;
+    if (node.mesh < 0) return out;
+    out.resize(model.meshes[static_cast<std::size_t>(node.mesh)]->morph_targets.size());
+    for (std::size_t t = 0; t < std::min(out.size(), node.morph_weights.size()); ++t)
+        out[t].most = std::abs(double{node.morph_weights[t]});
+    for (const Channel& c : clip.channels) {
+        if (c.node != index || c.of != Channel::Of::morph_weights) continue;
+        const std::vector<double> begin = value_at(c, from_s), end = value_at(c, to_s);
+        const auto after =
+            std::upper_bound(c.times_s.begin(), c.times_s.end(), (from_s + to_s) / 2);
+        const bool held = after == c.times_s.begin() || after == c.times_s.end() ||
+                          c.between == Channel::Between::step;
+        const auto key = held ? 0 : static_cast<std::size_t>(after - c.times_s.begin()) - 1;
+        const double span = held ? 1 : double{c.times_s[key + 1]} - double{c.times_s[key]};
+        for (std::size_t t = 0; t < std::min(out.size(), c.components); ++t) {
+            WeightRates& rates = out[t];
+            rates = {std::max(std::abs(begin[t]), std::abs(end[t])), 0, 0};
+            if (held) continue;
+            const double p = part_of_key(c, key, 1)[t], q = part_of_key(c, key + 1, 1)[t],
+                         chord = (q - p) / span;
+            rates.first = std::abs(chord);
+            if (c.between != Channel::Between::cubic) continue;
+            // As cubic_rates.
+            const double m = part_of_key(c, key, 2)[t], n = part_of_key(c, key + 1, 0)[t];
+            rates.second = std::max(std::abs(6 * chord - 4 * m - 2 * n),
+                                    std::abs(-6 * chord + 2 * m + 4 * n)) /
+                           span;
+            rates.first += rates.second * span;
+            rates.most = std::max(std::abs(p), std::abs(q)) + rates.first * span;
+        }
+    }
+    return out;
+}
+
 std::vector<int> legs_of_nodes(const Model& model, const Gait& gait)
 {
     std::vector<int> out(model.nodes.size(), -1);

@@ -22,6 +22,13 @@ struct NodeRates {
 std::optional<std::vector<NodeRates>> node_rates(const Model& model, const Clip& clip,
                                                  double from_s, double to_s);
 
+// The same of the weights of a node's morph targets, by target: |w|, |w'| and |w''| at most.
+struct WeightRates {
+    double most = 0, first = 0, second = 0;
+};
+std::vector<WeightRates> weight_rates(const Model& model, const Clip& clip, int node, double from_s,
+                                      double to_s);
+
 // The same of what planted() adds to a leg, by foot: of a displacement that hangs on no point.
 // Nothing where legs change their length, or a foot is in its stance and in the air between.
 struct PlantingRates {

@@ -75,6 +75,27 @@ TEST_F(AnimatedExports, AreProvenWhileASkinBendsInAVolumeAndTravels)
     expect_holds(document, made);
 }
 
+TEST_F(AnimatedExports, AreProvenWhileMorphTargetsSwellInAVolume)
+{
+    Model model = testing::rigged_model();
+    Clip both = model.clips[0];
+    both.name = "both";
+    both.channels.push_back(model.clips[1].channels.front());
+    model.clips.push_back(both);
+    testing::write_file(folder_.file("bar.gltf"), testing::gltf_text(model));
+    for (const char* clip : {"swell", "both"})
+        for (const double speed : {0.0, 0.4}) {
+            const Document document =
+                playing(travelling(round(), {.speed = speed, .ends = Ends::loop}),
+                        {.clip = clip, .speed = 1.3, .repeat = Repeat::back_and_forth});
+            const AnimatedExport made = exported(document, 2e-2);
+            EXPECT_THAT(of(made, 5).front().unproven, IsEmpty()) << clip;
+            EXPECT_GT(of(made, 5).front().between, 0) << clip;
+            EXPECT_LE(made.certificate.bound, 2e-2) << clip;
+            expect_holds(document, made);
+        }
+}
+
 TEST_F(AnimatedExports, SayWhatIsNotProven)
 {
     const Document width = keyed(laid(), 5, "placement.width",

@@ -70,6 +70,30 @@ TEST(PoseRates, BoundTheDerivativesOfEveryPoint)
     EXPECT_GT(closest, 0.3); // no idle bound
 }
 
+TEST(PoseRates, BoundTheDerivativesOfWeights)
+{
+    Model model = testing::rigged_model();
+    Channel& weights = model.clips[1].channels.front();
+    weights.between = Channel::Between::cubic;
+    weights.values = {0, 0.2f, 3, -2, 0.9f, 0}; // tangent in, value, tangent out
+    const Clip& clip = model.clips[1];
+    const std::vector<WeightRates> rates = weight_rates(model, clip, 0, 0.25, 0.75);
+    ASSERT_EQ(rates.size(), 1u);
+    const double h = 1e-4;
+    for (double t = 0.26; t < 0.75; t += 0.01) {
+        const auto at = [&](double time) { return value_at(weights, time).front(); };
+        EXPECT_LE(std::abs(at(t)), rates[0].most);
+        EXPECT_LE(std::abs(at(t + h) - at(t - h)) / (2 * h), rates[0].first);
+        EXPECT_LE(std::abs(at(t + h) - 2 * at(t) + at(t - h)) / (h * h), rates[0].second + 1e-4);
+    }
+    weights.between = Channel::Between::linear;
+    weights.values = {0, 1};
+    const WeightRates even = weight_rates(model, clip, 0, 0.25, 0.75).front();
+    EXPECT_DOUBLE_EQ(even.most, 0.75);
+    EXPECT_DOUBLE_EQ(even.first, 1);
+    EXPECT_EQ(even.second, 0);
+}
+
 TEST(PoseRates, SayNothingOfCubicRotations)
 {
     Model model = chain();
