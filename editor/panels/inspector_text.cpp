@@ -2,6 +2,7 @@
 #include "core/text/installed_fonts.h"
 #include "editor/field_words.h"
 #include "editor/panels/inspect.h"
+#include "editor/panels/letters_as_read.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/value_rows.h"
 
@@ -59,6 +60,10 @@ void draw_text(Editor& editor, const ui::Theme& theme, Id id)
     const KeyGutter keys(editor, {id});
     ValueRows rows{theme, &keys};
     rows.take(letters_field(theme, s.text));
+    const auto effects = editor.session.evaluated().objects.find(id);
+    if (!field_shows(s.text) && effects != editor.session.evaluated().objects.end() &&
+        !effects->second->parts.empty())
+        draw_letters_as_read(theme, *effects->second->parts.front().rest, s.size);
     font_row(editor, rows, s);
     const ui::NumberStyle metres{.lo = 1e-6, .hi = 1e6, .unit = "m"};
     rows.number("Size", s.size, rest.size, metres, help_of_text("size"));
