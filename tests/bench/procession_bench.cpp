@@ -46,7 +46,13 @@ void procession(benchmark::State& state, bool deformed)
 }
 void counts(benchmark::internal::Benchmark* each)
 {
-    each->Unit(benchmark::kMillisecond)->UseRealTime()->Arg(1)->Arg(7)->Arg(100)->Arg(300);
+    each->Unit(benchmark::kMillisecond)
+        ->UseRealTime()
+        ->MeasureProcessCPUTime()
+        ->Arg(1)
+        ->Arg(7)
+        ->Arg(100)
+        ->Arg(300);
 }
 BENCHMARK_CAPTURE(procession, deformed, true)->Apply(counts);
 BENCHMARK_CAPTURE(procession, left_to_the_card, false)->Apply(counts);
