@@ -78,6 +78,17 @@ bool looks_back(const PlacementParameters& parameters)
     return parameters.reverse != (parameters.along == LengthAxis::y);
 }
 
+PlacementParameters lengthwise(PlacementParameters parameters, const Box& model)
+{
+    constexpr double clearly = 1.2;
+    const glm::dvec3 size = model.size();
+    if (size.y > clearly * size.x && size.x >= 0) {
+        parameters.along = LengthAxis::y;
+        parameters.reverse = true;
+    }
+    return parameters;
+}
+
 ModelFrame model_frame(const PlacementParameters& parameters, const Box& model)
 {
     for (int axis = 0; axis < 3; ++axis)

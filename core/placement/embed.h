@@ -22,6 +22,10 @@ PlacementParameters with_lying(PlacementParameters parameters, const Lying& lyin
 // 3.4). Which models have it elsewhere no file says.
 bool looks_back(const PlacementParameters& parameters);
 
+// As a model is laid that nobody turned yet: where its box is longer along y by a fifth, y runs
+// along the stroke, its front ahead.
+PlacementParameters lengthwise(PlacementParameters parameters, const Box& model);
+
 // How a model lies along a stroke: turned so, and what its box measures then. An edge without
 // length counts as flat.
 struct ModelFrame {

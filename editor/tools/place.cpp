@@ -2,6 +2,7 @@
 #include "editor/tools/place.h"
 
 #include "core/base/rounded.h"
+#include "core/placement/embed.h"
 #include "core/placement/redraw.h"
 #include "editor/tools/strip_paint.h"
 #include "ui/icons.h"
@@ -136,7 +137,7 @@ Command PlaceTool::command(const Session& session) const
     const Object& model = object(session.committed(), model_);
     const Sketch& drawn = stroke_.sketch();
     if (!model.placement) {
-        PlacementParameters parameters = parameters_;
+        PlacementParameters parameters = lengthwise(parameters_, stands_);
         if (width_ > 0) parameters.width = width_;
         parameters.width_profile = brush_profile(drawn.samples, brush_);
         return Place{model_, drawn, std::move(parameters), bases_for_stroke(session, model_)};
@@ -168,6 +169,7 @@ void PlaceTool::begin(Session& session, const ViewportInput& input)
         return;
     }
     drawing_ = true;
+    stands_ = bounds_of(session, model_);
     width_ = 0;
     typed_ = {};
     pressure_ = 0.5;

@@ -47,6 +47,7 @@ private:
 
     Id chosen_ = 0; // in the options bar; 0: by itself
     Id model_ = 0;  // of the stroke that is being drawn
+    Box stands_;    // it, before it
     bool drawing_ = false, redrawing_ = false;
     bool on_line_ = false; // the mouse is where a stroke would redraw the old one
     std::string why_not_;  // what speaks against a stroke that begins at the mouse

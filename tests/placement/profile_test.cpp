@@ -179,6 +179,17 @@ TEST(Place, StaysPositiveWhereAHeightFallsOff)
     }
 }
 
+TEST(Place, LaysTheLongerSideOfAModelAlongTheStrokeWithItsFrontAhead)
+{
+    const Box fox{{-0.1, -0.8, 0}, {0.1, 0.7, 0.8}};
+    const PlacementParameters p = lengthwise({}, fox);
+    EXPECT_EQ(model_frame(p, fox).turn * glm::dvec3(0, -1, 0), glm::dvec3(1, 0, 0));
+    EXPECT_EQ(model_frame(p, fox).turn * glm::dvec3(0, 0, 1), glm::dvec3(0, 0, 1));
+    EXPECT_FALSE(looks_back(p));
+    EXPECT_EQ(lengthwise({}, snake_box()), PlacementParameters{});
+    EXPECT_EQ(lengthwise({}, Box{{0, 0, 0}, {1, 1, 1}}), PlacementParameters{});
+}
+
 TEST(Place, LaysEverySideOfTheModelOnTheScene)
 {
     const Box box = snake_box();
