@@ -92,6 +92,8 @@ EvaluatedObject evaluated_object(Id id, const Causes& causes)
         result.walk = causes.laid->walk;
         if (result.walk && !result.walk->trouble.empty())
             result.notices.push_back(result.walk->trouble);
+        if (result.walk && !result.walk->remark.empty())
+            result.notices.push_back(result.walk->remark);
         if (result.journey && result.journey->travel().speed != 0 && !result.journey->has_room())
             result.notices.emplace_back(
                 "it fills its whole stroke and has no room to travel; make its fill smaller");

@@ -19,6 +19,7 @@ struct Walk {
     // travel, or all of it.
     Lazy<double> slide;
     std::string trouble; // why its feet are not locked, a sentence; empty: they are
+    std::string remark;  // what may not be meant, though they are; empty: nothing
 
     double clip_time_s(const Playing& playing, double gone_u) const;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/walking.h"
 
+#include "core/placement/embed.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -107,6 +109,11 @@ Walk walk_of(Tread tread)
     }
     walk.natural_speed =
         std::abs(stride.x) * MiddleLine(tread.laid->placement->contact).length() / gait.period_s;
+    // Its front is where its feet take it, which is not always where its file's format has fronts.
+    if (tread.journey->travel().speed > 0 && (stride.x < 0) != looks_back(tread.parameters))
+        walk.remark = fmt::format(
+            "in \"{}\" it walks backwards; a negative speed lets it walk the way it looks",
+            tread.clip);
     walk.correction = largest_correction(*tread.model, *clip_named(*tread.model, tread.clip), gait);
     tread.walk = walk;
     walk.slide = Lazy<double>([tread = std::move(tread)] { return slide_of(tread); });

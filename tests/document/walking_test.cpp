@@ -12,7 +12,7 @@
 namespace trivar {
 namespace {
 
-using ::testing::Contains, ::testing::HasSubstr;
+using ::testing::Contains, ::testing::HasSubstr, ::testing::Not;
 using testing::real_data_folder;
 
 enum class Way { straight, curved, round };
@@ -143,6 +143,26 @@ TEST(Walking, SaysThatFeetAreLockedToNothingWhereItLiesOnNoStroke)
                 Contains("its feet are locked to its travel, and it lies on no stroke"));
     const Document free = after(document, PlayClip{{2}, {.clip = "walk"}});
     EXPECT_TRUE(evaluator_of_files()(free, 1).objects.at(2)->notices.empty());
+}
+
+TEST(Walking, SaysThatAModelWhoseFrontIsElsewhereWalksBackwards)
+{
+    Course course{std::string(TRIVAR_BINARY_DIR) + "/assets/models/ant.glb", "walk",
+                  small_model(LengthAxis::x, false)};
+    if (!std::filesystem::exists(course.path)) GTEST_SKIP() << "the sample models are not made";
+    const auto notices = [&](double turned_deg, double speed) {
+        course.travel.speed = speed;
+        Transform transform;
+        transform.rotation_deg.z = turned_deg;
+        return evaluator_of_files()(after(laid_out(course), SetTransform{2, transform}), 1)
+            .objects.at(2)
+            ->notices;
+    };
+    const auto backwards = Contains(HasSubstr("it walks backwards"));
+    EXPECT_THAT(notices(180, 0.2), backwards);
+    EXPECT_THAT(notices(180, -0.2), Not(backwards));
+    EXPECT_THAT(notices(0, 0.2), Not(backwards));
+    EXPECT_THAT(notices(0, -0.2), Not(backwards)) << "that is meant";
 }
 
 TEST(Walking, KnowsTheStrideThatTheModelsAreMadeWith)
