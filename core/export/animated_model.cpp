@@ -99,7 +99,6 @@ FilmPlan planned(const AnimatedScene& scene, const Ref<AssetStore>& assets,
                 if (!object.between)
                     object.between =
                         std::make_unique<Between>(scene.document, strip.object, *assets);
-                if (!object.between->unknown().empty()) measure(strip);
             } else if (plays_by_itself(scene.document, strip)) {
                 measured = true; // its channels are kept as they are
             } else if (moves_by_itself(strip) || strip.bent()) {
@@ -109,9 +108,13 @@ FilmPlan planned(const AnimatedScene& scene, const Ref<AssetStore>& assets,
         if (scene.frames.first == scene.frames.last) return plan;
         double most = 0;
         for (const auto& [id, object] : plan.bent)
-            for (const std::vector<double>& bounds : object.bounds)
-                for (const double bound : bounds)
+            for (std::size_t s = 0; s < object.strips.size(); ++s) {
+                for (const double bound : object.bounds[s])
                     if (std::isfinite(bound)) most = std::max(most, bound);
+                if (!std::ranges::all_of(object.bounds[s],
+                                         [](double b) { return std::isfinite(b); }))
+                    measure(*object.strips[s]);
+            }
         const bool enough = most <= share_of_between * scene.tolerance &&
                             (sag <= share_of_sag * scene.tolerance || sag > no_less * sag_before) &&
                             (!measured || per_frame >= measured_moments);

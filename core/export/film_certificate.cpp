@@ -39,7 +39,7 @@ std::vector<std::string> not_certified(const FilmCertificate& certificate)
     std::map<std::pair<Id, std::string>, int> unproven; // parts of an object, by why
     std::map<Id, std::string> names;
     for (const FilmCertificate::PartClaim& part : certificate.parts) {
-        names[part.object] = printable(part.name);
+        names.try_emplace(part.object, printable(part.name)); // of its first piece
         if (!part.unproven.empty()) ++unproven[{part.object, part.unproven}];
         if (!(part.bound <= certificate.tolerance))
             out.push_back(fmt::format("{} is not within {:.3g} m: its bound is {}",
