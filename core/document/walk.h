@@ -14,9 +14,10 @@ struct Walk {
     double stride_u = 0;      // along the volume, a period; negative: it walks backwards
     double natural_speed = 0; // metres a second at which the clip plays at its own speed
     double correction = 0;    // the largest a foot is moved by, as a share of the stride
-    // How far the middle of a planted sole gets from where it came down, at most, over the ground
-    // in the world, as a share of the stride: over all feet and the first ten seconds of the
-    // travel, or all of it.
+    // How far a vertex of a leg that touches the ground, within two thousandths of the model's
+    // height, goes over it in the world before it leaves it, at most, as a share of the stride:
+    // over the first ten seconds of the travel, or all of it. Nothing is asked of the gait's
+    // stances. Where more than 256 vertices touch, evenly some of them.
     Lazy<double> slide;
     std::string trouble; // why its feet are not locked, a sentence; empty: they are
     std::string remark;  // what may not be meant, though they are; empty: nothing

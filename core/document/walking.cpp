@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/walking.h"
 
+#include "core/mesh/pose_rates.h"
 #include "core/placement/embed.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <glm/gtc/matrix_access.hpp>
+#include <limits>
+#include <optional>
+#include <utility>
 
 namespace trivar {
 namespace {
@@ -27,63 +31,88 @@ struct Tread {
     Ref<Journey> journey;
     PlacementParameters parameters;
     glm::dmat4 to_uvw; // of the model, at rest
+    double floor;      // height of the contact surface in the model
+
+    Stance stance_at(double clip_time_s) const
+    {
+        return planted(*model, *clip_named(*model, clip), *walk.gait, clip_time_s);
+    }
 };
 
-// What the middles of the soles stand over in the world, some time after the model set out.
-std::vector<glm::dvec3> soles_at(const Tread& t, const Journey::Place& place)
+// The vertices of legs that touch the ground at some time.
+struct Soles {
+    std::vector<ModelVertex> vertices;
+    double within; // height in the model up to which they touch
+};
+
+Soles soles_of(const Tread& t)
 {
-    const Clip& clip = *clip_named(*t.model, t.clip);
-    const Stance stance =
-        planted(*t.model, clip, *t.walk.gait, t.walk.clip_time_s(t.playing, place.gone_u));
+    constexpr double touching = 2e-3; // of the height
+    constexpr std::size_t most = 256, all = std::numeric_limits<std::size_t>::max();
+    std::vector<Stance> stances;
+    for (const double moment : moments_of(*clip_named(*t.model, t.clip)))
+        stances.push_back(t.stance_at(moment));
+    const glm::dvec3& up = t.walk.gait->up;
+    const double near = touching * glm::dot(glm::abs(up), bounding_box(*t.model).size());
+    const LowVertices low = low_vertices(*t.model, stances, up, near, t.floor, all);
+    const std::vector<int> legs = legs_of_nodes(*t.model, *t.walk.gait);
+    std::vector<ModelVertex> of_legs, some;
+    for (const ModelVertex& each : low.vertices)
+        if (legs[static_cast<std::size_t>(mover_of(*t.model, each))] >= 0) of_legs.push_back(each);
+    for (std::size_t i = 0; i < of_legs.size(); i += of_legs.size() / most + 1)
+        some.push_back(of_legs[i]);
+    return {std::move(some), low.ground + near};
+}
+
+// Where they are on the ground in the world, some time after the model set out; nothing for those
+// in the air.
+std::vector<std::optional<glm::dvec3>> touched(const Tread& t, const Soles& soles,
+                                               const Journey::Place& place)
+{
+    const Stance stance = t.stance_at(t.walk.clip_time_s(t.playing, place.gone_u));
     const Ref<Lattice> volume =
         reaching(Ref<Lattice>(t.laid->placement, &t.laid->placement->volume), *t.journey,
                  t.parameters, {place});
     const Embedding in_volume{glm::dmat4(1), volume->rest};
-    std::vector<glm::dvec3> out;
-    for (const Foot& foot : t.walk.gait->feet) {
-        glm::dvec3 uvw(t.to_uvw * glm::dvec4(sole_at(*t.model, foot, stance), 1));
+    std::vector<std::optional<glm::dvec3>> out;
+    for (const glm::dvec3& p : positions_of(*t.model, soles.vertices, stance)) {
+        out.emplace_back();
+        if (glm::dot(p, t.walk.gait->up) > soles.within) continue;
+        glm::dvec3 uvw(t.to_uvw * glm::dvec4(p, 1));
         uvw.x += place.shift_u;
         uvw.z = t.laid->placement->ground;
-        out.push_back(deform(uvw, in_volume, *volume).position_world);
+        out.back() = deform(uvw, in_volume, *volume).position_world;
     }
     return out;
 }
 
 double slide_of(const Tread& t)
 {
-    constexpr double samples_a_period = 48, most_seconds = 10;
+    constexpr double samples_a_period = 150; // some of them between the poses of the gait
+    constexpr double most_seconds = 10;
     constexpr double most_samples = 2000;
-    const Gait& gait = *t.walk.gait;
     const double seconds = std::min(t.journey->seconds(), most_seconds);
     const double stride_world =
         std::abs(t.walk.stride_u) * MiddleLine(t.laid->placement->contact).length();
     const double periods = std::abs(t.journey->travel().speed) * seconds / stride_world;
     const int samples = static_cast<int>(std::clamp(periods * samples_a_period, 2.0, most_samples));
-    struct Planted {
-        double step = -1, lap = 0; // which of its stances, and time through the stroke
-        glm::dvec3 at{0};          // where it came down
-    };
-    std::vector<Planted> feet(gait.feet.size());
-    double most = 0;
+    const Soles soles = soles_of(t);
+    std::vector<std::vector<glm::dvec3>> contacts(soles.vertices.size()); // each since it began
+    double most = 0, lap = 0;
     for (int i = 0; i <= samples; ++i) {
         const Journey::Place place = t.journey->at(seconds * i / samples);
         if (place.hidden) break;
-        const std::vector<glm::dvec3> soles = soles_at(t, place);
-        const double time = t.walk.clip_time_s(t.playing, place.gone_u);
         // From the end of an open stroke to its start no foot goes over the ground.
-        const double lap =
+        const double now =
             t.journey->rounds() ? 0 : std::round(1e3 * (place.gone_u - place.shift_u));
-        for (std::size_t f = 0; f < feet.size(); ++f) {
-            const Foot& foot = gait.feet[f];
-            const double phase = (time - gait.begin_s) / gait.period_s - foot.begin;
-            const bool stands = phase - std::floor(phase) <= foot.end - foot.begin;
-            Planted& before = feet[f];
-            if (!stands)
-                before.step = -1;
-            else if (before.step < 0 || before.step != std::floor(phase) + 1e6 || before.lap != lap)
-                before = {std::floor(phase) + 1e6, lap, soles[f]};
-            else
-                most = std::max(most, glm::distance(before.at, soles[f]));
+        if (now != std::exchange(lap, now)) contacts.assign(contacts.size(), {});
+        const std::vector<std::optional<glm::dvec3>> at = touched(t, soles, place);
+        for (std::size_t v = 0; v < at.size(); ++v) {
+            if (!at[v]) contacts[v].clear();
+            if (!at[v]) continue;
+            for (const glm::dvec3& before : contacts[v])
+                most = std::max(most, glm::distance(before, *at[v]));
+            contacts[v].push_back(*at[v]);
         }
     }
     return most / stride_world;
@@ -114,7 +143,7 @@ Walk walk_of(Tread tread)
         walk.remark = fmt::format(
             "in \"{}\" it walks backwards; a negative speed lets it walk the way it looks",
             tread.clip);
-    walk.correction = largest_correction(*tread.model, *clip_named(*tread.model, tread.clip), gait);
+    walk.correction = largest_correction(gait);
     tread.walk = walk;
     walk.slide = Lazy<double>([tread = std::move(tread)] { return slide_of(tread); });
     return walk;
@@ -128,11 +157,13 @@ double Walk::clip_time_s(const Playing& playing, double gone_u) const
     return gait->begin_s + (t - std::floor(t)) * gait->period_s;
 }
 
-Ref<Gait> Walking::gait_of(const Ref<Model>& model, const std::string& clip, const glm::dvec3& up)
+Ref<Gait> Walking::gait_of(const Ref<Model>& model, const std::string& clip, const glm::dvec3& up,
+                           double floor)
 {
     if (!measured_ || measured_->model != model || measured_->clip != clip ||
-        measured_->gait->up != up)
-        measured_ = {model, clip, make_ref(trivar::gait_of(*model, *clip_named(*model, clip), up))};
+        measured_->gait->up != up || measured_->floor != floor)
+        measured_ = {model, clip, floor,
+                     make_ref(trivar::gait_of(*model, *clip_named(*model, clip), up, floor))};
     return measured_->gait;
 }
 
@@ -150,10 +181,11 @@ Ref<Walk> Walking::operator()(const Ref<Shape>& shape, const Playing& playing,
         walk.trouble = "its feet are locked to its travel, and it does not travel";
     else {
         const glm::dmat4 to_uvw = laid->placement->embedding.to_uvw * glm::dmat4(turned);
-        const glm::dvec3 up = glm::normalize(glm::row(glm::dmat3(to_uvw), 2));
-        walk.gait = gait_of(shape->model, playing.clip, up);
-        walk =
-            walk_of({shape->model, playing.clip, walk, playing, laid, journey, parameters, to_uvw});
+        const glm::dvec3 w = glm::row(glm::dmat3(to_uvw), 2);
+        const double floor = (laid->placement->ground - to_uvw[3].z) / glm::length(w);
+        walk.gait = gait_of(shape->model, playing.clip, glm::normalize(w), floor);
+        walk = walk_of(
+            {shape->model, playing.clip, walk, playing, laid, journey, parameters, to_uvw, floor});
     }
     known_ = {shape, laid, journey, playing, make_ref(std::move(walk))};
     return known_->walk;

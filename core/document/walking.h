@@ -15,7 +15,8 @@ public:
                          const glm::dmat3& turned);
 
 private:
-    Ref<Gait> gait_of(const Ref<Model>& model, const std::string& clip, const glm::dvec3& up);
+    Ref<Gait> gait_of(const Ref<Model>& model, const std::string& clip, const glm::dvec3& up,
+                      double floor);
 
     struct Known {
         Ref<Shape> shape;
@@ -28,6 +29,7 @@ private:
     struct Measured {
         Ref<Model> model;
         std::string clip;
+        double floor;
         Ref<Gait> gait;
     };
     std::optional<Measured> measured_;

@@ -261,9 +261,8 @@ std::optional<glm::dvec3> Between::deviation(const Moving& m) const
         }
         const auto rates = node_rates(*model_, *clip, from, to);
         if (!rates) return {};
-        const auto planting =
-            gait ? planting_rates(*model_, *clip, *gait, *rates, from, to)
-                 : std::optional<std::vector<PlantingRates>>(std::vector<PlantingRates>{});
+        const auto planting = gait ? planting_speeds(*model_, *clip, *gait, from, to)
+                                   : std::optional<std::vector<double>>(std::vector<double>{});
         if (!planting) return {};
         const Stance stance = stance_at(*model_, &*clip, middle);
         const std::vector<WeightRates> swelling =
@@ -297,8 +296,7 @@ std::optional<glm::dvec3> Between::deviation(const Moving& m) const
                 for (const int joint : joints)
                     reach = std::max(reach, glm::distance(at(joint), at(mover.node)));
                 const double share = 1 + (whole > 0 ? (reach + r.size * far) / whole : 0);
-                turn += share * (*planting)[static_cast<std::size_t>(leg)].turn;
-                bend += share * (*planting)[static_cast<std::size_t>(leg)].bend;
+                turn += share * (*planting)[static_cast<std::size_t>(leg)];
             }
             smooth = std::max(smooth, bend * h * h / 8 + turn * (uneven_t + within));
         }

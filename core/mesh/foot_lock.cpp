@@ -12,26 +12,22 @@ glm::dvec3 origin(const Stance& stance, int node)
     return glm::dvec3(stance.to_model[static_cast<std::size_t>(node)][3]);
 }
 
-// How far along its stance a foot is, in periods; past its length: in the air.
-double since_stance(const Gait& gait, const Foot& foot, double time_s)
+// What is added to a foot.
+glm::dvec3 shift_at(const Gait& gait, const Foot& foot, double time_s)
 {
     const double t = (time_s - gait.begin_s) / gait.period_s - foot.begin;
-    return t - std::floor(t);
+    const auto count = foot.shift.size();
+    const double step = (t - std::floor(t)) * static_cast<double>(count);
+    const auto i = std::min(static_cast<std::size_t>(step), count - 1);
+    return glm::mix(foot.shift[i], foot.shift[(i + 1) % count], step - static_cast<double>(i));
 }
 
-// What the foot lacks to be where the ground carries it.
-glm::dvec3 lack(const Model& model, const Gait& gait, const Foot& foot, const Stance& stance,
-                double time_s)
+// The middle of its sole.
+glm::dvec3 sole_at(const Model& model, const Foot& foot, const Stance& stance)
 {
-    const double length = foot.end - foot.begin;
-    const double t = since_stance(gait, foot, time_s);
-    if (t <= length) {
-        const glm::dvec3 d = foot.middle - (t - length / 2) * gait.stride * gait.forward -
-                             sole_at(model, foot, stance);
-        return d - glm::dot(d, gait.up) * gait.up;
-    }
-    const double x = (t - length) / (1 - length);
-    return glm::mix(foot.last, foot.first, x * x * (3 - 2 * x));
+    glm::dvec3 sum(0);
+    for (const glm::dvec3& p : positions_of(model, foot.sole, stance)) sum += p;
+    return sum / static_cast<double>(foot.sole.size());
 }
 
 // p moves by (a + b . p) d.
@@ -87,12 +83,11 @@ Stance moved(const Model& model, Stance stance, const Foot& foot, const glm::dve
 
 Stance planted(const Model& model, const Clip& clip, const Gait& gait, double time_s)
 {
-    const Stance given = stance_at(model, &clip, time_s);
-    Stance out = given;
+    Stance out = stance_at(model, &clip, time_s);
     if (!gait.trouble.empty()) return out;
     for (const Foot& foot : gait.feet) {
         if (foot.leg.empty()) continue;
-        const glm::dvec3 d = lack(model, gait, foot, given, time_s);
+        const glm::dvec3 d = shift_at(gait, foot, time_s);
         const glm::dvec3 before = sole_at(model, foot, out);
         out = moved(model, std::move(out), foot, d);
         // A joint above the foot may have a share in its skin: what is still lacking is added once
@@ -106,17 +101,12 @@ Stance planted(const Model& model, const Clip& clip, const Gait& gait, double ti
     return out;
 }
 
-double largest_correction(const Model& model, const Clip& clip, const Gait& gait)
+double largest_correction(const Gait& gait)
 {
     double most = 0;
-    constexpr int times = 96;
-    for (int i = 0; i < times; ++i) {
-        const double time_s = gait.begin_s + gait.period_s * i / times;
-        const Stance stance = stance_at(model, &clip, time_s);
-        for (const Foot& foot : gait.feet)
-            if (!foot.leg.empty())
-                most = std::max(most, glm::length(lack(model, gait, foot, stance, time_s)));
-    }
+    for (const Foot& foot : gait.feet)
+        if (!foot.leg.empty())
+            for (const glm::dvec3& each : foot.shift) most = std::max(most, glm::length(each));
     return gait.stride > 0 ? most / gait.stride : 0;
 }
 

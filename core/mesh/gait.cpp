@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
 #include <set>
 
@@ -22,9 +21,8 @@ constexpr std::size_t most_feet = 64;
 
 // A vertex that comes near the ground, through the period.
 struct Track {
-    Foot::Point point;
+    ModelVertex vertex;
     std::vector<glm::dvec3> at;
-    double lowest = std::numeric_limits<double>::infinity();
 };
 
 struct Ground {
@@ -35,96 +33,29 @@ struct Ground {
     glm::dvec3 along(const glm::dvec3& p) const { return p - height(p) * up; }
 };
 
-double time_of(const Clip& clip, double share)
-{
-    return clip.begin_s + share * (clip.end_s - clip.begin_s);
-}
-
 std::vector<Stance> stances(const Model& model, const Clip& clip)
 {
+    const std::vector<double> moments = moments_of(clip);
     std::vector<Stance> out(poses);
     parallel_blocks(poses, 4, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            out[i] = stance_at(model, &clip, time_of(clip, static_cast<double>(i) / poses));
+        for (std::size_t i = begin; i < end; ++i) out[i] = stance_at(model, &clip, moments[i]);
     });
     return out;
 }
 
-// The lowest height of every vertex of the mesh on a node, in the poses.
-std::vector<double> lowest_heights(const Model& model, int node, const std::vector<Stance>& all,
-                                   const glm::dvec3& up)
-{
-    const Mesh& mesh =
-        *model.meshes[static_cast<std::size_t>(model.nodes[static_cast<std::size_t>(node)].mesh)];
-    constexpr std::size_t block = 8;
-    std::vector<std::vector<double>> of_block((all.size() + block - 1) / block);
-    parallel_blocks(all.size(), block, [&](std::size_t begin, std::size_t end) {
-        std::vector<double>& lowest = of_block[begin / block];
-        lowest.assign(mesh.vertex_count(), std::numeric_limits<double>::infinity());
-        for (std::size_t i = begin; i < end; ++i) {
-            const Pose pose = pose_of(model, node, all[i]);
-            const glm::dmat4 to_model = mesh_to_model(model, node, all[i]);
-            for (std::size_t v = 0; v < lowest.size(); ++v) {
-                const glm::dvec3 p = posed_point(mesh, pose, static_cast<std::uint32_t>(v));
-                lowest[v] =
-                    std::min(lowest[v], glm::dot(up, glm::dvec3(to_model * glm::dvec4(p, 1))));
-            }
-        }
-    });
-    std::vector<double> out = std::move(of_block.front());
-    for (const std::vector<double>& other : of_block)
-        if (!other.empty())
-            for (std::size_t v = 0; v < out.size(); ++v) out[v] = std::min(out[v], other[v]);
-    return out;
-}
-
-// Those that come near the ground, the lowest first.
-std::vector<Track> low_vertices(const Model& model, const std::vector<Stance>& all, Ground& ground,
-                                double height)
+std::vector<Track> tracks_of(const Model& model, const std::vector<Stance>& all,
+                             const std::vector<ModelVertex>& vertices)
 {
     std::vector<Track> out;
-    std::vector<std::pair<int, std::vector<double>>> nodes;
-    ground.level = std::numeric_limits<double>::infinity();
-    for (std::size_t n = 0; n < model.nodes.size(); ++n) {
-        if (model.nodes[n].mesh < 0) continue;
-        const int node = static_cast<int>(n);
-        nodes.emplace_back(node, lowest_heights(model, node, all, ground.up));
-        for (const double each : nodes.back().second) ground.level = std::min(ground.level, each);
-    }
-    ground.near = near_ground * height;
-    for (const auto& [node, lowest] : nodes)
-        for (std::size_t v = 0; v < lowest.size(); ++v)
-            if (lowest[v] < ground.level + ground.near)
-                out.push_back({{node, static_cast<std::uint32_t>(v)}, {}, lowest[v]});
-    std::ranges::stable_sort(out, {}, &Track::lowest);
-    const std::size_t step = out.size() / followed + 1;
-    std::vector<Track> thinned;
-    for (std::size_t i = 0; i < out.size(); i += step) thinned.push_back(std::move(out[i]));
-    return thinned;
-}
-
-glm::dvec3 where(const Model& model, const Foot::Point& point, const Stance& stance,
-                 const Pose& pose)
-{
-    const Mesh& mesh = *model.meshes[static_cast<std::size_t>(
-        model.nodes[static_cast<std::size_t>(point.node)].mesh)];
-    return glm::dvec3(mesh_to_model(model, point.node, stance) *
-                      glm::dvec4(posed_point(mesh, pose, point.vertex), 1));
-}
-
-void follow(const Model& model, const std::vector<Stance>& all, std::vector<Track>& tracks)
-{
-    for (Track& track : tracks) track.at.resize(all.size());
+    for (const ModelVertex& each : vertices)
+        out.push_back({each, std::vector<glm::dvec3>(all.size())});
     parallel_blocks(all.size(), 8, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            std::map<int, Pose> known;
-            for (Track& track : tracks) {
-                const int node = track.point.node;
-                if (!known.contains(node)) known[node] = pose_of(model, node, all[i]);
-                track.at[i] = where(model, track.point, all[i], known[node]);
-            }
+            const std::vector<glm::dvec3> now = positions_of(model, vertices, all[i]);
+            for (std::size_t v = 0; v < now.size(); ++v) out[v].at[i] = now[v];
         }
     });
+    return out;
 }
 
 template <class T> const T& cyclic(const std::vector<T>& values, std::size_t i)
@@ -175,35 +106,34 @@ bool together(const Track& a, const Track& b, double size, double stride)
     return least < size && most - least < stride / 4;
 }
 
-// The joint or node that moves a vertex most.
-int mover_of(const Model& model, const Foot::Point& point)
-{
-    const Node& node = model.nodes[static_cast<std::size_t>(point.node)];
-    const Mesh& mesh = *model.meshes[static_cast<std::size_t>(node.mesh)];
-    if (node.skin < 0 || mesh.influences.empty()) return point.node;
-    const Mesh::Influences& by = mesh.influences[point.vertex];
-    int most = 0;
-    for (int k = 1; k < 4; ++k)
-        if (by.weights[k] > by.weights[most]) most = k;
-    return model.skins[static_cast<std::size_t>(node.skin)]
-        .joints[by.joints[static_cast<std::size_t>(most)]];
-}
-
-// The path of a foot: the middle of some of its vertices, and their lowest height.
+// The path of a foot: its lowest height in each pose, and how far what touches the ground there, or
+// would if it were lower, goes along it to the next. While a sole rolls that is its heel first, and
+// its toes at last.
 struct Path {
-    std::vector<glm::dvec3> centre;
     std::vector<double> height;
+    std::vector<glm::dvec3> step;
 };
 Path path_of(const std::vector<const Track*>& tracks, const Ground& ground)
 {
-    Path out{std::vector<glm::dvec3>(poses, glm::dvec3(0)),
-             std::vector<double>(poses, std::numeric_limits<double>::infinity())};
-    for (std::size_t i = 0; i < poses; ++i) {
-        for (const Track* track : tracks) {
-            out.centre[i] += track->at[i];
+    constexpr double thick = 1.0 / 25; // of what is near the ground
+    Path out{std::vector<double>(poses, std::numeric_limits<double>::infinity()),
+             std::vector<glm::dvec3>(poses, glm::dvec3(0))};
+    for (std::size_t i = 0; i < poses; ++i)
+        for (const Track* track : tracks)
             out.height[i] = std::min(out.height[i], ground.height(track->at[i]));
+    for (std::size_t i = 0; i < poses; ++i) {
+        double sum = 0;
+        const auto touches = [&](const Track& track, std::size_t pose) {
+            const double over = ground.height(track.at[pose]) - out.height[pose];
+            return std::max(0.0, 1 - over / (thick * ground.near));
+        };
+        const std::size_t next = (i + 1) % poses;
+        for (const Track* track : tracks) {
+            const double share = touches(*track, i) + touches(*track, next);
+            sum += share;
+            out.step[i] += share * ground.along(track->at[next] - track->at[i]);
         }
-        out.centre[i] /= static_cast<double>(tracks.size());
+        out.step[i] /= sum;
     }
     return out;
 }
@@ -213,7 +143,8 @@ struct Run {
     std::size_t begin = 0, count = 0;
 };
 
-// The longest run in which the foot is low and goes with the ground.
+// The longest run in which the foot is near the ground and goes with it, but for short whiles in
+// which it stays near.
 Run stance_of(const Path& path, const Ground& ground)
 {
     constexpr double dips = 0.2; // of the time: toes may dip below the ground as they push off
@@ -222,15 +153,21 @@ Run stance_of(const Path& path, const Ground& ground)
     std::nth_element(heights.begin(), level, heights.end());
     const double speed = glm::length(ground.velocity);
     constexpr double along = 0.4; // of the ground's speed
-    const auto stands = [&](std::size_t i) {
-        const double back = glm::dot(velocity(path.centre, i), ground.velocity) / speed;
-        return path.height[i] < *level + ground.near / 2 && back > along * speed;
+    constexpr std::size_t short_while = poses / 8;
+    const auto low = [&](std::size_t i) {
+        return path.height[i % poses] < std::max(*level, ground.level) + 0.75 * ground.near;
+    };
+    const auto near = [&](std::size_t i) { return low(i) && low(i + 1); };
+    const auto goes = [&](std::size_t i) { // from there to the next pose
+        return near(i) &&
+               glm::dot(path.step[i % poses], ground.velocity) * poses > along * speed * speed;
     };
     Run best;
     for (std::size_t i = 0; i < poses; ++i) {
         std::size_t n = 0;
-        while (n < poses && stands((i + n) % poses)) ++n;
-        if (n > best.count) best = {i, n};
+        for (std::size_t k = 0; k < poses && near(i + k) && k - n <= short_while; ++k)
+            if (goes(i + k)) n = k + 1;
+        if (goes(i) && n + 1 > best.count) best = {i, n + 1};
     }
     return best;
 }
@@ -255,7 +192,7 @@ std::vector<Cluster> clusters(const Model& model, const std::vector<Track>& trac
 {
     std::vector<Cluster> out;
     for (const Track& track : tracks) {
-        const int mover = mover_of(model, track.point);
+        const int mover = mover_of(model, track.vertex);
         const auto found = std::ranges::find_if(out, [&](const Cluster& c) {
             return of_one_limb(model, mover, c.mover) &&
                    together(*c.tracks.front(), track, size, stride);
@@ -289,12 +226,12 @@ std::vector<const Track*> sole_of(const std::vector<const Track*>& tracks, const
     return out;
 }
 
-// Without the ends in which the sole is lifted already: more than it rolls in the middle.
+// Without the ends in which the foot is lifted already: more than it rises in the middle.
 Run without_lifted_ends(Run run, const Path& path, const Ground& ground)
 {
     std::vector<double> heights, off;
     for (std::size_t i = 0; i < run.count; ++i)
-        heights.push_back(ground.height(cyclic(path.centre, run.begin + i)));
+        heights.push_back(std::max(cyclic(path.height, run.begin + i), ground.level));
     const double level = median(heights);
     for (double& height : heights) off.push_back(height = std::abs(height - level));
     constexpr double flat = 1.0 / 50; // of what is near the ground: a thousandth of the height
@@ -312,23 +249,19 @@ struct Seen {
     glm::dvec3 velocity{0}; // in the stance, mostly
 };
 
-std::optional<Seen> seen_foot(const Cluster& cluster, const Ground& ground,
-                              std::vector<const Track*>& sole)
+std::optional<Seen> seen_foot(const Cluster& cluster, const Ground& ground)
 {
     constexpr std::size_t shortest = poses / 24;
     Seen out;
-    out.stance = stance_of(path_of(cluster.tracks, ground), ground);
-    if (out.stance.count < shortest) return {};
-    sole = sole_of(cluster.tracks, out.stance, ground);
-    out.path = path_of(sole, ground);
+    out.path = path_of(cluster.tracks, ground);
     out.stance = stance_of(out.path, ground);
     if (out.stance.count == 0) return {};
     out.stance = without_lifted_ends(out.stance, out.path, ground);
     if (out.stance.count < shortest || out.stance.count >= poses) return {};
     for (int axis = 0; axis < 3; ++axis) {
         std::vector<double> values;
-        for (std::size_t i = 0; i < out.stance.count; ++i)
-            values.push_back(ground.along(velocity(out.path.centre, out.stance.begin + i))[axis]);
+        for (std::size_t i = 0; i + 1 < out.stance.count; ++i)
+            values.push_back(cyclic(out.path.step, out.stance.begin + i)[axis] * poses);
         out.velocity[axis] = median(std::move(values));
     }
     return out;
@@ -349,37 +282,68 @@ void find_legs(const Model& model, std::vector<Foot>& feet)
     }
 }
 
-// Where the foot would have to be: on the mean through its stance.
+// In the stance what touches the ground goes with it, by as little as that takes. In the air what
+// was added fades from one stance to the next, setting out and arriving as fast as it went there.
+// The whole foot is lifted off what it would sink into, and in the air soon clear of it.
 void settle(Foot& foot, const Seen& seen, const Gait& gait, const Ground& ground)
 {
-    const std::size_t count = seen.stance.count;
+    constexpr double soon = poses / 16.0; // steps
+    constexpr double clear = 1.0 / 4;     // of what is near the ground
+    const std::size_t steps = seen.stance.count - 1;
     foot.begin = static_cast<double>(seen.stance.begin) / poses;
-    foot.end = foot.begin + static_cast<double>(count - 1) / poses;
-    const double length = foot.end - foot.begin;
-    const auto lacks = [&](std::size_t i) { // but for the middle
-        const double t = length * (static_cast<double>(i) / static_cast<double>(count - 1) - 0.5);
-        return ground.along(-t * gait.stride * gait.forward -
-                            cyclic(seen.path.centre, seen.stance.begin + i));
+    foot.end = foot.begin + static_cast<double>(steps) / poses;
+    const auto lacks = [&](std::size_t i) {
+        return -gait.stride / poses * gait.forward - cyclic(seen.path.step, seen.stance.begin + i);
     };
-    for (std::size_t i = 0; i < count; ++i) foot.middle -= lacks(i) / static_cast<double>(count);
-    foot.first = foot.middle + lacks(0);
-    foot.last = foot.middle + lacks(count - 1);
+    foot.shift.assign(poses, glm::dvec3(0));
+    glm::dvec3 mean(0);
+    for (std::size_t i = 1; i <= steps; ++i) {
+        foot.shift[i] = foot.shift[i - 1] + lacks(i - 1);
+        mean += foot.shift[i] / static_cast<double>(steps + 1);
+    }
+    for (std::size_t i = 0; i <= steps; ++i) foot.shift[i] -= mean;
+    for (std::size_t i = 0; i < poses; ++i) {
+        double least = ground.level;
+        if (i > steps) {
+            const double since = static_cast<double>(i - steps),
+                         until = static_cast<double>(poses - i);
+            const double x = since / (since + until);
+            const auto left = [&](double n) { return std::pow(std::max(0.0, 1 - n / soon), 2); };
+            foot.shift[i] = glm::mix(foot.shift[steps], foot.shift[0], x * x * (3 - 2 * x)) +
+                            since * left(since) * lacks(steps - 1) - until * left(until) * lacks(0);
+            least += (1 - left(std::min(since, until))) * clear * ground.near;
+        }
+        foot.shift[i] +=
+            std::max(0.0, least - cyclic(seen.path.height, seen.stance.begin + i)) * ground.up;
+    }
+}
+
+// That of an axis of the model, where it is one but for what a hand or a rolling sole is off: so
+// models are built, and so they lie along a stroke.
+glm::dvec3 direction_of(const glm::dvec3& way, const glm::dvec3& up)
+{
+    constexpr double off_deg = 3, level = 1e-9;
+    const glm::dvec3 out = glm::normalize(way);
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::dvec3 along(0);
+        along[axis] = out[axis] < 0 ? -1 : 1;
+        if (std::abs(up[axis]) < level && out[axis] * along[axis] > std::cos(glm::radians(off_deg)))
+            return along;
+    }
+    return out;
 }
 
 } // namespace
 
-glm::dvec3 sole_at(const Model& model, const Foot& foot, const Stance& stance)
+std::vector<double> moments_of(const Clip& clip)
 {
-    glm::dvec3 sum(0);
-    std::map<int, Pose> known;
-    for (const Foot::Point& point : foot.sole) {
-        if (!known.contains(point.node)) known[point.node] = pose_of(model, point.node, stance);
-        sum += where(model, point, stance, known[point.node]);
-    }
-    return sum / static_cast<double>(foot.sole.size());
+    std::vector<double> out;
+    for (std::size_t i = 0; i < poses; ++i)
+        out.push_back(clip.begin_s + static_cast<double>(i) / poses * (clip.end_s - clip.begin_s));
+    return out;
 }
 
-Gait gait_of(const Model& model, const Clip& clip, const glm::dvec3& up)
+Gait gait_of(const Model& model, const Clip& clip, const glm::dvec3& up, double floor)
 {
     Gait gait;
     gait.begin_s = clip.begin_s;
@@ -393,11 +357,11 @@ Gait gait_of(const Model& model, const Clip& clip, const glm::dvec3& up)
     const Box box = bounding_box(model, &clip, clip.begin_s);
     if (box.empty()) return gait;
     const double size = glm::length(box.size());
-    Ground ground{.up = up};
+    Ground ground{.up = up, .near = near_ground * glm::dot(glm::abs(up), box.size())};
     const std::vector<Stance> all = stances(model, clip);
-    std::vector<Track> tracks =
-        low_vertices(model, all, ground, glm::dot(glm::abs(up), box.size()));
-    follow(model, all, tracks);
+    const LowVertices low = low_vertices(model, all, up, ground.near, floor, followed);
+    ground.level = low.ground;
+    const std::vector<Track> tracks = tracks_of(model, all, low.vertices);
     ground.velocity = ground_velocity(tracks, ground);
     constexpr double least_stride = 1e-3; // of the box's diagonal: less is trembling
     if (glm::length(ground.velocity) < least_stride * size) return gait;
@@ -407,11 +371,11 @@ Gait gait_of(const Model& model, const Clip& clip, const glm::dvec3& up)
     double poses_seen = 0;
     for (const Cluster& cluster :
          clusters(model, tracks, foot_size * size, glm::length(ground.velocity))) {
-        std::vector<const Track*> sole;
-        std::optional<Seen> each = seen_foot(cluster, ground, sole);
+        std::optional<Seen> each = seen_foot(cluster, ground);
         if (!each) continue;
         Foot foot;
-        for (const Track* track : sole) foot.sole.push_back(track->point);
+        for (const Track* track : sole_of(cluster.tracks, each->stance, ground))
+            foot.sole.push_back(track->vertex);
         foot.node = cluster.mover;
         gait.feet.push_back(std::move(foot));
         way -= each->velocity * static_cast<double>(each->stance.count);
@@ -419,8 +383,8 @@ Gait gait_of(const Model& model, const Clip& clip, const glm::dvec3& up)
         seen.push_back(std::move(*each));
     }
     if (gait.feet.empty()) return gait;
-    gait.stride = glm::length(way) / poses_seen;
-    gait.forward = glm::normalize(way);
+    gait.forward = direction_of(way, up);
+    gait.stride = glm::dot(way, gait.forward) / poses_seen;
     gait.trouble.clear();
     find_legs(model, gait.feet);
     for (std::size_t f = 0; f < seen.size(); ++f) settle(gait.feet[f], seen[f], gait, ground);

@@ -1,24 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/mesh/pose.h"
+#include "core/mesh/low_vertices.h"
+
+#include <limits>
 
 namespace trivar {
 
 // What touches the ground for a while and is carried back under the model meanwhile.
 struct Foot {
-    struct Point { // a vertex of the mesh that hangs on a node
-        int node = 0;
-        std::uint32_t vertex = 0;
-    };
-    std::vector<Point> sole;   // its lowest vertices, 32 at most
-    int node = 0;              // that moves most of them: their joint, or where the mesh hangs
-    double begin = 0, end = 0; // its stance, in periods: 0 <= begin < 1, end < begin + 1
-    // The centre of the sole goes with the ground where it is `middle` - t stride forward, t being
-    // the periods since the middle of the stance; only what lies along the ground counts.
-    glm::dvec3 middle{0};
-    glm::dvec3 first{0}, last{0}; // what it lacks to be there as its stance begins and ends
-    std::vector<int> leg;         // nodes from the hip down to `node`
+    std::vector<ModelVertex> sole; // its lowest vertices, 32 at most
+    int node = 0;                  // that moves most of them: their joint, or where the mesh hangs
+    double begin = 0, end = 0;     // its stance, in periods: 0 <= begin < 1, end < begin + 1
+    // What is added to it so that it stands and leaves the ground clear, in the model's units: at
+    // even steps through the period from its begin on, with straight lines between.
+    std::vector<glm::dvec3> shift;
+    std::vector<int> leg; // nodes from the hip down to `node`
 };
 
 // How a model goes on the spot in a clip: read off its vertices, with no word about the rig.
@@ -31,12 +28,14 @@ struct Gait {
 };
 
 // The clip is taken for one period. Vertices within a twentieth of the model's height over the
-// lowest are followed through 96 poses; the ground is what most of them go with while they are low,
-// and those that move alike and lie together are a foot. Bit for bit the same for any number of
-// threads. O(96 #V) of arithmetic.
-Gait gait_of(const Model& model, const Clip& clip, const glm::dvec3& up = {0, 0, 1});
+// ground are followed through 96 poses; the ground is what most of them go with while they are low,
+// and those that move alike and lie together are a foot. `floor`: the height, along `up`, below
+// which nothing is seen; feet that sink below it stand on it. Bit for bit the same for any number
+// of threads. O(96 #V) of arithmetic.
+Gait gait_of(const Model& model, const Clip& clip, const glm::dvec3& up = {0, 0, 1},
+             double floor = -std::numeric_limits<double>::infinity());
 
-// Where the middle of a foot's sole is, in the model's space.
-glm::dvec3 sole_at(const Model& model, const Foot& foot, const Stance& stance);
+// The moments that gait_of looks at, in the time of the clip.
+std::vector<double> moments_of(const Clip& clip);
 
 } // namespace trivar

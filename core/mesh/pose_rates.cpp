@@ -207,12 +207,10 @@ std::vector<int> legs_of_nodes(const Model& model, const Gait& gait)
     return out;
 }
 
-std::optional<std::vector<PlantingRates>> planting_rates(const Model& model, const Clip& clip,
-                                                         const Gait& gait,
-                                                         const std::vector<NodeRates>& rates,
-                                                         double from_s, double to_s)
+std::optional<std::vector<double>> planting_speeds(const Model& model, const Clip& clip,
+                                                   const Gait& gait, double from_s, double to_s)
 {
-    std::vector<PlantingRates> out(gait.feet.size());
+    std::vector<double> out(gait.feet.size(), 0);
     if (!gait.trouble.empty()) return out;
     const std::vector<int> leg = legs_of_nodes(model, gait);
     // Where nothing of a leg but its hip's own place changes otherwise than by turning, each of its
@@ -229,24 +227,12 @@ std::optional<std::vector<PlantingRates>> planting_rates(const Model& model, con
     for (std::size_t f = 0; f < out.size(); ++f) {
         const Foot& foot = gait.feet[f];
         if (foot.leg.empty()) continue;
-        const double length = foot.end - foot.begin;
+        const auto count = static_cast<double>(foot.shift.size());
         const double phase = ((from_s + to_s) / 2 - gait.begin_s) / gait.period_s - foot.begin;
-        if (phase - std::floor(phase) <= length) {
-            for (const Foot::Point& point : foot.sole) {
-                const Node& node = model.nodes[static_cast<std::size_t>(point.node)];
-                if (node.skin >= 0) return {};
-                const glm::dvec3 at(
-                    model.meshes[static_cast<std::size_t>(node.mesh)]->positions[point.vertex]);
-                const NodeRates& r = rates[static_cast<std::size_t>(point.node)];
-                out[f].turn = std::max(out[f].turn, r.turn * glm::length(at) + r.shift);
-                out[f].bend = std::max(out[f].bend, r.bend * glm::length(at) + r.swing);
-            }
-            out[f].turn += gait.stride / gait.period_s;
-        } else { // d mixes by x x (3 - 2 x): slopes up to 3/2, second derivatives up to 6
-            const double air_s = (1 - length) * gait.period_s,
-                         way = glm::distance(foot.first, foot.last);
-            out[f] = {1.5 * way / air_s, 6 * way / (air_s * air_s)};
-        }
+        const auto i = std::min(static_cast<std::size_t>((phase - std::floor(phase)) * count),
+                                foot.shift.size() - 1);
+        out[f] = glm::distance(foot.shift[i], foot.shift[(i + 1) % foot.shift.size()]) * count /
+                 gait.period_s;
     }
     return out;
 }
@@ -258,8 +244,11 @@ std::vector<double> breaks_of(const Clip& clip, const Gait* gait)
         for (const float time : channel.times_s) out.push_back(time);
     if (gait && gait->trouble.empty() && gait->period_s > 0)
         for (const Foot& foot : gait->feet)
-            for (const double phase : {foot.begin, foot.end})
+            for (std::size_t i = 0; i < foot.shift.size(); ++i) {
+                const double phase =
+                    foot.begin + static_cast<double>(i) / static_cast<double>(foot.shift.size());
                 out.push_back(gait->begin_s + gait->period_s * (phase - std::floor(phase)));
+            }
     std::ranges::sort(out);
     out.erase(std::unique(out.begin(), out.end()), out.end());
     std::erase_if(out, [&](double t) { return t < clip.begin_s || t > clip.end_s; });

@@ -29,19 +29,14 @@ struct WeightRates {
 std::vector<WeightRates> weight_rates(const Model& model, const Clip& clip, int node, double from_s,
                                       double to_s);
 
-// The same of what planted() adds to a leg, by foot: of a displacement that hangs on no point.
-// Nothing where legs change their length, or a foot is in its stance and in the air between.
-struct PlantingRates {
-    double turn = 0, bend = 0;
-};
-std::optional<std::vector<PlantingRates>> planting_rates(const Model& model, const Clip& clip,
-                                                         const Gait& gait,
-                                                         const std::vector<NodeRates>& rates,
-                                                         double from_s, double to_s);
+// How fast what planted() adds to a leg changes, by foot: evenly, and it hangs on no point. Nothing
+// where legs change their length.
+std::optional<std::vector<double>> planting_speeds(const Model& model, const Clip& clip,
+                                                   const Gait& gait, double from_s, double to_s);
 // Which foot's leg moves a node, -1: none; by node.
 std::vector<int> legs_of_nodes(const Model& model, const Gait& gait);
 
-// The moments between its begin and its end at which the clip, or the stance of a foot, goes on
+// The moments between its begin and its end at which the clip, or what is added to a foot, goes on
 // otherwise than before; ascending, with both ends. The gait may be null.
 std::vector<double> breaks_of(const Clip& clip, const Gait* gait);
 
