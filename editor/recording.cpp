@@ -139,6 +139,11 @@ void Recording::write()
 void Recording::film()
 {
     still_.reset();
+    if (const int gone = run_->wish.sequence.gone(run_->wish.frames); gone > 0)
+        return end(ui::NoticeKind::error, "Frames are gone",
+                   fmt::format("{} were taken away from {} while the others were drawn; recording "
+                               "once more draws them.",
+                               frames_words(gone), run_->folder()));
     const auto finish = [](Recording& self) {
         const Run& run = *self.run_;
         const std::string& video = run.wish.video;

@@ -120,6 +120,14 @@ bool Sequence::has(int frame) const
     }
 }
 
+int Sequence::gone(const std::vector<int>& frames) const
+{
+    return static_cast<int>(std::ranges::count_if(frames, [&](int frame) {
+        std::error_code ignored;
+        return !std::filesystem::is_regular_file(names.path(frame), ignored);
+    }));
+}
+
 std::function<void()> Sequence::writer(int frame, const Still& still) const
 {
     const auto write = [*this, frame](const auto& image) {

@@ -40,6 +40,8 @@ struct Sequence {
     bool deep() const { return depth == 16 || names.extension() == ".exr"; }
     // Whether that frame's file is whole and one of this sequence. Reads all of it.
     bool has(int frame) const;
+    // How many of the frames have no file, whatever is in those that are there.
+    int gone(const std::vector<int>& frames) const;
     // What writes a frame that was drawn, on any thread: beside the file, flushed, then renamed.
     // It throws Rejected.
     std::function<void()> writer(int frame, const Still& still) const;

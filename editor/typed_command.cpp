@@ -126,15 +126,6 @@ void add_missing(json& to, const json& from)
             add_missing(to[field], value);
 }
 
-// One at a time: all of them in one list takes the compiler for ever.
-template <std::size_t I> void add_from(std::vector<Command>& all)
-{
-    if constexpr (I < std::variant_size_v<Command>) {
-        all.emplace_back(std::in_place_index<I>);
-        add_from<I + 1>(all);
-    }
-}
-
 void put(json& object, std::string_view field, json value, const Document& document)
 {
     if (names_object(field) || names_objects(field)) resolve_objects(value, field, document);
@@ -186,13 +177,6 @@ bool names_object(std::string_view field)
 bool names_objects(std::string_view field)
 {
     return field == "objects" || field == "onto";
-}
-
-std::vector<Command> every_command()
-{
-    std::vector<Command> all;
-    add_from<0>(all);
-    return all;
 }
 
 LogLine typed_line(std::string_view text, const Document& document)

@@ -34,9 +34,6 @@ Command typed_values(const Command& otherwise, const std::vector<TypedValue>& va
 bool names_object(std::string_view field);
 bool names_objects(std::string_view field);
 
-// One of each, with default fields.
-std::vector<Command> every_command();
-
 // The text with its last word continued as far as it is certain, and what could follow: verbs,
 // then the fields of the verb, then names of objects.
 struct Completion {

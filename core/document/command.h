@@ -18,12 +18,18 @@
 
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <variant>
+#include <vector>
 
 namespace trivar {
 
-// Everything that a person can do to a document, by value.
-using Command =
+template <class T, class Variant> inline constexpr bool is_one_of = false;
+template <class T, class... All>
+inline constexpr bool is_one_of<T, std::variant<All...>> = (std::is_same_v<T, All> || ...);
+
+using AnyCommand =
     std::variant<ImportModel, EditImport, Relink, AddPlane, AddBox, AddSphere, AddCylinder,
                  AddTorus, AddMoebius, AddTeapot, AddText, SetText, SetTransform, Arrange,
                  SetMaterial, ClearMaterial, Rename, Hide, Show, Lock, Unlock, Delete, Duplicate,
@@ -31,6 +37,28 @@ using Command =
                  PlayClip, Animate, Refine, ClearRefine, PressVolume, MovePoints, InsertKnots,
                  CoarsenVolume, MendVolume, AllowFolds, Unshape, Paste, SaveCamera, DeleteCamera,
                  SetRender, SetTime>;
+
+// Everything that a person can do to a document, by value. It is a variant, to be visited as one,
+// whose copying and comparing of 47 kinds is compiled once rather than wherever one is copied.
+struct Command : AnyCommand {
+    template <class C>
+    requires is_one_of<std::remove_cvref_t<C>, AnyCommand> Command(C&& command)
+        : AnyCommand(std::in_place_type<std::remove_cvref_t<C>>, std::forward<C>(command))
+    {
+    }
+    Command();
+    Command(const Command&);
+    Command(Command&&) noexcept;
+    Command& operator=(const Command&);
+    Command& operator=(Command&&) noexcept;
+    ~Command();
+    bool operator==(const Command&) const;
+};
+constexpr std::size_t command_count = std::variant_size_v<AnyCommand>;
+template <std::size_t I> using CommandAt = std::variant_alternative_t<I, AnyCommand>;
+
+// One of each kind in the variant's order, with default fields.
+std::vector<Command> every_command();
 
 // The document after the command; objects that it does not touch keep their pointer. Pure: reads
 // no file. Throws Rejected (the field, what is wrong, what would be right) and nothing happened.

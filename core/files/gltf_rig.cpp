@@ -203,9 +203,16 @@ void GltfRig::add_channel(Clip& clip, const Model& model, int animation, int ind
                                               std::greater_equal<>()) == times.values.end();
     const bool known =
         path == "translation" || path == "rotation" || path == "scale" || path == "weights";
-    if (!known || keys == 0 || times.components != 1 || !ascending || out.components == 0 ||
-        values.values.size() != keys * each * out.components) {
+    if (!known || out.components == 0) {
         ++channels_left_out_;
+        return;
+    }
+    if (keys == 0 || times.components != 1 || !ascending) {
+        ++untimely_;
+        return;
+    }
+    if (values.values.size() != keys * each * out.components) {
+        ++uneven_;
         return;
     }
     out.times_s = std::move(times.values);
@@ -250,8 +257,11 @@ void GltfRig::add_notices(Model& model) const
     say(crowded_,
         "{} vertices go with more than four joints: the four with the largest weights count");
     say(skins_left_out_, "{} skins lack joints or weights and were left out");
-    say(channels_left_out_, "{} tracks of its animations move nothing that is there or have no "
-                            "ascending times, and were left out");
+    say(channels_left_out_, "{} tracks of its animations move nothing that is there and were left "
+                            "out");
+    say(untimely_, "{} tracks of its animations have no ascending times and were left out");
+    say(uneven_, "{} tracks of its animations have more or fewer values than times and were left "
+                 "out");
     say(short_, "{} tracks of its animations begin later or end sooner than the others: what they "
                 "move stands still meanwhile");
 }

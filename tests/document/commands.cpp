@@ -150,7 +150,7 @@ std::vector<Command> fitting_commands()
 
 Command random_command(std::mt19937& random)
 {
-    const std::vector<Command> all = all_commands();
+    const std::vector<Command> all = every_command();
     Command command = all[random() % all.size()];
     std::visit(
         [&](auto& c) {

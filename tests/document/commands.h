@@ -4,21 +4,9 @@
 #include "core/document/command.h"
 #include "core/document/evaluate.h"
 
-#include <array>
 #include <random>
-#include <utility>
 
 namespace trivar::testing {
-
-// Every command with default fields, in the variant's order.
-inline std::vector<Command> all_commands()
-{
-    return []<std::size_t... I>(std::index_sequence<I...>)
-    {
-        return std::vector<Command>{std::variant_alternative_t<I, Command>{}...};
-    }
-    (std::make_index_sequence<std::variant_size_v<Command>>{});
-}
 
 // A box 1, a sphere 2, a teapot 3 lying on both, a group 4 with the box, a bookmark "front".
 Document small_document();

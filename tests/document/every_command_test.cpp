@@ -8,7 +8,7 @@
 namespace trivar {
 namespace {
 
-using testing::all_commands, testing::fitting_commands, testing::fitting_document;
+using testing::fitting_commands, testing::fitting_document;
 
 std::map<Id, Ref<Object>> pointers(const Document& document)
 {
@@ -23,7 +23,7 @@ bool same(const Document& a, const Document& b)
 
 TEST(EveryCommand, HasAFittingExampleHere)
 {
-    const std::vector<Command> all = all_commands(), fitting = fitting_commands();
+    const std::vector<Command> all = every_command(), fitting = fitting_commands();
     ASSERT_EQ(fitting.size(), all.size());
     for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(verb(fitting[i]), verb(all[i]));
 }

@@ -57,6 +57,15 @@ Scene replayed(const std::string& name)
     return {document_at(document, document.time.first_frame), evaluator_here()(document)};
 }
 
+// As a scene is shown: in its first frame, or in the one that says what it is about.
+Scene shown(const std::string& name)
+{
+    if (name != "bulldozer_parks") return replayed(name);
+    const Document document = document_of(name);
+    constexpr int between_the_cars = 200;
+    return {document_at(document, between_the_cars), evaluator_here()(document, between_the_cars)};
+}
+
 std::vector<std::string> every_scene()
 {
     std::vector<std::string> out;
@@ -70,7 +79,7 @@ class Gallery : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Gallery, ShowsTheSceneAsItIs)
 {
-    const Scene scene = replayed(GetParam());
+    const Scene scene = shown(GetParam());
     const gpu::HeadlessContext context;
     gpu::Renderer renderer;
     const Camera camera = picture_camera(scene.evaluated, scene.document, gallery_size_px);

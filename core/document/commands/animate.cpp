@@ -65,15 +65,16 @@ Document applied(Document document, const Animate& command)
 {
     if (command.of.empty()) throw Rejected("field \"of\" is empty: say of which object");
     std::set<Id> seen;
-    for (const auto& [id, tracks] : command.of) {
+    for (const ObjectTracks& each : command.of) {
+        const Id id = each.object;
         if (!seen.insert(id).second)
             throw Rejected(fmt::format("field \"of\" has object {} twice", id));
         if (id == 0)
-            document.tracks =
-                make_ref(merged(*document.tracks, tracks, scene_parameters(document), "the scene"));
+            document.tracks = make_ref(
+                merged(*document.tracks, each.tracks, scene_parameters(document), "the scene"));
         else
             document = with_changed(std::move(document), id, [&](Object& o) {
-                o.tracks = merged(std::move(o.tracks), tracks, parameters(o),
+                o.tracks = merged(std::move(o.tracks), each.tracks, parameters(o),
                                   fmt::format("object {} ({})", id, o.name));
             });
     }

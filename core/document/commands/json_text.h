@@ -11,6 +11,9 @@ std::string json_text(std::string_view text); // quoted
 std::string json_text(double value);          // the shortest that reads back as the same bits
 std::string json_text(float value);
 
+// Adds the separator, which becomes a comma, and "name":value.
+void append_field(std::string& text, std::string_view& separator, std::string_view name,
+                  const std::string& value);
 template <class T> std::string fields_json(const T& value, std::string_view separator = "");
 
 // Any value of a command as JSON, without spaces.
@@ -50,15 +53,10 @@ template <class T> std::string fields_json(const T& value, std::string_view sepa
 {
     std::string text;
     each_field(value, [&]<class V>(std::string_view name, const V& v, auto&&...) {
-        const auto write = [&](const auto& present) {
-            text += separator;
-            separator = ",";
-            text += json_text(name) + ":" + value_json(present);
-        };
         if constexpr (is_optional<V>) {
-            if (v) write(*v);
+            if (v) append_field(text, separator, name, value_json(*v));
         } else
-            write(v);
+            append_field(text, separator, name, value_json(v));
     });
     return text;
 }

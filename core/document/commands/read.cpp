@@ -6,10 +6,12 @@
 #include "core/document/command.h"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <limits>
 #include <set>
 #include <span>
+#include <utility>
 
 namespace trivar {
 namespace {
@@ -109,14 +111,12 @@ public:
           known_{also_known}
     {
     }
-    const std::string& prefix() const { return prefix_; }
-    const json* take(std::string_view name, bool required)
+    // Leaves the value as it is where the field is left out.
+    void read(std::string_view name, bool required, void* value,
+              void (*reader)(const std::string& name, const json& from, void* value))
     {
-        known_.push_back(name);
-        const auto found = object_->find(name);
-        if (found != object_->end()) return &*found;
-        if (required) throw Rejected(fmt::format("field \"{}{}\" is missing", prefix_, name));
-        return nullptr;
+        if (const json* found = take(name, required))
+            reader(prefix_ + std::string(name), *found, value);
     }
     void check_all_taken() const
     {
@@ -126,6 +126,15 @@ public:
     }
 
 private:
+    const json* take(std::string_view name, bool required)
+    {
+        known_.push_back(name);
+        const auto found = object_->find(name);
+        if (found != object_->end()) return &*found;
+        if (required) throw Rejected(fmt::format("field \"{}{}\" is missing", prefix_, name));
+        return nullptr;
+    }
+
     const json* object_;
     std::string prefix_;
     std::vector<std::string_view> known_;
@@ -160,27 +169,42 @@ template <class T> void read_value(const std::string& name, const json& from, T&
     }
 }
 
+template <class T> void read_any(const std::string& name, const json& from, void* value)
+{
+    read_value(name, from, *static_cast<T*>(value));
+}
+
 template <class T> void read_fields(Fields from, T& value)
 {
-    each_field(value, [&](std::string_view name, auto& v, std::string_view, Rule rule = {}) {
-        if (const json* found = from.take(name, rule.required))
-            read_value(from.prefix() + std::string(name), *found, v);
-    });
+    each_field(value,
+               [&]<class V>(std::string_view name, V& v, std::string_view, const Rule& rule = {}) {
+                   from.read(name, rule.required, &v, read_any<V>);
+               });
     from.check_all_taken();
 }
 
-template <std::size_t I = 0> Command command_named(std::string_view verb, const json& object)
+template <class C> Command command_of(const json& object)
 {
-    if constexpr (I == std::variant_size_v<Command>)
-        throw Rejected(
-            fmt::format("there is no command \"{}\"; trivar commands lists them", printable(verb)));
-    else {
-        using C = std::variant_alternative_t<I, Command>;
-        if (verb != C::verb) return command_named<I + 1>(verb, object);
-        C command;
-        read_fields(Fields(object, "", "do"), command);
-        return command;
+    C command;
+    read_fields(Fields(object, "", "do"), command);
+    return command;
+}
+
+Command command_named(std::string_view verb, const json& object)
+{
+    struct Named {
+        std::string_view verb;
+        Command (*read)(const json& object);
+    };
+    static constexpr auto all = []<std::size_t... I>(std::index_sequence<I...>)
+    {
+        return std::array{Named{CommandAt<I>::verb, command_of<CommandAt<I>>}...};
     }
+    (std::make_index_sequence<command_count>{});
+    for (const Named& each : all)
+        if (each.verb == verb) return each.read(object);
+    throw Rejected(
+        fmt::format("there is no command \"{}\"; trivar commands lists them", printable(verb)));
 }
 
 } // namespace

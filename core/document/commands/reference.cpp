@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <utility>
+#include <vector>
 
 namespace trivar {
 namespace {
@@ -97,58 +98,91 @@ std::string range(const Rule& rule)
     return rule.lo == 0 ? "0 or more" : rule.lo < 1e-6 ? "above 0" : shortest(rule.lo) + " or more";
 }
 
-template <class T> std::string default_text(const T& value, const Rule& rule)
+// What is said of a field. The three texts are made of this, so that of the 150 fields' types only
+// one function is made.
+struct Told {
+    std::string_view name, help;
+    Rule rule;
+    std::string type;
+    std::string standard; // its default as JSON
+    bool nested = false, optional = false;
+    std::vector<Told> inside; // of a nested value
+};
+
+template <class T> std::vector<Told> fields_of(const T& value);
+
+template <class V>
+void tell(std::vector<Told>& fields, std::string_view name, const V& v, std::string_view help,
+          const Rule& rule)
 {
-    if (rule.required) return "required";
-    if constexpr (Nested<T>)
-        return "its own";
-    else if constexpr (is_optional<T>)
-        return "nothing";
-    else
-        return "`" + value_json(value) + "`";
+    Told& told = fields.emplace_back(
+        Told{name, help, rule, type_name<V>(), "", Nested<V>, is_optional<V>, {}});
+    if constexpr (Nested<V>)
+        told.inside = fields_of(v);
+    else if constexpr (!is_optional<V>)
+        told.standard = value_json(v);
 }
 
-template <class T> std::string field_table(const T& value)
+template <class T> std::vector<Told> fields_of(const T& value)
+{
+    std::vector<Told> fields;
+    each_field(value, [&](std::string_view name, const auto& v, std::string_view help,
+                          const Rule& rule = {}) { tell(fields, name, v, help, rule); });
+    return fields;
+}
+
+std::string default_text(const Told& field)
+{
+    if (field.rule.required) return "required";
+    if (field.nested) return "its own";
+    return field.optional ? "nothing" : "`" + field.standard + "`";
+}
+
+std::string field_table(const std::vector<Told>& fields)
 {
     std::string text = "| field | type | default | range | meaning |\n|---|---|---|---|---|\n";
-    each_field(value, [&]<class V>(std::string_view name, const V& v, std::string_view help,
-                                   Rule rule = {}) {
-        text += fmt::format("| `{}` | {} | {} | {} | {} |\n", name, type_name<V>(),
-                            default_text(v, rule), range(rule), help);
-    });
+    for (const Told& each : fields)
+        text += fmt::format("| `{}` | {} | {} | {} | {} |\n", each.name, each.type,
+                            default_text(each), range(each.rule), each.help);
     return text + "\n";
 }
 
-template <class T> std::string fields_list(const T& value)
+std::string fields_list(const std::vector<Told>& fields)
 {
     std::string text;
-    each_field(value, [&]<class V>(std::string_view name, const V& v, std::string_view help,
-                                   Rule rule = {}) {
+    for (const Told& each : fields) {
         if (!text.empty()) text += ",";
-        text += "{\"name\":" + json_text(name);
-        if constexpr (Nested<V>)
-            text += ",\"fields\":" + fields_list(v);
+        text += "{\"name\":" + json_text(each.name);
+        if (each.nested)
+            text += ",\"fields\":" + fields_list(each.inside);
         else {
-            text += ",\"type\":" + json_text(type_name<V>());
-            if constexpr (!is_optional<V>)
-                if (!rule.required) text += ",\"default\":" + value_json(v);
+            text += ",\"type\":" + json_text(each.type);
+            if (!each.optional && !each.rule.required) text += ",\"default\":" + each.standard;
         }
-        text += std::string(",\"required\":") + (rule.required ? "true" : "false");
-        if (const std::string allowed = range(rule); !allowed.empty())
+        text += std::string(",\"required\":") + (each.rule.required ? "true" : "false");
+        if (const std::string allowed = range(each.rule); !allowed.empty())
             text += ",\"range\":" + json_text(allowed);
-        text += ",\"help\":" + json_text(help) + "}";
-    });
+        text += ",\"help\":" + json_text(each.help) + "}";
+    }
     return "[" + text + "]";
 }
 
-// Calls visit(C{}) for every command in the order of the variant.
-void each_command(auto&& visit)
+struct ToldCommand {
+    std::string_view verb, summary;
+    std::vector<Told> fields;
+};
+
+// Every command in the order of the variant.
+std::vector<ToldCommand> told_commands()
 {
-    [&]<std::size_t... I>(std::index_sequence<I...>)
+    return []<std::size_t... I>(std::index_sequence<I...>)
     {
-        (visit(std::variant_alternative_t<I, Command>{}), ...);
+        const auto told = []<class C>(const C& c) {
+            return ToldCommand{C::verb, C::summary, fields_of(c)};
+        };
+        return std::vector<ToldCommand>{told(CommandAt<I>{})...};
     }
-    (std::make_index_sequence<std::variant_size_v<Command>>{});
+    (std::make_index_sequence<command_count>{});
 }
 
 } // namespace
@@ -156,14 +190,12 @@ void each_command(auto&& visit)
 std::string commands_text()
 {
     std::string text;
-    each_command([&](const auto& c) {
+    for (const ToldCommand& c : told_commands()) {
         text += fmt::format("{}\n    {}\n", c.verb, c.summary);
-        each_field(c,
-                   [&](std::string_view name, const auto&, std::string_view help, Rule rule = {}) {
-                       text += fmt::format("    {:<14} {}{}\n", name, help,
-                                           rule.required ? " (required)" : "");
-                   });
-    });
+        for (const Told& each : c.fields)
+            text += fmt::format("    {:<14} {}{}\n", each.name, each.help,
+                                each.rule.required ? " (required)" : "");
+    }
     return text;
 }
 
@@ -176,35 +208,39 @@ std::string commands_markdown()
         "explains the file. A field that is left\nout has its default. This page is written by "
         "`trivar commands --markdown`.\n\n"
         "| command | what it does |\n|---|---|\n";
-    each_command([&](const auto& c) {
+    const std::vector<ToldCommand> commands = told_commands();
+    for (const ToldCommand& c : commands)
         text += fmt::format("| [{}](#{}) | {} |\n", c.verb, c.verb, c.summary);
-    });
     text += "\n";
-    each_command([&](const auto& c) {
-        text += fmt::format("## {}\n\n{}\n\n", c.verb, c.summary) + field_table(c);
-    });
+    for (const ToldCommand& c : commands)
+        text += fmt::format("## {}\n\n{}\n\n", c.verb, c.summary) + field_table(c.fields);
     text += "# Values inside commands\n\nA sample is a list `[x px, y px, seconds, pressure]`; "
             "pressure and seconds may be left out.\n\n";
     text += "## transform\n\nScale first, then the turns about X, Y and Z, then the "
             "translation.\n\n" +
-            field_table(Transform{});
+            field_table(fields_of(Transform{}));
     text += "## file\n\nAn imported model's file, and how it is read.\n\n" +
-            field_table(ImportedFile{});
+            field_table(fields_of(ImportedFile{}));
     text += "## camera\n\nA point of view. Pixels count from the top left corner of the "
             "picture.\n\n" +
-            field_table(Camera{});
+            field_table(fields_of(Camera{}));
     text += "## parameters\n\nHow an object lies along its stroke.\n\n" +
-            field_table(PlacementParameters{});
-    text += "## sketch\n\nA stroke and the view it was drawn in.\n\n" + field_table(Sketch{});
-    text += "## object\n\nAn object as it is copied.\n\n" + field_table(CopiedObject{});
-    text += "## placement\n\nHow a copied object lies.\n\n" + field_table(CopiedPlacement{});
-    text += "## step\n\nWhat was done to a volume; one of them.\n\n" + field_table(VolumeEdit{});
+            field_table(fields_of(PlacementParameters{}));
+    text += "## sketch\n\nA stroke and the view it was drawn in.\n\n" +
+            field_table(fields_of(Sketch{}));
+    text += "## object\n\nAn object as it is copied.\n\n" + field_table(fields_of(CopiedObject{}));
+    text +=
+        "## placement\n\nHow a copied object lies.\n\n" + field_table(fields_of(CopiedPlacement{}));
+    text += "## step\n\nWhat was done to a volume; one of them.\n\n" +
+            field_table(fields_of(VolumeEdit{}));
     text += "## object's tracks\n\nWhat of one object goes from key to key.\n\n" +
-            field_table(ObjectTracks{});
-    text += "## track\n\nHow one number goes from key to key.\n\n" + field_table(Track{});
-    text += "## key\n\nA value in a frame, and how it goes on.\n\n" + field_table(Key{});
-    text += "## part\n\nA box in a volume's own u, v and w.\n\n" + field_table(VolumePart{});
-    text += "## base\n\nWhat a copied object lay on.\n\n" + field_table(KnownObject{});
+            field_table(fields_of(ObjectTracks{}));
+    text +=
+        "## track\n\nHow one number goes from key to key.\n\n" + field_table(fields_of(Track{}));
+    text += "## key\n\nA value in a frame, and how it goes on.\n\n" + field_table(fields_of(Key{}));
+    text +=
+        "## part\n\nA box in a volume's own u, v and w.\n\n" + field_table(fields_of(VolumePart{}));
+    text += "## base\n\nWhat a copied object lay on.\n\n" + field_table(fields_of(KnownObject{}));
     text.pop_back();
     return text;
 }
@@ -212,11 +248,11 @@ std::string commands_markdown()
 std::string commands_json()
 {
     std::string text;
-    each_command([&](const auto& c) {
+    for (const ToldCommand& c : told_commands()) {
         if (!text.empty()) text += ",\n";
         text += "{\"do\":" + json_text(c.verb) + ",\"summary\":" + json_text(c.summary) +
-                ",\"fields\":" + fields_list(c) + "}";
-    });
+                ",\"fields\":" + fields_list(c.fields) + "}";
+    }
     return "[" + text + "]\n";
 }
 

@@ -30,6 +30,13 @@ std::string json_text(float value)
     return value == 0 && std::signbit(value) ? "-0.0" : shortest(value);
 }
 
+void append_field(std::string& text, std::string_view& separator, std::string_view name,
+                  const std::string& value)
+{
+    text.append(separator).append(json_text(name)).append(":").append(value);
+    separator = ",";
+}
+
 std::string to_json_line(const Command& command)
 {
     return std::visit(
