@@ -48,20 +48,31 @@ struct Soles {
 Soles soles_of(const Tread& t)
 {
     constexpr double touching = 2e-3; // of the height
+    constexpr double hanging = 25;    // times that, as gait_of looks for feet
     constexpr std::size_t most = 256, all = std::numeric_limits<std::size_t>::max();
     std::vector<Stance> stances;
     for (const double moment : moments_of(*clip_named(*t.model, t.clip)))
         stances.push_back(t.stance_at(moment));
     const glm::dvec3& up = t.walk.gait->up;
     const double near = touching * glm::dot(glm::abs(up), bounding_box(*t.model).size());
-    const LowVertices low = low_vertices(*t.model, stances, up, near, t.floor, all);
+    // Other parts, a blade or a tail, may hang lower than the legs stand.
+    const LowVertices low = low_vertices(*t.model, stances, up, hanging * near, t.floor, all);
     const std::vector<int> legs = legs_of_nodes(*t.model, *t.walk.gait);
-    std::vector<ModelVertex> of_legs, some;
+    std::vector<ModelVertex> of_legs, touching_ones, some;
     for (const ModelVertex& each : low.vertices)
         if (legs[static_cast<std::size_t>(mover_of(*t.model, each))] >= 0) of_legs.push_back(each);
-    for (std::size_t i = 0; i < of_legs.size(); i += of_legs.size() / most + 1)
-        some.push_back(of_legs[i]);
-    return {std::move(some), low.ground + near};
+    std::vector<double> lowest(of_legs.size(), std::numeric_limits<double>::infinity());
+    for (const Stance& stance : stances) {
+        const std::vector<glm::dvec3> at = positions_of(*t.model, of_legs, stance);
+        for (std::size_t v = 0; v < at.size(); ++v)
+            lowest[v] = std::min(lowest[v], std::max(t.floor, glm::dot(at[v], up)));
+    }
+    const double ground = of_legs.empty() ? low.ground : *std::ranges::min_element(lowest);
+    for (std::size_t v = 0; v < of_legs.size(); ++v)
+        if (lowest[v] <= ground + near) touching_ones.push_back(of_legs[v]);
+    for (std::size_t i = 0; i < touching_ones.size(); i += touching_ones.size() / most + 1)
+        some.push_back(touching_ones[i]);
+    return {std::move(some), ground + near};
 }
 
 // Where they are on the ground in the world, some time after the model set out; nothing for those
