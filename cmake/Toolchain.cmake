@@ -26,6 +26,15 @@ if(TRIVAR_SANITIZE)
   add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endif()
 
+# Collecting its garbage from the first gigabyte on, not from 128 MiB, takes g++ a tenth of its time
+# away. A job may then hold 1.7 GB.
+cmake_host_system_information(RESULT memory_mib QUERY TOTAL_PHYSICAL_MEMORY)
+cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
+math(EXPR memory_mib_each "${memory_mib} / ${cores}")
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND memory_mib_each GREATER 2500)
+  add_compile_options("SHELL:--param ggc-min-heapsize=1048576")
+endif()
+
 find_program(CCACHE ccache)
 if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   # What ccache's manual asks for where headers are precompiled.

@@ -63,6 +63,7 @@ std::vector<std::string> summary(const FilmCertificate& c)
         std::size_t parts = 0, triangles = 0, before = 0;
         int keys = 0;
         double bound = 0;
+        bool proven = true; // at every time, not at the moments alone
     };
     Kind bent, moving;
     for (const FilmCertificate::PartClaim& part : c.parts) {
@@ -73,16 +74,19 @@ std::vector<std::string> summary(const FilmCertificate& c)
         kind.before += part.triangles_before;
         kind.keys = std::max(kind.keys, part.keys);
         kind.bound = std::max(kind.bound, part.bound);
+        kind.proven = kind.proven && part.unproven.empty() && part.way == "targets";
     }
+    const auto within = [&](const Kind& kind) {
+        return bound_text(kind.bound) + when_claimed(kind.proven, c.parts.front().moments);
+    };
     std::vector<std::string> out;
     if (bent.parts > 0)
         out.push_back(fmt::format(
             "{} parts in volumes: {} triangles where there were {}, {} keys at most, within {}",
-            bent.parts, bent.triangles, bent.before, bent.keys, bound_text(bent.bound)));
+            bent.parts, bent.triangles, bent.before, bent.keys, within(bent)));
     if (moving.parts > 0)
-        out.push_back(fmt::format(
-            "{} parts by nodes and skins: {} keys at most, within {} at {} moments to a frame",
-            moving.parts, moving.keys, bound_text(moving.bound), c.parts.front().moments));
+        out.push_back(fmt::format("{} parts by nodes and skins: {} keys at most, within {}",
+                                  moving.parts, moving.keys, within(moving)));
     return out;
 }
 

@@ -33,6 +33,11 @@ std::string part_title(const FilmCertificate::PartClaim& claim)
     return fmt::format("{} (part {})", printable(claim.name), claim.part + 1);
 }
 
+std::string when_claimed(bool proven, int moments)
+{
+    return proven ? "" : fmt::format(" at {} moments to a frame", moments);
+}
+
 std::vector<std::string> not_certified(const FilmCertificate& certificate)
 {
     std::vector<std::string> out;

@@ -33,6 +33,9 @@ struct FilmCertificate {
     std::vector<PartClaim> parts = {};
 };
 
+// Said after a bound: nothing where it holds at every time, else " at 4 moments to a frame".
+std::string when_claimed(bool proven, int moments);
+
 // What is not certified to be within the tolerance, a sentence each.
 std::vector<std::string> not_certified(const FilmCertificate& certificate);
 std::string part_title(const FilmCertificate::PartClaim& claim); // "Ants (part 3)"

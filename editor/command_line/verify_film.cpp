@@ -96,6 +96,7 @@ private:
             const Id object = claims_.parts[p].object;
             const std::string name = printable(claims_.parts[p].name);
             std::size_t count = 0, parts = 0;
+            bool all_proven = true;
             double furthest = 0, bound = 0, frame = claims_.first_frame;
             for (; p < samples.size() && claims_.parts[p].object == object; ++p, ++parts) {
                 const FilmCertificate::PartClaim& claim = claims_.parts[p];
@@ -106,6 +107,7 @@ private:
                     frame = samples[p].at_frame;
                 }
                 const bool proven = claim.unproven.empty() && claim.way == "targets";
+                all_proven = all_proven && proven;
                 const double allowed = proven ? claim.bound : claims_.tolerance;
                 if (!(samples[p].furthest <= allowed + glb_number_tolerance))
                     wrong(fmt::format("{} is {:.3g} m off at frame {}, further than {}",
@@ -114,8 +116,9 @@ private:
             }
             streams_.out << fmt::format(
                 "{}: {} parts, {} samples at ten times the frame rate, the furthest off by {:.3g} "
-                "m at frame {}, claimed: {}\n",
-                name, parts, count, furthest, shortest(frame), bound_text(bound));
+                "m at frame {}, claimed: {}{}\n",
+                name, parts, count, furthest, shortest(frame), bound_text(bound),
+                when_claimed(all_proven, claims_.parts.front().moments));
         }
     }
 
