@@ -26,7 +26,8 @@ vec2 key_reaching(vec3 p, vec3 n, float phi, float out_by)
     // Software GL runs both sides of a branch but leaves a loop when no lane is alive.
     int blockers = outside ? 0 : SHADOW_BLOCKERS;
     for (int i = 0; i < blockers; i++) {
-        vec2 o = sunflower(i, SHADOW_BLOCKERS, out_by, towards_blocker) * reach;
+        vec2 o = sunflower(i, SHADOW_BLOCKERS, out_by, towards_blocker);
+        o *= dot(o, o) * reach; // denser about p: most of what blocks is not far above it
         float z = textureLod(shadow_depth, q.xy + o, 0.0).r;
         float hit = step(z, min(q.z + dot(slope, o) - bias - 0.0015, FARTHEST));
         sum += z * hit;
