@@ -82,8 +82,8 @@ std::vector<Action> all_actions(const Editor& editor)
                      }});
     for (const auto& [name, key, factor] :
          {std::tuple("Smaller tool", '[', 1 / 1.1), {"Larger tool", ']', 1.1}}) {
-        a.push_back({"Tools", name, {{key}}, [factor](Editor& e) {
-                         e.active_tool().resize(e.session, factor);
+        a.push_back({"Tools", name, {{key}}, [by = factor](Editor& e) {
+                         e.active_tool().resize(e.session, by);
                      }});
         a.back().repeats = true;
         a.back().group_begins = factor < 1;

@@ -59,8 +59,9 @@ std::vector<Id> hidden_in(const Document& document, Id first, const std::string&
     for (const auto& [id, each] : document.objects) {
         if (id >= first || !stands(*each)) continue;
         const glm::dmat4 at = to_world(document, id);
+        const Source& source = each->source;
         if (std::ranges::any_of(added, [&](const auto& one) {
-                return same_place(one.first, at) && same_shape(*one.second, each->source, folder);
+                return same_place(one.first, at) && same_shape(*one.second, source, folder);
             }))
             found.push_back(id);
     }

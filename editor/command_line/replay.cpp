@@ -65,9 +65,10 @@ void tell_of_shaping(const Replayed& replayed, const Streams& streams)
 {
     for (const auto& [id, ref] : replayed.evaluated.objects) {
         if (!ref->shaped) continue;
+        const std::string& name = object(replayed.document, id).name;
         const auto tell = [&](std::size_t i, const std::string& words) {
-            streams.talk << fmt::format("trivar: {}: step {} of its shaping {}\n",
-                                        object(replayed.document, id).name, i + 1, words);
+            streams.talk << fmt::format("trivar: {}: step {} of its shaping {}\n", name, i + 1,
+                                        words);
         };
         for (std::size_t i = 0; i < ref->shaped->steps.size(); ++i) {
             const Shaping& step = ref->shaped->steps[i];

@@ -161,14 +161,16 @@ void key_menu(Editor& editor)
     ImGui::TextDisabled("To the next key");
     for (const auto& [words, tween] :
          {std::pair("Step", Tween::step), {"Linear", Tween::linear}, {"Cubic", Tween::cubic}})
-        item(words, first->tween == tween, [&] { return with_tween(document, chosen, tween); });
+        item(words, first->tween == tween,
+             [&, to = tween] { return with_tween(document, chosen, to); });
     item("Smooth handles", false, [&] { return smoothed(document, chosen); });
     ImGui::Separator();
     ImGui::TextDisabled("After the last key");
     for (const auto& [words, repeat] : {std::pair("Stay", Repeat::once),
                                         {"Loop", Repeat::loop},
                                         {"Back and forth", Repeat::back_and_forth}})
-        item(words, track->repeat == repeat, [&] { return with_repeat(document, chosen, repeat); });
+        item(words, track->repeat == repeat,
+             [&, to = repeat] { return with_repeat(document, chosen, to); });
     ImGui::Separator();
     const double there = editor.session.frame() - chosen.begin()->frame;
     item("Copy to this frame", false, [&] { return copied(document, chosen, there); });

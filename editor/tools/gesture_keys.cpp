@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/gesture_keys.h"
 
-#include "ui/widgets.h"
+#include "ui/keys.h"
 
 #include <imgui.h>
 
