@@ -123,7 +123,7 @@ TEST_P(Walks, SlideByHalfAPercentOfTheirStrideAtMost)
     const auto& [name, way] = GetParam();
     Course course{std::string(TRIVAR_BINARY_DIR) + "/assets/models/" + name + ".glb", "walk",
                   small_model(LengthAxis::x, false), way};
-    if (!std::filesystem::exists(course.path)) GTEST_SKIP() << "the sample models are not made";
+    ASSERT_TRUE(std::filesystem::exists(course.path));
     if (way == Way::round) course.travel.ends = Ends::loop;
     const Document document = laid_out(course);
     const Ref<EvaluatedObject> object = evaluator_of_files()(document, 1).objects.at(2);
@@ -146,7 +146,7 @@ INSTANTIATE_TEST_SUITE_P(SampleModels, Walks,
 TEST(Walking, SaysThatFeetAreLockedToNothingWhereItLiesOnNoStroke)
 {
     const std::string path = std::string(TRIVAR_BINARY_DIR) + "/assets/models/ant.glb";
-    if (!std::filesystem::exists(path)) GTEST_SKIP() << "the sample models are not made";
+    ASSERT_TRUE(std::filesystem::exists(path));
     const Document document =
         after(laid_out({path, "walk", small_model(LengthAxis::x, false)}), Unplace{2});
     EXPECT_THAT(evaluator_of_files()(document, 1).objects.at(2)->notices,
@@ -159,7 +159,7 @@ TEST(Walking, SaysThatAModelWhoseFrontIsElsewhereWalksBackwards)
 {
     Course course{std::string(TRIVAR_BINARY_DIR) + "/assets/models/ant.glb", "walk",
                   small_model(LengthAxis::x, false)};
-    if (!std::filesystem::exists(course.path)) GTEST_SKIP() << "the sample models are not made";
+    ASSERT_TRUE(std::filesystem::exists(course.path));
     const auto notices = [&](double turned_deg, double speed) {
         course.travel.speed = speed;
         Transform transform;
@@ -179,7 +179,7 @@ TEST(Walking, KnowsTheStrideThatTheModelsAreMadeWith)
 {
     for (const auto& [name, stride] : {std::pair{"ant", 0.17 / 0.55}, {"robot", 0.23 / 0.6}}) {
         const std::string path = std::string(TRIVAR_BINARY_DIR) + "/assets/models/" + name + ".glb";
-        if (!std::filesystem::exists(path)) GTEST_SKIP() << "the sample models are not made";
+        ASSERT_TRUE(std::filesystem::exists(path));
         const Model model = read_model(path);
         const Gait gait = gait_of(model, model.clips.at(0));
         EXPECT_NEAR(gait.stride, stride, 0.005 * stride);
