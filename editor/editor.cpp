@@ -97,6 +97,7 @@ void paint_focus(const Editor& editor, const ui::Theme& theme, const Layout& lay
 Editor::Editor(std::function<void()> wake, std::string unnamed_folder)
     : session(wake, std::move(unnamed_folder)),
       recording(wake, session.notices),
+      frames_export(wake, session.notices),
       stored_pictures(wake)
 {
     actions = all_actions(*this);
@@ -125,6 +126,7 @@ void draw_editor(Editor& editor, ui::Frame& frame)
     apply_preferences(editor);
     editor.session.poll();
     editor.stored_pictures.poll();
+    editor.frames_export.poll();
     editor.playback.advance(editor.session, frame, editor.preferences.loop);
     editor.session.try_to_write(frame.time_s);
     editor.session.follow_file(frame.time_s);
@@ -182,6 +184,8 @@ void draw_editor(Editor& editor, ui::Frame& frame)
     draw_manual(editor, theme);
     draw_preferences(editor, theme);
     draw_record_dialog(editor, theme);
+    draw_export_dialog(editor, theme);
+    draw_not_certified(editor, theme);
     draw_command_palette(editor, theme);
     // Panels drawn before the change still show what was there.
     if (editor.session.change() != change || editor.outliner.scrolling) frame.again_in(0);

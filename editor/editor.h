@@ -5,6 +5,7 @@
 #include "editor/adjustment.h"
 #include "editor/command_field.h"
 #include "editor/command_palette.h"
+#include "editor/export_plan.h"
 #include "editor/files.h"
 #include "editor/held_keys.h"
 #include "editor/hints.h"
@@ -52,6 +53,8 @@ struct Editor {
     PictureToFile picture_to_file;
     Recording recording;
     RecordDialog record_dialog;
+    FramesExport frames_export;
+    ExportDialog export_dialog;
     ui::TimingView timing;
     enum class Tab { inspector, history, log } tab = Tab::inspector;
     OutlinerState outliner;

@@ -69,7 +69,7 @@ void add_file_actions(std::vector<Action>& a)
     a.push_back({"File",
                  "Export frames...",
                  {},
-                 [](Editor& e) { e.files.ask_export_frames(); },
+                 [](Editor& e) { ask_export_frames(e); },
                  something_there()});
     a.push_back({"File", "Render picture", {{ui::key_f1 + 11}}, render_picture, something_there()});
     a.push_back({"File",

@@ -9,6 +9,7 @@ namespace trivar {
 inline constexpr const char* record_action = "Record...";
 // The dialog that begins a recording; while one runs, shows or hides how far it is.
 void ask_record(Editor& editor);
+void ask_export_frames(Editor& editor); // the dialog that begins one
 void add_file_actions(std::vector<Action>& actions);
 
 } // namespace trivar

@@ -4,7 +4,6 @@
 #include "core/base/rejected.h"
 #include "core/document/certificate.h"
 #include "core/document/collect.h"
-#include "core/export/animated_files.h"
 #include "core/files/file_bytes.h"
 #include "core/files/write_model.h"
 #include "editor/file_words.h"
@@ -131,8 +130,7 @@ void Files::ask_for_file(Purpose purpose, ui::FileRequest request)
 {
     purpose_ = purpose;
     after_save_ = nullptr;
-    fs::path start = with_long_home(purpose == Purpose::import || purpose == Purpose::write_model ||
-                                            purpose == Purpose::write_frames
+    fs::path start = with_long_home(purpose == Purpose::import || purpose == Purpose::write_model
                                         ? models_folder
                                         : scenes_folder);
     if (!session_->scene().path().empty()) start = session_->scene().folder();
@@ -196,16 +194,6 @@ void Files::ask_export()
                   .extensions = export_extensions(),
                   .saving = true,
                   .name = stem_of(session_->scene()) + export_extensions().front()});
-}
-
-void Files::ask_export_frames()
-{
-    ask_for_file(Purpose::write_frames,
-                 {.title = "Export what moves",
-                  .action = "Export",
-                  .extensions = animated_extensions(),
-                  .saving = true,
-                  .name = stem_of(session_->scene()) + animated_extensions().front()});
 }
 
 void Files::save()
@@ -356,39 +344,6 @@ void Files::write_model_to(const std::string& path)
          }});
 }
 
-void Files::write_frames_to(const std::string& path)
-{
-    const SceneFile& scene = session_->scene();
-    const Document& document = session_->committed();
-    const AnimatedScene exported{document,
-                                 {document.time.first_frame, document.time.last_frame},
-                                 default_tolerance,
-                                 scene.path().empty() ? scene.original() : scene.path()};
-    session_->jobs().start(
-        {"Writing " + file_name(path),
-         [this, path, exported,
-          assets = session_->assets()](const Progress& progress) -> Jobs::Finish {
-             const AnimatedFile made = write_animated(exported, assets, path, progress);
-             std::vector<std::string> open, facts;
-             if (made.certificate) {
-                 open = not_certified(*made.certificate);
-                 facts = summary(*made.certificate);
-             }
-             return [this, path, open, facts, frames = made.frames] {
-                 session_->notices.say(
-                     open.empty() ? ui::NoticeKind::good : ui::NoticeKind::warning,
-                     fmt::format("Exported {} frames to {}", frames, file_name(path)),
-                     !open.empty()    ? open.front() + "."
-                     : !facts.empty() ? facts.front() + "."
-                                      : std::string());
-             };
-         },
-         [this, path](const std::string& why) {
-             session_->notices.say(ui::NoticeKind::error, file_name(path) + " was not written",
-                                   reason(why, path));
-         }});
-}
-
 void Files::use_file(const std::string& path)
 {
     switch (purpose_) {
@@ -399,7 +354,6 @@ void Files::use_file(const std::string& path)
         return import(path);
     case Purpose::relink: return relink(*session_, relinked_, path);
     case Purpose::write_model: return write_model_to(path);
-    case Purpose::write_frames: return write_frames_to(path);
     case Purpose::save_as: return write_scene(path, false);
     case Purpose::save_compact: return write_scene(path, true);
     }

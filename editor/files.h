@@ -32,8 +32,7 @@ public:
     void ask_relink(Id object); // another file for an imported model
     void ask_missing();         // for the first whose file is not there
     void ask_export();
-    void ask_export_frames(); // as one file that moves
-    void save();              // a scene with a name is on disk already: says so; else asks for one
+    void save(); // a scene with a name is on disk already: says so; else asks for one
     void ask_save_as();
     void ask_save_compact();
     void save_numbered_copy(); // beside the scene, which stays what is worked on
@@ -48,7 +47,6 @@ public:
     }
     // What is visible, as committed; with a certificate where something is refined.
     void write_model_to(const std::string& path);
-    void write_frames_to(const std::string& path);
     void take_dropped(const std::vector<std::string>& paths); // scenes open, models are imported
     void ask_close();
 
@@ -64,16 +62,7 @@ public:
     bool ask_to_keep = true;
 
 private:
-    enum class Purpose {
-        open,
-        take_up,
-        import,
-        relink,
-        write_model,
-        write_frames,
-        save_as,
-        save_compact
-    };
+    enum class Purpose { open, take_up, import, relink, write_model, save_as, save_compact };
     // Files that came together: what cannot be read of them is told once, at the end.
     struct Batch {
         std::size_t coming = 0;

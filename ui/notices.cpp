@@ -104,11 +104,11 @@ Drawn draw_one(const Theme& theme, const Notices::Notice& notice, glm::vec2 lowe
 } // namespace
 
 void Notices::say_all(NoticeKind kind, std::string title, const std::vector<std::string>& lines,
-                      std::string topic)
+                      std::string topic, std::vector<Action> actions)
 {
     std::string body;
     for (const std::string& line : lines) body += (body.empty() ? "" : "\n") + sentence(line);
-    say(kind, std::move(title), std::move(body), std::move(topic));
+    say(kind, std::move(title), std::move(body), std::move(topic), std::move(actions));
 }
 
 void Notices::forget(std::string_view topic)
@@ -172,7 +172,7 @@ ProgressCard draw_progress(const Theme& theme, const Rect& in, const std::string
                            const std::string& stage, double fraction)
 {
     const Rect r = progress_place(theme, in);
-    begin_card(theme, "progress", r);
+    begin_card(theme, ("progress of " + what).c_str(), r);
     const Rect inside = r.grown(-theme.px(16));
     const Rect line{inside.lo, {inside.hi.x, inside.lo.y + theme.px(20)}};
     const float button = theme.px(80);

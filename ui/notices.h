@@ -27,7 +27,7 @@ public:
              std::vector<Action> actions = {});
     // Several things about one: a title, and a line for each. One line that says it all needs none.
     void say_all(NoticeKind kind, std::string title, const std::vector<std::string>& lines,
-                 std::string topic = {});
+                 std::string topic = {}, std::vector<Action> actions = {});
     void forget(std::string_view topic); // it is not so any more
     // Draws at most three over the lower right of the rectangle.
     void draw(Frame& frame, const Rect& in);

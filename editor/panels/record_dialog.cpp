@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/rejected.h"
 #include "editor/file_actions.h"
 #include "editor/panels/foot_cards.h"
 #include "editor/panels/panels.h"
-#include "ui/dialog.h"
-#include "ui/sentence.h"
+#include "editor/panels/plan_dialog.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -48,21 +46,6 @@ void draw_size(const ui::Theme& theme, RecordPlan& plan)
     ui::integer_field(theme, "height", plan.height_px, px, number);
 }
 
-void draw_frames(const ui::Theme& theme, RecordPlan& plan, const Time& time)
-{
-    const float all =
-        ui::label_row(theme, "Frames", false, "From the first to the last, every so many.").width;
-    const float gap = theme.px(8), width = std::floor((all - 2 * gap) / 3);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const auto lo = static_cast<double>(time.first_frame),
-               hi = static_cast<double>(time.last_frame);
-    ui::integer_field(theme, "first", plan.first, {.lo = lo, .hi = hi, .axis = "from"}, width);
-    ImGui::SetCursorScreenPos({at.x + width + gap, at.y});
-    ui::integer_field(theme, "last", plan.last, {.lo = lo, .hi = hi, .axis = "to"}, width);
-    ImGui::SetCursorScreenPos({at.x + 2 * (width + gap), at.y});
-    ui::integer_field(theme, "step", plan.step, {.lo = 1, .hi = 1000, .axis = "every"}, width);
-}
-
 void draw_plan(const ui::Theme& theme, RecordPlan& plan, const Session& session)
 {
     ui::text_field(theme, "folder", plan.folder, "a folder",
@@ -79,7 +62,7 @@ void draw_plan(const ui::Theme& theme, RecordPlan& plan, const Session& session)
     plan.level = static_cast<gpu::Level>(
         segments("Quality", static_cast<int>(plan.level), {"Draft", "Standard", "High"},
                  "High has finer shadows and edges, and takes four times as long."));
-    draw_frames(theme, plan, session.document().time);
+    draw_frames_row(theme, session.document().time, plan.first, plan.last, &plan.step);
     ui::label_row(theme, "Video", false, "Made by ffmpeg when all frames are there.");
     ui::check_box(theme, "video", plan.video,
                   fmt::format("an .mp4 as well, {:.6g} frames a second",
@@ -125,11 +108,9 @@ void ask_record(Editor& editor)
                             {{"Save as...", [&editor] { editor.files.ask_save_as(); }}});
         return;
     }
-    const RecordPlan usual = usual_plan(session);
-    if (dialog.of != session.scene().path()) dialog.plan = usual;
+    if (dialog.of != session.scene().path()) dialog.plan = usual_plan(session);
     dialog.of = session.scene().path();
-    dialog.plan.first = std::clamp(dialog.plan.first, usual.first, usual.last);
-    dialog.plan.last = std::clamp(dialog.plan.last, dialog.plan.first, usual.last);
+    keep_frames_of(session.document().time, dialog.plan.first, dialog.plan.last);
     dialog.open = true;
 }
 
@@ -137,49 +118,19 @@ void draw_record_dialog(Editor& editor, const ui::Theme& theme)
 {
     auto& dialog = editor.record_dialog;
     if (!dialog.open) return;
-    const ui::Palette& c = theme.color;
-    const ui::Rect r = ui::begin_dialog(theme, "record", {theme.px(600), theme.px(404)});
-    const float foot = theme.px(60), pad = theme.px(24);
-    const bool escape = ImGui::IsKeyPressed(ui::key_escape, false) && !ImGui::IsAnyItemActive();
-    const float y0 = ui::draw_dialog_head(theme, r, "Record") + theme.px(12), y1 = r.hi.y - foot;
-    ImGui::SetCursorScreenPos({r.lo.x + theme.px(12), y0});
-    // The fields end where the buttons do.
-    const float past = theme.px(ui::key_gutter) - pad;
-    ImGui::BeginChild("plan", {r.width() - theme.px(12) + past, theme.px(188)}, false,
-                      ImGuiWindowFlags_NoScrollbar);
-    draw_plan(theme, dialog.plan, editor.session);
-    ImGui::EndChild();
-
-    std::string words;
     std::optional<RecordingWish> wish;
-    try {
-        wish = wish_of(dialog.plan, editor.session);
-        words = words_of(dialog.plan, editor.session, *wish);
-    } catch (const Rejected& refused) {
-        words = ui::sentence(refused.what());
-    }
-    float y = y0 + theme.px(200);
-    for (const std::string& line : ui::wrapped(theme.font.body, words, r.width() - 2 * pad)) {
-        ui::paint_text(theme.font.body, {{r.lo.x + pad, y}, {r.hi.x - pad, y + theme.px(20)}},
-                       wish ? c.text_2 : c.bad, line);
-        y += theme.px(20);
-    }
-
-    ui::paint_box({{r.lo.x, y1}, {r.hi.x, y1 + theme.size.hairline}}, c.line_soft);
-    const glm::vec2 size(theme.px(96), theme.px(32));
-    const float row = std::round(y1 + (foot - size.y) / 2);
-    ImGui::SetCursorScreenPos({r.hi.x - pad - 2 * size.x - theme.px(8), row});
-    const bool cancel = ui::button(theme, "Cancel", ui::ButtonKind::plain, size) || escape;
-    ImGui::SetCursorScreenPos({r.hi.x - pad - size.x, row});
-    ImGui::BeginDisabled(!wish);
-    const bool record = ui::button(theme, "Record", ui::ButtonKind::primary, size);
-    ImGui::EndDisabled();
-    if (cancel || (record && wish)) {
-        dialog.open = false;
-        ImGui::CloseCurrentPopup();
-    }
-    ui::end_dialog();
-    if (!record || !wish) return;
+    const PlanAnswer answer =
+        draw_plan_dialog(theme, {.title = "Record",
+                                 .rows = 6,
+                                 .fields = [&] { draw_plan(theme, dialog.plan, editor.session); },
+                                 .come_to =
+                                     [&] {
+                                         wish = wish_of(dialog.plan, editor.session);
+                                         return words_of(dialog.plan, editor.session, *wish);
+                                     },
+                                 .begin = [] { return std::string("Record"); }});
+    dialog.open = answer == PlanAnswer::none;
+    if (answer != PlanAnswer::begun) return;
     dialog.card_hidden = false;
     editor.playback.pause();
     editor.recording.begin(std::move(*wish));

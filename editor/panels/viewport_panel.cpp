@@ -118,14 +118,33 @@ void tell(ui::Notices& notices, const std::optional<std::string>& trouble, const
     if (!trouble->empty()) notices.say(ui::NoticeKind::error, title, *trouble, title);
 }
 
-// Long work is said after a moment, so that quick work does not flicker. Where, if it is.
+constexpr double patience_s = 0.25; // quick work does not flicker
+
+ui::ProgressCard progress_card(const ui::Theme& theme, const FootCards& foot,
+                               const std::string& what, const std::string& stage, double fraction)
+{
+    const ui::Rect across = ui::progress_place(theme, foot.view());
+    const ui::Rect room = foot.above(across.lo.x, across.hi.x);
+    return ui::draw_progress(theme, room, what, stage, fraction);
+}
+
+std::optional<ui::Rect> export_progress(Editor& editor, ui::Frame& frame, const FootCards& foot)
+{
+    const auto job = editor.frames_export.status();
+    if (!job) return {};
+    frame.again_in(patience_s);
+    if (job->seconds <= patience_s) return {};
+    const ui::ProgressCard card =
+        progress_card(frame.theme, foot, job->what, job->stage, job->fraction);
+    if (card.cancelled) editor.frames_export.stop();
+    return card.rect;
+}
+
+// Long work is said after a moment. Where, if it is.
 std::optional<ui::Rect> progress(Editor& editor, ui::Frame& frame, const FootCards& foot)
 {
-    constexpr double patience_s = 0.25;
     const auto draw = [&](const std::string& what, const std::string& stage, double fraction) {
-        const ui::Rect across = ui::progress_place(frame.theme, foot.view());
-        const ui::Rect room = foot.above(across.lo.x, across.hi.x);
-        return ui::draw_progress(frame.theme, room, what, stage, fraction);
+        return progress_card(frame.theme, foot, what, stage, fraction);
     };
     editor.picture_to_file.advance(editor.session, frame, editor.viewport.shaders());
     if (editor.picture_to_file.running()) {
@@ -251,6 +270,7 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
         foot.add(draw_hint_card(editor, theme, view));
     editor.recording.advance(frame, editor.viewport.shaders());
     foot.add(draw_recording(editor, theme, foot));
+    foot.add(export_progress(editor, frame, foot));
     foot.add(progress(editor, frame, foot));
     foot.add(draw_legend(session.document(), theme, foot));
     draw_adjustment(editor, theme, foot);

@@ -131,6 +131,15 @@ TEST_P(EveryPanel, IsDrawnAndCutsNoText)
     rig.editor.record_dialog.open = true;
     look(rig, "record");
     rig.editor.record_dialog.open = false;
+    for (const char* file : {"", "a.glb", "a.mdd"}) {
+        rig.editor.export_dialog.open = true;
+        rig.editor.export_dialog.plan.file = file;
+        look(rig, "export frames to " + std::string(file));
+    }
+    rig.editor.export_dialog.open = false;
+    rig.editor.frames_export.reading = {"a.glb", std::vector<std::string>(40, "part 1 is bent")};
+    look(rig, "what is not certified");
+    rig.editor.frames_export.reading.reset();
     show_manual(rig.editor, "place");
     look(rig, "help");
 }

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/document.h"
+#include "ui/theme.h"
+
+#include <functional>
+#include <string>
+
+namespace trivar {
+
+// A dialog in which a person says how files are to be made: rows of fields, below them a paragraph
+// that says what they come to or why they make no sense, and at its foot Cancel and the button that
+// begins.
+struct PlanDialog {
+    const char* title = "";
+    int rows = 0;
+    std::function<void()> fields = {};         // draws the rows
+    std::function<std::string()> come_to = {}; // throws Rejected where they make no sense
+    std::function<std::string()> begin = {};   // words of the button, after those
+};
+enum class PlanAnswer { none, cancelled, begun };
+PlanAnswer draw_plan_dialog(const ui::Theme& theme, const PlanDialog& dialog);
+
+// A row of the first and the last frame, within the scene's, and every how many; null: no such
+// field.
+void draw_frames_row(const ui::Theme& theme, const Time& time, int& first, int& last, int* step);
+// The frames that are meant still, of those that the scene has now.
+void keep_frames_of(const Time& time, int& first, int& last);
+
+} // namespace trivar
