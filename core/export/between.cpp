@@ -308,14 +308,13 @@ double Between::operator()(const EvaluatedObject& from, const Part& a, double fr
                            const EvaluatedObject& to, const Part& b, double to_frame)
 {
     if (!unknown_.empty() || !a.bent || !b.bent) return no_bound;
-    if (from.placement != to.placement || a.bent->volume != b.bent->volume) return no_bound;
+    if (from.placement != to.placement) return no_bound;
     Moving m{from, a, b};
     const std::size_t meshes = model_ ? nodes_.size() : 1;
     m.member = a.slot / static_cast<int>(meshes);
     if (model_) m.node = nodes_[static_cast<std::size_t>(a.slot) % meshes];
     m.from_s = from_frame / frames_per_second_;
     m.to_s = to_frame / frames_per_second_;
-    VolumeBends& bend = bends(a.bent->volume);
     double laps = 0; // that the one is ahead of the other, though they are at the same place
     if (from.journey) {
         const Journey& journey = *from.journey;
@@ -327,7 +326,7 @@ double Between::operator()(const EvaluatedObject& from, const Part& a, double fr
         constexpr double rounding = 1e-6;
         if (std::abs(ahead - laps) > rounding) return no_bound; // it jumps
         const double lap = journey.line().rounds_to_start();
-        if (laps != 0 && (!bend.closed(0) || std::remainder(laps, lap) != 0)) return no_bound;
+        if (laps != 0 && std::remainder(laps, lap) != 0) return no_bound;
         m.shift_from = p.shift_u;
         m.shift_to = q.shift_u + laps;
         m.uneven_u = journey.unevenness_u(m.from_s - since, m.to_s - since, m.member);
@@ -338,12 +337,14 @@ double Between::operator()(const EvaluatedObject& from, const Part& a, double fr
     if (!dev) return no_bound;
 
     glm::dvec3 step(0);
-    Box swept;
+    Box swept, along; // and without the travel
     const auto add = [&](const glm::dvec3& p, const glm::dvec3& q) {
         const glm::dvec3 u(m.e0 * glm::dvec4(p, 1)), v(m.e1 * glm::dvec4(q, 1));
         step = glm::max(step, glm::abs(v - u));
         swept.add(u);
         swept.add(v);
+        along.add(u - glm::dvec3(m.shift_from, 0, 0));
+        along.add(v - glm::dvec3(m.shift_to, 0, 0));
     };
     if (a.posed || b.posed) {
         const Mesh &p = *a.before_volume(), &q = *b.before_volume();
@@ -355,7 +356,22 @@ double Between::operator()(const EvaluatedObject& from, const Part& a, double fr
     }
     swept.lo -= *dev;
     swept.hi += *dev;
-    return bend.over(swept).off_chord(step) + glm::dot(bend.slopes(), *dev);
+    const auto reached =
+        volumes_.over(from, swept.lo.x, swept.hi.x, laps, a.bent->volume == b.bent->volume);
+    if (!reached) return no_bound;
+    swept.lo.x += reached->shift_u;
+    swept.hi.x += reached->shift_u;
+    VolumeBends& bend = bends(reached->volume);
+    double off = reached->seam;
+    if (reached->clamped) {
+        // The scene's volume ends somewhere behind the model's box, and what is further flat there.
+        const PlacementParameters& p = object_.placement->parameters;
+        const double moved = dev->x - m.uneven_u; // by the clip
+        off += bend.slopes().x * std::max({0.0, p.start - (along.lo.x - moved),
+                                           along.hi.x + moved - (p.start + p.fill)});
+    }
+    // The ends of the chord may be off by that, and so may be what is between.
+    return bend.over(swept).off_chord(step) + glm::dot(bend.slopes(), *dev) + 2 * off;
 }
 
 double Between::stretch(const Part& part)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/export/film.h"
+#include "core/export/reached_volumes.h"
 #include "core/export/volume_bends.h"
 
 #include <optional>
@@ -44,6 +45,7 @@ private:
     Ref<Model> model_;       // null: it is none of a file
     std::vector<int> nodes_; // that have a mesh, by slot
     double frames_per_second_ = 24;
+    ReachedVolumes volumes_;
     std::map<Ref<Lattice>, std::unique_ptr<VolumeBends>> bends_;
 };
 

@@ -85,11 +85,48 @@ const std::array<double, 6>& VolumeBends::cell(const glm::ivec3& slabs)
     return known->second;
 }
 
+// Of the derivative along an axis where a cell meets the one before: the difference of the two is a
+// patch over their common face, no longer than its Bezier points.
+double VolumeBends::kink(int axis, const glm::ivec3& slabs)
+{
+    const auto [known, fresh] = kinks_.try_emplace({axis, slabs.x, slabs.y, slabs.z}, 0);
+    if (!fresh) return known->second;
+    glm::ivec3 before = slabs;
+    --before[axis];
+    DisplacementCells::Cell a, b;
+    cells_.load(before, a);
+    cells_.load(slabs, b);
+    const glm::ivec3 n = cells_.orders();
+    const auto slope = [&](const DisplacementCells::Cell& cell, glm::ivec3 i) {
+        const auto point = [&] {
+            return glm::dvec3(cell.points[at((i.x * n.y + i.y) * n.z + i.z)]);
+        };
+        const glm::dvec3 there = point();
+        --i[axis];
+        return (there - point()) * (n[axis] - 1.0) / cell.size[axis];
+    };
+    double most = 0;
+    const int p = (axis + 1) % 3, q = (axis + 2) % 3;
+    for (int j = 0; j < n[p]; ++j)
+        for (int k = 0; k < n[q]; ++k) {
+            glm::ivec3 last, second;
+            last[axis] = n[axis] - 1;
+            second[axis] = 1;
+            last[p] = second[p] = j;
+            last[q] = second[q] = k;
+            most = std::max(most, glm::length(slope(b, second) - slope(a, last)));
+        }
+    if (a.mirrored != glm::bvec3(false) || b.mirrored != glm::bvec3(false))
+        most = 2 * cells_.slopes()[axis]; // its points are the other way round
+    return known->second = most * hidden_rounding;
+}
+
 VolumeBends::Bend VolumeBends::over(const Box& uvw)
 {
     Bend out;
     glm::ivec3 from(0), to(0);
     double cells = 1;
+    std::vector<std::pair<int, int>> inner; // kinks: an axis and the slab after it
     for (int a = 0; a < 3; ++a) {
         const AxisSlabs& axis = cells_.axis(a);
         // What only touches a knot plane is no further than that.
@@ -103,12 +140,24 @@ VolumeBends::Bend VolumeBends::over(const Box& uvw)
             if (end)
                 out.kink[a] += cells_.slopes()[a];
             else if (joint == AxisSlabs::Joint::kink)
-                out.kink[a] += 2 * cells_.slopes()[a];
+                inner.emplace_back(a, slab);
         }
     }
     constexpr double most_cells = 1e5;
-    if (!(cells <= most_cells)) out.second.fill(endless_bend);
-    if (!(cells <= most_cells)) return out;
+    if (!(cells <= most_cells)) {
+        out.second.fill(endless_bend);
+        if (!inner.empty()) out.kink = glm::dvec3(endless_bend);
+        return out;
+    }
+    for (const auto& [axis, slab] : inner) {
+        glm::ivec3 lo = from, hi = to;
+        lo[axis] = hi[axis] = slab;
+        double most = 0;
+        for (int i = lo.x; i <= hi.x; ++i)
+            for (int j = lo.y; j <= hi.y; ++j)
+                for (int k = lo.z; k <= hi.z; ++k) most = std::max(most, kink(axis, {i, j, k}));
+        out.kink[axis] += most;
+    }
     for (int i = from.x; i <= to.x; ++i)
         for (int j = from.y; j <= to.y; ++j)
             for (int k = from.z; k <= to.z; ++k) {

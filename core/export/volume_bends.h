@@ -29,14 +29,15 @@ public:
     Bend over(const Box& uvw); // infinite where the map jumps, or over very many cells
 
     const glm::dvec3& slopes() const { return slopes_; } // of F by u, v, w, at most
-    bool closed(int axis) const { return !cells_.axis(axis).open(); }
 
 private:
     const std::array<double, 6>& cell(const glm::ivec3& slabs);
+    double kink(int axis, const glm::ivec3& slabs);
 
     DisplacementCells cells_;
     glm::dvec3 slopes_{0};
     std::map<std::array<int, 3>, std::array<double, 6>> known_;
+    std::map<std::array<int, 4>, double> kinks_; // by axis and the slabs after it
 };
 
 } // namespace trivar

@@ -19,9 +19,10 @@ using Claim = FilmCertificate::PartClaim;
 class AnimatedExports : public testing::ExportedScenes {
 protected:
     // What is proven keeps to its own bound at ten times the frame rate, all else to the tolerance.
-    void expect_holds(const Document& document, const AnimatedExport& made) const
+    void expect_holds(const Document& document, const AnimatedExport& made,
+                      int per_frame = 10) const
     {
-        const std::vector<FilmSample> found = sampled_film(made, document, assets_, 10);
+        const std::vector<FilmSample> found = sampled_film(made, document, assets_, per_frame);
         for (std::size_t p = 0; p < found.size(); ++p) {
             const Claim& claim = made.certificate.parts[p];
             EXPECT_GT(found[p].samples, 0u);
@@ -62,6 +63,41 @@ TEST_F(AnimatedExports, AreProvenRoundABandThatTwistsWithTwoFollowing)
     EXPECT_THAT(not_certified(made.certificate), IsEmpty());
     EXPECT_LE(made.certificate.bound, 2e-3);
     expect_holds(document, made);
+}
+
+TEST_F(AnimatedExports, AreProvenOnAStrokeThatIsProlongedAtBothEnds)
+{
+    for (const double speed : {1.5, -1.5})
+        for (const double start : {0.0, 0.3}) {
+            Document document = laid();
+            PlacementParameters p = object(document, 5).placement->parameters;
+            p.start = start;
+            document = travelling(after(document, EditPlacement{5, p, {}, {}}),
+                                  {.speed = speed, .ends = Ends::run_on, .followers = 1});
+            const AnimatedExport made = exported(document);
+            EXPECT_THAT(not_certified(made.certificate), IsEmpty()) << speed << " " << start;
+            expect_holds(document, made, 20);
+        }
+}
+
+TEST_F(AnimatedExports, AreProvenWhereARingBeginsAgain)
+{
+    Sketch ring;
+    ring.camera.eye = {0, -4, 4};
+    for (int i = 0; i <= 60; ++i)
+        ring.samples.push_back(
+            {{640 + 100 * std::cos(i * 0.1047198), 360 + 70 * std::sin(i * 0.1047198)}, 0.1 * i});
+    PlacementParameters p;
+    p.fill = 0.3;
+    const Document still = after(still_, Place{5, ring, p, {1}});
+    for (const double speed : {1.5, -1.5})
+        for (const int followers : {0, 1}) {
+            const Document document =
+                travelling(still, {.speed = speed, .ends = Ends::loop, .followers = followers});
+            const AnimatedExport made = exported(document, 5e-3);
+            EXPECT_THAT(not_certified(made.certificate), IsEmpty()) << speed << " " << followers;
+            expect_holds(document, made, 20);
+        }
 }
 
 TEST_F(AnimatedExports, AreProvenWhileASkinBendsInAVolumeAndTravels)
