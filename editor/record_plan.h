@@ -13,7 +13,7 @@ struct RecordPlan {
     gpu::Level level = gpu::Level::standard;
     int width_px = 1920, height_px = 1080;
     int first = 1, last = 1, step = 1; // frames
-    bool video = false;                // a .mp4 beside the folder, too
+    bool video = false;                // a .mp4 in the folder, too
     bool operator==(const RecordPlan&) const = default;
 };
 

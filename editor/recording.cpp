@@ -84,12 +84,12 @@ void Recording::next()
 {
     start(
         Doing::evaluating,
-        [](Run& run, const Progress& progress) {
+        [shaders = shaders_](Run& run, const Progress& progress) {
             RecordingWish& wish = run.wish;
             if (!std::exchange(run.prepared, true)) {
                 make_folder(wish.sequence.names);
                 wish.sequence.settings = sequence_settings(std::move(wish.sequence.settings),
-                                                           wish.document, *wish.assets);
+                                                           wish.document, *wish.assets, shaders);
             }
             while (!run.all_there() && wish.sequence.has(run.frame())) {
                 report(progress, 0, "frames that are there");

@@ -4,9 +4,10 @@
 #include "core/base/digest.h"
 #include "core/base/rejected.h"
 #include "core/base/whole_numbers.h"
+#include "core/document/files_read.h"
 #include "core/files/file_bytes.h"
 #include "core/files/image.h"
-#include "core/files/read_model.h"
+#include "editor/about.h"
 
 #include <algorithm>
 #include <cmath>
@@ -138,20 +139,21 @@ std::function<void()> Sequence::writer(int frame, const Still& still) const
     return [write, image = make_ref(still.image())] { write(*image); };
 }
 
-std::string sequence_settings(std::string drawn, const Document& document, const AssetStore& assets)
+std::string sequence_settings(std::string drawn, const Document& document, const AssetStore& assets,
+                              const Ref<gpu::ShaderTexts>& shaders)
 {
-    std::map<std::string, std::string> hashes; // of contents, by name in the scene
-    for (const auto& [id, object] : document.objects)
-        if (const auto* file = std::get_if<ImportedFile>(&object->source))
-            if (!hashes.contains(file->path))
-                hashes[file->path] = file_hash(assets.resolve(file->path));
-    if (hashes.empty()) return drawn;
-    Digest digest;
-    for (const auto& [name, hash] : hashes) {
-        digest.add_text(name);
-        digest.add_text(hash);
+    drawn += " version=" + program_version();
+    if (shaders) {
+        Digest digest;
+        for (const auto& [file, text] : *shaders) {
+            digest.add_text(file);
+            digest.add_text(text);
+        }
+        drawn += " shaders=" + digest.hex();
     }
-    return drawn + " files=" + digest.hex();
+    if (const std::string files = digest_of_files(document, assets); !files.empty())
+        drawn += " files=" + files;
+    return drawn;
 }
 
 std::string digest_of_log(std::string_view text)

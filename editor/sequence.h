@@ -46,10 +46,11 @@ struct Sequence {
     // It throws Rejected.
     std::function<void()> writer(int frame, const Still& still) const;
 };
-// What else than the log decides what its pictures show: words of who draws it, and the files that
-// the scene uses, which it reads. Throws Rejected where one is missing.
-std::string sequence_settings(std::string drawn, const Document& document,
-                              const AssetStore& assets);
+// What else than the log decides what its pictures show: words of who draws it, the program's
+// version, a developer's shaders if there are any, and the files that the scene uses, as they were
+// read. Throws Rejected where one is missing.
+std::string sequence_settings(std::string drawn, const Document& document, const AssetStore& assets,
+                              const Ref<gpu::ShaderTexts>& shaders = {});
 std::string digest_of_log(std::string_view text);
 
 // The folder of the pictures, made if only the last part of its name is missing. Throws Rejected.

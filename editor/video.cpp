@@ -4,6 +4,7 @@
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/files/file_bytes.h"
+#include "core/files/growing_file.h"
 #include "core/files/image.h"
 
 #include <algorithm>
@@ -15,9 +16,12 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
+#include <functional>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <utility>
 
 extern char** environ;
 
@@ -40,6 +44,13 @@ bool has_program(const std::string& name)
         folders.remove_prefix(std::min(end + 1, folders.size()));
     }
     return false;
+}
+
+// As ffmpeg calls it.
+std::string format_of(const std::string& path)
+{
+    const std::string extension = extension_of(path);
+    return extension == ".mkv" ? "matroska" : extension.substr(1);
 }
 
 // What has no end of its own in a stream, as EXR, is made another.
@@ -69,39 +80,55 @@ public:
         posix_spawn_file_actions_destroy(&actions);
         ::close(ends[0]);
         to_ = ends[1];
+        ::fcntl(to_, F_SETFL, O_NONBLOCK); // it may take its time
         if (error != 0) {
             ::close(to_);
             throw Rejected(
                 fmt::format("{} cannot be started ({})", arguments.front(), std::strerror(error)));
         }
     }
-    ~Child() { end(); }
+    ~Child() // what is not awaited is ended
+    {
+        if (id_ < 0) return;
+        if (to_ >= 0) ::close(to_);
+        ::kill(id_, SIGKILL);
+        while (::waitpid(id_, nullptr, 0) < 0 && errno == EINTR) continue;
+    }
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;
 
-    // Whether it took all of them.
-    bool give(std::string_view bytes)
+    // Whether it took all of them. While it does not, `meanwhile` is called, which may throw.
+    bool give(std::string_view bytes, const std::function<void()>& meanwhile)
     {
         while (!bytes.empty()) {
             const ssize_t count = ::write(to_, bytes.data(), bytes.size());
+            if (count > 0) {
+                bytes.remove_prefix(static_cast<std::size_t>(count));
+                continue;
+            }
             if (count < 0 && errno == EINTR) continue;
-            if (count <= 0) return false;
-            bytes.remove_prefix(static_cast<std::size_t>(count));
+            if (count == 0 || errno != EAGAIN) return false;
+            pollfd room{to_, POLLOUT, 0};
+            ::poll(&room, 1, wait_ms);
+            meanwhile();
         }
         return true;
     }
     // Waits for it; whether it was content.
-    bool end()
+    bool end(const std::function<void()>& meanwhile)
     {
-        if (id_ < 0) return false;
-        ::close(to_);
+        ::close(std::exchange(to_, -1));
         int status = 0;
-        while (::waitpid(id_, &status, 0) < 0 && errno == EINTR) continue;
+        while (::waitpid(id_, &status, WNOHANG) == 0) {
+            ::poll(nullptr, 0, wait_ms);
+            meanwhile();
+        }
         id_ = -1;
         return WIFEXITED(status) && WEXITSTATUS(status) == 0;
     }
 
 private:
+    static constexpr int wait_ms = 20;
     pid_t id_ = -1;
     int to_ = -1;
 };
@@ -140,33 +167,49 @@ void write_video(const std::vector<std::string>& pictures, double frames_per_sec
                  const std::string& path, const Progress& progress)
 {
     check_video(path);
-    const fs::path file = fs::absolute(path);
-    const std::string half =
-        (file.parent_path() / (".half-" + file.stem().string() + extension_of(path))).string();
-    const std::vector<std::string> words{
-        "ffmpeg",   "-y",         "-loglevel",  "quiet",
-        "-f",       "image2pipe", "-framerate", shortest(frames_per_second),
-        "-i",       "-",          "-vf",        "pad=ceil(iw/2)*2:ceil(ih/2)*2",
-        "-c:v",     "libx264",    "-crf",       "16",
-        "-pix_fmt", "yuv420p",    "-movflags",  "+faststart",
-        half};
+    GrowingFile file(fs::absolute(path).string());
+    const std::vector<std::string> words{"ffmpeg",
+                                         "-y",
+                                         "-loglevel",
+                                         "quiet",
+                                         "-f",
+                                         "image2pipe",
+                                         "-framerate",
+                                         shortest(frames_per_second),
+                                         "-i",
+                                         "-",
+                                         "-vf",
+                                         "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+                                         "-c:v",
+                                         "libx264",
+                                         "-crf",
+                                         "16",
+                                         "-pix_fmt",
+                                         "yuv420p",
+                                         "-movflags",
+                                         "+faststart",
+                                         "-f",
+                                         format_of(path),
+                                         file.temporary()};
     const WithoutPipeSignal no_signal;
     bool content = true;
     {
         Child ffmpeg(words);
-        for (std::size_t i = 0; i < pictures.size() && content; ++i) {
-            report(progress, static_cast<double>(i) / static_cast<double>(pictures.size()),
+        std::size_t given = 0;
+        const auto tell = [&] {
+            report(progress, static_cast<double>(given) / static_cast<double>(pictures.size()),
                    "video");
-            content = ffmpeg.give(as_png(pictures[i]));
+        };
+        for (; given < pictures.size() && content; ++given) {
+            tell();
+            content = ffmpeg.give(as_png(pictures[given]), tell);
         }
-        content = ffmpeg.end() && content;
+        content = ffmpeg.end(tell) && content;
     }
-    std::error_code error;
-    if (content) fs::rename(half, file, error);
-    if (content && !error) return;
     std::error_code ignored;
-    fs::remove(half, ignored);
-    throw Rejected(path + ": ffmpeg could not make it of these pictures there");
+    content = content && fs::file_size(file.temporary(), ignored) > 0;
+    if (!content) throw Rejected(path + ": ffmpeg could not make it of these pictures there");
+    file.finish();
 }
 
 } // namespace trivar

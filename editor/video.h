@@ -13,8 +13,8 @@ namespace trivar {
 void check_video(const std::string& path);
 
 // A video of pictures, in their order, by the program ffmpeg, which gets them one after another;
-// written beside the file, then renamed. Sizes of an odd number get another row or column. Throws
-// Rejected.
+// written beside the file, then renamed: any failure, Cancelled among them, leaves what was there.
+// Sizes of an odd number get another row or column. Throws Rejected.
 void write_video(const std::vector<std::string>& pictures, double frames_per_second,
                  const std::string& path, const Progress& progress = {});
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/asset_store.h"
 
+#include "core/base/digest.h"
 #include "core/base/rejected.h"
+#include "core/files/companions.h"
 
 #include <filesystem>
 #include <fmt/format.h>
@@ -9,6 +11,24 @@
 #include <tuple>
 
 namespace trivar {
+
+namespace {
+
+std::string content_of(const std::string& path, const std::string& hash)
+{
+    const std::vector<std::string> companions = companions_of(path);
+    if (companions.empty()) return hash;
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    Digest digest;
+    digest.add_text(hash);
+    for (const std::string& name : companions) {
+        digest.add_text(name);
+        digest.add_text(file_hash((folder / name).string()));
+    }
+    return digest.hex();
+}
+
+} // namespace
 
 struct AssetStore::State {
     std::string folder;
@@ -54,8 +74,9 @@ AssetStore::Loaded AssetStore::load(const ImportedFile& file, const Progress& pr
     const std::lock_guard guard(state_->mutex);
     const auto [entry, fresh] = state_->loaded.try_emplace({path, file.up, file.scale});
     if (fresh) try {
-            entry->second.hash = file_hash(path);
+            entry->second.hash = entry->second.content = file_hash(path);
             Model model = read_model(path, {.up = file.up, .scale = file.scale}, progress);
+            entry->second.content = content_of(path, entry->second.hash);
             entry->second.notices = model.notices;
             entry->second.model = make_ref(std::move(model));
         } catch (const Rejected& error) {

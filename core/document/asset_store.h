@@ -25,6 +25,7 @@ public:
     struct Loaded {
         Ref<Model> model;                 // null: missing or unreadable
         std::string hash;                 // of the file's content; empty: missing
+        std::string content;              // digest of it and of all files that it names
         std::vector<std::string> notices; // why it is missing, that its content is not the one
                                           // that was meant, what was repaired
     };

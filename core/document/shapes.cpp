@@ -4,7 +4,6 @@
 #include "core/base/rejected.h"
 #include "core/mesh/primitives.h"
 #include "core/mesh/subdivide.h"
-#include "core/text/installed_fonts.h"
 
 #include <algorithm>
 
@@ -62,8 +61,7 @@ Model primitive(const TextShape&)
 // The model, what there is to say of it in its notices.
 Model letters(const TextShape& text, const AssetStore& assets)
 {
-    const FoundFont found =
-        find_font(is_font_path(text.font) ? assets.resolve(text.font) : text.font);
+    const FoundFont found = font_of(text, assets);
     TextBody body = text_body(text, found.font);
     Model model = single_mesh_model("", std::move(body.mesh));
     model.notices = found.notices;
@@ -107,6 +105,11 @@ void subdivide_all(Shape& shape, int levels, const Progress& progress)
 }
 
 } // namespace
+
+FoundFont font_of(const TextShape& text, const AssetStore& assets)
+{
+    return find_font(is_font_path(text.font) ? assets.resolve(text.font) : text.font);
+}
 
 void stand(Shape& shape, const Clip* clip, double time_s)
 {

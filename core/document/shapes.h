@@ -5,6 +5,7 @@
 #include "core/document/asset_store.h"
 #include "core/mesh/pose.h"
 #include "core/placement/round.h"
+#include "core/text/installed_fonts.h"
 
 namespace trivar {
 
@@ -22,6 +23,10 @@ struct Shape {
     Ref<std::vector<Material>> materials;
     std::vector<std::string> notices;
 };
+
+// The font of a text, whose file's name may be as from the scene's folder. Throws Rejected where
+// there is no font at all.
+FoundFont font_of(const TextShape& text, const AssetStore& assets);
 
 // Puts its meshes where the nodes of its model stand.
 void stand(Shape& shape, const Stance& stance);

@@ -17,6 +17,7 @@ public:
     void append(std::string_view bytes);
     void close();  // all of it is on the disk then, and nothing can be added
     void finish(); // it is there under its name
+    const std::string& temporary() const { return temporary_; } // for another program to fill
 
 private:
     void flush();

@@ -45,7 +45,7 @@ public:
 
     double line_height() const;        // em, from one base line to the next
     const std::string& title() const;  // its family and style
-    const std::string& digest() const; // of the file
+    const std::string& digest() const; // of the file and the face
 
 private:
     struct State;

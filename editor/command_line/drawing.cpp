@@ -44,12 +44,18 @@ StillOptions still_options(const DrawingOptions& options)
     return out;
 }
 
+Ref<gpu::ShaderTexts> shaders_of(const DrawingOptions& options)
+{
+    if (options.shaders.empty()) return {};
+    return gpu::ShaderFolder(options.shaders).texts(0);
+}
+
 Drawing::Drawing(const DrawingOptions& options, const Streams& streams)
     : named_camera_(options.camera),
       options_(still_options(options)),
       streams_(streams)
 {
-    if (!options.shaders.empty()) options_.shaders = gpu::ShaderFolder(options.shaders).texts(0);
+    options_.shaders = shaders_of(options);
 }
 
 void Drawing::say_once(const std::string& sentence)

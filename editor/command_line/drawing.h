@@ -23,6 +23,8 @@ struct DrawingOptions {
 // Throws WrongUsage.
 glm::ivec2 picture_size(const std::string& text);
 StillOptions still_options(const DrawingOptions& options);
+// Null: those of the program. Throws Rejected where there are none.
+Ref<gpu::ShaderTexts> shaders_of(const DrawingOptions& options);
 
 // Pictures without a window, one after another. Throws Rejected where there is no OpenGL.
 class Drawing {

@@ -5,22 +5,12 @@
 #include "core/base/rejected.h"
 #include "core/document/certificate.h"
 #include "core/export/animated_files.h"
-#include "editor/command_line/interrupts.h"
 
 #include <cmath>
 #include <fmt/format.h>
 
 namespace trivar {
 namespace {
-
-// A terminal sees how far it is; Ctrl C ends it.
-Progress stoppable(const Streams& streams, const Interrupts& interrupts)
-{
-    return [shown = shown_progress(streams), &interrupts](double fraction, std::string_view stage) {
-        if (interrupts.came()) throw Cancelled();
-        report(shown, fraction, stage);
-    };
-}
 
 Status tell(const AnimatedFile& written, const ExportOptions& options, const Streams& streams)
 {

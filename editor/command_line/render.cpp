@@ -4,7 +4,6 @@
 #include "core/base/parallel.h"
 #include "core/document/parameters.h"
 #include "core/files/image.h"
-#include "editor/command_line/interrupts.h"
 #include "editor/contact_sheet.h"
 #include "editor/sequence.h"
 #include "editor/video.h"
@@ -62,13 +61,13 @@ public:
         check_frames(frames_, document_.time);
         if (!options.sheet.empty()) return;
         sequence_.log = digest_of_log(text);
-        sequence_.settings = sequence_settings(words_of(options.drawing), document_, *assets_);
+        sequence_.settings = sequence_settings(words_of(options.drawing), document_, *assets_,
+                                               shaders_of(options.drawing));
         make_folder(sequence_.names);
     }
 
-    Status run()
+    Status run(const Interrupts& interrupts)
     {
-        Interrupts interrupts; // before there are threads, so that they know of them too
         Drawing drawing(options_.drawing, streams_);
         const std::optional<Camera> fixed = camera_of_all(drawing);
         const auto start = std::chrono::steady_clock::now();
@@ -110,7 +109,7 @@ public:
         write_image(contact_sheet(pictures, sheet_grid(options_.sheet).x), options_.out);
     }
 
-    void write_video() const
+    Status write_video(const Interrupts& interrupts) const
     {
         const auto missing = static_cast<int>(
             std::ranges::count_if(frames_, [&](int frame) { return !sequence_.has(frame); }));
@@ -118,14 +117,21 @@ public:
             streams_.talk << fmt::format("trivar: {}: is made when all frames are there; {} of {} "
                                          "are not\n",
                                          options_.video, missing, frames_.size());
-            return;
+            return Status::done;
         }
         std::vector<std::string> pictures;
         for (const int frame : frames_) pictures.push_back(sequence_.names.path(frame));
         const int step = frames_.size() > 1 ? frames_[1] - frames_[0] : 1;
-        trivar::write_video(pictures, document_.time.frames_per_second / step, options_.video,
-                            shown_progress(streams_));
-        clear_progress(streams_);
+        try {
+            trivar::write_video(pictures, document_.time.frames_per_second / step, options_.video,
+                                stoppable(streams_, interrupts));
+            clear_progress(streams_);
+            return Status::done;
+        } catch (const Cancelled&) {
+            clear_progress(streams_);
+            streams_.talk << fmt::format("trivar: stopped; {} was not written\n", options_.video);
+            return Status::interrupted;
+        }
     }
 
 private:
@@ -190,9 +196,10 @@ Status run_render(const RenderOptions& options, const Streams& streams)
         rendering.write_sheet();
         return Status::done;
     }
-    const Status status = rendering.run();
-    if (status == Status::done && !options.video.empty()) rendering.write_video();
-    return status;
+    const Interrupts interrupts; // before there are threads, so that they know of them too
+    const Status status = rendering.run(interrupts);
+    if (status != Status::done || options.video.empty()) return status;
+    return rendering.write_video(interrupts);
 }
 
 } // namespace trivar

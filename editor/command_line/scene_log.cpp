@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/command_line/scene_log.h"
 
+#include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "editor/command_line/drawing.h"
 
@@ -67,6 +68,14 @@ Progress shown_progress(const Streams& streams)
     if (!streams.terminal) return {};
     return [&talk = streams.talk](double fraction, std::string_view stage) {
         talk << fmt::format("\r\x1b[K{:3.0f} % {}", 100 * fraction, stage) << std::flush;
+    };
+}
+
+Progress stoppable(const Streams& streams, const Interrupts& interrupts)
+{
+    return [shown = shown_progress(streams), &interrupts](double fraction, std::string_view stage) {
+        if (interrupts.came()) throw Cancelled();
+        report(shown, fraction, stage);
     };
 }
 

@@ -5,6 +5,7 @@
 #include "core/document/asset_store.h"
 #include "core/document/log.h"
 #include "editor/command_line/command_line.h"
+#include "editor/command_line/interrupts.h"
 
 #include <map>
 
@@ -29,6 +30,8 @@ Log scene_log(const std::string& text, const std::string& path, const Streams& s
 
 // One line of talk in place, on a terminal only.
 Progress shown_progress(const Streams& streams);
+// The same, and Ctrl C ends the work: it throws Cancelled.
+Progress stoppable(const Streams& streams, const Interrupts& interrupts);
 void clear_progress(const Streams& streams);
 
 } // namespace trivar

@@ -336,6 +336,65 @@ TEST_F(Sequences, BecomeAVideoWhenAllFramesAreThere)
     }
 }
 
+TEST_F(Sequences, LeaveNoVideoWhereThatIsInterrupted)
+{
+    const SomeFfmpeg takes_its_time(folder, "exec sleep 600\n");
+    const std::string out = folder.file("v/a.####.png");
+    ASSERT_EQ(render("v/a.####.png", {}, "1:240").status, Status::done); // more than a pipe holds
+    const Program program(arguments(out, {"--resume", "--video", folder.file("v.mp4")}, "1:240"));
+    const auto begun = [&] {
+        return std::ranges::any_of(fs::directory_iterator(folder.file("")), [](const auto& each) {
+            return each.path().filename().string().starts_with("v.mp4.");
+        });
+    };
+    while (!begun()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    ::kill(program.id, SIGTERM);
+    const int status = program.end();
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 130);
+    EXPECT_FALSE(begun());
+    EXPECT_FALSE(fs::exists(folder.file("v.mp4")));
+}
+
+TEST_F(Sequences, AreDrawnAnewWhereAFileOfTheirsIsAnother)
+{
+    const std::string mtl = folder.file("tri.mtl");
+    write_file(folder.file("tri.obj"),
+               "mtllib tri.mtl\nv 0 0 0\nv 1 0 0\nv 0 0 1\nusemtl a\nf 1 2 3\n");
+    write_file(mtl, "newmtl a\nKd 1 0 0\n");
+    SceneFile file(scene);
+    ImportModel model;
+    model.file.path = folder.file("tri.obj");
+    file.run(model);
+    file.save_as(scene);
+    ASSERT_EQ(render("m/a.#.png", {}, "1").status, Status::done);
+    const auto red = files("m");
+    EXPECT_THAT(render("m/a.#.png", {"--resume"}, "1").talk, HasSubstr("1 frame, 0 drawn"));
+    write_file(mtl, "newmtl a\nKd 0 0 1\n");
+    EXPECT_THAT(render("m/a.#.png", {"--resume"}, "1").talk, HasSubstr("1 frame, 1 drawn"));
+    EXPECT_NE(files("m"), red);
+}
+
+TEST(SequenceSettings, TellADevelopersShadersAndTheFontThatIsThere)
+{
+    const AssetStore assets("");
+    const auto of_font = [&](const std::string& name) {
+        SceneFile file;
+        AddText text;
+        text.shape.font = name;
+        file.run(text);
+        return sequence_settings("", file.document(), assets);
+    };
+    EXPECT_THAT(of_font("DejaVu Sans"), HasSubstr(" files="));
+    EXPECT_NE(of_font("DejaVu Sans"), of_font("DejaVu Serif"));
+    const auto of_shaders = [&](const std::string& text) {
+        return sequence_settings("", {}, assets,
+                                 make_ref(gpu::ShaderTexts{{"sky.frag.glsl", text}}));
+    };
+    EXPECT_NE(of_shaders("a"), of_shaders("b"));
+    EXPECT_NE(of_shaders("a"), sequence_settings("", {}, assets));
+}
+
 TEST(TimeLeft, IsWhatTheOnesBeforeTook)
 {
     EXPECT_EQ(time_left(0, 10, 0), "");
