@@ -31,7 +31,8 @@ Travel dragged(const Editor::Timeline& t, const Journey& journey, int frames, do
     if (t.hand == Hand::begin && !by_speed && travel.duration == 0) return travel; // without end
     const double end = t.hand == Hand::end ? t.to + frames : t.to;
     if (t.hand == Hand::begin)
-        travel.start_frame = std::min(travel.start_frame, static_cast<int>(std::floor(end)) - 1);
+        travel.start_frame = static_cast<int>(
+            std::min<double>(travel.start_frame, std::max(std::floor(end) - 1, -999999.0)));
     const double seconds = std::max(1.0, end - travel.start_frame) / rate;
     if (by_speed)
         travel.speed = std::clamp(journey.speed_for(seconds), -1e6, 1e6);

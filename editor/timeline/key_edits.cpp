@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <map>
 
 namespace trivar {
@@ -80,6 +82,18 @@ KeyEdit changed_keys(const Document& document, const ChosenKeys& keys,
         });
 }
 
+// What goes on from a chosen key when those of its track are turned round: each piece between two
+// of them keeps its way, and so does the one after the last.
+Tween tween_turned(const Document& document, const ChosenKeys& keys, const KeyName& key)
+{
+    auto before = keys.find(key);
+    if (before == keys.begin() || std::prev(before)->track != key.track)
+        before = std::prev(keys.upper_bound({key.track, std::numeric_limits<double>::infinity()}));
+    else
+        --before;
+    return key_of(document, *before)->tween;
+}
+
 } // namespace
 
 const Track* track_of(const Document& document, const TrackName& name)
@@ -125,7 +139,8 @@ KeyEdit copied(const Document& document, const ChosenKeys& keys, double frames)
 
 KeyEdit scaled(const Document& document, const ChosenKeys& keys, double about, double factor)
 {
-    return changed_keys(document, keys, [&](Key key, const TrackName&) {
+    return changed_keys(document, keys, [&](Key key, const TrackName& track) {
+        if (factor < 0) key.tween = tween_turned(document, keys, {track, key.frame});
         key.frame = std::round(about + (key.frame - about) * factor);
         key.before.x *= factor;
         key.after.x *= factor;

@@ -84,6 +84,18 @@ TEST(KeyEdits, ScaleTimeAboutAFrameToWholeFrames)
     EXPECT_EQ(scaled(before, {{upward_track, 21}}, 11, -1).keys, (ChosenKeys{{upward_track, 1}}));
 }
 
+TEST(KeyEdits, ThatTurnKeysRoundKeepTheWayOfEachPiece)
+{
+    Document before = with_keys();
+    before = done(before, with_tween(before, {{upward_track, 1}}, Tween::step));
+    before = done(before, with_tween(before, {{upward_track, 11}}, Tween::linear));
+    const ChosenKeys all{{upward_track, 1}, {upward_track, 11}, {upward_track, 21}};
+    const Document now = done(before, scaled(before, all, 11, -1));
+    EXPECT_EQ(key_of(now, {upward_track, 1})->tween, Tween::linear);
+    EXPECT_EQ(key_of(now, {upward_track, 11})->tween, Tween::step);
+    EXPECT_EQ(key_of(now, {upward_track, 21})->tween, Tween::cubic);
+}
+
 TEST(KeyEdits, ATrackWithoutKeysIsGone)
 {
     const Document before = with_keys();
