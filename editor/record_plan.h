@@ -4,6 +4,9 @@
 #include "editor/recording.h"
 #include "editor/session.h"
 
+#include <optional>
+#include <utility>
+
 namespace trivar {
 
 // What a person says of a recording, before it begins.
@@ -22,6 +25,9 @@ struct RecordDialog {
     bool open = false;
     std::string of; // the scene's file, for which it is
     RecordPlan plan;
+    // How many of its files were there when the plan became so: asked once, for it may be a million
+    // of them on a slow disk.
+    std::optional<std::pair<RecordPlan, int>> there;
     bool card_hidden = false; // of the recording that runs
 };
 

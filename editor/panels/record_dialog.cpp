@@ -70,13 +70,13 @@ void draw_plan(const ui::Theme& theme, RecordPlan& plan, const Session& session)
 }
 
 // What the plan comes to, and what of it is there.
-std::string words_of(const RecordPlan& plan, const Session& session, const RecordingWish& wish)
+std::string words_of(RecordDialog& dialog, const RecordingWish& wish)
 {
-    const FrameNames names = names_of(plan, session);
-    std::error_code ignored;
-    const auto there = std::ranges::count_if(wish.frames, [&](int frame) {
-        return std::filesystem::exists(names.path(frame), ignored);
-    });
+    const FrameNames& names = wish.sequence.names;
+    if (!dialog.there || dialog.there->first != dialog.plan)
+        dialog.there = {dialog.plan,
+                        static_cast<int>(wish.frames.size()) - wish.sequence.gone(wish.frames)};
+    const int there = dialog.there->second;
     const auto name = [](const std::string& path) {
         return std::filesystem::path(path).filename().string();
     };
@@ -110,6 +110,7 @@ void ask_record(Editor& editor)
     }
     if (dialog.of != session.scene().path()) dialog.plan = usual_plan(session);
     dialog.of = session.scene().path();
+    dialog.there.reset();
     keep_frames_of(session.document().time, dialog.plan.first, dialog.plan.last);
     dialog.open = true;
 }
@@ -126,7 +127,7 @@ void draw_record_dialog(Editor& editor, const ui::Theme& theme)
                                  .come_to =
                                      [&] {
                                          wish = wish_of(dialog.plan, editor.session);
-                                         return words_of(dialog.plan, editor.session, *wish);
+                                         return words_of(dialog, *wish);
                                      },
                                  .begin = [] { return std::string("Record"); }});
     dialog.open = answer == PlanAnswer::none;
