@@ -145,8 +145,8 @@ void claim_targets(FilmCertificate::PartClaim& claim, const Between& between,
     claim.unproven = between.unknown();
     if (claim.unproven.empty() && jumps > 0)
         claim.unproven = std::to_string(jumps) + " of " + std::to_string(bounds.size() - 1) +
-                         " ways from one moment to the next are not bounded: it jumps, or its clip "
-                         "or its stroke says too little";
+                         " ways from one moment to the next are not bounded: it jumps, or its "
+                         "clip, its stroke or its guard says too little";
     for (std::size_t i = 0; i < off.size(); ++i) {
         const double next = i + 1 < off.size() ? space[i + 1] + off[i + 1] : 0;
         const double step = std::isfinite(bounds[i]) ? bounds[i] : 0;

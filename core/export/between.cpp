@@ -30,7 +30,8 @@ std::string why_not_still(const Document& document, Id id, bool itself, std::set
     if (!seen.insert(id).second) return {};
     const Object& o = object(document, id);
     for (const Track& track : o.tracks)
-        if (!track.parameter.starts_with("material.") && track.parameter != "hidden")
+        if (!track.parameter.starts_with("material.") && track.parameter != "hidden" &&
+            !(itself && KeyedVolume::is_of_it(o, track)))
             return itself ? "its " + track.parameter + " has keys" : "what it lies on has keys";
     if (!itself && !o.playing.clip.empty()) return "what it lies on plays a clip";
     if (!itself && o.travel.speed != 0 && o.placement) return "what it lies on travels";
@@ -90,6 +91,7 @@ std::string why_unproven(const Document& document, Id id)
 Between::Between(const Document& document, Id id, const AssetStore& assets)
     : unknown_(why_unproven(document, id)),
       object_(object(document, id)),
+      keyed_(KeyedVolume::of(object_)),
       frames_per_second_(document.time.frames_per_second)
 {
     if (const auto* file = std::get_if<ImportedFile>(&object_.source)) {
@@ -308,7 +310,7 @@ double Between::operator()(const EvaluatedObject& from, const Part& a, double fr
                            const EvaluatedObject& to, const Part& b, double to_frame)
 {
     if (!unknown_.empty() || !a.bent || !b.bent) return no_bound;
-    if (from.placement != to.placement) return no_bound;
+    if (from.placement != to.placement && !keyed_) return no_bound;
     Moving m{from, a, b};
     const std::size_t meshes = model_ ? nodes_.size() : 1;
     m.member = a.slot / static_cast<int>(meshes);
@@ -357,21 +359,30 @@ double Between::operator()(const EvaluatedObject& from, const Part& a, double fr
     swept.lo -= *dev;
     swept.hi += *dev;
     const auto reached =
-        volumes_.over(from, swept.lo.x, swept.hi.x, laps, a.bent->volume == b.bent->volume);
+        volumes_.over(from, swept.lo.x, swept.hi.x, laps, {a.bent->volume, b.bent->volume});
     if (!reached) return no_bound;
     swept.lo.x += reached->shift_u;
     swept.hi.x += reached->shift_u;
-    VolumeBends& bend = bends(reached->volume);
+    VolumeBends::Bend bend = bends(reached->volume).over(swept);
+    glm::dvec3 slopes = bends(reached->volume).slopes();
     double off = reached->seam;
     if (reached->clamped) {
         // The scene's volume ends somewhere behind the model's box, and what is further flat there.
         const PlacementParameters& p = object_.placement->parameters;
         const double moved = dev->x - m.uneven_u; // by the clip
-        off += bend.slopes().x * std::max({0.0, p.start - (along.lo.x - moved),
-                                           along.hi.x + moved - (p.start + p.fill)});
+        off += slopes.x * std::max({0.0, p.start - (along.lo.x - moved),
+                                    along.hi.x + moved - (p.start + p.fill)});
     }
-    // The ends of the chord may be off by that, and so may be what is between.
-    return bend.over(swept).off_chord(step) + glm::dot(bend.slopes(), *dev) + 2 * off;
+    double changed = 0; // by the volume itself
+    if (keyed_) {
+        bend = greater(bend, bends(b.bent->volume).over(swept));
+        slopes = glm::max(slopes, bends(b.bent->volume).slopes());
+        const auto change = keyed_->change(from, from_frame, to, to_frame, slopes);
+        if (!change) return no_bound;
+        changed = change->uneven + glm::dot(change->turn, step) / 4;
+    }
+    // The ends of the chord may be off by the seam, and so may be what is between.
+    return bend.off_chord(step) + glm::dot(slopes, *dev) + changed + 2 * off;
 }
 
 double Between::stretch(const Part& part)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/export/film.h"
+#include "core/export/keyed_volume.h"
 #include "core/export/reached_volumes.h"
 #include "core/export/volume_bends.h"
 
@@ -16,7 +17,8 @@ namespace trivar {
 //
 // q(t) is the point in the volume's parameters, d its step from one moment to the other, and dev
 // how far q(t) is from going evenly: by travel (Journey::unevenness_u), and by the clip's pose
-// between the moments at which it has keys (core/mesh/pose_rates.h).
+// between the moments at which it has keys (core/mesh/pose_rates.h). What keys make of the volume
+// itself comes to it (KeyedVolume).
 class Between {
 public:
     Between(const Document& document, Id object, const AssetStore& assets);
@@ -42,6 +44,7 @@ private:
 
     std::string unknown_;
     Object object_;
+    std::optional<KeyedVolume> keyed_;
     Ref<Model> model_;       // null: it is none of a file
     std::vector<int> nodes_; // that have a mesh, by slot
     double frames_per_second_ = 24;

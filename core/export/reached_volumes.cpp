@@ -28,7 +28,7 @@ double seam_of(const Lattice& lattice)
 
 std::optional<ReachedVolumes::Reached> ReachedVolumes::over(const EvaluatedObject& object,
                                                             double from, double to, double laps,
-                                                            bool one_volume)
+                                                            const std::array<Ref<Lattice>, 2>& at)
 {
     const Ref<Lattice> at_rest(object.placement, &object.placement->volume);
     const Knots& axis = at_rest->displacement.axes[0];
@@ -36,9 +36,9 @@ std::optional<ReachedVolumes::Reached> ReachedVolumes::over(const EvaluatedObjec
                  period = axis.end() - axis.begin();
     if (!object.journey || axis.closure() != Closure::open) return Reached{at_rest};
     if (laps == 0 && from >= begin && to <= end) return Reached{at_rest};
-    // Only what goes round leaves the volume at rest and comes back.
+    // Only what goes round leaves a volume and comes back.
     const bool rounds = object.journey->rounds();
-    if (laps == 0 && one_volume && !rounds) return Reached{at_rest};
+    if (laps == 0 && at[0] == at[1] && !rounds) return Reached{at[0]};
     if (laps != 0 && (!rounds || std::abs(laps) > 1)) return {};
     Longer& longer = longer_[object.placement];
     if (!rounds) {

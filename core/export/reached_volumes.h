@@ -20,9 +20,10 @@ public:
         bool clamped = false; // but for what it is out of its model's box along the stroke
     };
     // Of what lies from u = `from` to `to` at all times between two moments, with `laps` begun
-    // meanwhile that its u does not show, and in one volume or in two. Nothing: it is not known.
+    // meanwhile that its u does not show, and in these volumes at the two. Nothing: it is not
+    // known.
     std::optional<Reached> over(const EvaluatedObject& object, double from, double to, double laps,
-                                bool one_volume);
+                                const std::array<Ref<Lattice>, 2>& at_moments);
 
 private:
     struct Longer {

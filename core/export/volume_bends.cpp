@@ -46,6 +46,14 @@ double VolumeBends::Bend::off_triangle(const glm::dvec3& p, const glm::dvec3& q)
     return out;
 }
 
+VolumeBends::Bend greater(const VolumeBends::Bend& a, const VolumeBends::Bend& b)
+{
+    VolumeBends::Bend out{a.second, glm::max(a.kink, b.kink)};
+    for (std::size_t n = 0; n < out.second.size(); ++n)
+        out.second[n] = std::max(out.second[n], b.second[n]);
+    return out;
+}
+
 VolumeBends::VolumeBends(const Lattice& lattice) : cells_(lattice.displacement)
 {
     for (int a = 0; a < 3; ++a)

@@ -40,4 +40,7 @@ private:
     std::map<std::array<int, 4>, double> kinks_; // by axis and the slabs after it
 };
 
+// No less than both, and than any mean of the two.
+VolumeBends::Bend greater(const VolumeBends::Bend& a, const VolumeBends::Bend& b);
+
 } // namespace trivar
