@@ -16,11 +16,12 @@ constexpr std::size_t most_samples = 4;
 struct Known {
     const char *file, *title, *words;
 };
-constexpr std::array<Known, 4> known{{
+constexpr std::array<Known, 5> known{{
     {"first_placement", "Snake on a landscape", "One stroke"},
+    {"ants_moebius", "Ants round a band", "Play: they walk on and on"},
+    {"crocodile_on_horse", "Crocodile on a horse", "Laid on a body"},
     {"stacked", "Snakes on a crocodile", "One on another"},
     {"snake_bridge", "Snake over jars", "Springs bridge gaps"},
-    {"crocodile_on_horse", "Crocodile on a horse", "Laid on a body"},
 }};
 
 } // namespace
