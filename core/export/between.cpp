@@ -59,8 +59,17 @@ struct ClipClock {
         const double y = x - std::floor(x / (2 * length)) * 2 * length;
         return begin + (y > length ? 2 * length - y : y);
     }
-    // The moments between two at which the clip goes on otherwise, ascending, with the two.
-    std::vector<double> cuts(double from, double to, const std::vector<double>& breaks) const
+    // Whether laps are told apart there; much further on a step of the time is more than one.
+    bool counts(double t) const
+    {
+        constexpr double furthest_lap = 1e9;
+        return repeat == Repeat::once || !(length > 0) ||
+               std::abs(t - begin) < furthest_lap * length;
+    }
+    // The moments between two at which the clip goes on otherwise, ascending, with the two; nothing
+    // where they are very many.
+    std::optional<std::vector<double>> cuts(double from, double to,
+                                            const std::vector<double>& breaks) const
     {
         std::vector<double> out{from, to};
         const auto add = [&](double t) {
@@ -70,7 +79,9 @@ struct ClipClock {
         const bool once = repeat == Repeat::once || !(length > 0);
         const double first = once ? 0 : std::floor((from - begin) / lap),
                      last = once ? 0 : std::floor((to - begin) / lap);
-        for (double k = first; k <= last && last - first < 64; ++k)
+        constexpr double most_laps = 64;
+        if (!(last - first < most_laps)) return {};
+        for (double k = first; k <= last; ++k)
             for (const double b : breaks) {
                 add(b + k * lap);
                 if (repeat == Repeat::back_and_forth) add(2 * (begin + length) - b + k * lap);
@@ -197,6 +208,7 @@ std::optional<glm::dvec3> Between::deviation(const Moving& m) const
         t0 = clip->begin_s + offset + playing.speed * std::max(0.0, m.from_s - since);
         t1 = clip->begin_s + offset + playing.speed * std::max(0.0, m.to_s - since);
     }
+    if (!clock.counts(t0) || !clock.counts(t1)) return {};
     if (t0 == t1) return out;
 
     // What moves the points: one matrix, or one for each joint that has a share in some.
@@ -229,7 +241,9 @@ std::optional<glm::dvec3> Between::deviation(const Moving& m) const
         rows[a] = glm::length(glm::dvec3(base[0][a], base[1][a], base[2][a]));
 
     const double lo = std::min(t0, t1), hi = std::max(t0, t1);
-    const std::vector<double> cuts = clock.cuts(lo, hi, breaks_of(*clip, gait));
+    const auto known_cuts = clock.cuts(lo, hi, breaks_of(*clip, gait));
+    if (!known_cuts) return {};
+    const std::vector<double>& cuts = *known_cuts;
     const std::vector<int> legs = gait ? legs_of_nodes(*model_, *gait) : std::vector<int>{};
     glm::dvec3 at_cuts(0);
     double smooth = 0; // in the model's units

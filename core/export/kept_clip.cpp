@@ -210,7 +210,10 @@ PlayedTime played_time(const Document& document, Id id, const Clip& clip,
     }
     const double from = std::min(laps_at(0), laps_at(end)), to = std::max(laps_at(0), laps_at(end));
     const auto many = static_cast<double>(moments.size());
-    out.by_moments = (playing.repeat != Repeat::once && to - from > many) ||
+    constexpr double furthest_lap = 1e9; // beyond, laps and where they begin are not told apart
+    const bool counted =
+        to - from <= many && std::max(std::abs(from), std::abs(to)) <= furthest_lap;
+    out.by_moments = (playing.repeat != Repeat::once && !counted) ||
                      std::ranges::any_of(played.tracks, [](const Track& track) {
                          return track.parameter.starts_with("playing.");
                      });

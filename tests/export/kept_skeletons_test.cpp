@@ -149,6 +149,19 @@ TEST_F(KeptSkeletons, ArePlayedByMomentsWhereTheirPlaceInTheClipHasKeys)
     EXPECT_LE(furthest(made, document, 5), made.certificate.tolerance);
 }
 
+TEST_F(KeptSkeletons, ArePlayedByMomentsWhereTheirLapsCannotBeCounted)
+{
+    const Clip clip{"wave", {}, 0, 1e-12};
+    for (const Repeat repeat : {Repeat::loop, Repeat::back_and_forth})
+        for (const double offset : {1e6, -1e6}) {
+            const Document document = playing(
+                still_, {.clip = "wave", .speed = 1e-12, .repeat = repeat, .offset = offset});
+            const PlayedTime time = played_time(document, 5, clip, moments_of({1, 7}, 1));
+            EXPECT_TRUE(time.by_moments);
+            EXPECT_EQ(time.pieces.size(), 6u);
+        }
+}
+
 TEST_F(KeptSkeletons, ComeBackFromTheirFile)
 {
     const Document document = playing(still_, {.clip = "bend"});
