@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/rejected.h"
+
 #include <charconv>
+#include <cstdint>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace trivar {
@@ -20,6 +24,18 @@ inline std::vector<int> whole_numbers(std::string_view text, char mark)
         if (*read.ptr != mark) return {};
         at = read.ptr + 1;
     }
+}
+
+// The whole number that a value of JSON is, of any library that names things as nlohmann's does.
+// Throws Rejected where it is none, or one that the type does not have.
+template <class Whole> Whole whole_number(const auto& json)
+{
+    const bool fits =
+        json.is_number_unsigned()
+            ? std::in_range<Whole>(json.template get<std::uint64_t>())
+            : json.is_number_integer() && std::in_range<Whole>(json.template get<std::int64_t>());
+    if (!fits) throw Rejected("it has a number that is not whole, or too large");
+    return json.template get<Whole>();
 }
 
 } // namespace trivar

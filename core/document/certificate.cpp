@@ -5,6 +5,7 @@
 #include "core/base/rejected.h"
 #include "core/base/rounded.h"
 #include "core/base/text.h"
+#include "core/base/whole_numbers.h"
 #include "core/document/commands/refine.h"
 
 #include <algorithm>
@@ -219,26 +220,28 @@ Certificate certificate_from_json(const std::string& text)
         out.bound = or_infinite(all.at("bound_m"));
         out.frame = all.at("frame").get<double>();
         out.log = all.at("log").get<std::string>();
-        out.lines = all.value("lines", 0); // not in the first ones
+        out.lines =
+            all.contains("lines") ? whole_number<int>(all.at("lines")) : 0; // not in the first ones
         if (out.lines < 0 || !(out.tolerance >= 0))
             throw Rejected("its certificate has a number below 0 that cannot be");
         out.scene = all.at("scene").get<std::string>();
         out.result = all.at("result").get<std::string>();
         for (const CertificateJson& p : all.at("parts"))
-            out.parts.push_back({.object = p.at("object").get<Id>(),
-                                 .part = p.at("part").get<int>(),
-                                 .name = p.at("name").get<std::string>(),
-                                 .node = p.at("node").get<int>(),
-                                 .triangles_before = p.at("triangles_before").get<std::size_t>(),
-                                 .triangles = p.at("triangles").get<std::size_t>(),
-                                 .degenerate = p.at("degenerate").get<std::size_t>(),
-                                 .not_certified = p.at("not_certified").get<std::size_t>(),
-                                 .tolerance = p.at("tolerance_m").get<double>(),
-                                 .bound = or_infinite(p.at("bound_m")),
-                                 .method = p.at("method").get<std::string>(),
-                                 .rule = p.at("rule").get<std::string>()});
+            out.parts.push_back(
+                {.object = whole_number<Id>(p.at("object")),
+                 .part = whole_number<int>(p.at("part")),
+                 .name = p.at("name").get<std::string>(),
+                 .node = whole_number<int>(p.at("node")),
+                 .triangles_before = whole_number<std::size_t>(p.at("triangles_before")),
+                 .triangles = whole_number<std::size_t>(p.at("triangles")),
+                 .degenerate = whole_number<std::size_t>(p.at("degenerate")),
+                 .not_certified = whole_number<std::size_t>(p.at("not_certified")),
+                 .tolerance = p.at("tolerance_m").get<double>(),
+                 .bound = or_infinite(p.at("bound_m")),
+                 .method = p.at("method").get<std::string>(),
+                 .rule = p.at("rule").get<std::string>()});
         for (const CertificateJson& n : all.value("not_laid", CertificateJson::array()))
-            out.not_laid.push_back({.object = n.at("object").get<Id>(),
+            out.not_laid.push_back({.object = whole_number<Id>(n.at("object")),
                                     .name = n.at("name").get<std::string>(),
                                     .why = n.at("why").get<std::string>()});
         return out;

@@ -3,6 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/base/text.h"
+#include "core/base/whole_numbers.h"
 #include "core/document/certificate.h"
 
 #include <cmath>
@@ -103,27 +104,28 @@ FilmCertificate film_certificate_from_json(const std::string& text)
         FilmCertificate out;
         out.tolerance = all.at("tolerance_m").get<double>();
         out.bound = film_number(all.at("bound_m"));
-        out.first_frame = all.at("frames").at(0).get<int>();
-        out.last_frame = all.at("frames").at(1).get<int>();
+        out.first_frame = whole_number<int>(all.at("frames").at(0));
+        out.last_frame = whole_number<int>(all.at("frames").at(1));
         out.frames_per_second = all.at("frames_per_second").get<double>();
         out.log = all.at("log").get<std::string>();
         out.scene = all.at("scene").get<std::string>();
         if (!(out.tolerance > 0) || !(out.frames_per_second > 0))
             throw Rejected("its certificate has a number that is not above 0");
         for (const FilmJson& p : all.at("parts"))
-            out.parts.push_back({.object = p.at("object").get<Id>(),
-                                 .part = p.at("part").get<int>(),
-                                 .name = p.at("name").get<std::string>(),
-                                 .node = p.at("node").get<int>(),
-                                 .way = p.at("way").get<std::string>(),
-                                 .keys = p.at("keys").get<int>(),
-                                 .moments = p.at("moments_per_frame").get<int>(),
-                                 .triangles_before = p.at("triangles_before").get<std::size_t>(),
-                                 .triangles = p.at("triangles").get<std::size_t>(),
-                                 .space = film_number(p.at("space_m")),
-                                 .between = film_number(p.at("between_m")),
-                                 .bound = film_number(p.at("bound_m")),
-                                 .unproven = p.value("unproven", std::string())});
+            out.parts.push_back(
+                {.object = whole_number<Id>(p.at("object")),
+                 .part = whole_number<int>(p.at("part")),
+                 .name = p.at("name").get<std::string>(),
+                 .node = whole_number<int>(p.at("node")),
+                 .way = p.at("way").get<std::string>(),
+                 .keys = whole_number<int>(p.at("keys")),
+                 .moments = whole_number<int>(p.at("moments_per_frame")),
+                 .triangles_before = whole_number<std::size_t>(p.at("triangles_before")),
+                 .triangles = whole_number<std::size_t>(p.at("triangles")),
+                 .space = film_number(p.at("space_m")),
+                 .between = film_number(p.at("between_m")),
+                 .bound = film_number(p.at("bound_m")),
+                 .unproven = p.value("unproven", std::string())});
         return out;
     } catch (const FilmJson::exception&) {
         throw Rejected("its certificate cannot be read");

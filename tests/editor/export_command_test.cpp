@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes that move, exported and verified by the command line.
 #include "core/base/text.h"
+#include "core/files/glb_chunks.h"
 #include "editor/command_line/command_line.h"
+#include "editor/command_line/interrupts.h"
 #include "tests/editor/scenes.h"
 #include "tests/support/fixtures.h"
 
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <functional>
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 #include <spawn.h>
 #include <sstream>
 #include <sys/wait.h>
@@ -78,6 +83,53 @@ TEST_F(ExportCommand, IsFoundOutWhereAFileWasChanged)
         write_file(folder_.file("a.glb"), changed);
         const Told told = run({"verify", folder_.file("a.glb")});
         EXPECT_TRUE(told.status == Status::check_failed || changed == claims) << told.text;
+    }
+}
+
+TEST_F(ExportCommand, IsFoundOutWhereItsClaimsAreOfOtherParts)
+{
+    ASSERT_EQ(exported("a.glb", {"--frames", "1", "--epsilon", "0.004"}).status, Status::done);
+    const GlbChunks whole = glb_chunks(read_text_file(folder_.file("a.glb")));
+    const auto verified_with = [&](const std::function<void(nlohmann::json&)>& change) {
+        GlbChunks chunks = whole;
+        nlohmann::json file = nlohmann::json::parse(chunks.json);
+        change(file["extras"]["trivar_animation"]);
+        chunks.json = file.dump();
+        write_file(folder_.file("a.glb"), glb_container(chunks));
+        return run({"verify", folder_.file("a.glb")});
+    };
+    const Told none = verified_with([](auto&claims) { claims["parts"] = nlohmann::json::array(); }),
+               fewer = verified_with([](auto&claims) { claims["parts"].erase(1); }),
+               more = verified_with(
+                   [](auto&claims) { claims["parts"].push_back(claims["parts"][0]); });
+    EXPECT_THAT(none.text, HasSubstr("and it claims 0"));
+    for (const Told& told : {none, fewer, more}) {
+        EXPECT_EQ(told.status, Status::check_failed) << told.text;
+        EXPECT_THAT(told.text, HasSubstr("parts and it claims"));
+    }
+    const Told large = verified_with([](auto& claims) { claims["frames"][1] = 1e300; });
+    EXPECT_EQ(large.status, Status::rejected);
+    EXPECT_THAT(large.text, HasSubstr("not whole, or too large"));
+}
+
+TEST(InterruptsDeathTest, OfOneAreWaitedForAndASecondEndsTheProgram)
+{
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    const auto interrupted = [](int times, int signal) {
+        const Interrupts interrupts;
+        for (int i = 0; i < times; ++i) {
+            ::kill(::getpid(), signal);
+            while (!interrupts.came()) std::this_thread::yield();
+        }
+        if (times > 1) std::this_thread::sleep_for(std::chrono::minutes(5)); // as without an end
+        std::_Exit(7);
+    };
+    EXPECT_EXIT(interrupted(1, SIGINT), ::testing::ExitedWithCode(7), "");
+    EXPECT_EXIT(interrupted(2, SIGINT), ::testing::KilledBySignal(SIGINT), "");
+    EXPECT_EXIT(interrupted(2, SIGTERM), ::testing::KilledBySignal(SIGTERM), "");
+    { // and one that nothing came to ends at once
+        const Interrupts interrupts;
+        EXPECT_FALSE(interrupts.came());
     }
 }
 

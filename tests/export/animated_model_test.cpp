@@ -145,6 +145,28 @@ TEST_F(AnimatedExports, SayWhatIsNotProven)
     EXPECT_THAT(of(exported(lower), 5).front().unproven, HasSubstr("what it lies on"));
 }
 
+TEST_F(AnimatedExports, SayThatNothingIsKnownOfAClipThatGoesRoundVeryOften)
+{
+    // A bar that swells and shrinks: 2048 times in each frame, so often that each is as the one
+    // before; and 1e18 times before the first one.
+    Model model = testing::rigged_model();
+    const auto add = [&](const char* name, float end) {
+        Channel swell = model.clips[1].channels.front();
+        swell.times_s = {0, end / 2, end};
+        swell.values = {0, 1, 0};
+        model.clips.push_back({name, {swell}, 0, double{end}});
+    };
+    add("often", 0x1p-6f);
+    add("blink", 1e-12f);
+    testing::write_file(folder_.file("bar.gltf"), testing::gltf_text(model));
+    for (const Playing& often : {Playing{.clip = "often", .speed = 384},
+                                 Playing{.clip = "blink", .speed = 1e-9, .offset = 1e6}}) {
+        const AnimatedExport made = exported(playing(round(), often));
+        EXPECT_THAT(of(made, 5).front().unproven, HasSubstr("its clip")) << often.clip;
+        EXPECT_THAT(not_certified(made.certificate), ::testing::Not(IsEmpty()));
+    }
+}
+
 TEST_F(AnimatedExports, OfAThingThatJumpsSaySo)
 {
     const Document document = travelling(laid(), {.speed = 6, .ends = Ends::loop});
@@ -247,6 +269,20 @@ TEST_F(AnimatedExports, KeepTheirCertificateThroughItsText)
     EXPECT_EQ(to_json(read), to_json(given));
     EXPECT_THROW(film_certificate_from_json("{}"), Rejected);
     EXPECT_THROW(film_certificate_from_json("[1"), Rejected);
+}
+
+TEST_F(AnimatedExports, HaveWholeNumbersInTheirCertificate)
+{
+    const std::string text = to_json(exported(laid()).certificate);
+    for (const char* name : {"object", "part", "node", "keys", "moments_per_frame", "triangles"}) {
+        const std::string key = "\"" + std::string(name) + "\":";
+        const std::size_t at = text.find(key) + key.size();
+        for (const char* other : {"1e300", "-1e19", "1.5", "true", "99999999999999999999"}) {
+            std::string changed = text;
+            changed.replace(at, changed.find_first_of(",}", at) - at, other);
+            EXPECT_THROW(film_certificate_from_json(changed), Rejected) << name << " " << other;
+        }
+    }
 }
 
 TEST_F(AnimatedExports, OfNothingAreRefused)
