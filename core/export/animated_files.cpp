@@ -74,7 +74,7 @@ std::vector<std::string> summary(const FilmCertificate& c)
         kind.before += part.triangles_before;
         kind.keys = std::max(kind.keys, part.keys);
         kind.bound = std::max(kind.bound, part.bound);
-        kind.proven = kind.proven && part.unproven.empty() && part.way == "targets";
+        kind.proven = kind.proven && is_proven(part);
     }
     const auto within = [&](const Kind& kind) {
         return bound_text(kind.bound) + when_claimed(kind.proven, c.parts.front().moments);

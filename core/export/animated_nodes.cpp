@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/animated_nodes.h"
 
+#include "core/export/between.h"
 #include "core/export/keys.h"
 
 #include <algorithm>
@@ -119,7 +120,8 @@ bool AnimatedNodes::add_moving(const FilmStrip& strip, FilmCertificate::PartClai
         clip_.channels.resize(channels);
         return false;
     }
-    claim.way = clip_.channels.size() == channels ? "still" : "node";
+    const bool rests = clip_.channels.size() == channels; // at all moments
+    claim.way = rests && why_unproven(document_, strip.object).empty() ? "still" : "node";
     claim.triangles_before = claim.triangles = triangles(mesh).size();
     claim.node = at;
     const int index = this->mesh(strip, std::move(mesh));

@@ -34,9 +34,15 @@ std::string part_title(const FilmCertificate::PartClaim& claim)
     return fmt::format("{} (part {})", printable(claim.name), claim.part + 1);
 }
 
+bool is_proven(const FilmCertificate::PartClaim& claim)
+{
+    return claim.unproven.empty() && (claim.way == "targets" || claim.way == "still");
+}
+
 std::string when_claimed(bool proven, int moments)
 {
-    return proven ? "" : fmt::format(" at {} moments to a frame", moments);
+    if (proven) return "";
+    return moments == 1 ? " at every frame" : fmt::format(" at {} moments to a frame", moments);
 }
 
 std::vector<std::string> not_certified(const FilmCertificate& certificate)
@@ -53,9 +59,9 @@ std::vector<std::string> not_certified(const FilmCertificate& certificate)
                                       bound_text(part.bound)));
     }
     for (const auto& [of, parts] : unproven)
-        out.push_back(fmt::format("{} is compared at {} moments to a frame and not certified "
-                                  "between them: {}",
-                                  names[of.first], certificate.parts.front().moments, of.second));
+        out.push_back(
+            fmt::format("{} is compared{} and not certified between them: {}", names[of.first],
+                        when_claimed(false, certificate.parts.front().moments), of.second));
     return out;
 }
 

@@ -11,7 +11,7 @@ namespace trivar {
 // What an animated file says of how close it is to the scene, at every time from its first frame to
 // its last: distances in metres between what it shows and the true surface, point by point.
 struct FilmCertificate {
-    double tolerance = 0, bound = 0; // bound: the greatest of the parts that are proven
+    double tolerance = 0, bound = 0; // bound: the greatest of the parts, each as is_proven() says
     int first_frame = 1, last_frame = 1;
     double frames_per_second = 24;
     std::string log = {};   // the scene's file, without its folders
@@ -21,7 +21,7 @@ struct FilmCertificate {
         int part = 0; // of the object
         std::string name = {};
         int node = 0;         // of the file, where its mesh hangs
-        std::string way = {}; // still, node, skin or targets
+        std::string way = {}; // still, node, skin or targets; still is what nothing moves
         int keys = 0;         // of its transform, or its joints together; or morph targets and 1
         int moments = 1;      // to a frame, at which it is compared
         std::size_t triangles_before = 0, triangles = 0;
@@ -33,6 +33,8 @@ struct FilmCertificate {
     std::vector<PartClaim> parts = {};
 };
 
+// Whether its bound holds at every time, not at the moments alone.
+bool is_proven(const FilmCertificate::PartClaim& claim);
 // Said after a bound: nothing where it holds at every time, else " at 4 moments to a frame".
 std::string when_claimed(bool proven, int moments);
 

@@ -110,7 +110,7 @@ private:
                     furthest = samples[p].furthest;
                     frame = samples[p].at_frame;
                 }
-                const bool proven = claim.unproven.empty() && claim.way == "targets";
+                const bool proven = is_proven(claim);
                 all_proven = all_proven && proven;
                 const double allowed = proven ? claim.bound : claims_.tolerance;
                 if (!(samples[p].furthest <= allowed + glb_number_tolerance))

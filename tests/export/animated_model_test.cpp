@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
+#include "core/export/animated_files.h"
 #include "core/export/film_check.h"
 #include "core/files/formats.h"
 #include "core/files/read_model.h"
@@ -26,9 +27,9 @@ protected:
         for (std::size_t p = 0; p < found.size(); ++p) {
             const Claim& claim = made.certificate.parts[p];
             EXPECT_GT(found[p].samples, 0u);
-            EXPECT_LE(found[p].furthest, claim.unproven.empty() && claim.way == "targets"
-                                             ? claim.bound
-                                             : made.certificate.tolerance)
+            constexpr double rounding = 1e-9;
+            EXPECT_LE(found[p].furthest,
+                      is_proven(claim) ? claim.bound + rounding : made.certificate.tolerance)
                 << claim.name << " " << claim.way << " at frame " << found[p].at_frame << " "
                 << claim.unproven;
         }
@@ -226,9 +227,25 @@ TEST_F(AnimatedExports, GiveWhatRestsNoKeys)
 {
     const AnimatedExport made = exported(laid());
     EXPECT_THAT(made.model.clips, IsEmpty());
-    for (const Claim& claim : made.certificate.parts) EXPECT_EQ(claim.way, "still") << claim.name;
+    for (const Claim& claim : made.certificate.parts) {
+        EXPECT_EQ(claim.way, "still") << claim.name;
+        EXPECT_TRUE(is_proven(claim)) << claim.name;
+    }
+    for (const std::string& line : summary(made.certificate))
+        EXPECT_THAT(line, ::testing::Not(HasSubstr(" at "))) << "it holds at every time";
     for (const Ref<Mesh>& mesh : made.model.meshes) EXPECT_THAT(mesh->morph_targets, IsEmpty());
     expect_holds(laid(), made);
+}
+
+TEST_F(AnimatedExports, ProveNothingOfWhatRestsAtTheMomentsOnly)
+{
+    const Document document =
+        keyed(still_, 2, "transform.translation.x",
+              {{.frame = 2, .value = 0}, {.frame = 2.1, .value = 1}, {.frame = 2.2, .value = 0}});
+    const Claim claim = of(exported(document), 2).front();
+    EXPECT_EQ(claim.way, "node");
+    EXPECT_FALSE(is_proven(claim));
+    EXPECT_EQ(when_claimed(false, 1), " at every frame");
 }
 
 TEST_F(AnimatedExports, ShrinkWhatIsNotShownToAPoint)
