@@ -118,7 +118,8 @@ FilmPlan planned(const AnimatedScene& scene, const Ref<AssetStore>& assets,
         const bool enough = most <= share_of_between * scene.tolerance &&
                             (sag <= share_of_sag * scene.tolerance || sag > no_less * sag_before) &&
                             (!measured || per_frame >= measured_moments);
-        if (enough || per_frame >= most_moments) return plan;
+        const bool no_more = per_frame >= most_moments || 2 * plan.film.kept > most_kept;
+        if (enough || no_more) return plan;
         if (per_frame >= measured_moments) sag_before = sag;
     }
 }
@@ -179,8 +180,7 @@ AnimatedExport animated_export(const AnimatedScene& scene, const Ref<AssetStore>
                    .frames_per_second = per_second,
                    .log = std::filesystem::path(scene.log).filename().string(),
                    .scene = digest(scene.document)};
-    out.parts.resize(film.strips.size());
-    for (std::size_t s = 0; s < film.strips.size(); ++s) out.parts[s].strip = &film.strips[s];
+    out.common.resize(film.strips.size());
     const auto index_of = [&](const FilmStrip* strip) {
         return static_cast<std::size_t>(strip - film.strips.data());
     };
@@ -193,7 +193,7 @@ AnimatedExport animated_export(const AnimatedScene& scene, const Ref<AssetStore>
                           between(progress, 0.3 + done, 0.3 + done + share));
         done += share;
         for (std::size_t s = 0; s < object.strips.size(); ++s) {
-            out.parts[index_of(object.strips[s])].common = std::move(common[s]);
+            out.common[index_of(object.strips[s])] = std::move(common[s]);
             bounds[index_of(object.strips[s])] = &object.bounds[s];
         }
     }
@@ -209,7 +209,7 @@ AnimatedExport animated_export(const AnimatedScene& scene, const Ref<AssetStore>
         std::vector<TargetKeys> keys(end - first);
         parallel_blocks(end - first, 1, [&](std::size_t begin, std::size_t stop) {
             for (std::size_t s = begin; s < stop; ++s)
-                if (const CommonMesh& common = out.parts[first + s].common; common.mesh)
+                if (const CommonMesh& common = out.common[first + s]; common.mesh)
                     keys[s] =
                         target_keys(film, film.strips[first + s], common,
                                     allowed_by(scene, common.space, *bounds[first + s]), times_s);
@@ -219,7 +219,7 @@ AnimatedExport animated_export(const AnimatedScene& scene, const Ref<AssetStore>
             FilmCertificate::PartClaim claim{
                 .object = strip.object, .part = strip.slot, .name = strip.name};
             claim.moments = plan.per_frame;
-            CommonMesh& common = out.parts[s].common;
+            CommonMesh& common = out.common[s];
             if (common.mesh) {
                 claim.triangles_before = common.triangles_before;
                 claim_targets(claim, *plan.bent.at(strip.object).between, common.space, *bounds[s],

@@ -16,17 +16,11 @@ struct AnimatedScene {
     std::string log;                      // the scene's file; empty: it has no name
 };
 
-// How a part of the scene became a node of the file: what a check of it needs to know.
-struct AnimatedPart {
-    const FilmStrip* strip = nullptr;
-    CommonMesh common; // of what a volume deforms; else without a mesh
-};
-
 struct AnimatedExport {
-    Film film;   // at the moments at which it was compared
+    Film film;   // at the moments at which it was compared; a strip for each claim
     Model model; // nodes, skins, morph targets and one clip; a claim in its extras
     FilmCertificate certificate;
-    std::vector<AnimatedPart> parts; // in the order of the certificate's
+    std::vector<CommonMesh> common; // of what a volume deforms; else without a mesh
 };
 
 // The scene as one model that moves by itself, within a tolerance at every time:

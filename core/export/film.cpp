@@ -12,17 +12,23 @@
 namespace trivar {
 namespace {
 
-Document unrefined(Document document)
+// The parts that are not the same as before.
+std::size_t others(const Evaluated& now, const Evaluated* before)
 {
-    std::vector<Id> refined;
-    for (const auto& [id, object] : document.objects)
-        if (object->refining) refined.push_back(id);
-    for (const Id id : refined) {
-        Object changed = object(document, id);
-        changed.refining.reset();
-        document.objects.set(id, make_ref(std::move(changed)));
+    std::size_t out = 0;
+    for (const auto& [id, ref] : now.objects) {
+        const bool same = before && before->objects.contains(id) && before->objects.at(id) == ref;
+        if (!same) out += ref->parts.size();
     }
-    return document;
+    return out;
+}
+
+void check_kept(std::size_t kept, std::size_t moments)
+{
+    if (kept > most_kept)
+        throw Rejected(fmt::format("{} moments of this scene are more than {} parts in memory; "
+                                   "export fewer frames at once",
+                                   moments, most_kept));
 }
 
 // The piece that has the part's triangles, a new one where none has.
@@ -101,17 +107,34 @@ std::vector<double> moments_of(const FrameRange& range, int per_frame)
     return out;
 }
 
+Document unrefined(Document document)
+{
+    std::vector<Id> refined;
+    for (const auto& [id, object] : document.objects)
+        if (object->refining) refined.push_back(id);
+    for (const Id id : refined) {
+        Object changed = object(document, id);
+        changed.refining.reset();
+        document.objects.set(id, make_ref(std::move(changed)));
+    }
+    return document;
+}
+
 Film film_of(const Document& document, const Ref<AssetStore>& assets, std::vector<double> moments,
              const Progress& progress)
 {
     Film film;
     film.moments = std::move(moments);
+    film.kept = film.moments.size();
+    check_kept(film.kept, film.moments.size());
     const Document plain = unrefined(document);
     Evaluator evaluator(assets);
     for (std::size_t i = 0; i < film.moments.size(); ++i) {
         report(progress, static_cast<double>(i) / static_cast<double>(film.moments.size()),
                "going through the frames");
         film.evaluated.push_back(evaluator(plain, film.moments[i]));
+        film.kept += others(film.evaluated[i], i > 0 ? &film.evaluated[i - 1] : nullptr);
+        check_kept(film.kept, film.moments.size());
     }
     std::map<std::pair<Id, int>, std::vector<FilmStrip>> strips;
     for (std::size_t i = 0; i < film.moments.size(); ++i)

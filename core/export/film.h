@@ -30,15 +30,20 @@ struct FilmStrip {
 bool same_faces(const Mesh& a, const Mesh& b); // and as many vertices
 
 // A scene at some moments, ascending, in frames; those between two frames, too. Meshes are not
-// worked out.
+// worked out. All of it is in memory: some 1 to 2 KB for each part that is another than at the
+// moment before.
 struct Film {
     std::vector<double> moments;
     std::vector<Evaluated> evaluated; // by moment
     std::vector<FilmStrip> strips;    // by object, slot and piece
+    std::size_t kept = 0;             // such parts, and the moments
 };
+inline constexpr std::size_t most_kept = 4'000'000; // of a film: several GB
 
 // The choices of refined objects are left out: their triangles would differ from frame to frame.
-// Throws Rejected where the triangles of something change very often, and Cancelled.
+Document unrefined(Document document);
+// Of the unrefined document. Throws Rejected where more would be kept than may be, or the triangles
+// of something change very often, and Cancelled.
 Film film_of(const Document& document, const Ref<AssetStore>& assets, std::vector<double> moments,
              const Progress& progress = {});
 // The moments of a range, some to a frame.

@@ -54,7 +54,17 @@ std::vector<glm::dvec3> shown_by_file(const Model& model, int node, const Stance
     return out;
 }
 
-void compare(FilmSample& sample, const AnimatedPart& part, const Part& truth,
+// The part as it is then, if it has the triangles that it has in the file; else null.
+const Part* shown_in(const EvaluatedObject& object, const FilmStrip& strip)
+{
+    const Ref<Mesh>& rest = strip.first().rest;
+    for (const Part& part : object.parts)
+        if (part.slot == strip.slot)
+            return part.rest == rest || same_faces(*part.rest, *rest) ? &part : nullptr;
+    return nullptr;
+}
+
+void compare(FilmSample& sample, const CommonMesh& common, const Part& truth,
              const std::vector<glm::dvec3>& file, double frame)
 {
     const auto add = [&](const glm::dvec3& shown, const glm::dvec3& true_place) {
@@ -65,11 +75,12 @@ void compare(FilmSample& sample, const AnimatedPart& part, const Part& truth,
         sample.at_frame = frame;
     };
     if (!truth.bent) {
-        const Mesh mesh = mesh_in_world(truth);
-        for (std::size_t v = 0; v < file.size(); ++v) add(file[v], glm::dvec3(mesh.positions[v]));
+        const Mesh mesh = truth.posed ? posed(*truth.rest, truth.posed->pose) : *truth.rest;
+        for (std::size_t v = 0; v < file.size(); ++v)
+            add(file[v], glm::dvec3(truth.to_world * glm::dvec4(mesh.positions[v], 1)));
         return;
     }
-    const Mesh flat = before_volume(part.common, truth);
+    const Mesh flat = before_volume(common, truth);
     const auto there = [&](const glm::dvec3& p) {
         return deform(p, truth.bent->embedding, *truth.bent->volume).position_world;
     };
@@ -92,20 +103,10 @@ std::vector<FilmSample> sampled_film(const AnimatedExport& exported, const Docum
                                      const Progress& progress)
 {
     const FilmCertificate& claims = exported.certificate;
-    const Film film =
-        film_of(document, assets, moments_of({claims.first_frame, claims.last_frame}, per_frame),
-                between(progress, 0, 0.1));
-    std::map<std::pair<Id, int>, std::vector<const FilmStrip*>> strips;
-    for (const FilmStrip& strip : film.strips) strips[{strip.object, strip.slot}].push_back(&strip);
-    // The part as it is then, if it has the triangles that it has in the file.
-    const auto shown_then = [&](const FilmStrip& claimed, std::size_t moment) -> const Part* {
-        const auto pieces = strips.find({claimed.object, claimed.slot});
-        if (pieces == strips.end()) return nullptr;
-        for (const FilmStrip* strip : pieces->second)
-            if (const Part* part = strip->shown[moment])
-                return same_faces(*part->rest, *claimed.first().rest) ? part : nullptr;
-        return nullptr;
-    };
+    const Document plain = unrefined(document);
+    Evaluator evaluator(assets);
+    const std::vector<double> frames =
+        moments_of({claims.first_frame, claims.last_frame}, per_frame);
     const Model& model = exported.model;
     const Clip* clip = model.clips.empty() ? nullptr : &model.clips.front();
     std::vector<FilmSample> out(claims.parts.size());
@@ -116,15 +117,15 @@ std::vector<FilmSample> sampled_film(const AnimatedExport& exported, const Docum
     // What was compared last of each part, and how many samples that was: what rests in the file
     // and in the scene is found once.
     struct Compared {
+        Ref<EvaluatedObject> object;
         const Part* part = nullptr;
         std::size_t samples = 0;
     };
     std::vector<Compared> last(out.size());
-    for (std::size_t i = 0; i < film.moments.size(); ++i) {
-        const double frame = film.moments[i];
-        report(progress,
-               0.1 + 0.9 * static_cast<double>(i) / static_cast<double>(film.moments.size()),
-               "comparing");
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const double frame = frames[i];
+        report(progress, static_cast<double>(i) / static_cast<double>(frames.size()), "comparing");
+        const Evaluated now = evaluator(plain, frame);
         const double time_s = (frame - claims.first_frame) / claims.frames_per_second;
         const Stance stance = stance_at(model, clip, time_s);
         const auto after = std::ranges::lower_bound(moments, frame);
@@ -132,16 +133,18 @@ std::vector<FilmSample> sampled_film(const AnimatedExport& exported, const Docum
         const std::size_t before = *after == frame ? next : next - 1;
         parallel_blocks(out.size(), 1, [&](std::size_t begin, std::size_t end) {
             for (std::size_t p = begin; p < end; ++p) {
-                const AnimatedPart& part = exported.parts[p];
-                if (!part.strip->shown[before] || !part.strip->shown[next]) continue;
-                const Part* truth = shown_then(*part.strip, i);
+                const FilmStrip& strip = exported.film.strips[p];
+                if (!strip.shown[before] || !strip.shown[next]) continue;
+                const auto object = now.objects.find(strip.object);
+                if (object == now.objects.end()) continue;
+                const Part* truth = shown_in(*object->second, strip);
                 if (!truth) continue;
                 if (claims.parts[p].way == "still" && last[p].part == truth) {
                     out[p].samples += last[p].samples;
                     continue;
                 }
-                last[p] = {truth, out[p].samples};
-                compare(out[p], part, *truth,
+                last[p] = {object->second, truth, out[p].samples};
+                compare(out[p], exported.common[p], *truth,
                         shown_by_file(model, claims.parts[p].node, stance, weights[p], time_s),
                         frame);
                 last[p].samples = out[p].samples - last[p].samples;

@@ -14,7 +14,8 @@ struct FilmSample {
 
 // Evaluates the scene anew, so many times a frame, and what the file's clip shows then, by the
 // rules of glTF: at every vertex and, of what lies in a volume, in the middle of every triangle. By
-// part of the certificate. Where something comes or goes between two frames it is not looked at in
+// part of the certificate. One moment at a
+// time is in memory. Where something comes or goes between two frames it is not looked at in
 // between. Throws Cancelled.
 std::vector<FilmSample> sampled_film(const AnimatedExport& exported, const Document& document,
                                      const Ref<AssetStore>& assets, int per_frame,

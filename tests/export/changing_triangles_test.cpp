@@ -42,20 +42,20 @@ TEST_F(ChangingTriangles, AreMeshesShownOneAfterTheOther)
 {
     const Document document = growing();
     const AnimatedExport made = exported(document, 5e-3);
-    std::vector<const AnimatedPart*> pieces;
-    for (std::size_t p = 0; p < made.parts.size(); ++p)
+    std::vector<const FilmStrip*> pieces;
+    for (std::size_t p = 0; p < made.film.strips.size(); ++p)
         if (made.certificate.parts[p].object == 6) {
-            pieces.push_back(&made.parts[p]);
+            pieces.push_back(&made.film.strips[p]);
             EXPECT_EQ(made.certificate.parts[p].way, "targets");
             EXPECT_THAT(made.certificate.parts[p].unproven, HasSubstr("keys change its shape"));
         }
     ASSERT_GT(pieces.size(), 1u);
     for (std::size_t i = 0; i < made.film.moments.size(); ++i)
-        EXPECT_EQ(std::ranges::count_if(
-                      pieces, [&](const AnimatedPart* p) { return p->strip->shown[i] != nullptr; }),
+        EXPECT_EQ(std::ranges::count_if(pieces,
+                                        [&](const FilmStrip* p) { return p->shown[i] != nullptr; }),
                   1)
             << "at frame " << made.film.moments[i];
-    EXPECT_THAT(pieces[1]->strip->name, HasSubstr(" from frame "));
+    EXPECT_THAT(pieces[1]->name, HasSubstr(" from frame "));
     expect_holds(document, made, 6);
 }
 
