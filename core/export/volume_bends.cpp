@@ -106,6 +106,7 @@ double VolumeBends::kink(int axis, const glm::ivec3& slabs)
     cells_.load(slabs, b);
     const glm::ivec3 n = cells_.orders();
     const auto slope = [&](const DisplacementCells::Cell& cell, glm::ivec3 i) {
+        if (cell.beyond[axis]) return glm::dvec3(0); // nothing changes along it
         const auto point = [&] {
             return glm::dvec3(cell.points[at((i.x * n.y + i.y) * n.z + i.z)]);
         };
@@ -144,11 +145,7 @@ VolumeBends::Bend VolumeBends::over(const Box& uvw)
         for (int slab = from[a] + 1; slab <= to[a]; ++slab) {
             const AxisSlabs::Joint joint = axis.joint(slab - 1);
             if (joint == AxisSlabs::Joint::jump) out.kink[a] = endless_bend;
-            const bool end = axis.beyond(slab) != axis.beyond(slab - 1);
-            if (end)
-                out.kink[a] += cells_.slopes()[a];
-            else if (joint == AxisSlabs::Joint::kink)
-                inner.emplace_back(a, slab);
+            if (joint == AxisSlabs::Joint::kink) inner.emplace_back(a, slab);
         }
     }
     constexpr double most_cells = 1e5;
