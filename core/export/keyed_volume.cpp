@@ -127,8 +127,8 @@ double off_chord(const Track& track, double from_frame, double to_frame, double 
     };
     const double first = round_at(track, from_frame).number,
                  last = round_at(track, to_frame).number;
-    constexpr double most_rounds = 64;
-    if (last - first > most_rounds) return not_known;
+    constexpr double most_rounds = 64, furthest_round = 1e9; // where rounds are told apart
+    if (!(last - first <= most_rounds && last < furthest_round)) return not_known;
     std::vector<double> cuts{from_frame, to_frame};
     for (double round = first; round <= last; ++round) {
         Round r{round, track.keys.front().frame};

@@ -91,6 +91,8 @@ TEST(OffChord, IsNoLessThanWhatIsSampled)
             }
         EXPECT_TRUE(std::isinf(off_chord(track, 1, 6, -0.5, 10)));
     }
+    const Track tiny{"a", {{.frame = 1}, {.frame = 1 + 1e-14, .value = 1}}, Repeat::loop};
+    EXPECT_TRUE(std::isinf(off_chord(tiny, 1e4, 1e4, -10, 10)));
     const Track smooth{"a", {{.frame = 0, .value = 0}, {.frame = 8, .value = 1}}};
     EXPECT_LE(off_chord(smooth, 1, 1.5, -10, 10), 4.5e-3); // 1/8 of the second derivative, 6 / 64
 }
