@@ -82,6 +82,7 @@ ExportWish wish_of(const ExportPlan& plan, const Session& session)
     check_animated_name(path);
     if (is_model_of(path, session))
         throw Rejected(file_name(path) + " is a model of this scene: say another name");
+    if (plan.last < plan.first) throw Rejected("the last frame comes before the first");
     const SceneFile& scene = session.scene();
     const Document& document = session.committed();
     return {

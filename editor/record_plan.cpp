@@ -61,6 +61,7 @@ RecordingWish wish_of(const RecordPlan& plan, const Session& session)
     if (plan.folder.empty()) throw Rejected("say a folder for the frames");
     if (plan.width_px < 1 || plan.height_px < 1 || plan.width_px > 16384 || plan.height_px > 16384)
         throw Rejected("pictures are 1 to 16384 pixels wide and high");
+    if (plan.last < plan.first) throw Rejected("the last frame comes before the first");
     wish.frames = frames_of(fmt::format("{}:{}:{}", plan.first, plan.last, plan.step));
     wish.document = session.scene().document();
     check_frames(wish.frames, wish.document.time);

@@ -15,6 +15,15 @@ namespace trivar {
 struct WrongUsage : Rejected {
     using Rejected::Rejected;
 };
+// What reads such a value, before anything else is looked at.
+template <class Read> auto option_value(Read read)
+{
+    try {
+        return read();
+    } catch (const Rejected& why) {
+        throw WrongUsage(why.what());
+    }
+}
 
 // How the commands draw, as it is typed.
 struct DrawingOptions {

@@ -5,9 +5,11 @@
 #include "core/base/rejected.h"
 #include "core/document/certificate.h"
 #include "core/export/animated_files.h"
+#include "editor/command_line/drawing.h"
 
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace trivar {
 namespace {
@@ -34,6 +36,9 @@ Status run_export(const ExportOptions& options, const Streams& streams)
     check_animated_name(options.to);
     if (options.epsilon && !(*options.epsilon > 0 && std::isfinite(*options.epsilon)))
         throw WrongUsage("--epsilon: must be a length above 0, in metres");
+    constexpr Time any{.first_frame = std::numeric_limits<int>::min(),
+                       .last_frame = std::numeric_limits<int>::max()};
+    option_value([&] { return frame_range(options.frames, any); });
     std::optional<ThreadLimit> limit;
     if (options.threads > 0) limit.emplace(options.threads);
     const Log log = scene_log(log_text(options.scene), options.scene.path, streams);

@@ -42,13 +42,15 @@ public:
         : options_(options),
           streams_(streams),
           sequence_(sequence_of(options)),
-          frames_(frames_of(options.frames)),
-          share_(options.shard.empty() ? frames_ : share_of(frames_, options.shard)),
+          frames_(option_value([&] { return frames_of(options.frames); })),
+          share_(options.shard.empty() ? frames_ : option_value([&] {
+              return share_of(frames_, options.shard);
+          })),
           assets_(asset_store(options.scene)),
           evaluator_(assets_)
     {
         if (!options.sheet.empty()) {
-            const glm::ivec2 grid = sheet_grid(options.sheet);
+            const glm::ivec2 grid = option_value([&] { return sheet_grid(options.sheet); });
             check_picture_name(options.out);
             share_ = evenly_chosen(frames_, grid.x * grid.y);
         }

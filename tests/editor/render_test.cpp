@@ -201,27 +201,30 @@ TEST_F(Sequences, SayWhichLogAndFrameTheyAre)
 TEST_F(Sequences, RefuseInASentenceWhatMakesNone)
 {
     const std::string good = folder.file("a.####.png");
-    const auto refused = [&](const std::vector<std::string>& all, const std::string& why) {
+    const auto refused = [&](const std::vector<std::string>& all, const std::string& why,
+                             Status status = Status::rejected) {
         const Told told = run(all);
-        EXPECT_NE(told.status, Status::done) << why;
+        EXPECT_EQ(told.status, status) << why;
         EXPECT_THAT(told.out, IsEmpty());
         EXPECT_THAT(told.talk, HasSubstr(why));
         EXPECT_EQ(std::ranges::count(told.talk, '\n'), 1) << told.talk;
     };
     for (const char* frames :
          {"", "a", "1:", ":", "1:2:3:4", "1:2:0", "5:1", "1-5", "1:9:-1", "99999999999", "1 :2"})
-        refused(arguments(good, {}, frames), "--frames");
-    refused(arguments(good, {}, "-2000000000:2000000000"), "more than");
+        refused(arguments(good, {}, frames), "--frames", Status::usage);
+    refused(arguments(good, {}, "-2000000000:2000000000"), "more than", Status::usage);
     refused(arguments(good, {}, "200:300"), "frame 241 is none of the scene's, which are 1 to 240");
     refused(arguments(good, {}, "0:3"), "frame 0 is none");
     for (const char* shard : {"0/4", "5/4", "1", "1/0", "-1/4", "1/4/2", "x/y", "1/4x", "/"})
-        refused(arguments(good, {"--shard", shard}), "--shard");
+        refused(arguments(good, {"--shard", shard}), "--shard", Status::usage);
     refused(arguments(folder.file("a.png")), "lacks ####");
     refused(arguments(folder.file("a#b/c.png")), "lacks ####");
     refused(arguments(folder.file("a.##.##.png")), "stand together");
     refused(arguments(folder.file("a.####.jpg")), ".png or .exr");
     refused(arguments(folder.file("a.####")), ".png or .exr");
-    refused(arguments(folder.file("a.####.exr"), {"--depth", "16"}), "--depth");
+    refused(arguments(folder.file("a.####.exr"), {"--depth", "16"}), "--depth", Status::usage);
+    for (const char* sheet : {"3", "0x2", "3x-2", "3x2x1"})
+        refused(arguments(folder.file("a.png"), {"--sheet", sheet}), "--sheet", Status::usage);
     refused(arguments(folder.file("none/none/a.####.png")), "the folder is not there");
     refused(arguments(scene + "/a.####.png"), "the folder is not there");
     refused(arguments(good, {"--video", folder.file("a.gif")}), ".mp4, .mov or .mkv");
