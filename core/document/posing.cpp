@@ -18,6 +18,29 @@ std::string missing_clip(const Model& model, const std::string& name)
                : fmt::format("it has no clip \"{}\"; it has {}", name, fmt::join(there, ", "));
 }
 
+// Whether a channel has one value at all times.
+bool is_still(const Channel& channel)
+{
+    const std::size_t n = channel.components;
+    const bool cubic = channel.between == Channel::Between::cubic;
+    for (std::size_t i = 0; i < channel.values.size(); ++i) {
+        const bool tangent = cubic && i / n % 3 != 1;
+        if (channel.values[i] != (tangent ? 0 : channel.values[i % n + (cubic ? n : 0)]))
+            return false;
+    }
+    return true;
+}
+
+// Why nobody sees that the clip is played; empty: something moves.
+std::string stillness(const Clip& clip)
+{
+    if (!(clip.end_s > clip.begin_s))
+        return fmt::format("\"{}\" lasts no time: it stands as its only keys have it", clip.name);
+    if (std::ranges::all_of(clip.channels, is_still))
+        return fmt::format("nothing moves in \"{}\": its keys are all alike", clip.name);
+    return {};
+}
+
 } // namespace
 
 double clip_time_s(const Clip& clip, const Playing& playing, double seconds)
@@ -65,6 +88,7 @@ Ref<Shape> Posing::at(const Ref<Shape>& rest, const Clip& clip, double time_s,
         stand(shape, planted(*rest->model, clip, *gait, time_s));
     else
         stand(shape, &clip, time_s);
+    if (const std::string words = stillness(clip); !words.empty()) shape.notices.push_back(words);
     return kept(std::move(key), std::move(shape));
 }
 

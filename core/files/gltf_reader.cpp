@@ -210,7 +210,7 @@ private:
         return {roots.begin(), roots.end()};
     }
 
-    void place(Node& to, const tinygltf::Node& node, int index) const
+    void place(Node& to, const tinygltf::Node& node, int index)
     {
         const auto finite = [&](const std::vector<double>& values) {
             for (const double value : values)
@@ -233,7 +233,10 @@ private:
         if (node.rotation.size() == 4) {
             const glm::dquat q(node.rotation[3], node.rotation[0], node.rotation[1],
                                node.rotation[2]);
-            if (glm::length(q) > 1e-9) to.rest.rotation = glm::normalize(q);
+            if (glm::length(q) > 1e-9)
+                to.rest.rotation = glm::normalize(q);
+            else
+                ++turnless_nodes_;
         }
         if (node.scale.size() == 3) to.rest.scale = {node.scale[0], node.scale[1], node.scale[2]};
         result = to.rest.matrix();
@@ -244,6 +247,7 @@ private:
         const auto say = [&](bool condition, const char* what) {
             if (condition) model_.notices.push_back(fmt::format("{}: {}", file_.name, what));
         };
+        say(turnless_nodes_ > 0, "rotations of its nodes that are all zeros turn nothing");
         say(lines_and_points_ > 0, "its lines and points were left out");
         say(cut_triangles_, "a list of triangles was not a multiple of three long");
         say(gltf_.scenes.size() > 1, "only the first of its scenes was read");
@@ -263,7 +267,7 @@ private:
     Model model_;
     std::vector<int> node_of_; // the file's nodes in the model, or -1
     std::uint32_t default_material_ = 0;
-    std::size_t lines_and_points_ = 0;
+    std::size_t lines_and_points_ = 0, turnless_nodes_ = 0;
     bool default_used_ = false, cut_triangles_ = false;
 };
 

@@ -4,6 +4,7 @@
 #include "core/base/rejected.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <numeric>
 #include <set>
@@ -28,6 +29,30 @@ bool settle(Mesh::Influences& out, std::vector<std::pair<float, std::uint16_t>>&
         out.joints[k] = share > 0 ? all[k].second : std::uint16_t{0};
     }
     return true;
+}
+
+// Whether a vertex's shares are as far from a sum of 1 as no rounding to bytes brings them.
+bool is_off_one(const std::vector<std::pair<float, std::uint16_t>>& all)
+{
+    constexpr double rounded = 0.02;
+    double sum = 0;
+    for (const auto& [share, joint] : all) sum += std::max(0.0, double(share));
+    return sum > 0 && std::abs(sum - 1) > rounded;
+}
+
+// Keys of a rotation that say none: four zeros, as clip.cpp takes them.
+std::size_t turnless_keys(const Channel& channel)
+{
+    if (channel.of != Channel::Of::rotation) return 0;
+    const bool cubic = channel.between == Channel::Between::cubic;
+    std::size_t out = 0;
+    for (std::size_t at = cubic ? 4 : 0; at + 4 <= channel.values.size(); at += cubic ? 12 : 4) {
+        double squares = 0;
+        for (std::size_t c = 0; c < 4; ++c)
+            squares += double(channel.values[at + c]) * double(channel.values[at + c]);
+        if (squares < 1e-18) ++out;
+    }
+    return out;
 }
 
 std::string free_name(std::string name, std::size_t number, std::set<std::string>& taken)
@@ -73,6 +98,8 @@ void GltfRig::add_influences(Mesh& mesh, const tinygltf::Primitive& primitive, s
                     fail(fmt::format("a vertex names joint {}", double(joint)));
                 all.emplace_back(weights[set].values[4 * v + c], static_cast<std::uint16_t>(joint));
             }
+        if (std::ranges::any_of(all, [](const auto& each) { return each.first < 0; })) ++negative_;
+        if (is_off_one(all)) ++unsummed_;
         if (!settle(mesh.influences[before + v], all)) ++loose_;
         if (all.size() > 4 && all[4].first > 0) ++crowded_;
     }
@@ -230,6 +257,8 @@ void GltfRig::add_clips(Model& model, const std::vector<int>& node_of)
             add_channel(clip, model, static_cast<int>(i), static_cast<int>(c), node_of);
         if (clip.channels.empty()) continue;
         clip.name = free_name(from.name, i + 1, taken);
+        if (!from.name.empty() && clip.name != from.name) ++renamed_;
+        for (const Channel& channel : clip.channels) turnless_ += turnless_keys(channel);
         clip.begin_s = double(clip.channels.front().times_s.front());
         clip.end_s = clip.begin_s;
         for (const Channel& channel : clip.channels) {
@@ -256,6 +285,8 @@ void GltfRig::add_notices(Model& model) const
     say(loose_, "{} vertices of a skin have no weight and go with its first joint");
     say(crowded_,
         "{} vertices go with more than four joints: the four with the largest weights count");
+    say(unsummed_, "{} vertices of a skin have weights that do not sum to 1, and were made to");
+    say(negative_, "{} vertices of a skin have a negative weight, which counts as none");
     say(skins_left_out_, "{} skins lack joints or weights and were left out");
     say(channels_left_out_, "{} tracks of its animations move nothing that is there and were left "
                             "out");
@@ -264,6 +295,8 @@ void GltfRig::add_notices(Model& model) const
                  "out");
     say(short_, "{} tracks of its animations begin later or end sooner than the others: what they "
                 "move stands still meanwhile");
+    say(turnless_, "{} keys of its rotations are all zeros and turn nothing");
+    say(renamed_, "{} of its animations have the name of another and were given a number");
 }
 
 } // namespace trivar

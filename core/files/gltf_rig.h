@@ -40,7 +40,8 @@ private:
     GltfAccessors& accessors_;
     std::string name_;
     std::size_t loose_ = 0, crowded_ = 0, channels_left_out_ = 0, skins_left_out_ = 0, short_ = 0,
-                untimely_ = 0, uneven_ = 0;
+                untimely_ = 0, uneven_ = 0, unsummed_ = 0, negative_ = 0, renamed_ = 0,
+                turnless_ = 0;
 };
 
 } // namespace trivar

@@ -99,6 +99,31 @@ TEST_F(Play, GoesOnAfterTheEndAsItIsTold)
     EXPECT_DOUBLE_EQ(clip_time_s(clip, {.speed = -1}, 0.25), 0.75);
 }
 
+TEST_F(Play, SaysWhereNothingMoves)
+{
+    const auto notices = [&](std::size_t clip, auto&& change) {
+        Model model = testing::rigged_model();
+        change(model.clips[clip].channels[0]);
+        testing::write_file(folder_.file("bar.gltf"), testing::gltf_text(model));
+        const Evaluated at = evaluator()(playing(laid_, {.clip = model.clips[clip].name}), 5);
+        EXPECT_EQ(at.objects.at(5)->rejected, "");
+        return at.objects.at(5)->notices;
+    };
+    EXPECT_THAT(notices(0, [](Channel&) {}), ::testing::IsEmpty());
+    EXPECT_THAT(notices(0,
+                        [](Channel& c) {
+                            for (std::size_t i = 0; i < c.values.size(); ++i)
+                                c.values[i] = c.values[i % 4];
+                        }),
+                Contains(HasSubstr("nothing moves in \"bend\"")));
+    EXPECT_THAT(notices(1,
+                        [](Channel& c) {
+                            c.times_s = {0.5f};
+                            c.values = {0.75f};
+                        }),
+                Contains(HasSubstr("\"swell\" lasts no time")));
+}
+
 TEST_F(Play, SaysWhichClipsThereAreAndWhatHasNone)
 {
     const Evaluated result = evaluator()(playing(laid_, {.clip = "dance"}), 1);

@@ -12,7 +12,7 @@
 namespace trivar {
 namespace {
 
-using ::testing::Contains, ::testing::HasSubstr;
+using ::testing::Contains, ::testing::ElementsAre, ::testing::HasSubstr, ::testing::IsEmpty;
 using testing::gltf_text, testing::real_data_folder, testing::rigged_model;
 
 Model read(const Model& model)
@@ -147,6 +147,54 @@ TEST(GltfRig, TakesAClipThatLastsNoTime)
     for (const double time : {0.0, 0.5, 9.0})
         EXPECT_EQ(posed_at(back, &back.clips[0], time).positions,
                   posed_at(back, &back.clips[0], 0.5).positions);
+}
+
+TEST(GltfRig, MakesSharesSumToOneAndSaysSo)
+{
+    const Model model = rigged_model();
+    const auto with_weights = [&](const glm::vec4& weights) {
+        Model changed = model;
+        Mesh mesh = *model.meshes[0];
+        for (Mesh::Influences& by : mesh.influences) {
+            by.joints = {0, 1, 0, 0};
+            by.weights = weights;
+        }
+        changed.meshes[0] = make_ref(mesh);
+        return read(changed);
+    };
+    const Model ten = with_weights({4, 6, 0, 0});
+    EXPECT_THAT(ten.notices, Contains(HasSubstr("weights that do not sum to 1")));
+    EXPECT_FLOAT_EQ(ten.meshes[0]->influences[0].weights[0], 0.6f);
+    const Model negative = with_weights({1, -3, 0, 0});
+    EXPECT_THAT(negative.notices, ElementsAre(HasSubstr("a negative weight")));
+    EXPECT_EQ(negative.meshes[0]->influences[0].weights, glm::vec4(1, 0, 0, 0));
+    EXPECT_THAT(with_weights({0.502f, 0.502f, 0, 0}).notices, IsEmpty()); // bytes that were rounded
+}
+
+TEST(GltfRig, TakesRotationsThatAreAllZerosAsNone)
+{
+    Model model = rigged_model();
+    Channel& turns = model.clips[0].channels[0];
+    ASSERT_EQ(turns.of, Channel::Of::rotation);
+    std::fill_n(turns.values.begin(), 4, 0.0f);
+    const Model back = read(model);
+    EXPECT_THAT(back.notices, ElementsAre(HasSubstr("1 keys of its rotations are all zeros")));
+    EXPECT_EQ(value_at(back.clips[0].channels[0], 0), (std::vector<double>{0, 0, 0, 1}));
+
+    std::string text = gltf_text(rigged_model());
+    text.insert(text.find('{', text.find("\"nodes\":[{")) + 1, R"("rotation":[0,0,0,0],)");
+    const Model still = read_model_bytes(text, "still.gltf", "", {.up = UpAxis::z});
+    EXPECT_THAT(still.notices, Contains(HasSubstr("rotations of its nodes that are all zeros")));
+    EXPECT_EQ(still.nodes[0].rest.rotation, glm::dquat(1, 0, 0, 0));
+}
+
+TEST(GltfRig, GivesTheSecondClipOfANameANumberAndSaysSo)
+{
+    Model model = rigged_model();
+    model.clips[1].name = model.clips[0].name;
+    const Model back = read(model);
+    EXPECT_THAT(back.notices, ElementsAre(HasSubstr("1 of its animations have the name of")));
+    EXPECT_EQ(back.clips[1].name, model.clips[0].name + " 2");
 }
 
 TEST(GltfRig, RefusesJointsThatAreNotThere)
