@@ -89,13 +89,25 @@ void append(Mesh& mesh, const Mesh& letter, const glm::dvec2& at, double size,
     points += static_cast<std::uint32_t>(point_count(letter));
 }
 
+// Of other letters the place where this is read may have no picture either, and a mark that joins
+// the letter before it would sit on a comma.
+bool is_drawn_nearly_everywhere(char32_t letter)
+{
+    constexpr char32_t latin_ends = 0x17F, greek_begins = 0x370, arabic_ends = 0x6FF;
+    return letter <= latin_ends || (letter >= greek_begins && letter <= arabic_ends);
+}
+
 std::string lacking(const std::u32string& letters, const std::string& title)
 {
     constexpr std::size_t named = 6;
     std::string list;
-    for (std::size_t i = 0; i < std::min(named, letters.size()); ++i)
-        list += fmt::format("{}{} (U+{:04X})", i > 0 ? ", " : "", utf8_of(letters[i]),
-                            static_cast<std::uint32_t>(letters[i]));
+    for (std::size_t i = 0; i < std::min(named, letters.size()); ++i) {
+        const std::string number = fmt::format("U+{:04X}", static_cast<std::uint32_t>(letters[i]));
+        if (i > 0) list += ", ";
+        list += is_drawn_nearly_everywhere(letters[i])
+                    ? fmt::format("{} ({})", utf8_of(letters[i]), number)
+                    : number;
+    }
     if (letters.size() > named) list += " ...";
     return fmt::format(
         "{} lacks {} of the text: {}; a box stands for each", title,
