@@ -82,11 +82,13 @@ std::vector<std::string> summary(const FilmCertificate& c)
     std::vector<std::string> out;
     if (bent.parts > 0)
         out.push_back(fmt::format(
-            "{} parts in volumes: {} triangles where there were {}, {} keys at most, within {}",
-            bent.parts, bent.triangles, bent.before, bent.keys, within(bent)));
+            "{} part{} in volumes: {} triangles where there were {}, {} keys at most, within {}",
+            bent.parts, bent.parts == 1 ? "" : "s", bent.triangles, bent.before, bent.keys,
+            within(bent)));
     if (moving.parts > 0)
-        out.push_back(fmt::format("{} parts by nodes and skins: {} keys at most, within {}",
-                                  moving.parts, moving.keys, within(moving)));
+        out.push_back(fmt::format("{} part{} by nodes and skins: {} keys at most, within {}",
+                                  moving.parts, moving.parts == 1 ? "" : "s", moving.keys,
+                                  within(moving)));
     return out;
 }
 

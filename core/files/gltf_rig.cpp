@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
 #include <numeric>
-#include <set>
 #include <tiny_gltf.h>
 
 namespace trivar {
@@ -55,12 +55,17 @@ std::size_t turnless_keys(const Channel& channel)
     return out;
 }
 
-std::string free_name(std::string name, std::size_t number, std::set<std::string>& taken)
+// The name, or the first free one with a number behind it. `given`: those that were, each with the
+// last number tried behind it, so that thousands of one name cost no more steps than that.
+std::string free_name(std::string name, std::size_t number, std::map<std::string, int>& given)
 {
     if (name.empty()) name = fmt::format("Clip {}", number);
-    std::string tried = name;
-    for (int n = 2; !taken.insert(tried).second; ++n) tried = fmt::format("{} {}", name, n);
-    return tried;
+    const auto [entry, fresh] = given.try_emplace(name, 1);
+    if (fresh) return name;
+    for (;;) {
+        std::string tried = fmt::format("{} {}", name, ++entry->second);
+        if (given.try_emplace(tried, 1).second) return tried;
+    }
 }
 
 } // namespace
@@ -249,14 +254,14 @@ void GltfRig::add_channel(Clip& clip, const Model& model, int animation, int ind
 
 void GltfRig::add_clips(Model& model, const std::vector<int>& node_of)
 {
-    std::set<std::string> taken;
+    std::map<std::string, int> given;
     for (std::size_t i = 0; i < gltf_.animations.size(); ++i) {
         const tinygltf::Animation& from = gltf_.animations[i];
         Clip clip;
         for (std::size_t c = 0; c < from.channels.size(); ++c)
             add_channel(clip, model, static_cast<int>(i), static_cast<int>(c), node_of);
         if (clip.channels.empty()) continue;
-        clip.name = free_name(from.name, i + 1, taken);
+        clip.name = free_name(from.name, i + 1, given);
         if (!from.name.empty() && clip.name != from.name) ++renamed_;
         for (const Channel& channel : clip.channels) turnless_ += turnless_keys(channel);
         clip.begin_s = double(clip.channels.front().times_s.front());
