@@ -166,11 +166,9 @@ void look_round(Editor& editor, const CurveScale& scale, bool hovered, bool pann
         editor.timeline.keys.values =
             zoomed_values(scale.values, scale.value_at(io.MousePos.y), static_cast<double>(wheel));
         const glm::dvec2 shown =
-            zoomed_frames({scale.frames.first, scale.frames.last}, scale.frames.time,
+            zoomed_frames({scale.frames.first, scale.frames.last}, scale.frames.all,
                           scale.frames.frame_at(io.MousePos.x), static_cast<double>(wheel));
-        const Time& time = scale.frames.time;
-        const bool all = shown.x <= time.first_frame && shown.y >= time.last_frame;
-        editor.timeline.shown = all ? std::nullopt : std::optional(shown);
+        editor.timeline.shown = kept_frames(shown, scale.frames.time);
     }
     if (!panning || (io.MouseDelta.x == 0 && io.MouseDelta.y == 0)) return;
     const double up = scale.value_at(0) - scale.value_at(io.MouseDelta.y);
@@ -179,23 +177,22 @@ void look_round(Editor& editor, const CurveScale& scale, bool hovered, bool pann
     const double notches = (scale.frames.frame_at(io.MouseDelta.x) - scale.frames.frame_at(0)) /
                            std::max(1e-9, 0.1 * width);
     if (editor.timeline.shown)
-        editor.timeline.shown = rolled_frames(*editor.timeline.shown, scale.frames.time, notches);
+        editor.timeline.shown = rolled_frames(*editor.timeline.shown, scale.frames.all, notches);
 }
 
-void fit_chosen(Editor& editor, const CurveScales& scales)
+void fit_chosen(Editor& editor, const FrameScale& frames, const CurveScales& scales)
 {
     KeysView& view = editor.timeline.keys;
     if (!std::exchange(view.fit_chosen, false) || view.chosen.empty()) return;
-    const Time& time = editor.session.document().time;
     double first = 1e300, last = -1e300;
     for (const KeyName& key : view.chosen) {
         first = std::min(first, key.frame);
         last = std::max(last, key.frame);
     }
     const double width =
-        std::clamp(last - first, 10.0, std::max(10.0, 1.0 * time.last_frame - time.first_frame));
+        std::clamp(last - first, 10.0, std::max(10.0, frames.all.y - frames.all.x));
     const double middle = (first + last) / 2;
-    editor.timeline.shown = rolled_frames({middle - width / 2, middle + width / 2}, time, 0);
+    editor.timeline.shown = rolled_frames({middle - width / 2, middle + width / 2}, frames.all, 0);
     if (view.curves) view.values = values_of_keys(editor.session.document(), view.chosen, scales);
 }
 
@@ -290,7 +287,7 @@ void draw_curves(Editor& editor, const ui::Theme& theme, const ui::Rect& names,
     if (hot && !hot->handle && view.gesture.hand == KeyGesture::Hand::none)
         ui::tooltip_in({hot->at - 8.0f, hot->at + 8.0f},
                        {words_of_number(hot->keys.front().track.parameter).label});
-    fit_chosen(editor, scales);
+    fit_chosen(editor, frames, scales);
     if (shown.size() > 1) draw_alone(editor, theme, tracks, alone);
 }
 

@@ -174,11 +174,10 @@ void paint_ticks(const ui::Theme& theme, const ui::Rect& r, const FrameScale& sc
 {
     const ui::Palette& c = theme.color;
     const int step = tick_step(scale, theme.px(56)), small = tick_step(scale, theme.px(8));
-    const int last =
-        std::min(scale.time.last_frame, static_cast<int>(std::ceil(scale.frame_at(r.hi.x))));
+    const double last = std::min(scale.all.y, std::ceil(scale.frame_at(r.hi.x)));
     const auto first_of = [&](int every) {
         const int first =
-            std::max(scale.time.first_frame, static_cast<int>(std::floor(scale.frame_at(r.lo.x))));
+            static_cast<int>(std::floor(std::max(scale.all.x, scale.frame_at(r.lo.x))));
         return first + ((every - first % every) % every + every) % every;
     };
     for (int f = first_of(small); f <= last; f += small) {
@@ -186,7 +185,9 @@ void paint_ticks(const ui::Theme& theme, const ui::Rect& r, const FrameScale& sc
         ui::paint_line({x, r.hi.y - height}, {x, r.hi.y}, c.text_off, theme.size.hairline);
     }
     for (int f = first_of(step); numbered && f <= last; f += step) {
-        const float x = scale.x(f), half = theme.px(24);
+        const float x = scale.x(f), half = theme.px(24), mark = theme.px(28);
+        if (scale.all.x < scale.first && x - half < r.lo.x + mark) continue; // it stands there
+        if (scale.all.y > scale.last && x + half > r.hi.x - mark) continue;
         ui::paint_text(theme.font.small, {{x - half, r.lo.y}, {x + half, r.hi.y - theme.px(4)}},
                        c.text_2, std::to_string(f), ui::Align::center);
     }
@@ -215,13 +216,13 @@ void zoom(Editor& editor, const ui::Rect& ruler, const ui::Rect& tracks, const F
     glm::dvec2 shown = before;
     const double up = static_cast<double>(io.MouseWheel),
                  aside = static_cast<double>(io.MouseWheelH);
+    if (up == 0 && aside == 0) return;
     if (io.KeyShift || aside != 0)
-        shown = rolled_frames(shown, scale.time, io.KeyShift ? up : aside);
+        shown = rolled_frames(shown, scale.all, io.KeyShift ? up : aside);
     else if (over || io.KeyCtrl)
-        shown = zoomed_frames(shown, scale.time, scale.frame_at(mouse.x), up);
+        shown = zoomed_frames(shown, scale.all, scale.frame_at(mouse.x), up);
     if (shown == before) return;
-    const bool all = shown.x <= scale.time.first_frame && shown.y >= scale.time.last_frame;
-    editor.timeline.shown = all ? std::nullopt : std::optional(shown);
+    editor.timeline.shown = kept_frames(shown, scale.time);
 }
 
 // What plays goes on in sight.
@@ -299,6 +300,18 @@ void paint_key_strip(const Editor& editor, const ui::Theme& theme, const ui::Rec
     paint(selected, c.key);
 }
 
+// The frames that are none of the scene's.
+void paint_outside(const ui::Theme& theme, const ui::Rect& r, const FrameScale& scale)
+{
+    const auto paint = [&](float from, float to) {
+        if (to > from) ui::paint_box({{from, r.lo.y}, {to, r.hi.y}}, theme.color.gap);
+    };
+    if (scale.all.x < scale.time.first_frame)
+        paint(r.lo.x, std::round(scale.x(scale.time.first_frame)));
+    if (scale.all.y > scale.time.last_frame)
+        paint(std::round(scale.x(scale.time.last_frame)), r.hi.x);
+}
+
 // At the upper left of the open timeline: how keys are shown, and room for what travels.
 void draw_corner(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
 {
@@ -338,9 +351,11 @@ void draw_open(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
     const FrameScale scale = track_scale(theme, r, editor);
     draw_corner(editor, theme, {r.lo, {split, under - line}});
     const ui::Rect ruler = {{split + line, r.lo.y}, {r.hi.x, under}};
-    ImGui::PushClipRect({ruler.lo.x, ruler.lo.y}, {ruler.hi.x, ruler.hi.y}, true);
+    ImGui::PushClipRect({ruler.lo.x, ruler.lo.y}, {ruler.hi.x, r.hi.y}, true);
+    paint_outside(theme, {ruler.lo, r.hi}, scale);
     paint_ticks(theme, ruler, scale, true);
     ImGui::PopClipRect();
+    draw_marks_of_keys(editor, theme, ruler, scale); // before the ruler, whose clicks they take
     scrub(editor, ruler, scale);
     ui::paint_box({{r.lo.x, under - line}, {r.hi.x, under}}, c.gap);
     const ui::Rect names = {{r.lo.x, under}, {split, r.hi.y}};
@@ -389,9 +404,12 @@ void draw_timeline(Editor& editor, const ui::Theme& theme, const Layout& layout)
     buttons(editor, line);
     numbers(editor, line, room);
     const Time& time = editor.session.document().time;
-    const FrameScale scale{line.x + theme.px(12), bar.hi.x - theme.px(20),
+    const FrameScale scale{line.x + theme.px(12),
+                           bar.hi.x - theme.px(20),
                            static_cast<double>(time.first_frame),
-                           static_cast<double>(time.last_frame), time};
+                           static_cast<double>(time.last_frame),
+                           time,
+                           {time.first_frame, time.last_frame}};
     if (!open && scale.hi - scale.lo > theme.px(64)) {
         const ui::Rect ruler = {{line.x, bar.lo.y}, bar.hi};
         paint_ticks(theme, {ruler.lo, ruler.hi - glm::vec2(0, theme.px(4))}, scale, false);

@@ -14,6 +14,8 @@ struct FrameScale {
     float lo = 0, hi = 0;       // of the first and the last frame that are shown
     double first = 0, last = 0; // those frames
     Time time;
+    glm::dvec2 all{0}; // frames that can be shown: the scene's, and from the first to the last key
+    std::optional<glm::dvec2> keys = std::nullopt; // the first and the last, where there are any
     float x(double frame) const;
     double frame_at(float x) const;
 };
@@ -24,8 +26,14 @@ FrameScale track_scale(const ui::Theme& theme, const ui::Rect& timeline, const E
 
 // The frames that are shown when the wheel has turned so many notches over that frame, or rolled
 // so many sideways: not less than ten, not more than all.
-glm::dvec2 zoomed_frames(glm::dvec2 shown, const Time& time, double frame, double notches);
-glm::dvec2 rolled_frames(glm::dvec2 shown, const Time& time, double notches);
+glm::dvec2 zoomed_frames(glm::dvec2 shown, glm::dvec2 all, double frame, double notches);
+glm::dvec2 rolled_frames(glm::dvec2 shown, glm::dvec2 all, double notches);
+// As the timeline remembers them: none where they are the scene's, whatever becomes of these.
+std::optional<glm::dvec2> kept_frames(glm::dvec2 shown, const Time& time);
+
+// In the ruler, where there are keys before or after what is shown: marks that show them too.
+void draw_marks_of_keys(Editor& editor, const ui::Theme& theme, const ui::Rect& ruler,
+                        const FrameScale& scale);
 
 // A row for what travels and for what has keys, which are chosen and dragged there.
 void draw_key_rows(Editor& editor, const ui::Theme& theme, const ui::Rect& names,

@@ -76,6 +76,19 @@ std::set<double> key_frames(const Document& document, const std::vector<Id>& ids
     return out;
 }
 
+std::optional<glm::dvec2> keyed_frames(const Document& document)
+{
+    std::optional<glm::dvec2> out;
+    for (const Id id : animated_ids(document))
+        for (const Track& track : tracks_of(document, id)) {
+            if (track.keys.empty()) continue;
+            const double first = track.keys.front().frame, last = track.keys.back().frame;
+            out = out ? glm::dvec2(std::min(out->x, first), std::max(out->y, last))
+                      : glm::dvec2(first, last);
+        }
+    return out;
+}
+
 std::vector<TrackName> shown_curves(const Document& document, const KeysView& view,
                                     const std::vector<Id>& selected)
 {

@@ -5,6 +5,7 @@
 #include "editor/timeline/keys_view.h"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,8 @@ struct KeysAt {
 std::vector<KeysAt> keys_of_row(const Document& document, const TimelineRow& row);
 // The frames of all keys there are, ascending.
 std::set<double> key_frames(const Document& document, const std::vector<Id>& ids);
+// Of the first and of the last of all keys; none where there are no keys.
+std::optional<glm::dvec2> keyed_frames(const Document& document);
 
 // The tracks whose curves are shown: those whose rows are chosen, else those of what is selected,
 // else all.

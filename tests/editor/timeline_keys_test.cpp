@@ -64,6 +64,29 @@ TEST(TimelineKeys, AClickChoosesOneAndCtrlAddsAnother)
     EXPECT_EQ(rig.steps(), steps);
 }
 
+TEST(TimelineKeys, BeyondTheScenesFramesAreMarkedInTheRulerAndReachedByTheWheel)
+{
+    Keyed rig;
+    ASSERT_TRUE(rig.editor.session.run(SetTime{{41, 100, 24}}));
+    rig.wait();
+    EXPECT_EQ(rig.scale().first, 41);
+    EXPECT_EQ(rig.scale().last, 100);
+    const ui::Rect r = rig.layout().timeline;
+    const float y = r.lo.y + 40 + 12;
+    rig.click({r.hi.x - 14, y});
+    EXPECT_EQ(rig.scale().last, 121);
+    EXPECT_EQ(rig.editor.session.frame(), 41); // the ruler has not taken the click
+    rig.click({names_end(rig.screen.theme(), r) + 14, y});
+    EXPECT_EQ(rig.scale().first, 21);
+    rig.move({rig.scale().x(60), y});
+    rig.key({ui::key_home}); // the scene's frames again
+    EXPECT_EQ(rig.scale().last, 100);
+    rig.screen.input().push(ui::turn_wheel(-9));
+    rig.frames(3);
+    EXPECT_EQ(rig.scale().first, 21);
+    EXPECT_EQ(rig.scale().last, 121);
+}
+
 TEST(TimelineKeys, ARowOfAnObjectHasTheKeysOfAllItsTracks)
 {
     Keyed rig;

@@ -103,14 +103,14 @@ TEST(Timeline, IsZoomedByTheWheelAboutTheFrameUnderTheMouseAndFitByHome)
 
 TEST(Timeline, ShowsTenFramesAtLeastAndNoneBeyondTheEnds)
 {
-    const Time time{.first_frame = 1, .last_frame = 240};
     const glm::dvec2 all(1, 240);
-    EXPECT_EQ(zoomed_frames(all, time, 60, -5), all);
-    const glm::dvec2 close = zoomed_frames(all, time, 1, 100);
+    EXPECT_EQ(zoomed_frames(all, all, 60, -5), all);
+    const glm::dvec2 close = zoomed_frames(all, all, 1, 100);
     EXPECT_EQ(close, glm::dvec2(1, 11));
-    EXPECT_EQ(rolled_frames(close, time, 100), close);
-    EXPECT_EQ(rolled_frames(close, time, -1000), glm::dvec2(230, 240));
-    EXPECT_EQ(zoomed_frames({5, 5}, {.first_frame = 5, .last_frame = 5}, 5, 3), glm::dvec2(5));
+    EXPECT_EQ(rolled_frames(close, all, 100), close);
+    EXPECT_EQ(zoomed_frames(close, all, 50, 0), close); // over the margin beside them
+    EXPECT_EQ(rolled_frames(close, all, -1000), glm::dvec2(230, 240));
+    EXPECT_EQ(zoomed_frames({5, 5}, {5, 5}, 5, 3), glm::dvec2(5));
 }
 
 TEST(Timeline, LeavesTheArrowsToTheListThatHasTheKeyboard)
