@@ -201,7 +201,7 @@ CLI::App* add_verify(CLI::App& app, VerifyOptions& o)
         "Runs the scene that a .glb was exported from and samples the file's triangles against\n"
         "the true surfaces: whether they are as near as the file says.");
     verify->footer("Example:\n  trivar verify snake.glb           # status 3 if they are not");
-    verify->add_option("FILE", o.file, "as trivar replay --epsilon wrote it")
+    verify->add_option("FILE", o.file, "as trivar export or replay --epsilon wrote it")
         ->required()
         ->type_name("FILE.glb");
     verify->add_option("--log", o.log, "the scene; the one that the file names if left out")

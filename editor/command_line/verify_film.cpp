@@ -120,10 +120,10 @@ private:
                                       shortest(samples[p].at_frame), bound_text(allowed)));
             }
             streams_.out << fmt::format(
-                "{}: {} parts, {} samples at ten times the frame rate, the furthest off by {:.3g} "
+                "{}: {} {}, {} samples at ten times the frame rate, the furthest off by {:.3g} "
                 "m at frame {}, claimed: {}{}\n",
-                name, parts, count, furthest, shortest(frame), bound_text(bound),
-                when_claimed(all_proven, claims_.parts.front().moments));
+                name, parts, parts == 1 ? "part" : "parts", count, furthest, shortest(frame),
+                bound_text(bound), when_claimed(all_proven, claims_.parts.front().moments));
         }
     }
 
