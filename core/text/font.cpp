@@ -127,6 +127,12 @@ Font::Glyph Font::glyph(unsigned index, double tolerance) const
             .even_odd = (face->glyph->outline.flags & FT_OUTLINE_EVEN_ODD_FILL) != 0};
 }
 
+bool Font::has(char32_t letter) const
+{
+    hb_codepoint_t glyph = 0;
+    return hb_font_get_nominal_glyph(state_->shaper, letter, &glyph) != 0 && glyph != 0;
+}
+
 double Font::line_height() const
 {
     const double height = double(state_->face->height) / state_->face->units_per_EM;

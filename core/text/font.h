@@ -43,6 +43,7 @@ public:
     //   [1] Unicode Standard Annex 9, the bidirectional algorithm
     Line line(std::u32string_view letters, int spacing) const;
 
+    bool has(char32_t letter) const;   // a glyph of its own
     double line_height() const;        // em, from one base line to the next
     const std::string& title() const;  // its family and style
     const std::string& digest() const; // of the file and the face

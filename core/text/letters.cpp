@@ -67,6 +67,16 @@ bool is_blank(char32_t letter)
            (letter >= 0x205F && letter <= 0x206F) || letter == 0x3000 || letter == 0xFEFF;
 }
 
+bool is_ignorable(char32_t letter)
+{
+    return letter == 0xAD || letter == 0x34F || letter == 0x61C || letter == 0x17B4 ||
+           letter == 0x17B5 || (letter >= 0x180B && letter <= 0x180E) ||
+           (letter >= 0x200B && letter <= 0x200F) || (letter >= 0x202A && letter <= 0x202E) ||
+           (letter >= 0x2060 && letter <= 0x206F) || (letter >= 0xFE00 && letter <= 0xFE0F) ||
+           letter == 0xFEFF || (letter >= 0xFFF0 && letter <= 0xFFF8) ||
+           (letter >= 0x1D173 && letter <= 0x1D17A) || (letter >= 0xE0000 && letter <= 0xE0FFF);
+}
+
 std::vector<std::u32string> lines_of(std::u32string_view letters)
 {
     std::vector<std::u32string> lines(1);

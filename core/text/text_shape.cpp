@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 #include <map>
 
 namespace trivar {
@@ -114,6 +115,28 @@ std::string lacking(const std::u32string& letters, const std::string& title)
         letters.size() == 1 ? "one letter" : fmt::format("{} letters", letters.size()), list);
 }
 
+// Of a line's letters those that the font has no glyph for, each once. What is drawn together, as a
+// letter with its marks, is one cluster, known by its first letter.
+void add_missing(std::u32string& missing, const Font& font, std::u32string_view letters,
+                 const Font::Line& line)
+{
+    std::map<std::size_t, bool> clusters{{letters.size(), false}}; // whether it has a box
+    for (const Font::Put& put : line.glyphs) clusters[put.letter] |= put.glyph == 0;
+    const auto add = [&](char32_t letter) {
+        if (missing.find(letter) == missing.npos) missing += letter;
+    };
+    for (auto it = clusters.begin(); std::next(it) != clusters.end(); ++it) {
+        if (!it->second) continue;
+        bool named = false;
+        for (std::size_t i = it->first; i < std::next(it)->first; ++i) {
+            if (is_ignorable(letters[i]) || font.has(letters[i])) continue;
+            add(letters[i]);
+            named = true;
+        }
+        if (!named) add(letters[it->first]); // the font's own tables took it away
+    }
+}
+
 } // namespace
 
 void check_text(const TextShape& shape)
@@ -144,13 +167,12 @@ TextBody text_body(const TextShape& shape, const Font& font)
     double y = 0;
     for (const std::u32string& letters : lines_of(letters_of(shape.text))) {
         const Font::Line line = font.line(letters, spacing);
+        add_missing(missing, font, letters, line);
         const double part = shape.align == TextAlign::left     ? 0
                             : shape.align == TextAlign::center ? 0.5
                                                                : 1;
         const double x = -part * line.width / em_units;
         for (const Font::Put& put : line.glyphs) {
-            if (put.glyph == 0 && missing.find(letters[put.letter]) == missing.npos)
-                missing += letters[put.letter];
             const Mesh* letter = glyphs(put.glyph);
             if (!letter) continue;
             if (body.mesh.face_count() + letter->face_count() > most_faces)

@@ -121,6 +121,8 @@ TEST(Commands, NameTheFieldThatIsWrong)
     EXPECT_THAT(rejection(d, SetTransform{1, {.scale = {1, 0, 1}}}), HasSubstr("\"scale\""));
     EXPECT_THAT(rejection(d, SetRender{{.look = "neon"}}), HasSubstr("studio|clay|dark"));
     EXPECT_THAT(rejection(d, Rename{1, "\xC3"}), HasSubstr("UTF-8"));
+    EXPECT_THAT(rejection(d, Rename{1, std::string("a\0b", 3)}),
+                HasSubstr("holds the control character U+0000"));
     EXPECT_THAT(rejection(d, DeleteCamera{"back"}), HasSubstr("\"back\""));
 }
 

@@ -151,6 +151,19 @@ TEST(Text, ShowsABoxForALetterThatTheFontLacksAndSaysSo)
     EXPECT_TRUE(is_solid(body.mesh));
 }
 
+TEST(Text, NamesTheLettersOfAClusterThatTheFontLacksAndNoOthers)
+{
+    EXPECT_THAT(body_of("Z\u0351\u036B\u0343\u036A").notices, // the letter and two marks are there
+                ElementsAre(HasSubstr("2 letters of the text: U+036B, U+036A; a box")));
+    // Three that joiners hold together; what says how one is drawn is no letter either.
+    const Font inter = find_font("Inter").font;
+    EXPECT_THAT(body_of("\U0001F468\u200D\U0001F469\u200D\U0001F467\uFE0F", inter).notices,
+                ElementsAre(HasSubstr("3 letters of the text: U+1F468, U+1F469, U+1F467; a box")));
+    EXPECT_THAT(body_of("สวัสดี", inter).notices,
+                ElementsAre(HasSubstr("5 letters of the text: U+0E2A, U+0E27, U+0E31, U+0E14, "
+                                      "U+0E35; a box")));
+}
+
 TEST(Text, KeepsChordsWithinTheTolerance)
 {
     // A finer text of a round letter is nowhere farther from the coarse one than the tolerance

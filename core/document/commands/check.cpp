@@ -52,8 +52,10 @@ void check_text(std::string_view name, std::string_view text, const Rule& rule)
     if (text.size() > longest_text)
         throw Rejected(fmt::format("field \"{}\" has {} bytes but at most {} are taken", name,
                                    text.size(), longest_text));
-    if (!is_utf8(text) || text.find('\0') != text.npos)
-        throw Rejected(fmt::format("field \"{}\" is not UTF-8 text", name));
+    if (!is_utf8(text)) throw Rejected(fmt::format("field \"{}\" is not UTF-8 text", name));
+    if (text.find('\0') != text.npos)
+        throw Rejected(fmt::format(
+            "field \"{}\" holds the control character U+0000, which no text can", name));
     if (rule.choices.empty()) return;
     const std::string all = "|" + std::string(rule.choices) + "|";
     if (text.find('|') != text.npos || all.find("|" + std::string(text) + "|") == all.npos)
