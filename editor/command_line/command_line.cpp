@@ -200,11 +200,15 @@ CLI::App* add_verify(CLI::App& app, VerifyOptions& o)
     verify->description(
         "Runs the scene that a .glb was exported from and samples the file's triangles against\n"
         "the true surfaces: whether they are as near as the file says.");
-    verify->footer("Example:\n  trivar verify snake.glb           # status 3 if they are not");
+    verify->footer("Examples:\n"
+                   "  trivar verify snake.glb           # status 3 if they are not\n"
+                   "  trivar verify out/snake.glb --log snake.trivar");
     verify->add_option("FILE", o.file, "as trivar export or replay --epsilon wrote it")
         ->required()
         ->type_name("FILE.glb");
-    verify->add_option("--log", o.log, "the scene; the one that the file names if left out")
+    verify
+        ->add_option("--log", o.log,
+                     "the scene; the one that the file names, beside it, if left out")
         ->type_name("LOG");
     verify->add_option("--set", o.relinked, "use FILE where the scene names the file NAME")
         ->type_name("NAME=FILE")
