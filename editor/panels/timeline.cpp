@@ -91,25 +91,52 @@ void buttons(Editor& editor, Transport& line)
     line.x += line.theme.px(8);
 }
 
-// What there is room for beside the ruler, the least wanted first to go.
+// What there is room for beside the ruler, or in the open timeline beside the numbers of the chosen
+// keys; the least wanted first to go.
 struct Room {
     bool title = true, rate = true, range = true;
 };
 constexpr float title_width = 72, rate_width = 72, range_width = 146, rest_width = 320,
                 least_ruler = 140, least_key_numbers = 172;
-Room room_in(const ui::Theme& theme, float width, float least_rest)
+Room room_in(const Editor& editor, const ui::Theme& theme, float width)
 {
+    const bool open = editor.preferences.timeline_open;
     Room room;
-    float needed = theme.px(title_width + rate_width + range_width + rest_width + least_rest);
+    float needed = theme.px(title_width + rate_width + range_width + rest_width);
     const auto drop = [&](bool& part, float part_width) {
         if (needed <= width) return;
         part = false;
         needed -= theme.px(part_width);
     };
-    drop(room.title, title_width);
+    if (!open) needed += theme.px(least_ruler);
+    drop(room.title, title_width); // whatever is chosen: buttons stay where they are
+    if (open && !editor.timeline.keys.chosen.empty()) needed += theme.px(least_key_numbers);
     drop(room.rate, rate_width);
     drop(room.range, range_width);
     return room;
+}
+
+// The title too is pressed, as those of sections are.
+void heading(Editor& editor, Transport& line, bool has_title)
+{
+    const ui::Theme& theme = line.theme;
+    const bool open = editor.preferences.timeline_open;
+    const char* title = "Timeline";
+    const float side = theme.size.icon_button, gap = theme.px(4);
+    const float words = has_title ? gap + ui::text_width(theme.font.strong, title) + gap : 0;
+    const Action& toggle = action(editor, timeline_action);
+    line.place(side);
+    if (ui::icon_button(theme, "open", "", {side + words, side},
+                        {open ? "Close the timeline" : "Open the timeline", key_text(toggle),
+                         "Keys and what travels, and when: to be chosen and dragged."}))
+        toggle.run(editor);
+    ui::paint_text(theme.font.body, {{line.x, line.bar.lo.y}, {line.x + side, line.bar.hi.y}},
+                   theme.color.text_2, open ? ui::icon::open : ui::icon::closed, ui::Align::center);
+    line.x += side + gap;
+    if (!has_title) return;
+    ui::paint_text(theme.font.strong, {{line.x, line.bar.lo.y}, line.bar.hi}, theme.color.text,
+                   title);
+    line.x += theme.px(title_width);
 }
 
 void numbers(Editor& editor, Transport& line, const Room& room)
@@ -390,17 +417,9 @@ void draw_timeline(Editor& editor, const ui::Theme& theme, const Layout& layout)
     begin_panel("timeline", r, c.header);
     editor.timeline.hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
     const ui::Rect bar = {r.lo, {r.hi.x, std::min(r.hi.y, r.lo.y + theme.px(40))}};
-    const Room room = room_in(theme, r.width(), open ? least_key_numbers : least_ruler);
+    const Room room = room_in(editor, theme, r.width());
     Transport line{theme, bar, r.lo.x + theme.px(8)};
-    const Action& toggle = action(editor, timeline_action);
-    if (line.icon("open", open ? ui::icon::open : ui::icon::closed,
-                  {open ? "Close the timeline" : "Open the timeline", key_text(toggle),
-                   "Keys and what travels, and when: to be chosen and dragged."}))
-        toggle.run(editor);
-    if (room.title) {
-        ui::paint_text(theme.font.strong, {{line.x, bar.lo.y}, bar.hi}, c.text, "Timeline");
-        line.x += theme.px(title_width);
-    }
+    heading(editor, line, room.title);
     buttons(editor, line);
     numbers(editor, line, room);
     const Time& time = editor.session.document().time;
