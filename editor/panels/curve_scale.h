@@ -29,7 +29,8 @@ bool units_differ(const std::vector<TrackName>& tracks);
 // Between which values all that these curves reach lies, as they are shown; a little more where
 // that is one value. The names of chosen keys instead of the tracks: what these reach.
 glm::dvec2 values_of_curves(const Document& document, const std::vector<TrackName>& tracks);
-glm::dvec2 values_of_keys(const Document& document, const ChosenKeys& keys);
+glm::dvec2 values_of_keys(const Document& document, const ChosenKeys& keys,
+                          const CurveScales& scales);
 
 // What is shown when the wheel has turned so many notches over that value.
 glm::dvec2 zoomed_values(glm::dvec2 shown, double value, double notches);

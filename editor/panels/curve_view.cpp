@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fmt/format.h>
 #include <imgui.h>
 #include <utility>
 
@@ -32,25 +33,65 @@ std::vector<ui::Color> colors_of_curves(const ui::Palette& c, const std::vector<
     return out;
 }
 
-// The numbers at the left: of all curves, or of that one.
-void paint_values(const ui::Theme& theme, const ui::Rect& r, const CurveScale& scale,
-                  const std::string& unit, ui::Color color)
+// As many decimals as the step has.
+std::string tick_text(double value, double step)
 {
-    const ui::Palette& c = theme.color;
-    const ValueTicks ticks = value_ticks(scale, theme.px(28));
+    if (std::abs(value) < step / 2) value = 0;
+    if (step < 1e-6 || step >= 1e6) return ui::short_number(value);
+    return fmt::format("{:.{}f}", value,
+                       static_cast<int>(std::max(0.0, std::ceil(-std::log10(step) - 1e-9))));
+}
+
+// The values of all curves, or of that one, that have a line; these begin where the numbers end.
+struct Values {
+    ValueTicks ticks;
+    std::vector<float> y; // from below
+    float left = 0;       // of the lines
+};
+Values values_in(const ui::Theme& theme, const ui::Rect& r, const CurveScale& scale)
+{
+    Values out{value_ticks(scale, theme.px(28)), {}, scale.frames.lo - theme.px(10)};
     for (int i = 0; i < 100; ++i) {
-        const double value = ticks.first + i * ticks.step;
-        const float y = std::round(scale.y(value));
+        const float y = std::round(scale.y(out.ticks.first + i * out.ticks.step));
         if (y < r.lo.y) break;
-        const bool zero = std::abs(value) < ticks.step / 2;
-        ui::paint_line({r.lo.x, y}, {r.hi.x, y}, zero ? c.text_off : c.line_soft,
-                       theme.size.hairline);
-        const std::string number = ui::short_number(zero ? 0 : value);
-        ui::paint_text(theme.font.small,
-                       {{r.lo.x + theme.px(6), y - theme.px(15)}, {r.hi.x, y - theme.px(1)}}, color,
-                       unit.empty()    ? number
-                       : unit == "deg" ? number + "°"
-                                       : number + " " + unit);
+        out.y.push_back(y);
+    }
+    return out;
+}
+
+void paint_lines(const ui::Theme& theme, const ui::Rect& r, const Values& values)
+{
+    for (std::size_t i = 0; i < values.y.size(); ++i) {
+        const double value = values.ticks.first + static_cast<double>(i) * values.ticks.step;
+        const bool zero = std::abs(value) < values.ticks.step / 2;
+        ui::paint_line({values.left, values.y[i]}, {r.hi.x, values.y[i]},
+                       zero ? theme.color.text_off : theme.color.line_soft, theme.size.hairline);
+    }
+}
+
+// Before the first frame, over what else is there; without the unit where there is no room for it.
+void paint_numbers(const ui::Theme& theme, const ui::Rect& r, const Values& values,
+                   const std::string& unit, ui::Color color)
+{
+    const float half = theme.px(8), gap = theme.px(4);
+    const ui::Rect all = {{r.lo.x + gap, r.lo.y}, {values.left - gap, r.hi.y}};
+    const std::string after = unit.empty() ? "" : unit == "deg" ? "°" : " " + unit;
+    std::vector<std::string> words;
+    float widest = 0;
+    for (std::size_t i = 0; i < values.y.size(); ++i) {
+        const double value = values.ticks.first + static_cast<double>(i) * values.ticks.step;
+        words.push_back(tick_text(value, values.ticks.step));
+        widest = std::max(widest, ui::text_width(theme.font.small, words.back() + after));
+    }
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const float y = values.y[i];
+        if (y - half < r.lo.y || y + half > r.hi.y) continue; // it would be cut
+        if (widest <= all.width()) words[i] += after;
+        const float width = ui::text_width(theme.font.small, words[i]);
+        const float left = std::max(all.lo.x, all.hi.x - width);
+        const ui::Rect at = {{left, y - half}, {left + width, y + half}};
+        ui::paint_box(at.grown(theme.px(2)), theme.color.base, theme.size.rounding_small);
+        ui::paint_text(theme.font.small, at, color, words[i]);
     }
 }
 
@@ -273,11 +314,11 @@ void draw_curves(Editor& editor, const ui::Theme& theme, const ui::Rect& names,
     const NumberWords words = words_of_number(leading.parameter);
     const auto order = std::ranges::find(shown, leading) - shown.begin();
     const ui::Color of_leading = shown.empty() ? c.text_3 : colors[static_cast<std::size_t>(order)];
-    if (!shown.empty())
-        paint_values(theme, tracks, scales.of(leading),
-                     units_differ(shown) && !alone ? "" : words.unit,
-                     alone ? of_leading : c.text_3);
+    const Values values = shown.empty() ? Values{} : values_in(theme, tracks, scales.of(leading));
+    paint_lines(theme, tracks, values);
     paint_curves(theme, session.document(), view, shown, field, scales, colors, hot);
+    paint_numbers(theme, tracks, values, units_differ(shown) && !alone ? "" : words.unit,
+                  alone ? of_leading : c.text_3);
     const float now = std::round(frames.x(session.frame()));
     ui::paint_line({now, tracks.lo.y}, {now, tracks.hi.y}, c.focus, 1.5f * theme.scale);
     use_keys(editor, theme, field);
