@@ -87,7 +87,8 @@ void Recording::next()
         [shaders = shaders_](Run& run, const Progress& progress) {
             RecordingWish& wish = run.wish;
             if (!std::exchange(run.prepared, true)) {
-                make_folder(wish.sequence.names);
+                make_folder_of(wish.sequence.names.path(wish.frames.front()));
+                if (!wish.video.empty()) make_folder_of(wish.video);
                 wish.sequence.settings = sequence_settings(std::move(wish.sequence.settings),
                                                            wish.document, *wish.assets, shaders);
             }

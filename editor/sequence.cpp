@@ -163,9 +163,10 @@ std::string digest_of_log(std::string_view text)
     return digest.hex();
 }
 
-void make_folder(const FrameNames& names)
+void make_folder_of(const std::string& file)
 {
-    const std::string folder = names.folder();
+    const std::string parent = std::filesystem::path(file).parent_path().string();
+    const std::string folder = parent.empty() ? "." : parent;
     std::error_code error;
     if (std::filesystem::is_directory(folder, error)) return;
     std::filesystem::create_directory(folder, error);

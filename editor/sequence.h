@@ -53,8 +53,8 @@ std::string sequence_settings(std::string drawn, const Document& document, const
                               const Ref<gpu::ShaderTexts>& shaders = {});
 std::string digest_of_log(std::string_view text);
 
-// The folder of the pictures, made if only the last part of its name is missing. Throws Rejected.
-void make_folder(const FrameNames& names);
+// The folder of a file, made if only the last part of its name is missing. Throws Rejected.
+void make_folder_of(const std::string& file);
 
 // "3 min left", from what the ones before took; empty while nothing is known.
 std::string time_left(int done, int of, double seconds);

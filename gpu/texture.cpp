@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gpu/texture.h"
 
+#include "core/base/rejected.h"
 #include "gpu/context.h"
 
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <epoxy/gl.h>
+#include <fmt/format.h>
 #include <utility>
 
 namespace trivar::gpu {
@@ -21,9 +23,16 @@ constexpr unsigned spare_unit = 13;
 Texture2D::Texture2D(unsigned format, glm::ivec2 size_px, bool linear, int levels)
     : size_px_(size_px)
 {
+    while (glGetError() != GL_NO_ERROR) // what was before is not ours
+        ;
     glGenTextures(1, &name_);
     bind(spare_unit);
     glTexStorage2D(GL_TEXTURE_2D, levels, format, size_px.x, size_px.y);
+    if (glGetError() != GL_NO_ERROR) {
+        glDeleteTextures(1, &name_);
+        throw Rejected(fmt::format("The graphics card has no room for a picture of {} x {} pixels.",
+                                   size_px.x, size_px.y));
+    }
     const GLint filter = linear ? GL_LINEAR : GL_NEAREST;
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);

@@ -318,6 +318,11 @@ Status dispatch(const std::vector<std::string>& arguments, const Streams& stream
     if (info->parsed()) return run_info(choices.info, streams);
     if (commands->parsed()) return list_commands(choices, streams);
     if (bench->parsed()) return run_bench(choices.bench, streams);
+    std::error_code error;
+    for (const std::filesystem::path file : choices.files)
+        if (!file.has_extension() && !std::filesystem::exists(file, error))
+            throw WrongUsage(file.string() +
+                             ": no command and no file; trivar --help lists the commands");
     EditorOptions options;
     options.files = choices.files;
     options.shaders = choices.shaders;

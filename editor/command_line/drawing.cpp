@@ -50,6 +50,13 @@ Ref<gpu::ShaderTexts> shaders_of(const DrawingOptions& options)
     return gpu::ShaderFolder(options.shaders).texts(0);
 }
 
+void check_camera(const DrawingOptions& options, const Document& document)
+{
+    if (!options.camera.empty() && !document.bookmarks.contains(options.camera))
+        throw Rejected(fmt::format("--camera {}: the scene has no point of view of that name",
+                                   options.camera));
+}
+
 Drawing::Drawing(const DrawingOptions& options, const Streams& streams)
     : named_camera_(options.camera),
       options_(still_options(options)),
@@ -66,11 +73,7 @@ void Drawing::say_once(const std::string& sentence)
 Camera Drawing::camera(const Evaluated& evaluated, const Document& document) const
 {
     if (named_camera_.empty()) return picture_camera(evaluated, document, options_.size_px);
-    const auto bookmark = document.bookmarks.find(named_camera_);
-    if (bookmark == document.bookmarks.end())
-        throw Rejected(
-            fmt::format("--camera {}: the scene has no point of view of that name", named_camera_));
-    return ui::reshaped(bookmark->second, options_.size_px);
+    return ui::reshaped(document.bookmarks.at(named_camera_), options_.size_px);
 }
 
 const Still& Drawing::draw(const Evaluated& evaluated, const Document& shown, const Camera& camera,

@@ -35,11 +35,15 @@ StillOptions still_options(const DrawingOptions& options);
 // Null: those of the program. Throws Rejected where there are none.
 Ref<gpu::ShaderTexts> shaders_of(const DrawingOptions& options);
 
+// Throws Rejected where the scene has no point of view of the name that is asked for.
+void check_camera(const DrawingOptions& options, const Document& document);
+
 // Pictures without a window, one after another. Throws Rejected where there is no OpenGL.
 class Drawing {
 public:
     Drawing(const DrawingOptions& options, const Streams& streams);
-    // The bookmark that the options name, else what picture_camera() says. Throws Rejected.
+    // The bookmark that the options name, which check_camera() found, else what picture_camera()
+    // says.
     Camera camera(const Evaluated& evaluated, const Document& document) const;
     const Still& draw(const Evaluated& evaluated, const Document& shown, const Camera& camera,
                       bool deep = false);

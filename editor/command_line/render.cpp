@@ -61,17 +61,19 @@ public:
         document_ = history.document();
         check_relinked(options.scene, document_);
         check_frames(frames_, document_.time);
+        check_camera(options_.drawing, document_);
         if (!options.sheet.empty()) return;
         sequence_.log = digest_of_log(text);
         sequence_.settings = sequence_settings(words_of(options.drawing), document_, *assets_,
                                                shaders_of(options.drawing));
-        make_folder(sequence_.names);
     }
 
     Status run(const Interrupts& interrupts)
     {
         Drawing drawing(options_.drawing, streams_);
         const std::optional<Camera> fixed = camera_of_all(drawing);
+        make_folder_of(sequence_.names.path(frames_.front()));
+        if (!options_.video.empty()) make_folder_of(options_.video);
         const auto start = std::chrono::steady_clock::now();
         int done = 0, drawn = 0;
         for (const int frame : share_) {

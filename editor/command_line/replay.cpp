@@ -159,8 +159,9 @@ Replayed replay(const ReplayOptions& options, const Streams& streams)
 
 void draw(const ReplayOptions& options, Replayed& replayed, const Streams& streams)
 {
-    Drawing drawing(options.drawing, streams);
     const Document shown = document_at(replayed.shown, frame_of(options, replayed.document));
+    check_camera(options.drawing, shown);
+    Drawing drawing(options.drawing, streams);
     const Camera camera = drawing.camera(replayed.evaluated, shown);
     const Still& still = drawing.draw(replayed.evaluated, shown, camera);
     replayed.timings.add(still.renderer().timings());

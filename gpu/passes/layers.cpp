@@ -39,10 +39,12 @@ void LayerPass::draw(Tools& tools, const Targets& targets, const LayerBounds& bo
     const glm::ivec2 size = weighed_.size_px();
     if (size.x < targets.size_px.x || size.y < targets.size_px.y) {
         const glm::ivec2 larger = glm::max(size, targets.size_px);
+        for (Texture2D* each : {&near_depths_, &far_depths_, &weighed_, &depths_})
+            *each = {}; // both at once may be too much
         near_depths_ = Texture2D(GL_RGBA16F, larger);
         far_depths_ = Texture2D(GL_RGBA16F, larger);
-        weighed_ = Texture2D(GL_RGBA16F, larger);
         depths_ = Texture2D(GL_R16F, larger);
+        weighed_ = Texture2D(GL_RGBA16F, larger); // last, for its size is asked for
         to_depths_ = Framebuffer({&near_depths_, &far_depths_}, nullptr);
         to_weighed_ = Framebuffer({&weighed_}, nullptr);
         to_both_ = Framebuffer({&weighed_, &depths_}, nullptr);

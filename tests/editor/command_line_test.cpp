@@ -52,6 +52,7 @@ TEST(CommandLine, WrongUsageIsStatusTwoAndNoResult)
     for (const std::vector<std::string>& arguments :
          std::vector<std::vector<std::string>>{{"replay"},
                                                {"--wings"},
+                                               {"exprot", "x"},
                                                {"replay", "a", "--to", "x"},
                                                {"replay", "a", "--frame", "x"},
                                                {"replay", "a", "--frame", "3", "--digest"},

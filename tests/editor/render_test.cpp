@@ -228,7 +228,8 @@ TEST_F(Sequences, RefuseInASentenceWhatMakesNone)
     refused(arguments(folder.file("none/none/a.####.png")), "the folder is not there");
     refused(arguments(scene + "/a.####.png"), "the folder is not there");
     refused(arguments(good, {"--video", folder.file("a.gif")}), ".mp4, .mov or .mkv");
-    refused(arguments(good, {"--camera", "nobody"}), "no point of view of that name");
+    refused(arguments(folder.file("new/a.####.png"), {"--camera", "nobody"}),
+            "no point of view of that name");
     EXPECT_THAT(render("a.####.png", {"--depth", "12"}).status, Status::usage);
     EXPECT_THAT(files("."), IsEmpty());
 }

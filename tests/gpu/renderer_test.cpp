@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
+#include "gpu/texture.h"
 #include "tests/gpu/support.h"
 
 #include <epoxy/gl.h>
@@ -30,6 +31,14 @@ TEST_F(TheRenderer, DrawsAnEmptyPictureAsABackdropWithoutStructure)
             EXPECT_NEAR(rgb_at(image, {3, y})[c], rgb_at(image, {60, y})[c], 2); // dither
     EXPECT_NE(rgb_at(image, {0, 0}), rgb_at(image, {0, 47}));
     EXPECT_EQ(image.rgba[3], 255);
+}
+
+TEST(Texture, SaysWhereTheCardHasNoRoom)
+{
+    const HeadlessContext context;
+    EXPECT_THROW(Texture2D(GL_RGBA8, glm::ivec2(1 << 20)), Rejected);
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+    EXPECT_EQ(Texture2D(GL_RGBA8, {64, 48}).size_px(), glm::ivec2(64, 48));
 }
 
 // A sphere of radius r seen from distance d covers the angle asin(r / d).
