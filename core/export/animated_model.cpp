@@ -4,12 +4,14 @@
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
 #include "core/export/animated_nodes.h"
+#include "core/export/places_in_file.h"
 #include "core/export/sag.h"
 #include "core/export/target_keys.h"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fmt/format.h>
 #include <limits>
 #include <numeric>
 
@@ -156,6 +158,56 @@ void claim_targets(FilmCertificate::PartClaim& claim, const Between& between,
     }
 }
 
+// How far what hangs on nodes is at the moments from where it should be: keys, and what single
+// precision leaves of them and of what a skin does. What rests is looked at once.
+void measure_nodes(const AnimatedScene& scene, AnimatedExport& out, const Progress& progress)
+{
+    std::vector<FilmCertificate::PartClaim>& claims = out.certificate.parts;
+    const Model& model = out.model;
+    std::vector<const Channel*> weights;
+    for (const FilmCertificate::PartClaim& claim : claims)
+        weights.push_back(weights_of_node(model, claim.node));
+    std::vector<bool> seen(claims.size(), false);
+    std::vector<double> far(claims.size(), 0);
+    const std::vector<double>& moments = out.film.moments;
+    for (std::size_t i = 0; i < moments.size(); ++i) {
+        report(progress, static_cast<double>(i) / static_cast<double>(moments.size()),
+               "measuring nodes");
+        std::vector<std::size_t> parts;
+        for (std::size_t p = 0; p < claims.size(); ++p)
+            if (!out.common[p].mesh && out.film.strips[p].shown[i] &&
+                !(claims[p].way == "still" && seen[p])) {
+                parts.push_back(p);
+                seen[p] = true;
+            }
+        if (parts.empty()) continue;
+        const double time_s = (moments[i] - scene.frames.first) / out.certificate.frames_per_second;
+        const Stance stance =
+            stance_at(model, model.clips.empty() ? nullptr : &model.clips.front(), time_s);
+        parallel_blocks(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t k = begin; k < end; ++k) {
+                const std::size_t p = parts[k];
+                const std::vector<glm::dvec3> file = places_in_file(model, claims[p].node, stance,
+                                                                    weights[p], time_s),
+                                              there = places_in_scene(*out.film.strips[p].shown[i]);
+                for (std::size_t v = 0; v < there.size(); ++v) {
+                    const double off = glm::distance(file[v], there[v]);
+                    if (!(off <= claims[p].bound))
+                        claims[p].bound =
+                            std::isfinite(off) ? off : std::numeric_limits<double>::infinity();
+                    far[p] = std::max(far[p], glm::length(there[v]));
+                }
+            }
+        });
+    }
+    for (std::size_t p = 0; p < claims.size(); ++p)
+        if (const double least = 0x1p-21 * far[p];
+            claims[p].bound > 0 && !(scene.tolerance > least) && !out.common[p].mesh)
+            throw Rejected(fmt::format("a tolerance of {:.3g} m is finer than single precision "
+                                       "tells places apart here; it has to be above {:.3g} m",
+                                       scene.tolerance, least));
+}
+
 } // namespace
 
 AnimatedExport animated_export(const AnimatedScene& scene, const Ref<AssetStore>& assets,
@@ -203,7 +255,7 @@ AnimatedExport animated_export(const AnimatedScene& scene, const Ref<AssetStore>
     const std::vector<double> nothing(film.moments.size(), 0);
     for (std::size_t first = 0; first < film.strips.size(); first += at_once) {
         report(progress,
-               0.8 + 0.2 * static_cast<double>(first) / static_cast<double>(film.strips.size()),
+               0.8 + 0.1 * static_cast<double>(first) / static_cast<double>(film.strips.size()),
                "choosing keys");
         const std::size_t end = std::min(first + at_once, film.strips.size());
         std::vector<TargetKeys> keys(end - first);
@@ -242,9 +294,10 @@ AnimatedExport animated_export(const AnimatedScene& scene, const Ref<AssetStore>
             certificate.parts.push_back(std::move(claim));
         }
     }
+    out.model = nodes.finished();
+    measure_nodes(scene, out, between(progress, 0.9, 1));
     for (const FilmCertificate::PartClaim& part : certificate.parts)
         certificate.bound = std::max(certificate.bound, part.bound);
-    out.model = nodes.finished();
     out.model.extras = to_json(certificate);
     return out;
 }

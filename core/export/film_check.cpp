@@ -2,6 +2,7 @@
 #include "core/export/film_check.h"
 
 #include "core/base/parallel.h"
+#include "core/export/places_in_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,50 +10,6 @@
 
 namespace trivar {
 namespace {
-
-const Channel* weights_of_node(const Model& model, int node)
-{
-    if (model.clips.empty()) return nullptr;
-    for (const Channel& channel : model.clips.front().channels)
-        if (channel.node == node && channel.of == Channel::Of::morph_weights) return &channel;
-    return nullptr;
-}
-
-// What the file shows of a part: its vertices in the world.
-std::vector<glm::dvec3> shown_by_file(const Model& model, int node, const Stance& stance,
-                                      const Channel* weights, double time_s)
-{
-    const Node& at = model.nodes[static_cast<std::size_t>(node)];
-    const Mesh& mesh = *model.meshes[static_cast<std::size_t>(at.mesh)];
-    std::vector<glm::dvec3> out(mesh.positions.begin(), mesh.positions.end());
-    if (weights && !mesh.morph_targets.empty()) {
-        const std::vector<double> w = value_at(*weights, time_s);
-        for (std::size_t t = 0; t < w.size(); ++t)
-            if (w[t] != 0)
-                for (std::size_t v = 0; v < out.size(); ++v)
-                    out[v] += w[t] * glm::dvec3(mesh.morph_targets[t].positions[v]);
-    }
-    if (at.skin < 0) {
-        const glm::dmat4& to_world = stance.to_model[static_cast<std::size_t>(node)];
-        for (glm::dvec3& p : out) p = glm::dvec3(to_world * glm::dvec4(p, 1));
-        return out;
-    }
-    const Skin& skin = model.skins[static_cast<std::size_t>(at.skin)];
-    std::vector<glm::dmat4> joints;
-    for (std::size_t j = 0; j < skin.joints.size(); ++j)
-        joints.push_back(stance.to_model[static_cast<std::size_t>(skin.joints[j])] *
-                         skin.mesh_to_joint[j]);
-    for (std::size_t v = 0; v < out.size(); ++v) {
-        const Mesh::Influences& by = mesh.influences[v];
-        glm::dvec4 sum(0);
-        for (int k = 0; k < 4; ++k)
-            if (by.weights[k] > 0)
-                sum += double{by.weights[k]} *
-                       (joints[by.joints[static_cast<std::size_t>(k)]] * glm::dvec4(out[v], 1));
-        out[v] = glm::dvec3(sum);
-    }
-    return out;
-}
 
 // The part as it is then, if it has the triangles that it has in the file; else null.
 const Part* shown_in(const EvaluatedObject& object, const FilmStrip& strip)
@@ -75,9 +32,8 @@ void compare(FilmSample& sample, const CommonMesh& common, const Part& truth,
         sample.at_frame = frame;
     };
     if (!truth.bent) {
-        const Mesh mesh = truth.posed ? posed(*truth.rest, truth.posed->pose) : *truth.rest;
-        for (std::size_t v = 0; v < file.size(); ++v)
-            add(file[v], glm::dvec3(truth.to_world * glm::dvec4(mesh.positions[v], 1)));
+        const std::vector<glm::dvec3> scene = places_in_scene(truth);
+        for (std::size_t v = 0; v < file.size(); ++v) add(file[v], scene[v]);
         return;
     }
     const Mesh flat = before_volume(common, truth);
@@ -145,7 +101,7 @@ std::vector<FilmSample> sampled_film(const AnimatedExport& exported, const Docum
                 }
                 last[p] = {object->second, truth, out[p].samples};
                 compare(out[p], exported.common[p], *truth,
-                        shown_by_file(model, claims.parts[p].node, stance, weights[p], time_s),
+                        places_in_file(model, claims.parts[p].node, stance, weights[p], time_s),
                         frame);
                 last[p].samples = out[p].samples - last[p].samples;
             }

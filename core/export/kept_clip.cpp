@@ -227,7 +227,8 @@ PlayedTime played_time(const Document& document, Id id, const Clip& clip,
         return out;
     }
     out.seen = [=](double film_s) -> std::optional<PlayedTime::Seen> {
-        constexpr double looked_at = 10, near_enough = 1e-4, of_a_frame = 0x1p-20;
+        constexpr double looked_at = 80, // tenths and sixteenths
+            near_enough = 1e-4, of_a_frame = 0x1p-20;
         const double frame = film_s * per_second,
                      near = std::round((first + frame) * looked_at) / looked_at;
         if (std::abs(near - first - frame) > near_enough + of_a_frame * frame) return {};

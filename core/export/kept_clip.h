@@ -18,9 +18,9 @@ struct PlayedTime {
     // They go from one moment to the next, and nothing of the clip between is looked at: where the
     // place in the clip has keys, or a lap is shorter than that.
     bool by_moments = false;
-    // The tenth of a frame that is as near to a time as single precision tells them apart, and
-    // where the clip is then; nothing: there is none. A jump is put to the side of it on which it
-    // is seen.
+    // The tenth or sixteenth of a frame that is as near to a time as single precision tells them
+    // apart, and where the clip is then; nothing: there is none. A jump is put to the side of it on
+    // which it is seen.
     struct Seen {
         double film_s, clip_s;
     };

@@ -204,6 +204,20 @@ TEST_F(AnimatedExports, KeepTheSkinOfWhatLiesInNoVolume)
     }
 }
 
+TEST_F(AnimatedExports, ClaimOfNodesAndSkinsWhatSinglePrecisionMakesOfThem)
+{
+    const Document document = playing(still_, {.clip = "bend"});
+    const double bound = of(exported(document), 5).front().bound;
+    EXPECT_GT(bound, 0);
+    EXPECT_LT(bound, 1e-5);
+    try {
+        exported(document, 1e-12);
+        FAIL() << "was exported";
+    } catch (const Rejected& why) {
+        EXPECT_THAT(why.what(), HasSubstr("finer than single precision tells places apart"));
+    }
+}
+
 TEST_F(AnimatedExports, LeaveOutWhatDoesNotMove)
 {
     Model model = testing::rigged_model();

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/evaluate.h"
+#include "core/mesh/pose.h"
+
+namespace trivar {
+
+// The vertices of a part in the world, metres: as the file shows them at a time, by the rules of
+// glTF, and as the scene has them outside of volumes.
+std::vector<glm::dvec3> places_in_file(const Model& model, int node, const Stance& stance,
+                                       const Channel* weights, double time_s);
+std::vector<glm::dvec3> places_in_scene(const Part& part);
+
+// The channel of the model's first clip that the weights of a node's targets go by, or null.
+const Channel* weights_of_node(const Model& model, int node);
+
+} // namespace trivar
