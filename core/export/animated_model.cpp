@@ -213,8 +213,9 @@ void measure_nodes(const AnimatedScene& scene, AnimatedExport& out, const Progre
 AnimatedExport animated_export(const AnimatedScene& scene, const Ref<AssetStore>& assets,
                                const Progress& progress)
 {
-    if (!(scene.tolerance > 0) || !std::isfinite(scene.tolerance))
-        throw Rejected("a tolerance has to be a length above 0 m");
+    if (!(scene.tolerance > 0 && scene.tolerance <= most_tolerance))
+        throw Rejected(fmt::format("a tolerance has to be a length above 0 m and at most {} m",
+                                   most_tolerance));
     FilmPlan plan = planned(scene, assets, between(progress, 0, 0.3));
     AnimatedExport out;
     out.film = std::move(plan.film); // strips keep their places

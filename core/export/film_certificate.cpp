@@ -117,6 +117,10 @@ FilmCertificate film_certificate_from_json(const std::string& text)
         out.scene = all.at("scene").get<std::string>();
         if (!(out.tolerance > 0) || !(out.frames_per_second > 0))
             throw Rejected("its certificate has a number that is not above 0");
+        if (!(out.tolerance <= most_tolerance))
+            throw Rejected(fmt::format("its certificate has a tolerance of {:.3g} m, which says "
+                                       "nothing; {} m is the most",
+                                       out.tolerance, most_tolerance));
         for (const FilmJson& p : all.at("parts"))
             out.parts.push_back(
                 {.object = whole_number<Id>(p.at("object")),

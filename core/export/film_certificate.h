@@ -8,6 +8,8 @@
 
 namespace trivar {
 
+inline constexpr double most_tolerance = 1000; // metres; what is further off is not the scene
+
 // What an animated file says of how close it is to the scene, at every time from its first frame to
 // its last: distances in metres between what it shows and the true surface, point by point.
 struct FilmCertificate {

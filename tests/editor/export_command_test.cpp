@@ -110,6 +110,15 @@ TEST_F(ExportCommand, IsFoundOutWhereItsClaimsAreOfOtherParts)
     const Told large = verified_with([](auto& claims) { claims["frames"][1] = 1e300; });
     EXPECT_EQ(large.status, Status::rejected);
     EXPECT_THAT(large.text, HasSubstr("not whole, or too large"));
+    const Told loose = verified_with([](auto&claims) { claims["tolerance_m"] = 1e300; }),
+               tight = verified_with([](auto&claims) { claims["tolerance_m"] = 1e-12; }),
+               above = verified_with([](auto&claims) { claims["bound_m"] = 1; });
+    EXPECT_EQ(loose.status, Status::rejected);
+    EXPECT_THAT(loose.text, HasSubstr("a tolerance of 1e+300 m, which says nothing"));
+    EXPECT_EQ(tight.status, Status::rejected);
+    EXPECT_THAT(tight.text, HasSubstr("a.glb: what it claims cannot be exported"));
+    EXPECT_EQ(above.status, Status::check_failed);
+    EXPECT_THAT(above.text, HasSubstr("where the furthest of its parts claims"));
 }
 
 TEST(InterruptsDeathTest, OfOneAreWaitedForAndASecondEndsTheProgram)
