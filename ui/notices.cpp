@@ -37,6 +37,7 @@ void begin_card(const Theme& theme, const char* name, const Rect& rect)
     paint_card(theme, rect);
 }
 
+// No higher than that, but for a line of its body: the rest of this is in a tooltip.
 // Returns the card's rectangle; `close` says whether its cross was pressed, `act` which button.
 struct Drawn {
     Rect rect;
@@ -44,7 +45,7 @@ struct Drawn {
     std::function<void()> act = {};
 };
 Drawn draw_one(const Theme& theme, const Notices::Notice& notice, glm::vec2 lower_right,
-               float width, const char* name)
+               float width, float most_height, const char* name)
 {
     const Palette& c = theme.color;
     const Color color = notice.kind == NoticeKind::good      ? c.good
@@ -63,8 +64,19 @@ Drawn draw_one(const Theme& theme, const Notices::Notice& notice, glm::vec2 lowe
         lines += body.back().size();
     }
     const float buttons = notice.actions.empty() ? 0 : theme.px(36);
-    const float height = 2 * pad + line * static_cast<float>(lines) +
-                         theme.px(4) * static_cast<float>(body.size()) + buttons;
+    const auto height_of_all = [&] {
+        return 2 * pad + line * static_cast<float>(lines) +
+               theme.px(4) * static_cast<float>(body.size()) + buttons;
+    };
+    bool cut = false;
+    while (!body.empty() && height_of_all() > most_height && lines > title.size() + 1) {
+        cut = true;
+        body.back().pop_back();
+        if (body.back().empty()) body.pop_back();
+        --lines;
+    }
+    if (cut) body.back().back() += " …";
+    const float height = height_of_all();
     const glm::vec2 size{width, height};
     Drawn drawn{.rect = {lower_right - size, lower_right}};
     begin_card(theme, name, drawn.rect);
@@ -81,10 +93,13 @@ Drawn draw_one(const Theme& theme, const Notices::Notice& notice, glm::vec2 lowe
         }
     };
     write(theme.font.strong, c.text, title);
+    const float body_begin = y;
     for (const std::vector<std::string>& each : body) {
         y += theme.px(4);
         write(theme.font.body, c.text_2, each);
     }
+    if (cut)
+        tooltip_in({{r.lo.x + left, body_begin}, {r.hi.x, y}}, {notice.title, {}, notice.body});
     float x = r.lo.x + left;
     for (const Notices::Action& each : notice.actions) {
         ImGui::SetCursorScreenPos({x, y + theme.px(8)});
@@ -136,7 +151,9 @@ void Notices::say(NoticeKind kind, std::string title, std::string body, std::str
 
 float Notices::left_of(const Theme& theme, const Rect& in)
 {
-    return in.hi.x - theme.px(16) - std::min(theme.px(384), in.width() - theme.px(32));
+    const float room = in.width() - theme.px(32); // most of a narrow picture stays to be seen
+    const float width = std::min(std::max(theme.px(264), 0.5f * room), theme.px(384));
+    return in.hi.x - theme.px(16) - std::min(width, room);
 }
 
 void Notices::draw(Frame& frame, const Rect& in)
@@ -151,7 +168,8 @@ void Notices::draw(Frame& frame, const Rect& in)
         Notice& notice = notices_[i];
         if (notice.left_s < 0) notice.left_s = lifetime_s(notice);
         const std::string name = "notice " + std::to_string(i);
-        const Drawn drawn = draw_one(theme, notice, corner, width, name.c_str());
+        const Drawn drawn =
+            draw_one(theme, notice, corner, width, 0.4f * in.height(), name.c_str());
         corner.y = drawn.rect.lo.y - theme.px(8);
         if (!drawn.hovered) notice.left_s -= passed;
         if (drawn.close || drawn.act) notice.left_s = 0;

@@ -101,9 +101,13 @@ Edit segments(const Theme& theme, const std::string& id, int& chosen,
 {
     const Palette& c = theme.color;
     const float each = width / static_cast<float>(names.size());
-    bool fits = true;
-    for (const std::string& name : names)
-        fits = fits && text_width(theme.font.body, name) + theme.px(8) < each;
+    const auto fit = [&](const ImFont* font, float apart) {
+        return std::ranges::all_of(names, [&](const std::string& name) {
+            return text_width(font, name) + theme.px(apart) < each;
+        });
+    };
+    const ImFont* font = fit(theme.font.body, 8) ? theme.font.body : theme.font.small;
+    if (!fit(font, 2)) return choice(theme, id, chosen, names, width);
     const Pressed p = press_area(id, {width, theme.size.row});
     paint_box(p.rect, c.field, theme.size.rounding_small);
     const float mouse = ImGui::GetIO().MousePos.x - p.rect.lo.x;
@@ -114,8 +118,7 @@ Edit segments(const Theme& theme, const std::string& id, int& chosen,
                        {std::round(p.rect.lo.x + (k + 1) * each), p.rect.hi.y}};
         const bool on = static_cast<int>(i) == chosen, hot = static_cast<int>(i) == under;
         if (on) paint_box(one.grown(-theme.px(2)), c.segment, theme.px(3));
-        paint_text(fits ? theme.font.body : theme.font.small, one, on || hot ? c.text : c.text_2,
-                   names[i], Align::center);
+        paint_text(font, one, on || hot ? c.text : c.text_2, names[i], Align::center);
     }
     const int last = static_cast<int>(names.size()) - 1;
     if (!p.clicked || std::clamp(under, 0, last) == chosen) return command_menu(id);
@@ -140,7 +143,11 @@ Edit choice(const Theme& theme, const std::string& id, int& chosen,
     Edit edit = command_menu("command");
     if (fits != shown) tooltip({shown});
     if (p.clicked) ImGui::OpenPopup("list");
-    ImGui::SetNextWindowPos({p.rect.lo.x, p.rect.hi.y + theme.px(4)});
+    const float gap = theme.px(4);
+    const float tall = theme.size.row * static_cast<float>(names.size()) + 2 * gap;
+    const bool below = p.rect.hi.y + gap + tall <= ImGui::GetIO().DisplaySize.y ||
+                       tall + gap > p.rect.lo.y; // else above
+    ImGui::SetNextWindowPos({p.rect.lo.x, below ? p.rect.hi.y + gap : p.rect.lo.y - gap - tall});
     ImGui::SetNextWindowSize({width, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.px(4), theme.px(4)});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});

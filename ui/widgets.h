@@ -41,6 +41,7 @@ Edit integer_field(const Theme& theme, const std::string& id, int& value, const 
 void type_next_number();
 
 Edit check_box(const Theme& theme, const std::string& id, bool& value, const std::string& effect);
+// A choice where there is no room for the names beside each other.
 Edit segments(const Theme& theme, const std::string& id, int& chosen,
               const std::vector<std::string>& names, float width);
 Edit choice(const Theme& theme, const std::string& id, int& chosen,
