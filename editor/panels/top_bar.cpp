@@ -56,16 +56,12 @@ float search_button(Editor& editor, const ui::Theme& theme, const ui::Rect& bar)
     ui::paint_box(r, ImGui::IsItemHovered() ? c.field_hover : c.field, theme.size.rounding);
     ui::tooltip({"Find a command", key_text(find), "Every command by its letters, with its key."});
     const ui::Rect in = {r.lo + glm::vec2(theme.px(8), 0), r.hi - glm::vec2(theme.px(8), 0)};
-    const auto key = [&](bool last) {
-        if (find.keys.empty()) return std::string();
-        return ui::text_of(last ? find.keys.back() : find.keys.front());
-    };
     const float left = in.lo.x + theme.px(22);
     const bool roomy = width > theme.px(160);
     ui::paint_text(theme.font.body, in, c.text_2, ui::icon::search);
     ui::paint_text(theme.font.body, {{left, in.lo.y}, in.hi}, c.text_2,
                    roomy ? "Search commands" : "Search");
-    ui::paint_text(theme.font.small, in, c.text_2, key(roomy), ui::Align::right);
+    ui::paint_text(theme.font.small, in, c.text_2, key_text(find), ui::Align::right);
     return r.lo.x;
 }
 
@@ -96,12 +92,14 @@ void draw_top_bar(Editor& editor, const ui::Theme& theme, const Layout& layout)
     const float left = menus_end + theme.px(16);
     const float words = ui::text_width(theme.font.small, state.words);
     const float room = buttons - left - words - theme.px(28);
-    const float name =
-        std::min(ui::text_width(theme.font.strong, state.name), std::max(room, theme.px(40)));
-    const float total = name + theme.px(12) + words;
+    const float least = theme.px(40), whole = ui::text_width(theme.font.strong, state.name);
+    const bool has_words = room > least; // they go first, then the name
+    const float name = std::min(whole, has_words ? room : buttons - left - theme.px(12));
+    const float total = name + (has_words ? theme.px(12) + words : 0);
     const float x = std::max(left, std::round((layout.view.lo.x + layout.view.hi.x - total) / 2));
-    ui::name_text(theme.font.strong, {{x, r.lo.y}, {x + name, r.hi.y}}, c.text, state.name);
-    if (room > theme.px(40))
+    if (name >= std::min(whole, least))
+        ui::name_text(theme.font.strong, {{x, r.lo.y}, {x + name, r.hi.y}}, c.text, state.name);
+    if (has_words)
         ui::paint_text(theme.font.small, {{x + total - words, r.lo.y}, r.hi}, state.color,
                        state.words);
     float at = buttons;
