@@ -23,10 +23,13 @@ bool draws(const Editor& editor)
     return proposal && !editor.palette.open && std::holds_alternative<Place>(proposal->command);
 }
 
-HintCard card_before_a_stroke(const Editor& editor, std::size_t shapes)
+HintCard card_before_a_stroke(const Editor& editor, std::size_t shapes, std::size_t texts)
 {
     if (shapes < 2)
-        return {draw_hint, 0, shapes == 0 ? "Drop a scene here" : "Now drop the model to lay on it",
+        return {draw_hint, 0,
+                shapes == 0  ? "Drop a scene here"
+                : texts == 0 ? "Now drop the model to lay on it"
+                             : "Now drop a scene to lay the text on",
                 "Or add one from the Add menu."};
     if (editor.tools[editor.tool]->name() == "Place")
         return {draw_hint, 1, "Draw across the scene",
@@ -66,12 +69,14 @@ std::optional<HintCard> hint_card(const Editor& editor)
     if (editor.tools[editor.tool]->busy()) return {};
     const BackgroundEvaluator::Status work = session.evaluator().status();
     if (work.busy && work.seconds > progress_shown_s) return {}; // its bar is there
-    std::size_t shapes = 0, placed = 0;
+    std::size_t shapes = 0, texts = 0, placed = 0;
     for (const auto& [id, each] : session.document().objects) {
         shapes += std::holds_alternative<GroupShape>(each->source) ? 0 : 1;
+        texts += std::holds_alternative<TextShape>(each->source) ? 1 : 0;
         placed += each->placement ? 1 : 0;
     }
-    if (placed == 0 && !closed(editor, draw_hint)) return card_before_a_stroke(editor, shapes);
+    if (placed == 0 && !closed(editor, draw_hint))
+        return card_before_a_stroke(editor, shapes, texts);
     const auto selected = session.document().objects.find(session.selected);
     const bool handles = selected != session.document().objects.end() &&
                          selected->second->placement && !selected->second->placement->round;

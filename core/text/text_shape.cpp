@@ -139,6 +139,11 @@ void add_missing(std::u32string& missing, const Font& font, std::u32string_view 
 
 } // namespace
 
+bool has_letters(const std::string& text)
+{
+    return !std::ranges::all_of(letters_of(text), is_blank);
+}
+
 void check_text(const TextShape& shape)
 {
     const std::u32string letters = letters_of(shape.text);

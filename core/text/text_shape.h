@@ -29,6 +29,8 @@ struct TextShape {
     bool operator==(const TextShape&) const = default;
 };
 
+// Others than spaces. Throws Rejected for bytes that are no UTF-8.
+bool has_letters(const std::string& text);
 // Throws Rejected for a text without letters or with more than 2000 of them, for control characters
 // other than tabs and line breaks, for bytes that are no UTF-8 and for more depth than 20 sizes.
 void check_text(const TextShape& shape);

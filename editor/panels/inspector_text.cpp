@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/rejected.h"
 #include "core/text/installed_fonts.h"
 #include "editor/field_words.h"
 #include "editor/panels/inspect.h"
@@ -17,16 +18,35 @@ RowWords help_of_text(const std::string& field)
     return {help_of_field("set_text", field), "shape." + field};
 }
 
+// Others than spaces; what is no UTF-8 is for the command to refuse.
+bool lacks_letters(const std::string& text)
+{
+    try {
+        return !has_letters(text);
+    } catch (const Rejected&) {
+        return false;
+    }
+}
+
 // Several lines: Enter begins a new one.
 ui::Edit letters_field(const ui::Theme& theme, std::string& text)
 {
     const float width = ImGui::GetWindowWidth() - 2 * theme.size.padding;
     ImGui::SetCursorScreenPos(
         {ImGui::GetWindowPos().x + theme.size.padding, ImGui::GetCursorScreenPos().y});
+    const std::string before = text;
     const bool changed =
         ImGui::InputTextMultiline("##letters", &text, {width, 3.2f * theme.size.row});
+    const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
+    const bool waits = changed && lacks_letters(text);
+    if (waits) { // for what is typed next: the scene keeps its own meanwhile
+        text = before;
+        ui::paint_text(theme.font.small,
+                       {{lo.x + theme.px(8), hi.y - theme.size.row}, {hi.x, hi.y}},
+                       theme.color.warn, "No letters yet: the scene keeps what it has");
+    }
     ui::gap(theme, 6);
-    return changed ? ui::Edit::changed : ui::Edit::none;
+    return changed && !waits ? ui::Edit::changed : ui::Edit::none;
 }
 
 void font_row(Editor& editor, ValueRows& rows, TextShape& s)

@@ -56,6 +56,14 @@ TEST(Hints, LeadThroughAFirstStrokeAndDoNotComeBack)
     EXPECT_EQ(number(rig), 1);
 }
 
+TEST(Hints, AskForAGroundWhereOnlyATextIsThere)
+{
+    Rig rig;
+    ASSERT_TRUE(rig.editor.session.run(AddText{}));
+    rig.wait();
+    EXPECT_EQ(hint_card(rig.editor)->title, "Now drop a scene to lay the text on");
+}
+
 TEST(Hints, StayWhereAStrokeIsCancelled)
 {
     Rig rig;
