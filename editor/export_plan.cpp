@@ -50,8 +50,8 @@ bool is_there(const fs::path& file)
 ExportPlan usual_export(const Session& session, const std::string& models_folder)
 {
     const std::string& scene = session.scene().path();
-    const fs::path folder =
-        scene.empty() ? fs::path(with_long_home(models_folder)) : fs::absolute(scene).parent_path();
+    const fs::path folder = scene.empty() ? fs::path(with_long_home(models_folder))
+                                          : fs::absolute(scene).lexically_normal().parent_path();
     fs::path file = folder / (stem_of(session.scene()) + animated_extensions().front());
     if (is_model_of(file, session)) file = numbered_name(file.string());
     return {.file = with_short_home(file.string()),

@@ -35,7 +35,7 @@ std::string view_words(const Camera& camera)
 RecordPlan usual_plan(const Session& session)
 {
     RecordPlan plan;
-    const fs::path scene = fs::absolute(session.scene().path());
+    const fs::path scene = fs::absolute(session.scene().path()).lexically_normal();
     plan.folder = with_short_home((scene.parent_path() / (stem_of(session) + "_frames")).string());
     plan.first = session.document().time.first_frame;
     plan.last = session.document().time.last_frame;

@@ -3,6 +3,7 @@
 
 #include "editor/recording.h"
 #include "editor/session.h"
+#include "ui/file_dialog.h"
 
 #include <optional>
 #include <utility>
@@ -28,6 +29,7 @@ struct RecordDialog {
     // How many of its files were there when the plan became so: asked once, for it may be a million
     // of them on a slow disk.
     std::optional<std::pair<RecordPlan, int>> there;
+    ui::FileDialog browser;   // for the folder
     bool card_hidden = false; // of the recording that runs
 };
 

@@ -48,6 +48,8 @@ void FileDialog::enter(const fs::path& folder)
     const fs::path real = fs::weakly_canonical(folder, ignored);
     folder_ = real.empty() ? folder : real;
     entries_ = entries_of(folder_, request_.extensions);
+    if (request_.folder)
+        std::erase_if(entries_, [](const FileEntry& each) { return !each.folder; });
     selected_ = -1;
     problem_.clear();
     if (!request_.saving) typed_.clear();
@@ -71,7 +73,7 @@ fs::path FileDialog::with_extension(fs::path path) const
 bool FileDialog::replaces() const
 {
     std::error_code ignored;
-    return request_.saving && !typed_.empty() && !is_folder(absolute(typed_)) &&
+    return request_.saving && !request_.folder && !typed_.empty() && !is_folder(absolute(typed_)) &&
            fs::exists(with_extension(absolute(typed_)), ignored);
 }
 
@@ -108,6 +110,19 @@ std::optional<std::string> FileDialog::take(const std::string& typed, bool repla
         return std::nullopt;
     }
     folder_ = path.parent_path(); // the next one begins here
+    open_ = false;
+    return path.string();
+}
+
+// The one of the typed name, or the one that is shown.
+std::optional<std::string> FileDialog::take_folder()
+{
+    const fs::path path = typed_.empty() ? folder_ : absolute(typed_).lexically_normal();
+    std::error_code ignored;
+    if (fs::exists(path, ignored) && !is_folder(path)) {
+        problem_ = "There is a file of this name.";
+        return std::nullopt;
+    }
     open_ = false;
     return path.string();
 }
@@ -155,7 +170,7 @@ std::optional<std::string> FileDialog::draw_list(const Theme& theme, float heigh
         if (pressed || twice) {
             selected_ = i;
             problem_.clear();
-            if (!entry.folder) typed_ = entry.name;
+            if (!entry.folder || request_.folder) typed_ = entry.name;
         }
         if (twice) {
             chosen = entry.name;
@@ -165,7 +180,8 @@ std::optional<std::string> FileDialog::draw_list(const Theme& theme, float heigh
     if (count == 0) {
         const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
         empty_state(theme, rect_at({at.x, at.y}, {size.x, size.y}), icon::folder, "Nothing here",
-                    "This folder has no file that can be used here.");
+                    request_.folder ? "This folder has no others in it."
+                                    : "This folder has no file that can be used here.");
     }
     ImGui::EndChild();
     ImGui::PopStyleVar();
@@ -224,7 +240,7 @@ std::optional<std::string> FileDialog::draw(const Theme& theme)
     just_opened_ = false;
     ImGui::PushAllowKeyboardFocus(focus_ == Focus::field); // else Tab lights it once more
     if (text_field(theme, "path", typed_, request_.saving ? "Name" : "Type or paste a path", width,
-                   icon::file) == Edit::changed) {
+                   request_.folder ? icon::folder : icon::file) == Edit::changed) {
         problem_.clear();
         selected_ = -1;
     }
@@ -257,8 +273,10 @@ std::optional<std::string> FileDialog::draw(const Theme& theme)
     const bool replace = replacing && (pressed || ImGui::GetIO().KeyCtrl);
     if (!chosen && open_ && (pressed || agreed)) {
         const bool from_list = selected_ >= 0 && (typed_.empty() || !request_.saving);
-        chosen = take(from_list ? entries_[static_cast<std::size_t>(selected_)].name : typed_,
-                      replace && !from_list);
+        chosen = request_.folder
+                     ? take_folder()
+                     : take(from_list ? entries_[static_cast<std::size_t>(selected_)].name : typed_,
+                            replace && !from_list);
         just_opened_ = open_; // typing goes on where Enter took the keyboard away
         focus_ = Focus::field;
     }

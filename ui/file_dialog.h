@@ -17,6 +17,7 @@ struct FileRequest {
     std::string action;                  // on the button: "Open"
     std::vector<std::string> extensions; // with the dot, lower case; empty: all files
     bool saving = false; // a new name may be typed; the first extension is added where none is
+    bool folder = false; // and saving: a folder is chosen, there or not
     std::string name;    // suggested
 };
 
@@ -34,6 +35,7 @@ private:
     void enter(const std::filesystem::path& folder);
     void move_focus();
     std::optional<std::string> take(const std::string& typed, bool replace = false);
+    std::optional<std::string> take_folder();
     bool replaces() const; // a file that is there has the typed name
     std::optional<std::string> draw_list(const Theme& theme, float height);
     std::filesystem::path absolute(const std::string& typed) const;

@@ -32,24 +32,10 @@ void browse(ExportDialog& dialog)
                         file.parent_path());
 }
 
-// Whether the folders are to be looked through.
-bool draw_file(const ui::Theme& theme, ExportPlan& plan)
-{
-    const std::string words = "Browse...";
-    const float all = ui::label_row(theme, "File", false, "Its folder must be there.").width;
-    const float wide = ui::button_width(theme, words), gap = theme.px(8);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    ui::text_field(theme, "file", plan.file, "a file", all - wide - gap);
-    const ImVec2 next = ImGui::GetCursorScreenPos();
-    ImGui::SetCursorScreenPos({at.x + all - wide, at.y});
-    const bool pressed = ui::button(theme, words, ui::ButtonKind::plain, {wide, theme.size.row});
-    ImGui::SetCursorScreenPos(next);
-    return pressed;
-}
-
 bool draw_plan(const ui::Theme& theme, ExportPlan& plan, const Time& time)
 {
-    const bool browsed = draw_file(theme, plan);
+    const bool browsed =
+        draw_path_row(theme, "File", plan.file, "a file", "Its folder must be there.");
     int kind = kind_of(plan);
     const float width =
         ui::label_row(theme, "Kind", false,

@@ -66,10 +66,25 @@ PlanAnswer draw_plan_dialog(const ui::Theme& theme, const PlanDialog& dialog)
     return answer;
 }
 
+bool draw_path_row(const ui::Theme& theme, const std::string& label, std::string& path,
+                   const std::string& none, const std::string& help)
+{
+    const std::string words = "Browse...";
+    const float all = ui::label_row(theme, label, false, help).width;
+    const float wide = ui::button_width(theme, words), gap = theme.px(8);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ui::text_field(theme, label, path, none, all - wide - gap);
+    const ImVec2 next = ImGui::GetCursorScreenPos();
+    ImGui::SetCursorScreenPos({at.x + all - wide, at.y});
+    const bool pressed = ui::button(theme, words, ui::ButtonKind::plain, {wide, theme.size.row});
+    ImGui::SetCursorScreenPos(next);
+    return pressed;
+}
+
 void draw_frames_row(const ui::Theme& theme, const Time& time, int& first, int& last, int* step)
 {
     const float all = ui::label_row(theme, "Frames", false,
-                                    step ? "From the first to the last, every so many."
+                                    step ? "The first frame, the last, and every how many."
                                          : "From the first to the last.")
                           .width;
     const int fields = step ? 3 : 2;

@@ -22,6 +22,10 @@ struct PlanDialog {
 enum class PlanAnswer { none, cancelled, begun };
 PlanAnswer draw_plan_dialog(const ui::Theme& theme, const PlanDialog& dialog);
 
+// A row of a file or a folder, which can be typed; whether it is to be looked for instead. `none`
+// is shown where nothing is typed.
+bool draw_path_row(const ui::Theme& theme, const std::string& label, std::string& path,
+                   const std::string& none, const std::string& help);
 // A row of the first and the last frame, within the scene's, and every how many; null: no such
 // field.
 void draw_frames_row(const ui::Theme& theme, const Time& time, int& first, int& last, int* step);

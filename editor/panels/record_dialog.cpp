@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/file_actions.h"
+#include "editor/file_words.h"
 #include "editor/panels/foot_cards.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/plan_dialog.h"
@@ -46,10 +47,23 @@ void draw_size(const ui::Theme& theme, RecordPlan& plan)
     ui::integer_field(theme, "height", plan.height_px, px, number);
 }
 
-void draw_plan(const ui::Theme& theme, RecordPlan& plan, const Session& session)
+void browse(RecordDialog& dialog)
 {
-    ui::text_field(theme, "folder", plan.folder, "a folder",
-                   ui::label_row(theme, "Folder", false, "It is made if it is not there.").width);
+    const std::filesystem::path folder(with_long_home(dialog.plan.folder));
+    dialog.browser.open({.title = "Folder of the pictures",
+                         .action = "Choose",
+                         .extensions = {},
+                         .saving = true,
+                         .folder = true,
+                         .name = folder.filename().string()},
+                        folder.parent_path());
+}
+
+// Whether the folders are to be looked through.
+bool draw_plan(const ui::Theme& theme, RecordPlan& plan, const Session& session)
+{
+    const bool browsed =
+        draw_path_row(theme, "Folder", plan.folder, "a folder", "It is made if it is not there.");
     const auto segments = [&](const char* label, int chosen, const std::vector<std::string>& names,
                               const char* help) {
         ui::segments(theme, label, chosen, names, ui::label_row(theme, label, false, help).width);
@@ -67,6 +81,7 @@ void draw_plan(const ui::Theme& theme, RecordPlan& plan, const Session& session)
     ui::check_box(theme, "video", plan.video,
                   fmt::format("an .mp4 as well, {:.6g} frames a second",
                               session.document().time.frames_per_second));
+    return browsed;
 }
 
 // What the plan comes to, and what of it is there.
@@ -119,17 +134,24 @@ void draw_record_dialog(Editor& editor, const ui::Theme& theme)
 {
     auto& dialog = editor.record_dialog;
     if (!dialog.open) return;
+    if (dialog.browser.is_open()) {
+        if (const auto folder = dialog.browser.draw(theme))
+            dialog.plan.folder = with_short_home(*folder);
+        return;
+    }
+    bool browsed = false;
     std::optional<RecordingWish> wish;
-    const PlanAnswer answer =
-        draw_plan_dialog(theme, {.title = "Record",
-                                 .rows = 6,
-                                 .fields = [&] { draw_plan(theme, dialog.plan, editor.session); },
-                                 .come_to =
-                                     [&] {
-                                         wish = wish_of(dialog.plan, editor.session);
-                                         return words_of(dialog, *wish);
-                                     },
-                                 .begin = [] { return std::string("Record"); }});
+    const PlanAnswer answer = draw_plan_dialog(
+        theme, {.title = "Record",
+                .rows = 6,
+                .fields = [&] { browsed = draw_plan(theme, dialog.plan, editor.session); },
+                .come_to =
+                    [&] {
+                        wish = wish_of(dialog.plan, editor.session);
+                        return words_of(dialog, *wish);
+                    },
+                .begin = [] { return std::string("Record"); }});
+    if (browsed) browse(dialog);
     dialog.open = answer == PlanAnswer::none;
     if (answer != PlanAnswer::begun) return;
     dialog.card_hidden = false;

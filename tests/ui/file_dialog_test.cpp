@@ -85,6 +85,28 @@ TEST(FileDialog, TabWalksToItsButtonsAndBack)
     EXPECT_FALSE(d.dialog.is_open());
 }
 
+// What Enter chooses where that name is suggested.
+std::optional<std::string> folder_of_name(const std::string& name)
+{
+    Dialog d({.title = "Folder",
+              .action = "Choose",
+              .extensions = {},
+              .saving = true,
+              .folder = true,
+              .name = name});
+    d.key(key_enter);
+    EXPECT_EQ(d.dialog.is_open(), !d.chosen);
+    if (!d.chosen) return std::nullopt;
+    return std::filesystem::path(*d.chosen).lexically_relative(d.folder.path()).string();
+}
+
+TEST(FileDialog, ForAFolderTakesOneThatIsThereOrIsNotYet)
+{
+    EXPECT_EQ(folder_of_name(""), ".");
+    EXPECT_EQ(folder_of_name("frames"), "frames");
+    EXPECT_EQ(folder_of_name("a.obj"), std::nullopt) << "that is a file";
+}
+
 TEST(FileDialog, IsLeftByTheButtonThatSaysSo)
 {
     Dialog d(saving);
