@@ -2,6 +2,7 @@
 #include "core/files/gltf_rig.h"
 
 #include "core/base/rejected.h"
+#include "core/base/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,7 +83,10 @@ void GltfRig::add_influences(Mesh& mesh, const tinygltf::Primitive& primitive, s
     for (int set = 0;; ++set) {
         const auto j = primitive.attributes.find(fmt::format("JOINTS_{}", set)),
                    w = primitive.attributes.find(fmt::format("WEIGHTS_{}", set));
-        if (j == primitive.attributes.end() || w == primitive.attributes.end()) break;
+        const bool no_joints = j == primitive.attributes.end(),
+                   no_weights = w == primitive.attributes.end();
+        if (set > 0 && no_joints != no_weights) ++halves_;
+        if (no_joints || no_weights) break;
         joints.push_back(accessors_.floats(j->second));
         weights.push_back(accessors_.floats(w->second));
         for (const GltfAccessors::Table* each : {&joints.back(), &weights.back()})
@@ -221,6 +225,8 @@ void GltfRig::add_channel(Clip& clip, const Model& model, int animation, int ind
     out.between = between == "STEP"          ? Channel::Between::step
                   : between == "CUBICSPLINE" ? Channel::Between::cubic
                                              : Channel::Between::linear;
+    const bool unknown_way =
+        !between.empty() && between != "STEP" && between != "CUBICSPLINE" && between != "LINEAR";
     GltfAccessors::Table times = accessors_.floats(sampler.input),
                          values = accessors_.floats(sampler.output);
     const std::size_t keys = times.count;
@@ -239,6 +245,11 @@ void GltfRig::add_channel(Clip& clip, const Model& model, int animation, int ind
         ++channels_left_out_;
         return;
     }
+    if (gltf_.accessors[static_cast<std::size_t>(sampler.input)].componentType !=
+        TINYGLTF_COMPONENT_TYPE_FLOAT) {
+        ++whole_times_;
+        return;
+    }
     if (keys == 0 || times.components != 1 || !ascending) {
         ++untimely_;
         return;
@@ -247,6 +258,7 @@ void GltfRig::add_channel(Clip& clip, const Model& model, int animation, int ind
         ++uneven_;
         return;
     }
+    if (unknown_way) ++unknown_ways_;
     out.times_s = std::move(times.values);
     out.values = std::move(values.values);
     clip.channels.push_back(std::move(out));
@@ -260,9 +272,13 @@ void GltfRig::add_clips(Model& model, const std::vector<int>& node_of)
         Clip clip;
         for (std::size_t c = 0; c < from.channels.size(); ++c)
             add_channel(clip, model, static_cast<int>(i), static_cast<int>(c), node_of);
-        if (clip.channels.empty()) continue;
-        clip.name = free_name(from.name, i + 1, given);
-        if (!from.name.empty() && clip.name != from.name) ++renamed_;
+        if (clip.channels.empty()) {
+            ++empty_clips_;
+            continue;
+        }
+        const std::string name = printable(from.name);
+        clip.name = free_name(name, i + 1, given);
+        if (!name.empty() && clip.name != name) ++renamed_;
         for (const Channel& channel : clip.channels) turnless_ += turnless_keys(channel);
         clip.begin_s = double(clip.channels.front().times_s.front());
         clip.end_s = clip.begin_s;
@@ -282,26 +298,55 @@ void GltfRig::add_clips(Model& model, const std::vector<int>& node_of)
 
 void GltfRig::add_notices(Model& model) const
 {
-    const auto say = [&](std::size_t count, const char* what) {
+    const auto say = [&](std::size_t count, const char* one, const char* many) {
         if (count > 0)
-            model.notices.push_back(
-                fmt::format("{}: {}", name_, fmt::format(fmt::runtime(what), count)));
+            model.notices.push_back(fmt::format(
+                "{}: {}", name_, count == 1 ? one : fmt::format(fmt::runtime(many), count)));
     };
-    say(loose_, "{} vertices of a skin have no weight and go with its first joint");
+    say(loose_, "one vertex of a skin has no weight and goes with its first joint",
+        "{} vertices of a skin have no weight and go with its first joint");
     say(crowded_,
+        "one vertex goes with more than four joints: the four with the largest weights count",
         "{} vertices go with more than four joints: the four with the largest weights count");
-    say(unsummed_, "{} vertices of a skin have weights that do not sum to 1, and were made to");
-    say(negative_, "{} vertices of a skin have a negative weight, which counts as none");
-    say(skins_left_out_, "{} skins lack joints or weights and were left out");
-    say(channels_left_out_, "{} tracks of its animations move nothing that is there and were left "
-                            "out");
-    say(untimely_, "{} tracks of its animations have no ascending times and were left out");
-    say(uneven_, "{} tracks of its animations have more or fewer values than times and were left "
-                 "out");
-    say(short_, "{} tracks of its animations begin later or end sooner than the others: what they "
-                "move stands still meanwhile");
-    say(turnless_, "{} keys of its rotations are all zeros and turn nothing");
-    say(renamed_, "{} of its animations have the name of another and were given a number");
+    say(unsummed_, "one vertex of a skin has weights that do not sum to 1, and were made to",
+        "{} vertices of a skin have weights that do not sum to 1, and were made to");
+    say(negative_, "one vertex of a skin has a negative weight, which counts as none",
+        "{} vertices of a skin have a negative weight, which counts as none");
+    say(halves_,
+        "one part of a mesh has further joints without weights, or weights without joints, which "
+        "were left out",
+        "{} parts of meshes have further joints without weights, or weights without joints, which "
+        "were left out");
+    say(skins_left_out_, "one skin lacks joints or weights and was left out",
+        "{} skins lack joints or weights and were left out");
+    say(channels_left_out_,
+        "one track of its animations moves nothing that is there and was left out",
+        "{} tracks of its animations move nothing that is there and were left out");
+    say(whole_times_,
+        "one track of its animations has whole numbers for times, which no glTF has, and was left "
+        "out",
+        "{} tracks of its animations have whole numbers for times, which no glTF has, and were "
+        "left out");
+    say(untimely_, "one track of its animations has no ascending times and was left out",
+        "{} tracks of its animations have no ascending times and were left out");
+    say(uneven_, "one track of its animations has more or fewer values than times and was left out",
+        "{} tracks of its animations have more or fewer values than times and were left out");
+    say(unknown_ways_,
+        "one track of its animations goes between its keys in a way that is unknown, and was made "
+        "to go straight",
+        "{} tracks of its animations go between their keys in a way that is unknown, and were made "
+        "to go straight");
+    say(empty_clips_, "one of its animations has no track to play and was left out",
+        "{} of its animations have no track to play and were left out");
+    say(short_,
+        "one track of its animations begins later or ends sooner than the others: what it moves "
+        "stands still meanwhile",
+        "{} tracks of its animations begin later or end sooner than the others: what they move "
+        "stands still meanwhile");
+    say(turnless_, "one key of its rotations is all zeros and turns nothing",
+        "{} keys of its rotations are all zeros and turn nothing");
+    say(renamed_, "one of its animations has the name of another and was given a number",
+        "{} of its animations have the name of another and were given a number");
 }
 
 } // namespace trivar

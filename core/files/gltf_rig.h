@@ -41,7 +41,7 @@ private:
     std::string name_;
     std::size_t loose_ = 0, crowded_ = 0, channels_left_out_ = 0, skins_left_out_ = 0, short_ = 0,
                 untimely_ = 0, uneven_ = 0, unsummed_ = 0, negative_ = 0, renamed_ = 0,
-                turnless_ = 0;
+                turnless_ = 0, halves_ = 0, whole_times_ = 0, unknown_ways_ = 0, empty_clips_ = 0;
 };
 
 } // namespace trivar

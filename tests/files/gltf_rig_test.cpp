@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace trivar {
 namespace {
@@ -72,7 +73,7 @@ TEST(GltfRig, SaysWhatIsLeftOut)
 
     model = rigged_model();
     model.clips[0].channels[0].times_s = {1, 0};
-    EXPECT_THAT(read(model).notices, Contains(HasSubstr("1 tracks")));
+    EXPECT_THAT(read(model).notices, Contains(HasSubstr("one track of its animations has no")));
     EXPECT_EQ(read(model).clips.size(), 1u);
 
     model = rigged_model();
@@ -80,12 +81,13 @@ TEST(GltfRig, SaysWhatIsLeftOut)
     later.node = 1;
     later.times_s.back() = 3;
     model.clips[0].channels.push_back(later);
-    EXPECT_THAT(read(model).notices, Contains(HasSubstr("1 tracks of its animations begin later")));
+    EXPECT_THAT(read(model).notices,
+                Contains(HasSubstr("one track of its animations begins later")));
 
     model = rigged_model();
     model.skins[0].joints = {1, 77};
     const Model boneless = read(model);
-    EXPECT_THAT(boneless.notices, Contains(HasSubstr("1 skins lack joints")));
+    EXPECT_THAT(boneless.notices, Contains(HasSubstr("one skin lacks joints")));
     EXPECT_EQ(boneless.nodes[0].skin, -1);
 }
 
@@ -131,7 +133,7 @@ TEST(GltfRig, LeavesOutASkinWithoutWeights)
     std::string text = gltf_text(rigged_model());
     text.replace(text.find("WEIGHTS_0"), 9, "_WEIGHT_0");
     const Model back = read_model_bytes(text, "rigged.gltf", "", {});
-    EXPECT_THAT(back.notices, Contains(HasSubstr("1 skins lack joints or weights")));
+    EXPECT_THAT(back.notices, Contains(HasSubstr("one skin lacks joints or weights")));
     EXPECT_EQ(back.nodes[0].skin, -1);
 }
 
@@ -178,7 +180,7 @@ TEST(GltfRig, TakesRotationsThatAreAllZerosAsNone)
     ASSERT_EQ(turns.of, Channel::Of::rotation);
     std::fill_n(turns.values.begin(), 4, 0.0f);
     const Model back = read(model);
-    EXPECT_THAT(back.notices, ElementsAre(HasSubstr("1 keys of its rotations are all zeros")));
+    EXPECT_THAT(back.notices, ElementsAre(HasSubstr("one key of its rotations is all zeros")));
     EXPECT_EQ(value_at(back.clips[0].channels[0], 0), (std::vector<double>{0, 0, 0, 1}));
 
     std::string text = gltf_text(rigged_model());
@@ -193,8 +195,46 @@ TEST(GltfRig, GivesTheSecondClipOfANameANumberAndSaysSo)
     Model model = rigged_model();
     model.clips[1].name = model.clips[0].name;
     const Model back = read(model);
-    EXPECT_THAT(back.notices, ElementsAre(HasSubstr("1 of its animations have the name of")));
+    EXPECT_THAT(back.notices, ElementsAre(HasSubstr("one of its animations has the name of")));
     EXPECT_EQ(back.clips[1].name, model.clips[0].name + " 2");
+}
+
+TEST(GltfRig, SaysWhatOfAnAnimationItDoesNotKnow)
+{
+    const nlohmann::json file = nlohmann::json::parse(gltf_text(rigged_model()));
+    const auto changed = [&](const auto& change) {
+        nlohmann::json other = file;
+        change(other);
+        return read_model_bytes(other.dump(), "rigged.gltf", "", {});
+    };
+    const Model wild = changed([](nlohmann::json& other) {
+        other["animations"][0]["samplers"][0]["interpolation"] = "WIBBLE";
+    });
+    EXPECT_THAT(wild.notices, ElementsAre(HasSubstr("in a way that is unknown")));
+    const Model half = changed([](nlohmann::json& other) {
+        nlohmann::json& attributes = other["meshes"][0]["primitives"][0]["attributes"];
+        attributes["JOINTS_1"] = attributes["JOINTS_0"];
+    });
+    EXPECT_THAT(half.notices, ElementsAre(HasSubstr("has further joints without weights")));
+    const Model whole = changed([](nlohmann::json& other) {
+        const auto times = other["animations"][0]["samplers"][0]["input"].get<std::size_t>();
+        other["accessors"][times]["componentType"] = 5125;
+    });
+    EXPECT_THAT(whole.notices, Contains(HasSubstr("has whole numbers for times")));
+    for (const Clip& clip : whole.clips) EXPECT_LE(clip.end_s, 1) << clip.name;
+    const Model none = changed([](nlohmann::json& other) {
+        other["animations"][0]["channels"] = nlohmann::json::array();
+    });
+    EXPECT_THAT(none.notices, ElementsAre(HasSubstr("one of its animations has no track to play")));
+    const Model aimless = changed([](nlohmann::json& other) {
+        for (nlohmann::json& channel : other["animations"][0]["channels"])
+            channel["target"].erase("node");
+    });
+    EXPECT_THAT(aimless.notices, Contains(HasSubstr("one of its animations has no track to play")));
+    EXPECT_EQ(aimless.clips.size(), 1u);
+    const Model named =
+        changed([](nlohmann::json& other) { other["animations"][0]["name"] = "walk\n\a on"; });
+    EXPECT_EQ(named.clips[0].name, "walk?? on");
 }
 
 TEST(GltfRig, RefusesJointsThatAreNotThere)
