@@ -135,8 +135,7 @@ Walk walk_of(Tread tread)
     const Gait& gait = *walk.gait;
     const glm::dvec3 stride = glm::dmat3(tread.to_uvw) * (gait.forward * gait.stride);
     if (!gait.trouble.empty()) {
-        walk.trouble =
-            fmt::format("its feet are not locked: in \"{}\" {}", tread.clip, gait.trouble);
+        walk.trouble = fmt::format("its feet are not locked: \"{}\" {}", tread.clip, gait.trouble);
         return walk;
     }
     walk.stride_u = stride.x;

@@ -79,15 +79,18 @@ std::vector<std::string> summary(const FilmCertificate& c)
     const auto within = [&](const Kind& kind) {
         return bound_text(kind.bound) + when_claimed(kind.proven, c.parts.front().moments);
     };
+    const auto keys = [](const Kind& kind) {
+        return kind.keys == 1 ? "one key" : fmt::format("{} keys", kind.keys);
+    };
     std::vector<std::string> out;
     if (bent.parts > 0)
         out.push_back(fmt::format(
-            "{} part{} in volumes: {} triangles where there were {}, {} keys at most, within {}",
-            bent.parts, bent.parts == 1 ? "" : "s", bent.triangles, bent.before, bent.keys,
+            "{} part{} in volumes: {} triangles where there were {}, {} at most, within {}",
+            bent.parts, bent.parts == 1 ? "" : "s", bent.triangles, bent.before, keys(bent),
             within(bent)));
     if (moving.parts > 0)
-        out.push_back(fmt::format("{} part{} by nodes and skins: {} keys at most, within {}",
-                                  moving.parts, moving.parts == 1 ? "" : "s", moving.keys,
+        out.push_back(fmt::format("{} part{} by nodes and skins: {} at most, within {}",
+                                  moving.parts, moving.parts == 1 ? "" : "s", keys(moving),
                                   within(moving)));
     return out;
 }

@@ -159,7 +159,7 @@ void claim_targets(FilmCertificate::PartClaim& claim, const Between& between,
 }
 
 // How far what hangs on nodes is at the moments from where it should be: keys, and what single
-// precision leaves of them and of what a skin does. What rests is looked at once.
+// precision leaves of them and of what a skin does.
 void measure_nodes(const AnimatedScene& scene, AnimatedExport& out, const Progress& progress)
 {
     std::vector<FilmCertificate::PartClaim>& claims = out.certificate.parts;
@@ -167,7 +167,6 @@ void measure_nodes(const AnimatedScene& scene, AnimatedExport& out, const Progre
     std::vector<const Channel*> weights;
     for (const FilmCertificate::PartClaim& claim : claims)
         weights.push_back(weights_of_node(model, claim.node));
-    std::vector<bool> seen(claims.size(), false);
     std::vector<double> far(claims.size(), 0);
     const std::vector<double>& moments = out.film.moments;
     for (std::size_t i = 0; i < moments.size(); ++i) {
@@ -175,11 +174,8 @@ void measure_nodes(const AnimatedScene& scene, AnimatedExport& out, const Progre
                "measuring nodes");
         std::vector<std::size_t> parts;
         for (std::size_t p = 0; p < claims.size(); ++p)
-            if (!out.common[p].mesh && out.film.strips[p].shown[i] &&
-                !(claims[p].way == "still" && seen[p])) {
+            if (!out.common[p].mesh && out.film.strips[p].shown[i] && claims[p].way != "still")
                 parts.push_back(p);
-                seen[p] = true;
-            }
         if (parts.empty()) continue;
         const double time_s = (moments[i] - scene.frames.first) / out.certificate.frames_per_second;
         const Stance stance =

@@ -349,9 +349,9 @@ Gait gait_of(const Model& model, const Clip& clip, const glm::dvec3& up, double 
     gait.begin_s = clip.begin_s;
     gait.period_s = clip.end_s - clip.begin_s;
     gait.up = up;
-    gait.trouble = "it moves no foot along the ground";
+    gait.trouble = "moves no foot along the ground";
     if (!(gait.period_s > 0)) {
-        gait.trouble = "it has no length";
+        gait.trouble = "lasts no time";
         return gait;
     }
     const Box box = bounding_box(model, &clip, clip.begin_s);

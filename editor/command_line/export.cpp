@@ -18,7 +18,9 @@ Status tell(const AnimatedFile& written, const ExportOptions& options, const Str
 {
     clear_progress(streams);
     for (const std::string& path : written.files)
-        streams.talk << fmt::format("trivar: {}: {} frames\n", path, written.frames);
+        streams.talk << fmt::format("trivar: {}: {}\n", path,
+                                    written.frames == 1 ? "one frame"
+                                                        : fmt::format("{} frames", written.frames));
     if (!written.certificate) return Status::done;
     const std::vector<std::string> open = not_certified(*written.certificate);
     for (const std::string& sentence : open)

@@ -40,9 +40,9 @@ Facts model_facts(const std::string& path)
               &m.occlusion_texture, &m.emissive_texture})
             images += texture->image ? 1 : 0;
     const glm::dvec3 size = bounding_box(model).size();
-    std::vector<std::string> clips;
+    Facts clips = Facts::array();
     for (const Clip& clip : model.clips)
-        clips.push_back(fmt::format("{} ({:.3g} s)", clip.name, clip.end_s - clip.begin_s));
+        clips.push_back({{"name", clip.name}, {"seconds", clip.end_s - clip.begin_s}});
     Facts facts{{"kind", "model"},
                 {"meshes", model.meshes.size()},
                 {"nodes", model.nodes.size()},
@@ -114,6 +114,9 @@ std::string plain(const Facts& value)
     if (value.is_string()) return value.get<std::string>();
     if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
     if (value.is_number_float()) return fmt::format("{:.4g}", value.get<double>());
+    if (value.is_object()) // a clip
+        return fmt::format("{} ({:.3g} s)", value.at("name").get<std::string>(),
+                           value.at("seconds").get<double>());
     if (!value.is_array()) return value.dump();
     std::string text;
     for (const Facts& entry : value) text += (text.empty() ? "" : ", ") + plain(entry);

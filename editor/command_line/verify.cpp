@@ -50,8 +50,8 @@ public:
             wrong(fmt::format("it claims {} where the furthest of its parts claims {}",
                               bound_text(claims_.bound), bound_text(furthest)));
         if (given_.parts.size() != claims_.parts.size())
-            wrong(fmt::format("{} parts lie in volumes and {} are claimed", given_.parts.size(),
-                              claims_.parts.size()));
+            wrong(fmt::format("parts in volumes: the scene gives {} and it claims {}",
+                              given_.parts.size(), claims_.parts.size()));
         for (const Certificate::NotLaid& object : given_.not_laid)
             if (std::ranges::find(claims_.not_laid, object.object, &Certificate::NotLaid::object) ==
                 claims_.not_laid.end())
@@ -140,8 +140,9 @@ private:
             return wrong(fmt::format("{} has {} triangles, the scene gives {}", name,
                                      node.corners.size() / 3, found.triangles));
         streams_.out << fmt::format(
-            "{}: {} triangles, {} samples, the furthest off by {:.3g} m, claimed: {}\n", name,
-            claim.triangles, found.samples, found.furthest, bound_text(claim.bound));
+            "{}: {} triangle{}, {} samples, the furthest off by {:.3g} m, claimed: {}\n", name,
+            claim.triangles, claim.triangles == 1 ? "" : "s", found.samples, found.furthest,
+            bound_text(claim.bound));
         if (!(found.furthest <= claim.bound)) wrong(name + " is further off than it claims");
     }
 

@@ -82,7 +82,7 @@ private:
         if (claims_.frames_per_second != given.frames_per_second)
             wrong("it claims another frame rate than the scene's");
         if (claims_.parts.size() != given.parts.size()) {
-            wrong(fmt::format("the scene gives {} parts and it claims {}", given.parts.size(),
+            wrong(fmt::format("parts: the scene gives {} and it claims {}", given.parts.size(),
                               claims_.parts.size()));
             return false;
         }

@@ -6,6 +6,7 @@
 #include "core/files/image.h"
 #include "tests/editor/scenes.h"
 #include "tests/support/fixtures.h"
+#include "tests/support/rigged.h"
 
 #include <filesystem>
 #include <gmock/gmock.h>
@@ -179,6 +180,17 @@ TEST(Replay, RelinksFilesByName)
         EXPECT_EQ(refused.status, Status::rejected);
         EXPECT_THAT(refused.talk, HasSubstr(wrong));
     }
+}
+
+TEST(Info, SaysTheClipsOfAModelByNameAndLength)
+{
+    const TemporaryFolder folder;
+    write_file(folder.file("bar.gltf"),
+               trivar::testing::gltf_text(trivar::testing::rigged_model()));
+    const auto facts = nlohmann::json::parse(run({"info", folder.file("bar.gltf"), "--json"}).out);
+    EXPECT_EQ(facts.at(0).at("clips").at(0).at("name"), "bend");
+    EXPECT_EQ(facts.at(0).at("clips").at(0).at("seconds"), 1);
+    EXPECT_THAT(run({"info", folder.file("bar.gltf")}).out, HasSubstr("bend (1 s), swell (1 s)"));
 }
 
 TEST(Replay, ExportsTheResultAndItsTimings)

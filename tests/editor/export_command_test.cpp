@@ -105,7 +105,7 @@ TEST_F(ExportCommand, IsFoundOutWhereItsClaimsAreOfOtherParts)
     EXPECT_THAT(none.text, HasSubstr("and it claims 0"));
     for (const Told& told : {none, fewer, more}) {
         EXPECT_EQ(told.status, Status::check_failed) << told.text;
-        EXPECT_THAT(told.text, HasSubstr("parts and it claims"));
+        EXPECT_THAT(told.text, HasSubstr("parts: the scene gives 3 and it claims"));
     }
     const Told large = verified_with([](auto& claims) { claims["frames"][1] = 1e300; });
     EXPECT_EQ(large.status, Status::rejected);

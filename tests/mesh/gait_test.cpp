@@ -143,12 +143,12 @@ TEST(Gait, SaysWhereNothingWalks)
     for (Channel& channel : still.channels)
         for (std::size_t i = 0; i < channel.values.size(); ++i)
             channel.values[i] = channel.values[i % static_cast<std::size_t>(channel.components)];
-    EXPECT_EQ(gait_of(model, still).trouble, "it moves no foot along the ground");
+    EXPECT_EQ(gait_of(model, still).trouble, "moves no foot along the ground");
     still.end_s = still.begin_s;
-    EXPECT_EQ(gait_of(model, still).trouble, "it has no length");
+    EXPECT_EQ(gait_of(model, still).trouble, "lasts no time");
     still.channels.clear();
     still.end_s = period;
-    EXPECT_EQ(gait_of(Model{}, still).trouble, "it moves no foot along the ground");
+    EXPECT_EQ(gait_of(Model{}, still).trouble, "moves no foot along the ground");
 }
 
 // How far the ground slips under what touches it, as a share of the stride.
