@@ -2,7 +2,7 @@
 #include "core/export/between.h"
 
 #include "core/mesh/foot_lock.h"
-#include "core/mesh/pose_rates.h"
+#include "core/mesh/planting_rates.h"
 
 #include <algorithm>
 #include <cmath>
@@ -176,7 +176,6 @@ std::optional<glm::dvec3> Between::deviation(const Moving& m) const
                             return c.node == m.node && c.of == Channel::Of::morph_weights;
                         });
     if (!swells) targets.clear();
-    if (gait && (node.skin >= 0 || swells)) return {};
     if (file.subdivisions > 0 && node.skin >= 0) return out; // stands as it came
     const glm::dmat3 turned(object_.transform.matrix());
     const glm::dmat4 base = m.object.placement->embedding.to_uvw * glm::dmat4(turned);
@@ -275,12 +274,10 @@ std::optional<glm::dvec3> Between::deviation(const Moving& m) const
                 at_cuts = glm::max(at_cuts, off);
             }
         }
-        const auto rates = node_rates(*model_, *clip, from, to);
-        if (!rates) return {};
-        const auto planting = gait ? planting_speeds(*model_, *clip, *gait, from, to)
-                                   : std::optional<std::vector<double>>(std::vector<double>{});
-        if (!planting) return {};
-        const Stance stance = stance_at(*model_, &*clip, middle);
+        const auto local = local_rates(*model_, *clip, from, to);
+        if (!local) return {};
+        const std::vector<NodeRates> rates = node_rates(*model_, *local);
+        std::map<int, PlantingRates> planting; // by foot
         const std::vector<WeightRates> swelling =
             targets.empty() ? std::vector<WeightRates>{}
                             : weight_rates(*model_, *clip, m.node, from, to);
@@ -297,22 +294,19 @@ std::optional<glm::dvec3> Between::deviation(const Moving& m) const
                 first += swelling[k].first * size;
                 second += swelling[k].second * size;
             }
-            const NodeRates& r = (*rates)[static_cast<std::size_t>(mover.node)];
+            const NodeRates& r = rates[static_cast<std::size_t>(mover.node)];
             double turn = r.turn * far + r.shift + r.size * first,
                    bend = r.bend * far + r.swing + 2 * r.turn * first + r.size * second;
             if (const int leg = gait ? legs[static_cast<std::size_t>(mover.node)] : -1; leg >= 0) {
-                // A point of a leg takes the share of its joint and how far it is along it.
-                const std::vector<int>& joints = gait->feet[static_cast<std::size_t>(leg)].leg;
-                const auto at = [&](int n) {
-                    return glm::dvec3(stance.to_model[static_cast<std::size_t>(n)][3]);
-                };
-                double whole = 0, reach = 0;
-                for (std::size_t j = 1; j < joints.size(); ++j)
-                    whole += glm::distance(at(joints[j - 1]), at(joints[j]));
-                for (const int joint : joints)
-                    reach = std::max(reach, glm::distance(at(joint), at(mover.node)));
-                const double share = 1 + (whole > 0 ? (reach + r.size * far) / whole : 0);
-                turn += share * (*planting)[static_cast<std::size_t>(leg)];
+                if (!planting.contains(leg)) {
+                    const auto known = PlantingRates::of(
+                        *model_, *clip, *gait, static_cast<std::size_t>(leg), *local, from, to);
+                    if (!known) return {};
+                    planting.emplace(leg, *known);
+                }
+                const auto by_leg = planting.at(leg).at(mover.node, {far, first, second});
+                turn += by_leg.first;
+                bend += by_leg.second;
             }
             smooth = std::max(smooth, bend * h * h / 8 + turn * (uneven_t + within));
         }

@@ -81,6 +81,12 @@ Stance moved(const Model& model, Stance stance, const Foot& foot, const glm::dve
 
 } // namespace
 
+double share_of_sole(const Model& model, const Foot& foot, const Stance& stance)
+{
+    const Stance by_one = moved(model, stance, foot, {1, 0, 0});
+    return sole_at(model, foot, by_one).x - sole_at(model, foot, stance).x;
+}
+
 Stance planted(const Model& model, const Clip& clip, const Gait& gait, double time_s)
 {
     Stance out = stance_at(model, &clip, time_s);
@@ -88,15 +94,9 @@ Stance planted(const Model& model, const Clip& clip, const Gait& gait, double ti
     for (const Foot& foot : gait.feet) {
         if (foot.leg.empty()) continue;
         const glm::dvec3 d = shift_at(gait, foot, time_s);
-        const glm::dvec3 before = sole_at(model, foot, out);
-        out = moved(model, std::move(out), foot, d);
-        // A joint above the foot may have a share in its skin: what is still lacking is added once
-        // more, as much larger.
-        const glm::dvec3 done = sole_at(model, foot, out) - before;
-        const double share = glm::dot(d, d) > 0 ? glm::dot(done, d) / glm::dot(d, d) : 1;
-        constexpr double least_share = 0.5;
-        if (share > least_share && share != 1)
-            out = moved(model, std::move(out), foot, d * (1 / share - 1));
+        if (d == glm::dvec3(0)) continue;
+        const double share = share_of_sole(model, foot, out);
+        out = moved(model, std::move(out), foot, share > least_share_of_sole ? d / share : d);
     }
     return out;
 }

@@ -9,7 +9,9 @@ namespace {
 
 double length_of(const std::vector<double>& v)
 {
-    return glm::length(glm::dvec3(v[0], v[1], v[2]));
+    double square = 0;
+    for (const double x : v) square += x * x;
+    return std::sqrt(square);
 }
 
 // Of the three numbers of a channel, or of the angle of a rotation.
@@ -27,25 +29,47 @@ std::vector<double> part_of_key(const Channel& c, std::size_t key, std::size_t w
             c.values.begin() + static_cast<std::ptrdiff_t>(at + n)};
 }
 
-// A cubic's second derivative is linear, so its ends bound it; the first is bounded by the chord's
-// slope and by how much it can change.
-ChannelRates cubic_rates(const Channel& c, std::size_t key, double span)
+struct Jet {
+    std::vector<double> value, first, second;
+};
+
+// A cubic between two keys, not normalised, and its derivatives.
+Jet cubic_at(const Channel& c, std::size_t key, double time_s)
 {
     const std::vector<double> p0 = part_of_key(c, key, 1), m0 = part_of_key(c, key, 2),
                               p1 = part_of_key(c, key + 1, 1), m1 = part_of_key(c, key + 1, 0);
-    glm::dvec3 begin(0), end(0), chord(0);
-    for (int i = 0; i < 3; ++i) {
-        const auto n = static_cast<std::size_t>(i);
-        const double d = (p1[n] - p0[n]) / span;
-        chord[i] = d;
-        begin[i] = (6 * d - 4 * m0[n] - 2 * m1[n]) / span;
-        end[i] = (-6 * d + 2 * m0[n] + 4 * m1[n]) / span;
+    const double span = double{c.times_s[key + 1]} - double{c.times_s[key]},
+                 t = (time_s - double{c.times_s[key]}) / span, t2 = t * t, t3 = t2 * t;
+    Jet out;
+    for (std::size_t i = 0; i < p0.size(); ++i) {
+        const double d = p1[i] - p0[i], a = span * m0[i], b = span * m1[i];
+        out.value.push_back(p0[i] + (3 * t2 - 2 * t3) * d + (t3 - 2 * t2 + t) * a + (t3 - t2) * b);
+        out.first.push_back(
+            ((6 * t - 6 * t2) * d + (3 * t2 - 4 * t + 1) * a + (3 * t2 - 2 * t) * b) / span);
+        out.second.push_back(((6 - 12 * t) * d + (6 * t - 4) * a + (6 * t - 2) * b) /
+                             (span * span));
     }
-    ChannelRates out;
-    out.second = std::max(glm::length(begin), glm::length(end));
-    out.first = glm::length(chord) + out.second * span;
-    out.most = std::max(length_of(p0), length_of(p1)) + out.first * span;
     return out;
+}
+
+// A cubic's second derivative is linear, so it is largest at an end; the middle and that bound the
+// others.
+ChannelRates cubic_rates(const Channel& c, std::size_t key, double from_s, double to_s)
+{
+    const Jet middle = cubic_at(c, key, (from_s + to_s) / 2);
+    const double half = (to_s - from_s) / 2;
+    ChannelRates out;
+    out.second = std::max(length_of(cubic_at(c, key, from_s).second),
+                          length_of(cubic_at(c, key, to_s).second));
+    out.first = length_of(middle.first) + out.second * half;
+    out.most = length_of(middle.value) + out.first * half;
+    if (c.of != Channel::Of::rotation) return out;
+    // q / |q| turns by twice its own angle.
+    const double least = length_of(middle.value) - out.first * half;
+    out.known = least > 0;
+    if (!out.known) return out;
+    const double turn = out.first / least;
+    return {1, 2 * turn, 2 * (out.second / least + 2 / std::sqrt(3.0) * turn * turn)};
 }
 
 ChannelRates rates_of(const Channel& c, double from_s, double to_s)
@@ -60,10 +84,7 @@ ChannelRates rates_of(const Channel& c, double from_s, double to_s)
         return out;
     const auto key = static_cast<std::size_t>(after - c.times_s.begin()) - 1;
     const double span = double{c.times_s[key + 1]} - double{c.times_s[key]};
-    if (c.between == Channel::Between::cubic) {
-        out.known = !turns;
-        return turns ? out : cubic_rates(c, key, span);
-    }
+    if (c.between == Channel::Between::cubic) return cubic_rates(c, key, from_s, to_s);
     const std::vector<double> a = part_of_key(c, key, 0), b = part_of_key(c, key + 1, 0);
     if (turns) {
         const glm::dquat p = glm::normalize(glm::dquat(a[3], a[0], a[1], a[2])),
@@ -75,14 +96,6 @@ ChannelRates rates_of(const Channel& c, double from_s, double to_s)
             glm::distance(glm::dvec3(a[0], a[1], a[2]), glm::dvec3(b[0], b[1], b[2])) / span;
     }
     return out;
-}
-
-bool stays(const Channel& c)
-{
-    const std::size_t keys = c.times_s.size();
-    for (std::size_t key = 1; key < keys; ++key)
-        if (part_of_key(c, key, 1) != part_of_key(c, 0, 1)) return false;
-    return c.between != Channel::Between::cubic;
 }
 
 double norm_of(const glm::dmat3& m) // no less than its operator norm
@@ -99,60 +112,84 @@ double tight_norm_of(const glm::dmat3& m)
     return std::min(norm_of(m), std::sqrt(scale + norm_of(rest)));
 }
 
+// It turns, mirrors and scales alike in all directions, but for what single precision makes of it.
+bool keeps_angles(const glm::dmat3& m)
+{
+    constexpr double rounding = 1e-6;
+    const glm::dmat3 square = glm::transpose(m) * m;
+    const double scale = square[0][0];
+    return scale > 0 && norm_of(square - glm::dmat3(scale)) <= rounding * scale;
+}
+
 } // namespace
 
-std::optional<std::vector<NodeRates>> node_rates(const Model& model, const Clip& clip,
-                                                 double from_s, double to_s)
+std::optional<std::vector<LocalRates>> local_rates(const Model& model, const Clip& clip,
+                                                   double from_s, double to_s)
 {
-    struct Local {
+    struct Moving {
         ChannelRates translation, rotation, scale;
-        bool moved = false;
+        bool moved = false, even = false; // scaled alike in all directions
     };
-    std::vector<Local> local(model.nodes.size());
-    for (std::size_t n = 0; n < local.size(); ++n) {
+    const auto alike = [](double x, double y, double z) { return x == y && y == z; };
+    std::vector<Moving> moving(model.nodes.size());
+    for (std::size_t n = 0; n < moving.size(); ++n) {
         const Placed& rest = model.nodes[n].rest;
-        local[n].translation.most = glm::length(rest.translation);
-        local[n].scale.most =
+        moving[n].translation.most = glm::length(rest.translation);
+        moving[n].scale.most =
             std::max({std::abs(rest.scale.x), std::abs(rest.scale.y), std::abs(rest.scale.z)});
+        moving[n].even = alike(rest.scale.x, rest.scale.y, rest.scale.z);
     }
     for (const Channel& channel : clip.channels) {
         if (channel.of == Channel::Of::morph_weights) continue;
         const ChannelRates rates = rates_of(channel, from_s, to_s);
         if (!rates.known) return {};
-        Local& at = local[static_cast<std::size_t>(channel.node)];
+        Moving& at = moving[static_cast<std::size_t>(channel.node)];
         at.moved = true;
         if (channel.of == Channel::Of::translation) at.translation = rates;
         if (channel.of == Channel::Of::rotation) at.rotation = rates;
-        if (channel.of == Channel::Of::scale) at.scale = rates;
+        if (channel.of == Channel::Of::scale) {
+            at.scale = rates;
+            const std::vector<double> is = value_at(channel, from_s);
+            at.even = rates.first == 0 && rates.second == 0 && alike(is.at(0), is.at(1), is.at(2));
+        }
     }
-    std::vector<NodeRates> out(model.nodes.size());
+    std::vector<LocalRates> out(model.nodes.size());
     for (std::size_t n = 0; n < out.size(); ++n) {
         const Node& node = model.nodes[n];
-        const Local& l = local[n];
-        const glm::dmat4& fixed = l.moved ? node.outer : node.to_parent;
+        const Moving& m = moving[n];
+        const glm::dmat4& fixed = m.moved ? node.outer : node.to_parent;
         const double outer = tight_norm_of(glm::dmat3(fixed));
-        NodeRates own{outer, 0, 0, 0, 0};
-        double origin = glm::length(glm::dvec3(fixed[3])); // at most, in the parent
-        if (l.moved) {
-            const double turn = l.rotation.first;
-            own.size = outer * l.scale.most;
-            own.turn = outer * (turn * l.scale.most + l.scale.first);
-            own.bend =
-                outer * (turn * turn * l.scale.most + 2 * turn * l.scale.first + l.scale.second);
-            own.shift = outer * l.translation.first;
-            own.swing = outer * l.translation.second;
-            origin += outer * l.translation.most;
-        }
-        if (node.parent < 0) {
-            out[n] = own;
-            continue;
-        }
-        const NodeRates& p = out[static_cast<std::size_t>(node.parent)];
+        LocalRates& own = out[n];
+        own.rigid = keeps_angles(glm::dmat3(fixed)) && (!m.moved || m.even);
+        own.size = outer;
+        own.origin = glm::length(glm::dvec3(fixed[3]));
+        if (!m.moved) continue;
+        const double turn = m.rotation.first;
+        own.size = outer * m.scale.most;
+        own.turn = outer * (turn * m.scale.most + m.scale.first);
+        own.bend = outer * ((turn * turn + m.rotation.second) * m.scale.most +
+                            2 * turn * m.scale.first + m.scale.second);
+        own.shift = outer * m.translation.first;
+        own.swing = outer * m.translation.second;
+        own.origin += outer * m.translation.most;
+    }
+    return out;
+}
+
+std::vector<NodeRates> node_rates(const Model& model, const std::vector<LocalRates>& local,
+                                  int within)
+{
+    std::vector<NodeRates> out(local.begin(), local.end());
+    if (within >= 0) out[static_cast<std::size_t>(within)] = {};
+    for (auto n = static_cast<std::size_t>(within + 1); n < out.size(); ++n) {
+        if (model.nodes[n].parent < 0) continue;
+        const NodeRates& p = out[static_cast<std::size_t>(model.nodes[n].parent)];
+        const LocalRates& own = local[n];
         out[n].size = p.size * own.size;
         out[n].turn = p.turn * own.size + p.size * own.turn;
         out[n].bend = p.bend * own.size + 2 * p.turn * own.turn + p.size * own.bend;
-        out[n].shift = p.shift + p.turn * origin + p.size * own.shift;
-        out[n].swing = p.swing + p.bend * origin + 2 * p.turn * own.shift + p.size * own.swing;
+        out[n].shift = p.shift + p.turn * own.origin + p.size * own.shift;
+        out[n].swing = p.swing + p.bend * own.origin + 2 * p.turn * own.shift + p.size * own.swing;
     }
     return out;
 }
@@ -175,21 +212,23 @@ std::vector<WeightRates> weight_rates(const Model& model, const Clip& clip, int 
                           c.between == Channel::Between::step;
         const auto key = held ? 0 : static_cast<std::size_t>(after - c.times_s.begin()) - 1;
         const double span = held ? 1 : double{c.times_s[key + 1]} - double{c.times_s[key]};
+        const bool cubic = !held && c.between == Channel::Between::cubic;
+        const Jet at_from = cubic ? cubic_at(c, key, from_s) : Jet{},
+                  at_to = cubic ? cubic_at(c, key, to_s) : Jet{},
+                  at_middle = cubic ? cubic_at(c, key, (from_s + to_s) / 2) : Jet{};
         for (std::size_t t = 0; t < std::min(out.size(), c.components); ++t) {
             WeightRates& rates = out[t];
             rates = {std::max(std::abs(begin[t]), std::abs(end[t])), 0, 0};
             if (held) continue;
-            const double p = part_of_key(c, key, 1)[t], q = part_of_key(c, key + 1, 1)[t],
-                         chord = (q - p) / span;
-            rates.first = std::abs(chord);
-            if (c.between != Channel::Between::cubic) continue;
-            // As cubic_rates.
-            const double m = part_of_key(c, key, 2)[t], n = part_of_key(c, key + 1, 0)[t];
-            rates.second = std::max(std::abs(6 * chord - 4 * m - 2 * n),
-                                    std::abs(-6 * chord + 2 * m + 4 * n)) /
-                           span;
-            rates.first += rates.second * span;
-            rates.most = std::max(std::abs(p), std::abs(q)) + rates.first * span;
+            if (!cubic) {
+                rates.first =
+                    std::abs(part_of_key(c, key + 1, 1)[t] - part_of_key(c, key, 1)[t]) / span;
+                continue;
+            }
+            const double half = (to_s - from_s) / 2;
+            rates.second = std::max(std::abs(at_from.second[t]), std::abs(at_to.second[t]));
+            rates.first = std::abs(at_middle.first[t]) + rates.second * half;
+            rates.most = std::abs(at_middle.value[t]) + rates.first * half;
         }
     }
     return out;
@@ -204,36 +243,6 @@ std::vector<int> legs_of_nodes(const Model& model, const Gait& gait)
     for (std::size_t n = 0; n < out.size(); ++n)
         if (out[n] < 0 && model.nodes[n].parent >= 0)
             out[n] = out[static_cast<std::size_t>(model.nodes[n].parent)];
-    return out;
-}
-
-std::optional<std::vector<double>> planting_speeds(const Model& model, const Clip& clip,
-                                                   const Gait& gait, double from_s, double to_s)
-{
-    std::vector<double> out(gait.feet.size(), 0);
-    if (!gait.trouble.empty()) return out;
-    const std::vector<int> leg = legs_of_nodes(model, gait);
-    // Where nothing of a leg but its hip's own place changes otherwise than by turning, each of its
-    // points takes the same share of the displacement at all times.
-    for (const Channel& c : clip.channels) {
-        if (stays(c)) continue;
-        if (c.of == Channel::Of::scale) return {};
-        const int foot = leg[static_cast<std::size_t>(c.node)];
-        if (foot < 0 || c.node == gait.feet[static_cast<std::size_t>(foot)].leg.front()) continue;
-        const std::vector<int>& joints = gait.feet[static_cast<std::size_t>(foot)].leg;
-        const bool turns = c.of == Channel::Of::rotation;
-        if (!turns || std::ranges::find(joints, c.node) == joints.end()) return {};
-    }
-    for (std::size_t f = 0; f < out.size(); ++f) {
-        const Foot& foot = gait.feet[f];
-        if (foot.leg.empty()) continue;
-        const auto count = static_cast<double>(foot.shift.size());
-        const double phase = ((from_s + to_s) / 2 - gait.begin_s) / gait.period_s - foot.begin;
-        const auto i = std::min(static_cast<std::size_t>((phase - std::floor(phase)) * count),
-                                foot.shift.size() - 1);
-        out[f] = glm::distance(foot.shift[i], foot.shift[(i + 1) % foot.shift.size()]) * count /
-                 gait.period_s;
-    }
     return out;
 }
 

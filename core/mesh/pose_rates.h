@@ -15,12 +15,20 @@ struct NodeRates {
     double shift = 0, swing = 0;         // of the origin
 };
 
-// By node of the model; nothing where a channel is not known to be smooth there (cubic rotations).
+// Of a node in its parent.
+struct LocalRates : NodeRates {
+    double origin = 0;  // how far its origin is from the parent's, at most
+    bool rigid = false; // it keeps all lengths, times a constant
+};
+// By node; nothing where a rotation may be none there, a cubic through 0.
 // From the product rule over the tree: a rotation between two keys has a constant angular velocity,
-// translations and scales a constant velocity, or the derivatives of a cubic. O(#nodes +
-// #channels log #keys).
-std::optional<std::vector<NodeRates>> node_rates(const Model& model, const Clip& clip,
-                                                 double from_s, double to_s);
+// translations and scales a constant velocity, or the derivatives of a cubic (normalised). O(#nodes
+// + #channels log #keys).
+std::optional<std::vector<LocalRates>> local_rates(const Model& model, const Clip& clip,
+                                                   double from_s, double to_s);
+// By node, in the model; or, of a node and what hangs on it, in that node's own space. O(#nodes).
+std::vector<NodeRates> node_rates(const Model& model, const std::vector<LocalRates>& local,
+                                  int within = -1);
 
 // The same of the weights of a node's morph targets, by target: |w|, |w'| and |w''| at most.
 struct WeightRates {
@@ -29,10 +37,6 @@ struct WeightRates {
 std::vector<WeightRates> weight_rates(const Model& model, const Clip& clip, int node, double from_s,
                                       double to_s);
 
-// How fast what planted() adds to a leg changes, by foot: evenly, and it hangs on no point. Nothing
-// where legs change their length.
-std::optional<std::vector<double>> planting_speeds(const Model& model, const Clip& clip,
-                                                   const Gait& gait, double from_s, double to_s);
 // Which foot's leg moves a node, -1: none; by node.
 std::vector<int> legs_of_nodes(const Model& model, const Gait& gait);
 

@@ -112,6 +112,26 @@ TEST_F(AnimatedExports, AreProvenWhileASkinBendsInAVolumeAndTravels)
     expect_holds(document, made);
 }
 
+TEST_F(AnimatedExports, AreProvenWhileASkinBendsByACubic)
+{
+    Model model = testing::rigged_model();
+    Channel& turn = model.clips[0].channels.front();
+    const std::vector<float> from(turn.values.begin(), turn.values.begin() + 4),
+        to(turn.values.begin() + 4, turn.values.end());
+    const std::vector<float> slope_from{0, 0, 1.5f, 0}, slope_to{0.1f, 0, -0.4f, 0.3f};
+    turn.between = Channel::Between::cubic;
+    turn.values.clear();
+    for (const auto& part : {slope_from, from, slope_from, slope_to, to, slope_to})
+        turn.values.insert(turn.values.end(), part.begin(), part.end());
+    testing::write_file(folder_.file("bar.gltf"), testing::gltf_text(model));
+    const Document document = playing(travelling(round(), {.speed = 0.4, .ends = Ends::loop}),
+                                      {.clip = "bend", .repeat = Repeat::back_and_forth});
+    const AnimatedExport made = exported(document, 2e-2);
+    EXPECT_THAT(of(made, 5).front().unproven, IsEmpty());
+    EXPECT_GT(of(made, 5).front().between, 0);
+    expect_holds(document, made);
+}
+
 TEST_F(AnimatedExports, AreProvenWhileMorphTargetsSwellInAVolume)
 {
     Model model = testing::rigged_model();

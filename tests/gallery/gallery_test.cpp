@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 #include "core/document/log.h"
 #include "core/document/parameters.h"
+#include "core/export/animated_model.h"
 #include "editor/captions.h"
 #include "editor/contact_sheet.h"
 #include "editor/picture.h"
@@ -175,6 +176,22 @@ TEST_P(Motion, ShowsTheSceneInSixOfItsFrames)
     }
     EXPECT_TRUE(testing::matches_picture(contact_sheet(pictures, 3),
                                          "docs/gallery/" + GetParam() + "_sheet.png"));
+}
+
+// Of two of its frames; docs/export.md has more of them.
+TEST_P(Motion, IsExportedAndProvenBetweenItsMomentsToo)
+{
+    const int middle = document_of(GetParam()).time.first_frame + 19;
+    const AnimatedExport made =
+        animated_export({document_of(GetParam()), {middle, middle + 1}, 0.02, GetParam()},
+                        std::make_shared<const AssetStore>(scenes_folder, models_made_here()));
+    int deformed = 0;
+    for (const FilmCertificate::PartClaim& claim : made.certificate.parts) {
+        EXPECT_TRUE(is_proven(claim)) << claim.name << ": " << claim.unproven;
+        EXPECT_LE(claim.bound, 0.02) << claim.name;
+        deformed += claim.way == "targets";
+    }
+    EXPECT_GT(deformed, 0);
 }
 
 TEST(GalleryPage, ShowsEverySceneAndNoPictureThatIsNotThere)

@@ -8,7 +8,7 @@ namespace trivar {
 namespace {
 
 // A chain of three nodes that turn, move and grow.
-Model chain()
+Model chain(Channel::Between turns = Channel::Between::linear)
 {
     Model model;
     for (int n = 0; n < 3; ++n) {
@@ -25,7 +25,18 @@ Model chain()
         turn.of = Channel::Of::rotation;
         turn.components = 4;
         turn.times_s = {0, 0.5f, 1};
+        turn.between = turns;
         turn.values = {0, 0, 0, 1, 0, 0.6f, 0, 0.8f, 0.48f, 0.36f, 0, 0.8f};
+        if (turns == Channel::Between::cubic) {
+            const std::vector<float> at = turn.values, slope{0.5f, 0.2f, -0.3f, 0};
+            turn.values.clear();
+            for (std::ptrdiff_t key = 0; key < 3; ++key) {
+                turn.values.insert(turn.values.end(), slope.begin(), slope.end());
+                turn.values.insert(turn.values.end(), at.begin() + 4 * key,
+                                   at.begin() + 4 * key + 4);
+                turn.values.insert(turn.values.end(), slope.begin(), slope.end());
+            }
+        }
         clip.channels.push_back(turn);
     }
     Channel way;
@@ -43,15 +54,15 @@ Model chain()
     return model;
 }
 
-TEST(PoseRates, BoundTheDerivativesOfEveryPoint)
+void expect_bounds(const Model& model, double from_s, double to_s)
 {
-    const Model model = chain();
     const Clip& clip = model.clips.front();
-    const auto rates = node_rates(model, clip, 0.5, 1);
-    ASSERT_TRUE(rates);
+    const auto local = local_rates(model, clip, from_s, to_s);
+    ASSERT_TRUE(local);
+    const std::vector<NodeRates> rates = node_rates(model, *local);
     const double h = 1e-4;
     double closest = 0;
-    for (double t = 0.51; t < 0.99; t += 0.02)
+    for (double t = from_s + 2 * h; t < to_s - h; t += (to_s - from_s) / 24)
         for (std::size_t n = 0; n < model.nodes.size(); ++n)
             for (const glm::dvec4& p : {glm::dvec4(0, 0, 0, 1), glm::dvec4(0.3, -0.4, 0.2, 1)}) {
                 const auto at = [&](double time) {
@@ -59,7 +70,7 @@ TEST(PoseRates, BoundTheDerivativesOfEveryPoint)
                 };
                 const glm::dvec3 before = at(t - h), now = at(t), after = at(t + h);
                 const double far = glm::length(glm::dvec3(p));
-                const NodeRates& r = (*rates)[n];
+                const NodeRates& r = rates[n];
                 const double first = glm::length(after - before) / (2 * h),
                              second = glm::length(after - 2.0 * now + before) / (h * h);
                 EXPECT_LE(first, r.turn * far + r.shift + 1e-6) << n << " " << t;
@@ -68,6 +79,17 @@ TEST(PoseRates, BoundTheDerivativesOfEveryPoint)
                     closest = std::max(closest, first / (r.turn * far + r.shift));
             }
     EXPECT_GT(closest, 0.3); // no idle bound
+}
+
+TEST(PoseRates, BoundTheDerivativesOfEveryPoint)
+{
+    expect_bounds(chain(), 0.5, 1);
+}
+
+TEST(PoseRates, BoundTheDerivativesOfCubicRotations)
+{
+    const Model model = chain(Channel::Between::cubic);
+    for (const double from : {0.1, 0.6, 0.9}) expect_bounds(model, from, from + 0.05);
 }
 
 TEST(PoseRates, BoundTheDerivativesOfWeights)
@@ -94,13 +116,13 @@ TEST(PoseRates, BoundTheDerivativesOfWeights)
     EXPECT_EQ(even.second, 0);
 }
 
-TEST(PoseRates, SayNothingOfCubicRotations)
+TEST(PoseRates, SayNothingOfARotationThatMayBeNone)
 {
-    Model model = chain();
+    Model model = chain(Channel::Between::cubic);
     Channel& turn = model.clips.front().channels.front();
-    turn.between = Channel::Between::cubic;
-    turn.values.resize(3 * turn.values.size(), 0.1f);
-    EXPECT_FALSE(node_rates(model, model.clips.front(), 0.5, 1));
+    EXPECT_TRUE(local_rates(model, model.clips.front(), 0.7, 0.8));
+    for (std::size_t i = 0; i < 4; ++i) turn.values[28 + i] *= -1; // the last key's
+    EXPECT_FALSE(local_rates(model, model.clips.front(), 0.7, 0.8));
 }
 
 TEST(PoseRates, BreaksAreWhereAnyChannelHasAKey)

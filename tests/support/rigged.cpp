@@ -78,15 +78,13 @@ std::string clip_text(const Clip& clip, GltfBytes& out)
 {
     std::vector<std::string> samplers, channels;
     for (const Channel& c : clip.channels) {
+        std::vector<glm::vec4> rotations;
+        for (std::size_t i = 0; c.of == Channel::Of::rotation && i < c.values.size(); i += 4)
+            rotations.emplace_back(c.values[i], c.values[i + 1], c.values[i + 2], c.values[i + 3]);
         samplers.push_back(fmt::format(
-            R"({{"input":{},"output":{}}})", out.floats(c.times_s, "SCALAR"),
-            c.of == Channel::Of::rotation
-                ? out.floats(
-                      std::vector<glm::vec4>{
-                          glm::vec4(c.values[0], c.values[1], c.values[2], c.values[3]),
-                          glm::vec4(c.values[4], c.values[5], c.values[6], c.values[7])},
-                      "VEC4")
-                : out.floats(c.values, "SCALAR")));
+            R"({{"input":{},"output":{},"interpolation":"{}"}})", out.floats(c.times_s, "SCALAR"),
+            rotations.empty() ? out.floats(c.values, "SCALAR") : out.floats(rotations, "VEC4"),
+            c.between == Channel::Between::cubic ? "CUBICSPLINE" : "LINEAR"));
         channels.push_back(fmt::format(R"({{"sampler":{},"target":{{"node":{},"path":"{}"}}}})",
                                        samplers.size() - 1, c.node,
                                        c.of == Channel::Of::rotation ? "rotation" : "weights"));
