@@ -26,10 +26,8 @@ DepthRange depth_range(const Picture& picture, const Camera& camera, const Scene
         hi = std::max(hi, depth);
     };
     for (const SceneItem& item : scene.items)
-        for (int k = 0; k < 8; ++k)
-            add(scene.origin_world + glm::dvec3((k & 1 ? item.hi : item.lo).x,
-                                                (k & 2 ? item.hi : item.lo).y,
-                                                (k & 4 ? item.hi : item.lo).z));
+        for (const glm::dvec3& corner : Box{item.lo, item.hi}.corners())
+            add(scene.origin_world + corner);
     const double target = glm::length(camera.target - camera.eye);
     const double reach = 100 * (target + scene.radius); // what leaves it may be cut
     const auto add_helper = [&](const std::vector<glm::vec3>& points) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <glm/glm.hpp>
 
 namespace trivar {
@@ -20,6 +21,17 @@ struct Box {
     {
         lo = glm::min(lo, other.lo);
         hi = glm::max(hi, other.hi);
+    }
+    std::array<glm::dvec3, 8> corners() const // of an empty one none that means anything
+    {
+        return {{lo,
+                 {hi.x, lo.y, lo.z},
+                 {lo.x, hi.y, lo.z},
+                 {hi.x, hi.y, lo.z},
+                 {lo.x, lo.y, hi.z},
+                 {hi.x, lo.y, hi.z},
+                 {lo.x, hi.y, hi.z},
+                 hi}};
     }
     double distance(const glm::dvec3& p) const // to the nearest point of the box; 0 inside
     {

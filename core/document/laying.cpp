@@ -100,9 +100,7 @@ bool in_the_way(const Box& box, const Placement& placement, const Camera& camera
         strip_lo = glm::min(strip_lo, seen);
         strip_hi = glm::max(strip_hi, seen);
     }
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 p(corner & 1 ? box.hi.x : box.lo.x, corner & 2 ? box.hi.y : box.lo.y,
-                           corner & 4 ? box.hi.z : box.lo.z);
+    for (const glm::dvec3& p : box.corners()) {
         const auto seen = view.project(p);
         if (!(seen.depth_world > 0)) return true;
         lo = glm::min(lo, seen.p_px);

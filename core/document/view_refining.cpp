@@ -55,10 +55,7 @@ double view_tolerance(const Camera& camera, const Box& bounds, double tolerance_
     // Of how many corners are outside of each side of the picture, and behind the eye.
     std::array<int, 5> outside{};
     double least = infinite;
-    for (int i = 0; i < 8; ++i) {
-        const glm::dvec3 corner(i & 1 ? bounds.hi.x : bounds.lo.x,
-                                i & 2 ? bounds.hi.y : bounds.lo.y,
-                                i & 4 ? bounds.hi.z : bounds.lo.z);
+    for (const glm::dvec3& corner : bounds.corners()) {
         const glm::dvec3 p(view * glm::dvec4(corner, 1));
         const double depth = -p.z, wide = camera.perspective ? depth : 1;
         least = std::min(least, depth);

@@ -37,10 +37,7 @@ public:
     double stretch(const Part& part);
 
 private:
-    struct Moving;
-    struct Deviation;
     VolumeBends& bends(const Ref<Lattice>& volume);
-    std::optional<glm::dvec3> deviation(const Moving& moving) const;
 
     std::string unknown_;
     Object object_;

@@ -89,9 +89,8 @@ std::optional<NodeMotion> node_motion(int node, const std::vector<glm::dmat4>& m
     }
     const auto off_at = [&](std::size_t moment, const glm::dmat4& matrix) {
         double most = 0;
-        for (int c = 0; c < 8; ++c) {
-            const glm::dvec4 p(c & 1 ? box.hi.x : box.lo.x, c & 2 ? box.hi.y : box.lo.y,
-                               c & 4 ? box.hi.z : box.lo.z, 1);
+        for (const glm::dvec3& corner : box.corners()) {
+            const glm::dvec4 p(corner, 1);
             most = std::max(most, glm::distance(matrix * p, matrices[moment] * p));
         }
         return most;

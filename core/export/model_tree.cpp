@@ -14,10 +14,9 @@ void add_part(Box& box, const Part& part, const glm::dmat4& to_object)
 {
     Box own = bounding_box(*part.rest);
     if (part.posed) own = posed_bounds(own, target_bounds(*part.rest), part.posed->pose);
-    for (int c = 0; c < 8 && !own.empty(); ++c)
-        box.add(glm::dvec3(to_object * glm::dvec4(c & 1 ? own.hi.x : own.lo.x,
-                                                  c & 2 ? own.hi.y : own.lo.y,
-                                                  c & 4 ? own.hi.z : own.lo.z, 1)));
+    if (own.empty()) return;
+    for (const glm::dvec3& corner : own.corners())
+        box.add(glm::dvec3(to_object * glm::dvec4(corner, 1)));
 }
 
 } // namespace

@@ -181,11 +181,8 @@ Box posed_bounds(const Box& mesh, const std::vector<Box>& targets, const Pose& p
     if (pose.joints.empty()) return morphed;
     Box out; // a mean of what the joints make of a point is in the box of all that
     for (const glm::mat4& joint : pose.joints)
-        for (int corner = 0; corner < 8; ++corner)
-            out.add(glm::dvec3(glm::dmat4(joint) *
-                               glm::dvec4(corner & 1 ? morphed.hi.x : morphed.lo.x,
-                                          corner & 2 ? morphed.hi.y : morphed.lo.y,
-                                          corner & 4 ? morphed.hi.z : morphed.lo.z, 1)));
+        for (const glm::dvec3& corner : morphed.corners())
+            out.add(glm::dvec3(glm::dmat4(joint) * glm::dvec4(corner, 1)));
     return out;
 }
 

@@ -135,12 +135,8 @@ Box deformed_bounds(const Stage& stage, const Box& object)
 {
     if (object.empty()) return {};
     Box rest, moved;
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec4 p(corner & 1 ? object.hi.x : object.lo.x,
-                           corner & 2 ? object.hi.y : object.lo.y,
-                           corner & 4 ? object.hi.z : object.lo.z, 1);
-        rest.add(glm::dvec3(stage.embedding.to_rest * p));
-    }
+    for (const glm::dvec3& corner : object.corners())
+        rest.add(glm::dvec3(stage.embedding.to_rest * glm::dvec4(corner, 1)));
     for (const glm::dvec3& d : stage.lattice->displacement.points) moved.add(d);
     return {rest.lo + moved.lo, rest.hi + moved.hi};
 }
