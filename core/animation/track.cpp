@@ -52,13 +52,18 @@ double within(const Track& track, double frame)
 {
     const double first = track.keys.front().frame, length = track.keys.back().frame - first;
     if (track.repeat == Repeat::once || frame <= first + length || length == 0) return frame;
-    const double rounds = std::floor((frame - first) / length);
-    const double rest = frame - first - rounds * length;
-    const bool back = track.repeat == Repeat::back_and_forth && std::fmod(rounds, 2) != 0;
-    return first + (back ? length - rest : rest);
+    return first + folded(track.repeat, frame - first, length);
 }
 
 } // namespace
+
+double folded(Repeat repeat, double time, double length)
+{
+    if (repeat == Repeat::once) return std::clamp(time, 0.0, length);
+    const double round = repeat == Repeat::loop ? length : 2 * length;
+    const double rest = time - std::floor(time / round) * round;
+    return rest > length ? round - rest : rest;
+}
 
 TweenCurve curve_between(const Track& track, std::size_t key)
 {

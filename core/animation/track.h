@@ -13,6 +13,8 @@ enum class Tween { step, linear, cubic };
 
 // What comes after the last frame of something: nothing, all of it again, or the way back.
 enum class Repeat { once, loop, back_and_forth };
+// Where a time is in what lasts from 0 to a length, more than 0, and is repeated so.
+double folded(Repeat repeat, double time, double length);
 
 struct Key {
     double frame = 0, value = 0;

@@ -46,17 +46,9 @@ std::string stillness(const Clip& clip)
 double clip_time_s(const Clip& clip, const Playing& playing, double seconds)
 {
     const double length = clip.end_s - clip.begin_s;
-    double t = playing.offset + playing.speed * std::max(0.0, seconds);
     if (!(length > 0)) return clip.begin_s;
-    if (playing.repeat == Repeat::once)
-        t = std::clamp(t, 0.0, length);
-    else if (playing.repeat == Repeat::loop)
-        t -= std::floor(t / length) * length;
-    else {
-        t -= std::floor(t / (2 * length)) * 2 * length;
-        if (t > length) t = 2 * length - t;
-    }
-    return clip.begin_s + t;
+    const double gone = playing.offset + playing.speed * std::max(0.0, seconds);
+    return clip.begin_s + folded(playing.repeat, gone, length);
 }
 
 Ref<Shape> Posing::known(const Known& key)

@@ -21,14 +21,9 @@ std::size_t index_of(int n)
 struct ClipClock {
     double begin = 0, length = 0;
     Repeat repeat = Repeat::loop;
-    double folded(double t) const
+    double in_clip(double t) const
     {
-        const double x = t - begin;
-        if (!(length > 0)) return begin;
-        if (repeat == Repeat::once) return begin + std::clamp(x, 0.0, length);
-        if (repeat == Repeat::loop) return begin + x - std::floor(x / length) * length;
-        const double y = x - std::floor(x / (2 * length)) * 2 * length;
-        return begin + (y > length ? 2 * length - y : y);
+        return length > 0 ? begin + folded(repeat, t - begin, length) : begin;
     }
     // Whether laps are told apart there; much further on a step of the time is more than one.
     bool counts(double t) const
@@ -172,10 +167,10 @@ public:
         double smooth = 0; // in the model's units
         for (std::size_t c = 0; c + 1 < cuts->size(); ++c) {
             const double begin = (*cuts)[c], end = (*cuts)[c + 1], h = end - begin;
-            const double middle = time.clock.folded((begin + end) / 2);
+            const double middle = time.clock.in_clip((begin + end) / 2);
             const double from = std::max(middle - h / 2, clip_.begin_s),
                          to = std::min(middle + h / 2, clip_.end_s);
-            const bool returns = time.clock.folded(begin + 0.75 * h) < middle;
+            const bool returns = time.clock.in_clip(begin + 0.75 * h) < middle;
             // Where a channel steps both sides are looked at.
             const double within = 1e-9 * (to - from);
             const auto look = [&](double t, double cut) {
