@@ -61,7 +61,7 @@ double folded(Repeat repeat, double time, double length)
 {
     if (repeat == Repeat::once) return std::clamp(time, 0.0, length);
     const double round = repeat == Repeat::loop ? length : 2 * length;
-    const double rest = time - std::floor(time / round) * round;
+    const double rest = std::max(0.0, time - std::floor(time / round) * round);
     return rest > length ? round - rest : rest;
 }
 

@@ -17,8 +17,8 @@ namespace trivar {
 //
 // q(t) is the point in the volume's parameters, d its step from one moment to the other, and dev
 // how far q(t) is from going evenly: by travel (Journey::unevenness_u), and by the clip's pose
-// between the moments at which it has keys (core/mesh/pose_rates.h). What keys make of the volume
-// itself comes to it (KeyedVolume).
+// between the moments at which it has keys (core/export/clip_deviation.h). What keys make of the
+// volume itself comes to it (KeyedVolume).
 class Between {
 public:
     Between(const Document& document, Id object, const AssetStore& assets);

@@ -7,10 +7,13 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <limits>
 #include <map>
 
 namespace trivar {
 namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 std::size_t index_of(int n)
 {
@@ -157,33 +160,44 @@ public:
         if (gait) legs_ = legs_of_nodes(*way.model, *gait);
     }
 
-    // Beyond what the travel adds.
+    // Beyond what the travel adds. At a time t of the film the clip's is no further than `uneven`
+    // from the even one, s: the pose is off the chord at its own time by what the loop below finds,
+    // and the chord goes on by `uneven` times its slope between that and s.
     std::optional<glm::dvec3> over(const ClipTime& time) const
     {
-        const auto cuts = time.clock.cuts(std::min(time.from, time.to),
-                                          std::max(time.from, time.to), breaks_of(clip_, gait_));
+        const double whole = time.to - time.from;
+        const auto cuts =
+            time.clock.cuts(std::min(time.from, time.to) - time.uneven,
+                            std::max(time.from, time.to) + time.uneven, breaks_of(clip_, gait_));
         if (!cuts) return {};
         glm::dvec3 at_cuts(0);
         double smooth = 0; // in the model's units
+        const auto look = [&](double clip_s, double cut) {
+            const double share = whole == 0 ? 0 : (cut - time.from) / whole;
+            at_cuts = glm::max(at_cuts, off_even(clip_s, share));
+        };
         for (std::size_t c = 0; c + 1 < cuts->size(); ++c) {
             const double begin = (*cuts)[c], end = (*cuts)[c + 1], h = end - begin;
-            const double middle = time.clock.in_clip((begin + end) / 2);
+            const double middle = time.clock.in_clip((begin + end) / 2),
+                         later = time.clock.in_clip(begin + 0.75 * h);
+            if (later == middle) { // before its begin, or after its end
+                look(middle, begin);
+                look(middle, end);
+                continue;
+            }
             const double from = std::max(middle - h / 2, clip_.begin_s),
                          to = std::min(middle + h / 2, clip_.end_s);
-            const bool returns = time.clock.in_clip(begin + 0.75 * h) < middle;
+            const bool returns = later < middle;
             // Where a channel steps both sides are looked at.
-            const double within = 1e-9 * (to - from);
-            const auto look = [&](double t, double cut) {
-                const double share = (cut - time.from) / (time.to - time.from);
-                at_cuts = glm::max(at_cuts, off_even(t, share));
-            };
-            look(returns ? to - within : from + within, begin);
-            look(returns ? from + within : to - within, end);
-            const auto change = off_smooth(from, to, h, time.uneven + within);
+            const double beside = 1e-9 * (to - from);
+            look(returns ? to - beside : from + beside, begin);
+            look(returns ? from + beside : to - beside, end);
+            const auto change = off_smooth(from, to, h, beside);
             if (!change) return {};
             smooth = std::max(smooth, *change);
         }
         glm::dvec3 out = at_cuts;
+        if (whole != 0) out += time.uneven / std::abs(whole) * chord();
         for (int a = 0; a < 3; ++a)
             out[a] += smooth * glm::length(glm::dvec3(to_uvw_[0][a], to_uvw_[1][a], to_uvw_[2][a]));
         return out;
@@ -195,15 +209,19 @@ private:
     {
         glm::dvec3 out(0);
         for (const glm::dvec3& p : box.corners())
-            out = glm::max(out, glm::abs(glm::dvec3(off * glm::dvec4(p, 1))));
+            out = larger(out, glm::dvec3(off * glm::dvec4(p, 1)));
         return out;
     }
     static glm::dvec3 of_differences(const glm::dmat4& off, const Box& box)
     {
         glm::dvec3 out(0);
-        for (const glm::dvec3& d : box.corners())
-            out = glm::max(out, glm::abs(glm::dmat3(off) * d));
+        for (const glm::dvec3& d : box.corners()) out = larger(out, glm::dmat3(off) * d);
         return out;
+    }
+    static glm::dvec3 larger(const glm::dvec3& a, const glm::dvec3& b)
+    {
+        if (!std::isfinite(b.x + b.y + b.z)) return glm::dvec3(infinite);
+        return glm::max(a, glm::abs(b));
     }
 
     // How far the points are off the even way at a time of the clip, a share of it gone.
@@ -229,21 +247,39 @@ private:
         return out;
     }
 
-    // How far they are off an even way between two times of the clip, at most: a way that lasts h
-    // and is uneven in its time. In the model's units.
-    std::optional<double> off_smooth(double from_s, double to_s, double h, double uneven) const
+    // How far they go by the clip alone.
+    glm::dvec3 chord() const
+    {
+        const glm::dmat4 travel =
+            glm::translate(glm::dmat4(1), {way_.shift_to - way_.shift_from, 0, 0});
+        glm::dvec3 out(0);
+        for (const Mover& mover : movers_) {
+            const glm::dmat4 from = travel * mover.at_from;
+            glm::dvec3 way = of_points(mover.at_to - from, mover.box);
+            for (std::size_t k = 0; k < targets_.boxes.size(); ++k)
+                way += of_differences(mover.at_to * double{targets_.to[k]} -
+                                          from * double{targets_.from[k]},
+                                      targets_.boxes[k]);
+            out = glm::max(out, way);
+        }
+        return out;
+    }
+
+    // How far they are off an even way between two times of the clip, that lasts h, at most, when
+    // its ends may be looked at so much beside. In the model's units.
+    std::optional<double> off_smooth(double from_s, double to_s, double h, double beside) const
     {
         const Model& model = *way_.model;
         const auto local = local_rates(model, clip_, from_s, to_s);
         if (!local) return {};
         const std::vector<NodeRates> rates = node_rates(model, *local);
-        const std::vector<WeightRates> weights =
-            targets_.boxes.empty() ? std::vector<WeightRates>{}
+        const std::vector<Rates> weights =
+            targets_.boxes.empty() ? std::vector<Rates>{}
                                    : weight_rates(model, clip_, way_.node, from_s, to_s);
         std::map<int, PlantingRates> planting; // by foot
         double out = 0;
         for (const Mover& mover : movers_) {
-            PlantingRates::Bound point; // before the mover moves it
+            Rates point; // before the mover moves it
             for (const glm::dvec3& p : mover.box.corners())
                 point.most =
                     std::max(point.most, glm::length(glm::dvec3(mover.before * glm::dvec4(p, 1))));
@@ -251,26 +287,21 @@ private:
                 double size = 0;
                 for (const glm::dvec3& d : targets_.boxes[k].corners())
                     size = std::max(size, glm::length(glm::dmat3(mover.before) * d));
-                point.most += weights[k].most * size;
-                point.first += weights[k].first * size;
-                point.second += weights[k].second * size;
+                point.add(weights[k], size);
             }
-            const NodeRates& r = rates[index_of(mover.node)];
-            double first = r.turn * point.most + r.shift + r.size * point.first,
-                   second = r.bend * point.most + r.swing + 2 * r.turn * point.first +
-                            r.size * point.second;
+            Rates moved = rates[index_of(mover.node)].of(point);
             if (const int leg = gait_ ? legs_[index_of(mover.node)] : -1; leg >= 0) {
                 if (!planting.contains(leg)) {
-                    const auto known = PlantingRates::of(model, clip_, *gait_, index_of(leg),
-                                                         *local, from_s, to_s);
+                    auto known = PlantingRates::of(model, clip_, *gait_, index_of(leg), *local,
+                                                   from_s, to_s);
                     if (!known) return {};
-                    planting.emplace(leg, *known);
+                    planting.emplace(leg, *std::move(known));
                 }
-                const PlantingRates::Bound added = planting.at(leg).at(mover.node, point);
-                first += added.first;
-                second += added.second;
+                moved.add(planting.at(leg).at(mover.node, point), 1);
             }
-            out = std::max(out, second * h * h / 8 + first * uneven);
+            const double off = moved.second * h * h / 8 + moved.first * beside;
+            if (!std::isfinite(off)) return {};
+            out = std::max(out, off);
         }
         return out;
     }
@@ -306,9 +337,9 @@ std::optional<glm::dvec3> deviation_of(const PartOnItsWay& way)
     const Gait* gait = walk && walk->trouble.empty() ? walk->gait.get() : nullptr;
     const ClipTime time = time_of(way, *clip, gait);
     if (!time.clock.counts(time.from) || !time.clock.counts(time.to)) return {};
-    if (time.from == time.to) return by_travel;
+    if (time.from == time.to && time.uneven == 0) return by_travel;
     const auto by_clip = ClipDeviation(way, *clip, gait).over(time);
-    if (!by_clip) return {};
+    if (!by_clip || !(glm::length(*by_clip) < infinite)) return {};
     return by_travel + *by_clip;
 }
 

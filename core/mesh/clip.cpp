@@ -11,7 +11,7 @@ glm::dquat rotation(const std::vector<double>& xyzw)
 {
     const glm::dquat q(xyzw[3], xyzw[0], xyzw[1], xyzw[2]);
     const double length = glm::length(q);
-    return length > 1e-9 ? q / length : glm::dquat(1, 0, 0, 0);
+    return length > least_rotation ? q / length : glm::dquat(1, 0, 0, 0);
 }
 
 std::vector<double> as_values(const glm::dquat& q)

@@ -38,6 +38,9 @@ struct Clip {
     double begin_s = 0, end_s = 0; // of its first and last keys
 };
 
+// Four numbers no longer than this are no rotation.
+inline constexpr double least_rotation = 1e-9;
+
 // The channel's value at a time; before the first key and after the last one as there. Rotations go
 // the shorter way round and are unit; where a key gives none they are the identity. O(log #keys).
 std::vector<double> value_at(const Channel& channel, double time_s);

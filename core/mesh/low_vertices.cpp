@@ -64,6 +64,22 @@ std::vector<glm::dvec3> positions_of(const Model& model, const std::vector<Model
     return out;
 }
 
+std::vector<VertexMover> movers_of(const Model& model, const ModelVertex& vertex)
+{
+    const Node& node = model.nodes[static_cast<std::size_t>(vertex.node)];
+    const Mesh& mesh = mesh_on(model, vertex.node);
+    if (node.skin < 0 || mesh.influences.empty()) return {{vertex.node}};
+    const Skin& skin = model.skins[static_cast<std::size_t>(node.skin)];
+    const Mesh::Influences& by = mesh.influences[vertex.vertex];
+    std::vector<VertexMover> out;
+    for (int k = 0; k < 4; ++k) {
+        const auto joint = by.joints[static_cast<std::size_t>(k)];
+        if (by.weights[k] > 0)
+            out.push_back({skin.joints[joint], skin.mesh_to_joint[joint], by.weights[k]});
+    }
+    return out;
+}
+
 int mover_of(const Model& model, const ModelVertex& vertex)
 {
     const Node& node = model.nodes[static_cast<std::size_t>(vertex.node)];

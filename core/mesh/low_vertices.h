@@ -14,6 +14,14 @@ struct ModelVertex {
 // The joint or node that moves it most.
 int mover_of(const Model& model, const ModelVertex& vertex);
 
+// What moves a vertex: each by its matrix times `before`, and so much of it.
+struct VertexMover {
+    int node = 0;
+    glm::dmat4 before{1};
+    double weight = 1;
+};
+std::vector<VertexMover> movers_of(const Model& model, const ModelVertex& vertex);
+
 // Where it is in a model that stands so, with that pose of its mesh.
 glm::dvec3 position_of(const Model& model, const ModelVertex& vertex, const Stance& stance,
                        const Pose& pose);

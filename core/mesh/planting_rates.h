@@ -12,44 +12,43 @@ namespace trivar {
 //   f = (l + e . (p - o)) / L,    displacement = d / s,
 //
 // o and e being the joint above it and the direction to the next one, l and L the lengths of the
-// leg down to o and in whole, and s the mean share of the sole (core/mesh/foot_lock.h). d goes
-// evenly. Where a leg only turns, f is constant, and so is s. Else the product rule bounds both;
-// e, l and p are seen from the joint, where all above it keeps lengths. Units of the model,
-// seconds.
+// leg down to o and in whole, and s the mean share of the sole, or 1 (core/mesh/foot_lock.h). d
+// goes evenly. A point that stays where it is by a joint of a leg that does nothing but turn takes
+// the same share at all times. Else the product rule bounds it; e, l and p are seen from the joint,
+// where all above it keeps lengths. Units of the model, seconds.
 class PlantingRates {
 public:
-    // Of the gait's foot with that number. Nothing where it is not known: where a leg may have no
-    // length, or the sole may or may not take the least share of it.
+    // Of the gait's foot with that number. Nothing where it is not known: where a bone of the leg
+    // may come to no length, or the sole may or may not take the least share of it.
     static std::optional<PlantingRates> of(const Model& model, const Clip& clip, const Gait& gait,
                                            std::size_t foot, const std::vector<LocalRates>& local,
                                            double from_s, double to_s);
 
-    // A vector's length and those of its derivatives, at most.
-    struct Bound {
-        double most = 0, first = 0, second = 0;
-    };
-    // Of what is added to the points of a node of that leg, these being so in the node's own space.
-    Bound at(int node, const Bound& point) const;
+    // Of what is added to the points of a node, these being so in the node's own space.
+    Rates at(int node, const Rates& point) const;
 
 private:
     struct Bone {
-        std::vector<NodeRates> rates;     // as seen from `from`
-        double scale = 1;                 // of what is seen to the model
-        glm::dvec3 joint{0};              // at the middle moment
-        NodeRates own;                    // of the joint
-        Bound before, direction{1, 0, 0}; // the length above it; a unit vector
+        std::vector<NodeRates> rates; // as seen from the joint, or from the model
+        double scale = 1;             // of what is seen to the model
+        glm::dvec3 joint{0};          // at the middle moment
+        NodeRates own;                // of the joint
+        Rates above, direction;       // l and e
     };
     PlantingRates() = default;
-    Bound share(int node, const Bound& point) const;
+    bool add_bones(const Model& model, const Foot& foot, const Stance& middle,
+                   const std::vector<LocalRates>& local);
+    bool add_sole(const Model& model, const Clip& clip, const Foot& foot, const Stance& middle,
+                  double middle_s);
+    Rates share(int node, const Rates& point) const;
 
-    const Model* model_ = nullptr;
-    std::vector<int> leg_;
+    std::vector<int> bone_of_node_;
     std::vector<Bone> bones_;         // none: all take all of it
     std::vector<glm::dvec3> origins_; // of nodes, at the middle moment
     std::vector<double> sizes_;       // of their matrices, at most
-    double half_s_ = 0, least_length_ = 0;
-    Bound length_, more_;             // L, 1 / s
-    double distance_ = 0, speed_ = 0; // of d
+    double half_s_ = 0;
+    Rates inverse_length_, inverse_share_{1, 0, 0}; // 1 / L, 1 / s
+    Rates displacement_;                            // d
 };
 
 } // namespace trivar

@@ -14,9 +14,8 @@ double length_of(const std::vector<double>& v)
     return std::sqrt(square);
 }
 
-// Of the three numbers of a channel, or of the angle of a rotation.
-struct ChannelRates {
-    double most = 0, first = 0, second = 0;
+// Of a channel's value; of a rotation its angle's derivatives.
+struct ChannelRates : Rates {
     bool known = true;
 };
 
@@ -54,48 +53,58 @@ Jet cubic_at(const Channel& c, std::size_t key, double time_s)
 
 // A cubic's second derivative is linear, so it is largest at an end; the middle and that bound the
 // others.
-ChannelRates cubic_rates(const Channel& c, std::size_t key, double from_s, double to_s)
+Rates cubic_rates(const Channel& c, std::size_t key, double from_s, double to_s,
+                  const auto& size_of)
 {
     const Jet middle = cubic_at(c, key, (from_s + to_s) / 2);
     const double half = (to_s - from_s) / 2;
-    ChannelRates out;
-    out.second = std::max(length_of(cubic_at(c, key, from_s).second),
-                          length_of(cubic_at(c, key, to_s).second));
-    out.first = length_of(middle.first) + out.second * half;
-    out.most = length_of(middle.value) + out.first * half;
-    if (c.of != Channel::Of::rotation) return out;
-    // q / |q| turns by twice its own angle.
-    const double least = length_of(middle.value) - out.first * half;
-    out.known = least > 0;
-    if (!out.known) return out;
-    const double turn = out.first / least;
-    return {1, 2 * turn, 2 * (out.second / least + 2 / std::sqrt(3.0) * turn * turn)};
+    Rates out;
+    out.second =
+        std::max(size_of(cubic_at(c, key, from_s).second), size_of(cubic_at(c, key, to_s).second));
+    out.first = size_of(middle.first) + out.second * half;
+    out.most = size_of(middle.value) + out.first * half;
+    return out;
+}
+
+// The key before a time, where the channel goes on to the next; nothing where it holds.
+std::optional<std::size_t> key_before(const Channel& c, double time_s)
+{
+    const auto after = std::upper_bound(c.times_s.begin(), c.times_s.end(), time_s);
+    if (after == c.times_s.begin() || after == c.times_s.end() ||
+        c.between == Channel::Between::step)
+        return {};
+    return static_cast<std::size_t>(after - c.times_s.begin()) - 1;
 }
 
 ChannelRates rates_of(const Channel& c, double from_s, double to_s)
 {
-    ChannelRates out;
     const bool turns = c.of == Channel::Of::rotation;
-    const std::vector<double> begin = value_at(c, from_s), end = value_at(c, to_s);
-    out.most = turns ? 1 : std::max(length_of(begin), length_of(end));
-    const auto after = std::upper_bound(c.times_s.begin(), c.times_s.end(), (from_s + to_s) / 2);
-    if (after == c.times_s.begin() || after == c.times_s.end() ||
-        c.between == Channel::Between::step)
-        return out;
-    const auto key = static_cast<std::size_t>(after - c.times_s.begin()) - 1;
-    const double span = double{c.times_s[key + 1]} - double{c.times_s[key]};
-    if (c.between == Channel::Between::cubic) return cubic_rates(c, key, from_s, to_s);
-    const std::vector<double> a = part_of_key(c, key, 0), b = part_of_key(c, key + 1, 0);
-    if (turns) {
-        const glm::dquat p = glm::normalize(glm::dquat(a[3], a[0], a[1], a[2])),
-                         q = glm::normalize(glm::dquat(b[3], b[0], b[1], b[2]));
-        out.first = 2 * std::acos(std::min(1.0, std::abs(glm::dot(p, q)))) / span;
-        out.known = std::isfinite(out.first);
-    } else {
-        out.first =
-            glm::distance(glm::dvec3(a[0], a[1], a[2]), glm::dvec3(b[0], b[1], b[2])) / span;
+    const auto size_of = [&](const std::vector<double>& v) {
+        if (c.of != Channel::Of::scale) return length_of(v);
+        return std::max({std::abs(v.at(0)), std::abs(v.at(1)), std::abs(v.at(2))});
+    };
+    const double middle_s = (from_s + to_s) / 2;
+    const auto key = key_before(c, middle_s);
+    if (!key) return {{size_of(value_at(c, middle_s)), 0, 0}};
+    if (c.between == Channel::Between::cubic) {
+        const Rates rates = cubic_rates(c, *key, from_s, to_s, size_of);
+        if (!turns) return {rates};
+        const double least =
+            length_of(cubic_at(c, *key, middle_s).value) - rates.first * (to_s - from_s) / 2;
+        if (!(least > least_rotation)) return {{}, false};
+        const Rates half_angle = direction_of(rates, least);
+        return {{1, 2 * half_angle.first, 2 * half_angle.second}};
     }
-    return out;
+    const double begin_s = c.times_s[*key], span = double{c.times_s[*key + 1]} - begin_s;
+    const std::vector<double> a = value_at(c, begin_s), b = value_at(c, c.times_s[*key + 1]);
+    std::vector<double> way;
+    double cosine = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        way.push_back(b[i] - a[i]);
+        cosine += a[i] * b[i];
+    }
+    const double gone = turns ? 2 * std::acos(std::min(1.0, std::abs(cosine))) : size_of(way);
+    return {{std::max(size_of(a), size_of(b)), gone / span, 0}};
 }
 
 double norm_of(const glm::dmat3& m) // no less than its operator norm
@@ -123,6 +132,25 @@ bool keeps_angles(const glm::dmat3& m)
 
 } // namespace
 
+void Rates::add(const Rates& other, double times)
+{
+    most += times * other.most;
+    first += times * other.first;
+    second += times * other.second;
+}
+
+Rates direction_of(const Rates& vector, double least)
+{
+    const double turn = vector.first / least;
+    return {1, turn, vector.second / least + 2 / std::sqrt(3.0) * turn * turn};
+}
+
+Rates NodeRates::of(const Rates& x) const
+{
+    return {size * x.most, turn * x.most + shift + size * x.first,
+            bend * x.most + swing + 2 * turn * x.first + size * x.second};
+}
+
 std::optional<std::vector<LocalRates>> local_rates(const Model& model, const Clip& clip,
                                                    double from_s, double to_s)
 {
@@ -149,7 +177,7 @@ std::optional<std::vector<LocalRates>> local_rates(const Model& model, const Cli
         if (channel.of == Channel::Of::rotation) at.rotation = rates;
         if (channel.of == Channel::Of::scale) {
             at.scale = rates;
-            const std::vector<double> is = value_at(channel, from_s);
+            const std::vector<double> is = value_at(channel, (from_s + to_s) / 2);
             at.even = rates.first == 0 && rates.second == 0 && alike(is.at(0), is.at(1), is.at(2));
         }
     }
@@ -194,41 +222,32 @@ std::vector<NodeRates> node_rates(const Model& model, const std::vector<LocalRat
     return out;
 }
 
-std::vector<WeightRates> weight_rates(const Model& model, const Clip& clip, int index,
-                                      double from_s, double to_s)
+std::vector<Rates> weight_rates(const Model& model, const Clip& clip, int index, double from_s,
+                                double to_s)
 {
     const Node& node = model.nodes[static_cast<std::size_t>(index)];
-    std::vector<WeightRates> out;
+    std::vector<Rates> out;
     if (node.mesh < 0) return out;
     out.resize(model.meshes[static_cast<std::size_t>(node.mesh)]->morph_targets.size());
     for (std::size_t t = 0; t < std::min(out.size(), node.morph_weights.size()); ++t)
         out[t].most = std::abs(double{node.morph_weights[t]});
     for (const Channel& c : clip.channels) {
         if (c.node != index || c.of != Channel::Of::morph_weights) continue;
-        const std::vector<double> begin = value_at(c, from_s), end = value_at(c, to_s);
-        const auto after =
-            std::upper_bound(c.times_s.begin(), c.times_s.end(), (from_s + to_s) / 2);
-        const bool held = after == c.times_s.begin() || after == c.times_s.end() ||
-                          c.between == Channel::Between::step;
-        const auto key = held ? 0 : static_cast<std::size_t>(after - c.times_s.begin()) - 1;
-        const double span = held ? 1 : double{c.times_s[key + 1]} - double{c.times_s[key]};
-        const bool cubic = !held && c.between == Channel::Between::cubic;
-        const Jet at_from = cubic ? cubic_at(c, key, from_s) : Jet{},
-                  at_to = cubic ? cubic_at(c, key, to_s) : Jet{},
-                  at_middle = cubic ? cubic_at(c, key, (from_s + to_s) / 2) : Jet{};
+        const double middle_s = (from_s + to_s) / 2;
+        const auto key = key_before(c, middle_s);
+        const std::vector<double> held = value_at(c, middle_s);
         for (std::size_t t = 0; t < std::min(out.size(), c.components); ++t) {
-            WeightRates& rates = out[t];
-            rates = {std::max(std::abs(begin[t]), std::abs(end[t])), 0, 0};
-            if (held) continue;
-            if (!cubic) {
-                rates.first =
-                    std::abs(part_of_key(c, key + 1, 1)[t] - part_of_key(c, key, 1)[t]) / span;
-                continue;
+            const auto one = [&](const std::vector<double>& all) { return std::abs(all[t]); };
+            if (!key) {
+                out[t] = {one(held), 0, 0};
+            } else if (c.between == Channel::Between::cubic) {
+                out[t] = cubic_rates(c, *key, from_s, to_s, one);
+            } else {
+                const double p = part_of_key(c, *key, 1)[t], q = part_of_key(c, *key + 1, 1)[t],
+                             span = double{c.times_s[*key + 1]} - double{c.times_s[*key]};
+                out[t] = {std::max(one(value_at(c, from_s)), one(value_at(c, to_s))),
+                          std::abs(q - p) / span, 0};
             }
-            const double half = (to_s - from_s) / 2;
-            rates.second = std::max(std::abs(at_from.second[t]), std::abs(at_to.second[t]));
-            rates.first = std::abs(at_middle.first[t]) + rates.second * half;
-            rates.most = std::abs(at_middle.value[t]) + rates.first * half;
         }
     }
     return out;

@@ -7,18 +7,26 @@
 
 namespace trivar {
 
+// How long a vector is at most, or how large a number, and its derivatives by time.
+struct Rates {
+    double most = 0, first = 0, second = 0;
+    void add(const Rates& other, double times);
+};
+// Of a vector's direction, where it is no shorter than `least`, more than 0.
+Rates direction_of(const Rates& vector, double least);
+
 // How fast what hangs on a node moves, at most, while the time of a clip goes from one moment to
-// another with no key between: |M x + o| of a point x has a first derivative of at most
-// turn |x| + shift and a second of at most bend |x| + swing. Units of the model, by seconds.
+// another with no key between: M x + o of a point x. Units of the model, by seconds.
 struct NodeRates {
-    double size = 1, turn = 0, bend = 0; // of the matrix
-    double shift = 0, swing = 0;         // of the origin
+    double size = 1, turn = 0, bend = 0; // of the matrix, and its derivatives
+    double shift = 0, swing = 0;         // the origin's derivatives
+    Rates of(const Rates& x) const;      // of M x, and the derivatives of M x + o
 };
 
 // Of a node in its parent.
 struct LocalRates : NodeRates {
     double origin = 0;  // how far its origin is from the parent's, at most
-    bool rigid = false; // it keeps all lengths, times a constant
+    bool rigid = false; // it keeps all lengths, times a constant, but for a millionth
 };
 // By node; nothing where a rotation may be none there, a cubic through 0.
 // From the product rule over the tree: a rotation between two keys has a constant angular velocity,
@@ -30,12 +38,9 @@ std::optional<std::vector<LocalRates>> local_rates(const Model& model, const Cli
 std::vector<NodeRates> node_rates(const Model& model, const std::vector<LocalRates>& local,
                                   int within = -1);
 
-// The same of the weights of a node's morph targets, by target: |w|, |w'| and |w''| at most.
-struct WeightRates {
-    double most = 0, first = 0, second = 0;
-};
-std::vector<WeightRates> weight_rates(const Model& model, const Clip& clip, int node, double from_s,
-                                      double to_s);
+// Of the weights of a node's morph targets, by target.
+std::vector<Rates> weight_rates(const Model& model, const Clip& clip, int node, double from_s,
+                                double to_s);
 
 // Which foot's leg moves a node, -1: none; by node.
 std::vector<int> legs_of_nodes(const Model& model, const Gait& gait);

@@ -132,6 +132,29 @@ TEST_F(AnimatedExports, AreProvenWhileASkinBendsByACubic)
     expect_holds(document, made);
 }
 
+TEST_F(AnimatedExports, AreProvenBeyondTheEndOfAClipThatIsPlayedOnce)
+{
+    for (const bool steps : {false, true}) {
+        Model model = testing::rigged_model();
+        if (steps) { // stands at its last key as it does nowhere before
+            Channel& turn = model.clips[0].channels.front();
+            turn.between = Channel::Between::step;
+        }
+        testing::write_file(folder_.file("bar.gltf"), testing::gltf_text(model));
+        const Document document =
+            playing(travelling(round(), {.speed = 0.4, .ends = Ends::loop}),
+                    {.clip = "bend", .speed = 4, .repeat = Repeat::once}); // 3 of 6 frames
+        const AnimatedExport made = exported(document, 2e-2);
+        expect_holds(document, made);
+        Document late = document;
+        late.time.first_frame = 5;
+        const AnimatedExport held = animated_export({late, {5, 7}, 2e-2, "a.trivar"}, assets_);
+        EXPECT_THAT(of(held, 5).front().unproven, IsEmpty());
+        EXPECT_LT(of(held, 5).front().between, 2e-3); // by travel alone
+        expect_holds(late, held);
+    }
+}
+
 TEST_F(AnimatedExports, AreProvenWhileMorphTargetsSwellInAVolume)
 {
     Model model = testing::rigged_model();

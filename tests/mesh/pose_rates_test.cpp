@@ -99,7 +99,7 @@ TEST(PoseRates, BoundTheDerivativesOfWeights)
     weights.between = Channel::Between::cubic;
     weights.values = {0, 0.2f, 3, -2, 0.9f, 0}; // tangent in, value, tangent out
     const Clip& clip = model.clips[1];
-    const std::vector<WeightRates> rates = weight_rates(model, clip, 0, 0.25, 0.75);
+    const std::vector<Rates> rates = weight_rates(model, clip, 0, 0.25, 0.75);
     ASSERT_EQ(rates.size(), 1u);
     const double h = 1e-4;
     for (double t = 0.26; t < 0.75; t += 0.01) {
@@ -110,7 +110,7 @@ TEST(PoseRates, BoundTheDerivativesOfWeights)
     }
     weights.between = Channel::Between::linear;
     weights.values = {0, 1};
-    const WeightRates even = weight_rates(model, clip, 0, 0.25, 0.75).front();
+    const Rates even = weight_rates(model, clip, 0, 0.25, 0.75).front();
     EXPECT_DOUBLE_EQ(even.most, 0.75);
     EXPECT_DOUBLE_EQ(even.first, 1);
     EXPECT_EQ(even.second, 0);

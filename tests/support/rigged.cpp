@@ -84,7 +84,9 @@ std::string clip_text(const Clip& clip, GltfBytes& out)
         samplers.push_back(fmt::format(
             R"({{"input":{},"output":{},"interpolation":"{}"}})", out.floats(c.times_s, "SCALAR"),
             rotations.empty() ? out.floats(c.values, "SCALAR") : out.floats(rotations, "VEC4"),
-            c.between == Channel::Between::cubic ? "CUBICSPLINE" : "LINEAR"));
+            c.between == Channel::Between::cubic  ? "CUBICSPLINE"
+            : c.between == Channel::Between::step ? "STEP"
+                                                  : "LINEAR"));
         channels.push_back(fmt::format(R"({{"sampler":{},"target":{{"node":{},"path":"{}"}}}})",
                                        samplers.size() - 1, c.node,
                                        c.of == Channel::Of::rotation ? "rotation" : "weights"));

@@ -11,8 +11,8 @@ namespace trivar::testing {
 // to 1.
 Model rigged_model();
 
-// A model's first mesh with skins, targets and clips as glTF text; linear and cubic channels of
-// rotations and weights only.
+// A model's first mesh with skins, targets and clips as glTF text; channels of rotations and
+// weights only.
 std::string gltf_text(const Model& model);
 std::string base64(const std::string& bytes);
 
