@@ -62,7 +62,8 @@ double folded(Repeat repeat, double time, double length)
     if (repeat == Repeat::once) return std::clamp(time, 0.0, length);
     const double round = repeat == Repeat::loop ? length : 2 * length;
     const double rest = std::max(0.0, time - std::floor(time / round) * round);
-    return rest > length ? round - rest : rest;
+    if (repeat == Repeat::loop) return std::min(rest, length);
+    return rest > length ? std::max(0.0, round - rest) : rest;
 }
 
 TweenCurve curve_between(const Track& track, std::size_t key)

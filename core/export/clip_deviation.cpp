@@ -13,6 +13,7 @@
 namespace trivar {
 namespace {
 
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 std::size_t index_of(int n)
@@ -166,6 +167,9 @@ public:
     std::optional<glm::dvec3> over(const ClipTime& time) const
     {
         const double whole = time.to - time.from;
+        // Where it hardly goes on, as at a turn, the chord is taken for a point.
+        constexpr double hardly = 1e-3;
+        const bool stays = whole == 0 || std::abs(whole) < hardly * time.uneven;
         const auto cuts =
             time.clock.cuts(std::min(time.from, time.to) - time.uneven,
                             std::max(time.from, time.to) + time.uneven, breaks_of(clip_, gait_));
@@ -173,7 +177,7 @@ public:
         glm::dvec3 at_cuts(0);
         double smooth = 0; // in the model's units
         const auto look = [&](double clip_s, double cut) {
-            const double share = whole == 0 ? 0 : (cut - time.from) / whole;
+            const double share = stays ? 0 : (cut - time.from) / whole;
             at_cuts = glm::max(at_cuts, off_even(clip_s, share));
         };
         for (std::size_t c = 0; c + 1 < cuts->size(); ++c) {
@@ -188,8 +192,10 @@ public:
             const double from = std::max(middle - h / 2, clip_.begin_s),
                          to = std::min(middle + h / 2, clip_.end_s);
             const bool returns = later < middle;
-            // Where a channel steps both sides are looked at.
-            const double beside = 1e-9 * (to - from);
+            // Where a channel steps both sides are looked at, by more than rounding.
+            const double largest = std::max({std::abs(begin), std::abs(end), std::abs(to)}),
+                         beside = std::min((to - from) / 4,
+                                           std::max(1e-9 * (to - from), 8 * epsilon * largest));
             look(returns ? to - beside : from + beside, begin);
             look(returns ? from + beside : to - beside, end);
             const auto change = off_smooth(from, to, h, beside);
@@ -197,7 +203,7 @@ public:
             smooth = std::max(smooth, *change);
         }
         glm::dvec3 out = at_cuts;
-        if (whole != 0) out += time.uneven / std::abs(whole) * chord();
+        out += stays ? chord() : time.uneven / std::abs(whole) * chord();
         for (int a = 0; a < 3; ++a)
             out[a] += smooth * glm::length(glm::dvec3(to_uvw_[0][a], to_uvw_[1][a], to_uvw_[2][a]));
         return out;
@@ -229,6 +235,11 @@ private:
     {
         const Stance stance = gait_ ? planted(*way_.model, clip_, *gait_, clip_s)
                                     : stance_at(*way_.model, &clip_, clip_s);
+        // What is mirrored is turned inside out before it is laid, at every moment anew.
+        if (glm::determinant(glm::dmat3(way_.object.transform.matrix())) *
+                glm::determinant(glm::dmat3(mesh_to_model(*way_.model, way_.node, stance))) <
+            0)
+            return glm::dvec3(infinite);
         const double shift = glm::mix(way_.shift_from, way_.shift_to, share);
         const glm::dmat4 there = glm::translate(glm::dmat4(1), {shift, 0, 0}) * to_uvw_;
         glm::dvec3 out(0);
@@ -319,6 +330,7 @@ private:
 
 std::optional<glm::dvec3> deviation_of(const PartOnItsWay& way)
 {
+    if (!std::isfinite(way.uneven_u)) return {};
     const glm::dvec3 by_travel(way.uneven_u, 0, 0);
     const Playing& playing = way.object.playing;
     if (playing.clip.empty() || !way.model) return by_travel;
@@ -327,12 +339,6 @@ std::optional<glm::dvec3> deviation_of(const PartOnItsWay& way)
     const bool skin = way.model->nodes[index_of(way.node)].skin >= 0;
     if (skin && std::get<ImportedFile>(way.object.source).subdivisions > 0)
         return by_travel; // it stands as it came
-    // What is mirrored is turned inside out before it is laid, at every moment anew.
-    const Stance stance = stance_at(*way.model, &*clip, clip->begin_s);
-    if (glm::determinant(glm::dmat3(way.object.transform.matrix())) *
-            glm::determinant(glm::dmat3(mesh_to_model(*way.model, way.node, stance))) <
-        0)
-        return {};
     const auto& walk = way.evaluated.walk;
     const Gait* gait = walk && walk->trouble.empty() ? walk->gait.get() : nullptr;
     const ClipTime time = time_of(way, *clip, gait);

@@ -23,8 +23,7 @@ struct PartOnItsWay {
 // How far its points are from going evenly, by u, v and w, at most; nothing: not known. By travel,
 // and by the clip: at the moments between at which it goes on otherwise the poses are compared, and
 // from one such to the next the product rule bounds them (core/mesh/pose_rates.h,
-// core/mesh/planting_rates.h). O(#breaks
-// between (#nodes #bones + #joints #targets)).
+// core/mesh/planting_rates.h). For each such moment O(#nodes #bones + #joints #targets).
 std::optional<glm::dvec3> deviation_of(const PartOnItsWay& way);
 
 } // namespace trivar

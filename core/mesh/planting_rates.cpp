@@ -65,11 +65,8 @@ bool PlantingRates::add_bones(const Model& model, const Foot& foot, const Stance
     for (int n = model.nodes[index_of(foot.leg.front())].parent; n >= 0;
          n = model.nodes[index_of(n)].parent)
         rigid = rigid && local[index_of(n)].rigid;
-    const std::vector<double> lengths = bone_lengths(foot, middle);
-    constexpr double clearly = 1e-6; // and so at all times more than no length
-    double reach = 0;
-    Rates length; // of the leg down to the joint, at the middle moment
-    for (std::size_t i = 0; i < lengths.size(); ++i) {
+    double reach = 0, whole = 0; // at most
+    for (std::size_t i = 0; i + 1 < foot.leg.size(); ++i) {
         const int joint = foot.leg[i], next = foot.leg[i + 1];
         Bone bone;
         bone.joint = origins_[index_of(joint)];
@@ -78,22 +75,26 @@ bool PlantingRates::add_bones(const Model& model, const Foot& foot, const Stance
         if (rigid) bone.scale = glm::length(glm::dvec3(middle.to_model[index_of(joint)][0]));
         bone.own = bone.rates[index_of(joint)];
         const NodeRates& end = bone.rates[index_of(next)];
-        const Rates way{lengths[i], bone.scale * (bone.own.shift + end.shift),
-                        bone.scale * (bone.own.swing + end.swing)};
+        bone.way = {glm::distance(bone.joint, origins_[index_of(next)]),
+                    bone.scale * (bone.own.shift + end.shift),
+                    bone.scale * (bone.own.swing + end.swing)};
+        whole += bone.way.most + bone.way.first * half_s_;
+        for (const int n : {joint, next})
+            reach = std::max(reach, glm::length(origins_[index_of(n)]) +
+                                        in_model[index_of(n)].shift * half_s_);
+        bones_.push_back(std::move(bone));
+    }
+    Rates length; // of the leg down to the joint, at the middle moment
+    for (Bone& bone : bones_) {
+        const Rates& way = bone.way;
         bone.above = {length.most + length.first * half_s_, length.first, length.second};
         bone.direction = {1, 0, 0};
-        reach = std::max({reach, glm::length(bone.joint), glm::length(origins_[index_of(next)])});
-        length.most += way.most;
-        if (!(way.first == 0 && way.second == 0)) {
-            const double least = way.most - way.first * half_s_;
-            if (!(least > clearly * reach)) return false;
-            bone.direction = direction_of(way, least);
-            length.first += way.first;
-            length.second += way.second + way.first * bone.direction.first;
-        } else if (way.most != 0 && !(way.most > clearly * reach)) {
-            return false;
-        }
-        bones_.push_back(std::move(bone));
+        if (way.most == 0 && way.first == 0 && way.second == 0) continue;
+        constexpr double clearly = 1e-6; // and so at all times more than no_length
+        const double least = way.most - way.first * half_s_;
+        if (!(least > clearly * std::max(reach, whole))) return false;
+        bone.direction = direction_of(way, least);
+        length.add({way.most, way.first, way.second + way.first * bone.direction.first}, 1);
     }
     const double least = length.most - length.first * half_s_;
     if (length.most == 0) bones_.clear();

@@ -33,6 +33,7 @@ private:
         double scale = 1;             // of what is seen to the model
         glm::dvec3 joint{0};          // at the middle moment
         NodeRates own;                // of the joint
+        Rates way;                    // to the next joint, at the middle moment
         Rates above, direction;       // l and e
     };
     PlantingRates() = default;

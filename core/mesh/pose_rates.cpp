@@ -97,13 +97,13 @@ ChannelRates rates_of(const Channel& c, double from_s, double to_s)
     }
     const double begin_s = c.times_s[*key], span = double{c.times_s[*key + 1]} - begin_s;
     const std::vector<double> a = value_at(c, begin_s), b = value_at(c, c.times_s[*key + 1]);
-    std::vector<double> way;
-    double cosine = 0;
+    std::vector<double> way, other; // a quaternion and its opposite are one rotation
     for (std::size_t i = 0; i < a.size(); ++i) {
         way.push_back(b[i] - a[i]);
-        cosine += a[i] * b[i];
+        other.push_back(b[i] + a[i]);
     }
-    const double gone = turns ? 2 * std::acos(std::min(1.0, std::abs(cosine))) : size_of(way);
+    double gone = size_of(way);
+    if (turns) gone = 4 * std::asin(std::min(1.0, std::min(gone, size_of(other)) / 2));
     return {{std::max(size_of(a), size_of(b)), gone / span, 0}};
 }
 

@@ -5,6 +5,7 @@
 #include "core/document/log.h"
 #include "core/document/parameters.h"
 #include "core/export/animated_model.h"
+#include "core/export/film_check.h"
 #include "editor/captions.h"
 #include "editor/contact_sheet.h"
 #include "editor/picture.h"
@@ -192,6 +193,26 @@ TEST_P(Motion, IsExportedAndProvenBetweenItsMomentsToo)
         deformed += claim.way == "targets";
     }
     EXPECT_GT(deformed, 0);
+}
+
+// A reptile whose steps follow a travel that is not even.
+TEST(LockedFeet, AreWhereTheirExportHasThemWhileTheyHurryAndGoBack)
+{
+    constexpr Id reptiles = 4;
+    const Document scene = document_of("reptiles");
+    const auto assets = std::make_shared<const AssetStore>(scenes_folder, models_made_here());
+    for (const Travel& travel : {Travel{.speed = 0.8, .ease_in = 0.3},
+                                 Travel{.speed = -0.8, .ease_in = 0.3, .start_frame = 2}}) {
+        const Document document = after(scene, SetTravel{{reptiles}, travel});
+        const AnimatedExport made = animated_export({document, {1, 3}, 0.02, "a"}, assets);
+        const std::vector<FilmSample> found = sampled_film(made, document, assets, 10);
+        for (std::size_t p = 0; p < found.size(); ++p) {
+            const FilmCertificate::PartClaim& claim = made.certificate.parts[p];
+            EXPECT_TRUE(is_proven(claim)) << claim.name << ": " << claim.unproven;
+            EXPECT_LE(claim.bound, 0.02) << claim.name;
+            EXPECT_LE(found[p].furthest, claim.bound + 1e-6) << claim.name;
+        }
+    }
 }
 
 TEST(GalleryPage, ShowsEverySceneAndNoPictureThatIsNotThere)

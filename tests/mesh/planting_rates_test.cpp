@@ -118,9 +118,9 @@ std::optional<PlantingRates> rates_of(const Kind& kind, double from_s, double to
 struct Used {
     double first = 0, second = 0;
 };
-Used used(const Kind& kind)
+Used used(const Kind& kind, double from_s = 0.3, double to_s = 0.4)
 {
-    constexpr double from_s = 0.3, to_s = 0.4, h = 1e-3;
+    constexpr double h = 1e-3;
     const Model model = walker(kind);
     const Clip& clip = model.clips.front();
     const Gait gait = gait_of(model, kind);
@@ -155,7 +155,8 @@ TEST(PlantingRates, BoundWhatIsAddedToALegThatGrows)
         EXPECT_GT(most.first, 0.3); // no idle bounds
         EXPECT_GT(most.second, 0.01);
     }
-    used({.longer = 0.2f, .uneven = true});
+    EXPECT_GT(used({.longer = 0.2f, .uneven = true}).first, 0.05);
+    EXPECT_GT(used({.longer = 0.6f}, 0.26, 0.49).first, 0.05);
 }
 
 TEST(PlantingRates, BoundWhatIsAddedToALegWithASoleThatSwells)
@@ -174,9 +175,9 @@ TEST(PlantingRates, BoundWhatIsAddedWhereTheSoleIsHardlyOfItsLeg)
 
 TEST(PlantingRates, BoundWhatIsAddedToWhatTurnsBesideTheLeg)
 {
-    used({.turn = {body, hip, pad}});
+    EXPECT_GT(used({.turn = {body, hip, pad}}).first, 0.05);
     EXPECT_GT(rates_of({.turn = {pad}}, 0.3, 0.4)->at(pad, {0.5, 0, 0}).second, 0);
-    used({.uneven = true}); // so that the thigh's length changes
+    EXPECT_GT(used({.uneven = true}).first, 0.05); // so that the thigh's length changes
     EXPECT_GT(rates_of({.uneven = true}, 0.3, 0.4)->at(knee, {0.5, 0, 0}).second, 0);
 }
 
@@ -189,8 +190,8 @@ TEST(PlantingRates, AreEvenWhereALegOnlyTurns)
 
 TEST(PlantingRates, BoundWhatIsAddedToALegWithoutALength)
 {
-    used({.leg = {ankle}});
-    used({.length = 0});
+    EXPECT_GT(used({.leg = {ankle}}).first, 0.3);
+    EXPECT_GT(used({.length = 0}).first, 0.3);
     EXPECT_EQ(rates_of({.length = 0}, 0.3, 0.4)->at(hip, {0.5, 0, 0}).second, 0);
 }
 
@@ -198,6 +199,7 @@ TEST(PlantingRates, SayNothingOfALegThatMayHaveNoLength)
 {
     EXPECT_TRUE(rates_of({.longer = -0.4f}, 0.5, 0.6));
     EXPECT_FALSE(rates_of({.longer = -20}, 0.0, 0.2));
+    EXPECT_FALSE(rates_of({.longer = 0.2f, .length = 1e-8}, 0.3, 0.4)); // the thigh by the shin
 }
 
 } // namespace
