@@ -50,18 +50,16 @@ void complete_normals(Mesh& mesh)
     }
 }
 
-Mesh finished(Mesh mesh, const FileText& file, std::vector<std::string>& notices)
+Repaired finished(Mesh mesh, const FileText& file)
 {
     for (std::size_t f = 0; f < mesh.face_count(); ++f)
         if (mesh.face_begin[f + 1] - mesh.face_begin[f] > max_face_corners)
             throw Rejected(fmt::format("{}: face {} has more than {} corners", file.name, f,
                                        max_face_corners));
     Repaired result = repaired(std::move(mesh));
-    for (const std::string& notice : result.notices)
-        notices.push_back(fmt::format("{}: {}", file.name, notice));
     complete_normals(result.mesh);
     validate(result.mesh, file.name);
-    return std::move(result.mesh);
+    return result;
 }
 
 glm::dmat4 to_world(const ReadOptions& options, bool y_up_format)
@@ -81,25 +79,33 @@ Model read_model_bytes(std::string_view bytes, const std::string& name, const st
     if (!(options.scale >= 1e-9 && options.scale <= 1e9))
         throw Rejected(
             fmt::format("{}: the scale must be between 1e-9 and 1e9, not {}", name, options.scale));
+    const FileText file{bytes, std::filesystem::path(name).filename().string(), folder};
     if (bytes.size() > options.max_bytes)
-        throw Rejected(fmt::format("{}: has {} bytes, more than the {} allowed", name, bytes.size(),
-                                   options.max_bytes));
-    if (bytes.empty()) throw Rejected(name + ": the file is empty");
+        throw Rejected(fmt::format("{}: has {} bytes, more than the {} allowed", file.name,
+                                   bytes.size(), options.max_bytes));
+    if (bytes.empty()) throw Rejected(file.name + ": the file is empty");
     const std::string extension = extension_of(name);
     const bool gltf = extension == ".gltf" || extension == ".glb";
-    const FileText file{bytes, std::filesystem::path(name).filename().string(), folder};
     Model model = read_format(file, extension, progress);
 
     report(progress, 0.9, "Checking");
     const glm::dmat4 matrix = to_world(options, gltf || extension == ".obj");
     std::size_t faces = 0;
+    Repairs repairs;
     for (Ref<Mesh>& ref : model.meshes) {
-        Mesh mesh = finished(*ref, file, model.notices);
+        Repaired result = finished(*ref, file);
+        repairs += result.repairs;
+        Mesh mesh = std::move(result.mesh);
         faces += mesh.face_count();
         if (!gltf && matrix != glm::dmat4(1)) mesh = transformed(mesh, matrix);
         ref = make_ref(std::move(mesh));
     }
-    if (faces == 0) throw Rejected(file.name + ": there are no faces in it");
+    if (faces == 0)
+        throw Rejected(file.name + (repairs.dropped > 0
+                                        ? ": none of its faces has three different corners"
+                                        : ": there are no faces in it"));
+    for (const std::string& sentence : sentences(repairs))
+        model.notices.push_back(fmt::format("{}: {}", file.name, sentence));
     if (model.materials.empty()) model.materials.emplace_back();
     for (Node& node : model.nodes) {
         if (node.parent < 0 && gltf) {
@@ -113,7 +119,7 @@ Model read_model_bytes(std::string_view bytes, const std::string& name, const st
     if (model.notices.size() > max_notices) {
         const std::size_t more = model.notices.size() - max_notices;
         model.notices.resize(max_notices);
-        model.notices.push_back(fmt::format("{}: and {} more of the kind", file.name, more));
+        model.notices.push_back(fmt::format("{}: and {} more of such sentences", file.name, more));
     }
     report(progress, 1, "Done");
     return model;

@@ -92,6 +92,23 @@ template <class T> void keep(std::vector<T>& values, const std::vector<std::uint
     values.resize(kept.size());
 }
 
+// Numbers the points of the vertices that are kept from 0 in the order of first appearance: a
+// number beyond them would be none, and the mesh be another than one made without the vertices that
+// go.
+void renumber_points(Mesh& mesh, const std::vector<std::uint32_t>& kept)
+{
+    const std::uint32_t none = ~0u;
+    std::vector<std::uint32_t> now(point_count(mesh), none), points;
+    points.reserve(kept.size());
+    std::uint32_t count = 0;
+    for (const std::uint32_t v : kept) {
+        std::uint32_t& point = now[mesh.points[v]];
+        if (point == none) point = count++;
+        points.push_back(point);
+    }
+    mesh.points = std::move(points);
+}
+
 } // namespace
 
 Box bounding_box(const Mesh& mesh, const glm::dmat4& to_world)
@@ -145,12 +162,12 @@ Mesh without_loose_vertices(Mesh mesh)
         if (used[v]) kept.push_back(v);
     }
     if (kept.size() == mesh.vertex_count()) return mesh;
+    if (!mesh.points.empty()) renumber_points(mesh, kept);
     keep(mesh.positions, kept);
     keep(mesh.normals, kept);
     keep(mesh.tangents, kept);
     keep(mesh.colors, kept);
     for (auto& set : mesh.uvs) keep(set, kept);
-    keep(mesh.points, kept);
     keep(mesh.influences, kept);
     for (Mesh::MorphTarget& target : mesh.morph_targets) {
         keep(target.positions, kept);

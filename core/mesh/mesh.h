@@ -74,7 +74,8 @@ std::vector<std::uint32_t> points_by_position(const std::vector<glm::vec3>& posi
 // One more than the largest point number: the length of a table by point.
 std::size_t point_count(const Mesh& mesh);
 
-// The mesh less the vertices that no face has a corner at, the others in their order.
+// The mesh less the vertices that no face has a corner at, the others in their order and their
+// points numbered anew: the same mesh as if they had never been there.
 Mesh without_loose_vertices(Mesh mesh);
 
 // #C - 2 #F by 3 vertex indices: face f's triangles are consecutive and begin at

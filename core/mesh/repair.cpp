@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <tuple>
+#include <utility>
 
 namespace trivar {
 namespace {
@@ -141,19 +143,36 @@ std::pair<std::size_t, std::size_t> drop_degenerate(Mesh& mesh)
 
 } // namespace
 
+Repairs& Repairs::operator+=(const Repairs& other)
+{
+    repeats += other.repeats;
+    dropped += other.dropped;
+    turned += other.turned;
+    loose += other.loose;
+    return *this;
+}
+
+std::vector<std::string> sentences(const Repairs& repairs)
+{
+    std::vector<std::string> said;
+    const auto say = [&](std::size_t count, const char* one, const char* several) {
+        if (count > 0) said.push_back(fmt::format("{} {}", count, count == 1 ? one : several));
+    };
+    say(repairs.repeats, "face had corners that repeat a point; the repeats were left out",
+        "faces had corners that repeat a point; the repeats were left out");
+    say(repairs.dropped, "face with fewer than three different corners was left out",
+        "faces with fewer than three different corners were left out");
+    say(repairs.turned, "face was turned round to agree with its neighbours",
+        "faces were turned round to agree with their neighbours");
+    say(repairs.loose, "vertex that no face uses was left out",
+        "vertices that no face uses were left out");
+    return said;
+}
+
 Repaired repaired(Mesh mesh)
 {
-    Repaired result;
-    const auto say = [&](std::size_t count, const char* one, const char* several) {
-        if (count > 0)
-            result.notices.push_back(fmt::format("{} {}", count, count == 1 ? one : several));
-    };
-    const auto [repeats, dropped] = drop_degenerate(mesh);
-    say(repeats, "face had corners that repeat a point; the repeats were left out",
-        "faces had corners that repeat a point; the repeats were left out");
-    say(dropped, "face with fewer than three different corners was left out",
-        "faces with fewer than three different corners were left out");
-
+    Repairs repairs;
+    std::tie(repairs.repeats, repairs.dropped) = drop_degenerate(mesh);
     const std::vector<Neighbours> pairs = neighbours(mesh);
     if (std::any_of(pairs.begin(), pairs.end(), [](const Neighbours& n) { return n.against; })) {
         const std::vector<bool> turn = faces_to_turn(mesh.face_count(), pairs);
@@ -161,14 +180,11 @@ Repaired repaired(Mesh mesh)
             if (turn[f])
                 std::reverse(mesh.corners.begin() + mesh.face_begin[f] + 1,
                              mesh.corners.begin() + mesh.face_begin[f + 1]);
-        say(static_cast<std::size_t>(std::count(turn.begin(), turn.end(), true)),
-            "face was turned round to agree with its neighbours",
-            "faces were turned round to agree with their neighbours");
+        repairs.turned = static_cast<std::size_t>(std::count(turn.begin(), turn.end(), true));
     }
-    const std::size_t before = mesh.vertex_count();
-    result.mesh = without_loose_vertices(std::move(mesh));
-    say(before - result.mesh.vertex_count(), "vertex that no face uses was left out",
-        "vertices that no face uses were left out");
+    repairs.loose = mesh.vertex_count();
+    Repaired result{without_loose_vertices(std::move(mesh)), repairs};
+    result.repairs.loose -= result.mesh.vertex_count();
     return result;
 }
 

@@ -8,9 +8,21 @@
 
 namespace trivar {
 
+// Numbers of what was damaged.
+struct Repairs {
+    std::size_t repeats = 0; // faces whose corners repeated a point
+    std::size_t dropped = 0; // faces left with fewer than three corners
+    std::size_t turned = 0;  // faces turned round
+    std::size_t loose = 0;   // vertices that no face uses
+    Repairs& operator+=(const Repairs& other);
+};
+
+// A sentence for each kind, with its number; none where nothing was damaged.
+std::vector<std::string> sentences(const Repairs& repairs);
+
 struct Repaired {
     Mesh mesh;
-    std::vector<std::string> notices; // a sentence for each kind of damage found, empty: untouched
+    Repairs repairs;
 };
 
 // Takes the harmless damage out of a mesh whose indices are in range: corners that repeat the

@@ -185,6 +185,18 @@ TEST(LooseVertices, AreDroppedAndTheRestKeepsItsValues)
     EXPECT_EQ(without_loose_vertices(mesh), before);
 }
 
+TEST(LooseVertices, TakeTheNumbersOfTheirPointsAlong)
+{
+    Mesh seam; // 1 and 3 are one point; 0 is loose, and so is 2, which is the point of 4
+    seam.positions = {{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    seam.points = points_by_position(seam.positions);
+    add_face(seam, std::array{1u, 4u, 5u});
+    add_face(seam, std::array{3u, 5u, 4u});
+    const Mesh mesh = without_loose_vertices(seam);
+    EXPECT_EQ(mesh.points, points_by_position(mesh.positions));
+    EXPECT_NO_THROW(validate(mesh, "seam"));
+}
+
 TEST(Validate, AcceptsEveryPrimitive)
 {
     for (const Mesh& mesh : {plane_mesh({1, 1}, {3, 3}), box_mesh({1, 1, 1}, {1, 2, 3}),
