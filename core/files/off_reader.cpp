@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
+#include "core/files/file_sentences.h"
 #include "core/files/formats.h"
+#include "core/files/plain_text.h"
 #include "core/files/text_scan.h"
 
 #include <algorithm>
@@ -14,15 +16,19 @@ public:
     OffReader(const FileText& file, const Progress& progress)
         : file_(file),
           progress_(progress),
-          scan_(file.bytes)
+          plain_(file.bytes, file.name),
+          scan_(plain_.view())
     {
     }
 
     Model read()
     {
         read_header();
-        const std::size_t vertices = count("vertices"), faces = count("faces");
-        count("edges");
+        const std::size_t vertices = count("number of vertices");
+        const bool one_line = !at_line_end();
+        const std::size_t faces = count("number of faces");
+        // Nobody needs it, and some leave it out.
+        if (!one_line || !at_line_end()) count("number of edges");
         // A number and a blank are two bytes, so this many cannot be there.
         if (vertices * 6 + faces * 2 > file_.bytes.size() + 2)
             fail(fmt::format("{} vertices and {} faces are declared, more than {} bytes can hold",
@@ -33,9 +39,14 @@ public:
                 report(progress_, 0.3 + 0.6 * double(f) / double(faces), "Reading faces");
             read_face();
         }
+        const std::string first = fmt::format("line {}", first_left_out_);
+        if (left_out_ > 0 && mesh_.face_count() == 0)
+            throw Rejected(file_.name + ": " + no_whole_face(first, vertices));
         // Seams and vertices written twice look alike here, and both are closed.
         mesh_.points = points_by_position(mesh_.positions);
         Model model = single_mesh_model("", std::move(mesh_));
+        if (left_out_ > 0)
+            model.notices.push_back(file_.name + ": " + faces_left_out(left_out_, first, vertices));
         if (face_colors_)
             model.notices.push_back(file_.name + ": the colours of faces were left out");
         return model;
@@ -49,7 +60,7 @@ private:
         if (keyword.starts_with("ST")) uvs_ = true, keyword.remove_prefix(2);
         if (keyword.starts_with("C")) colors_ = true, keyword.remove_prefix(1);
         if (keyword.starts_with("N")) normals_ = true, keyword.remove_prefix(1);
-        if (keyword != "OFF") fail("the file does not begin with OFF, COFF, NOFF, CNOFF or STOFF");
+        if (keyword != "OFF") fail("the file should begin with OFF, COFF, NOFF, CNOFF or STOFF");
         scan_.skip_blanks();
         TextScan ahead = scan_;
         if (ahead.word() == "BINARY") fail("binary OFF cannot be read, save it as text");
@@ -81,31 +92,50 @@ private:
 
     void read_face()
     {
-        const std::size_t corners = count("corners of a face");
+        const std::size_t corners = count("number of corners of a face");
         if (corners * 2 > static_cast<std::size_t>(scan_.end - scan_.at) + 1)
             fail(fmt::format("a face with {} corners is declared, more than the rest of the file "
                              "can hold",
                              corners));
+        const std::size_t first = mesh_.corners.size();
+        bool whole = true;
         for (std::size_t c = 0; c < corners; ++c) {
-            const std::size_t vertex = count("corner");
-            if (vertex >= mesh_.vertex_count())
-                fail(fmt::format("a face asks for vertex {}, there are {}", vertex,
-                                 mesh_.vertex_count()));
+            const std::size_t vertex = count("vertex of a face");
+            whole &= vertex < mesh_.vertex_count();
             mesh_.corners.push_back(static_cast<std::uint32_t>(vertex));
         }
-        mesh_.face_begin.push_back(static_cast<std::uint32_t>(mesh_.corners.size()));
+        if (whole)
+            mesh_.face_begin.push_back(static_cast<std::uint32_t>(mesh_.corners.size()));
+        else
+            leave_out(first);
         const std::string_view rest = scan_.line();
         const std::size_t something = rest.find_first_not_of(" \t\r");
         face_colors_ |= something != rest.npos && rest[something] != '#';
     }
 
+    void leave_out(std::size_t first_corner)
+    {
+        mesh_.corners.resize(first_corner);
+        if (left_out_++ == 0) first_left_out_ = line();
+    }
+
+    bool at_line_end()
+    {
+        scan_.skip_blanks();
+        return scan_.done() || *scan_.at == '\n' || *scan_.at == '#';
+    }
+
     std::size_t count(const char* what)
     {
         skip();
+        TextScan word = scan_;
         const auto value = scan_.integer();
-        if (!value || *value < 0 || (!scan_.done() && !is_blank(*scan_.at) && *scan_.at != '\n'))
-            fail(fmt::format("the number of {} is missing or is none of 0 to 999999999", what));
-        return static_cast<std::size_t>(*value);
+        if (value && *value >= 0 && (at_line_end() || is_blank(scan_.at[-1])))
+            return static_cast<std::size_t>(*value);
+        const std::string_view there = word.word();
+        if (there.empty()) fail(fmt::format("the {} is missing, the file ends here", what));
+        fail(fmt::format("the {} is '{}'; it should be a whole number from 0 to 999999999", what,
+                         shown(there)));
     }
 
     template <class T> T vector(std::size_t vertex)
@@ -114,8 +144,7 @@ private:
         for (int i = 0; i < T::length(); ++i) {
             skip();
             const auto value = scan_.number();
-            if (!value)
-                fail(fmt::format("vertex {} lacks a number or has one that is not finite", vertex));
+            if (!value) fail(fmt::format("a number of vertex {} {}", vertex, not_a_number(scan_)));
             result[i] = static_cast<float>(*value);
         }
         return result;
@@ -136,16 +165,19 @@ private:
         }
     }
 
+    std::size_t line() const { return plain_.line_of(scan_.at); }
+
     [[noreturn]] void fail(const std::string& what) const
     {
-        const auto line = 1 + std::count(file_.bytes.data(), scan_.at, '\n');
-        throw Rejected(fmt::format("{}: line {}: {}", file_.name, line, what));
+        throw Rejected(fmt::format("{}: line {}: {}", file_.name, line(), what));
     }
 
     const FileText& file_;
     const Progress& progress_;
+    PlainText plain_;
     TextScan scan_;
     Mesh mesh_;
+    std::size_t left_out_ = 0, first_left_out_ = 0; // faces, and a line
     bool normals_ = false, colors_ = false, uvs_ = false, face_colors_ = false;
 };
 

@@ -2,9 +2,10 @@
 #include "core/files/ply_header.h"
 
 #include "core/base/rejected.h"
-#include "core/base/text.h"
+#include "core/files/file_sentences.h"
 #include "core/files/text_scan.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <map>
 #include <optional>
@@ -25,6 +26,30 @@ std::optional<PlyType> type_named(std::string_view name)
     return at == types.end() ? std::nullopt : std::optional(at->second);
 }
 
+// The lines of a header. The data behind it may be binary, so the first line says whether '\r'
+// alone ends a line, as old Macs and some programs of today have it.
+class HeaderLines {
+public:
+    explicit HeaderLines(std::string_view text) : rest_(text)
+    {
+        const std::size_t end = text.find_first_of("\r\n");
+        if (end != text.npos && text[end] == '\r' && text.substr(end + 1, 1) != "\n") mark_ = '\r';
+    }
+    bool done() const { return rest_.empty(); }
+    std::string_view next()
+    {
+        const std::size_t end = std::min(rest_.find(mark_), rest_.size());
+        const std::string_view line = rest_.substr(0, end);
+        rest_.remove_prefix(std::min(end + 1, rest_.size()));
+        return line;
+    }
+    std::size_t left() const { return rest_.size(); }
+
+private:
+    std::string_view rest_;
+    char mark_ = '\n';
+};
+
 } // namespace
 
 std::size_t size_of(PlyType type)
@@ -36,7 +61,7 @@ std::size_t size_of(PlyType type)
 PlyHeader read_ply_header(std::string_view bytes, const std::string& name)
 {
     PlyHeader header{};
-    TextScan scan(bytes);
+    HeaderLines lines(bytes);
     int line = 0;
     bool format_said = false;
     const auto fail = [&](const std::string& what) {
@@ -44,8 +69,8 @@ PlyHeader read_ply_header(std::string_view bytes, const std::string& name)
     };
     for (;;) {
         ++line;
-        if (scan.done()) fail("the header has no end");
-        TextScan words(scan.line());
+        if (lines.done()) fail("the file ends before the header's end_header");
+        TextScan words(lines.next());
         const std::string_view keyword = words.word();
         if (line == 1) {
             if (keyword != "ply") fail("the file does not begin with 'ply'");
@@ -59,14 +84,18 @@ PlyHeader read_ply_header(std::string_view bytes, const std::string& name)
             else if (format == "binary_big_endian")
                 header.format = Format::big_endian;
             else
-                fail(fmt::format("'{}' is no PLY format", printable(format)));
+                fail(fmt::format("'{}' is no PLY format; ascii, binary_little_endian and "
+                                 "binary_big_endian are",
+                                 shown(format)));
             format_said = true;
         } else if (keyword == "element") {
             PlyElement element;
             element.name = words.word();
             words.skip_blanks();
             const auto count = words.integer();
-            if (!count || *count < 0) fail("an element's count is none of 0 to 999999999");
+            if (!count || *count < 0)
+                fail(fmt::format("the number of the element {} is none from 0 to 999999999",
+                                 shown(element.name)));
             element.count = static_cast<std::size_t>(*count);
             header.elements.push_back(std::move(element));
         } else if (keyword == "property") {
@@ -76,24 +105,26 @@ PlyHeader read_ply_header(std::string_view bytes, const std::string& name)
             if (type == "list") {
                 const auto count_type = type_named(words.word());
                 if (!count_type || *count_type == PlyType::f32 || *count_type == PlyType::f64)
-                    fail("a list's length has no whole-number type");
+                    fail("the length of a list should be a whole number, such as uchar or int");
                 property.list = true;
                 property.count_type = *count_type;
                 type = words.word();
             }
             const auto known = type_named(type);
-            if (!known) fail(fmt::format("'{}' is no PLY type", printable(type)));
+            if (!known) fail(fmt::format("'{}' is no PLY type", shown(type)));
             property.type = *known;
             property.name = words.word();
             header.elements.back().properties.push_back(std::move(property));
         } else if (keyword == "end_header") {
             break;
-        } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
-            fail(fmt::format("'{}' does not belong in a PLY header", printable(keyword)));
+        } else if (keyword == "comment") {
+            if (words.word() == "TextureFile") header.pictures.emplace_back(words.rest());
+        } else if (keyword != "obj_info" && !keyword.empty()) {
+            fail(fmt::format("'{}' does not belong in a PLY header", shown(keyword)));
         }
     }
     if (!format_said) fail("the header names no format");
-    header.size = static_cast<std::size_t>(scan.at - bytes.data());
+    header.size = bytes.size() - lines.left();
     return header;
 }
 

@@ -27,7 +27,8 @@ struct PlyElement {
 struct PlyHeader {
     enum class Format { ascii, little_endian, big_endian } format;
     std::vector<PlyElement> elements;
-    std::size_t size; // bytes up to the data
+    std::vector<std::string> pictures; // that comments name, as MeshLab does
+    std::size_t size;                  // bytes up to the data
 };
 
 // Throws Rejected, with `name` in the sentence.

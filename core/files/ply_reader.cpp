@@ -1,44 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
 #include "core/files/color.h"
+#include "core/files/corner_uvs.h"
+#include "core/files/file_sentences.h"
 #include "core/files/formats.h"
+#include "core/files/plain_text.h"
 #include "core/files/ply_header.h"
-#include "core/files/text_scan.h"
+#include "core/files/ply_values.h"
 
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <cmath>
-#include <cstring>
 #include <fmt/format.h>
 #include <limits>
 #include <optional>
+#include <set>
+#include <utility>
 
 namespace trivar {
 namespace {
 
-template <class T> double decoded(const char* at, bool swap)
-{
-    char bytes[sizeof(T)];
-    std::memcpy(bytes, at, sizeof(T));
-    if (swap) std::reverse(bytes, bytes + sizeof(T));
-    T value;
-    std::memcpy(&value, bytes, sizeof(T));
-    return static_cast<double>(value);
-}
+// Stands for a number that no vertex has.
+constexpr std::uint32_t no_vertex = ~0u;
 
-double decoded(PlyType type, const char* at, bool swap)
+bool is_corners(const PlyProperty& property)
 {
-    switch (type) {
-    case PlyType::i8: return decoded<std::int8_t>(at, swap);
-    case PlyType::u8: return decoded<std::uint8_t>(at, swap);
-    case PlyType::i16: return decoded<std::int16_t>(at, swap);
-    case PlyType::u16: return decoded<std::uint16_t>(at, swap);
-    case PlyType::i32: return decoded<std::int32_t>(at, swap);
-    case PlyType::u32: return decoded<std::uint32_t>(at, swap);
-    case PlyType::f32: return decoded<float>(at, swap);
-    case PlyType::f64: break;
-    }
-    return decoded<double>(at, swap);
+    return property.list && (property.name == "vertex_indices" || property.name == "vertex_index");
 }
 
 class PlyReader {
@@ -47,98 +34,47 @@ public:
         : file_(file),
           progress_(progress),
           header_(read_ply_header(file.bytes, file.name)),
-          scan_(file.bytes.substr(header_.size)),
-          ascii_(header_.format == PlyHeader::Format::ascii),
-          swap_((header_.format == PlyHeader::Format::little_endian) !=
-                (std::endian::native == std::endian::little))
+          values_(file.bytes.substr(header_.size), header_.format, file.name)
     {
     }
 
     Model read()
     {
+        std::set<std::string> seen;
         for (const PlyElement& element : header_.elements) {
             if (element.properties.empty()) continue;
-            check_count(element);
-            if ((element.name == "vertex" && mesh_.vertex_count() > 0) ||
-                (element.name == "face" && mesh_.face_count() > 0))
-                fail(fmt::format("the element {} comes twice", element.name));
+            values_.check_count(element);
+            if (element.name == "vertex" || element.name == "face" || element.name == "tristrips") {
+                if (element.count > 0 && !seen.insert(element.name).second)
+                    refuse(fmt::format("the element {} comes twice", element.name));
+            }
             if (element.name == "vertex")
                 read_vertices(element);
             else if (element.name == "face")
                 read_faces(element);
             else if (element.name == "tristrips")
-                fail("triangle strips cannot be read, save it with faces");
+                read_strips(element);
             else
                 skip(element);
         }
-        for (const std::uint32_t v : mesh_.corners)
-            if (v >= mesh_.vertex_count())
-                fail(fmt::format("a face asks for vertex {}, there are {}", v,
-                                 mesh_.vertex_count()));
+        if (!corner_uvs_.empty()) corner_uvs_.resize(mesh_.corners.size(), glm::vec2(0));
+        leave_out_faces();
+        if (!corner_uvs_.empty()) mesh_ = with_corner_uvs(mesh_, corner_uvs_);
         // The format has no other way to say a seam than two vertices at one place.
         mesh_.points = points_by_position(mesh_.positions);
+        say_what_was_left_out();
         Model model = single_mesh_model("", std::move(mesh_));
-        if (repaired_values_ > 0)
-            model.notices.push_back(
-                fmt::format("{}: {} normals, colours or texture coordinates were no finite numbers",
-                            file_.name, repaired_values_));
+        model.notices = std::move(notices_);
         return model;
     }
 
 private:
-    // Each value takes at least its size, or in text a character and a blank.
-    void check_count(const PlyElement& element)
-    {
-        std::size_t least = 0;
-        for (const PlyProperty& property : element.properties)
-            least += ascii_ ? 2 : size_of(property.list ? property.count_type : property.type);
-        if (element.count > (left() + 1) / least)
-            fail(fmt::format("{} of element {} are declared, more than the {} bytes left can hold",
-                             element.count, element.name, left()));
-    }
-
-    std::size_t left() const { return static_cast<std::size_t>(scan_.end - scan_.at); }
-
-    // May be no finite number: infinity stands for what cannot be read in text.
-    double value(PlyType type)
-    {
-        if (ascii_) {
-            while (!scan_.done() && (is_blank(*scan_.at) || *scan_.at == '\n')) ++scan_.at;
-            if (scan_.done()) fail("the file is cut off");
-            const auto number = scan_.number();
-            if (number && (scan_.done() || is_blank(*scan_.at) || *scan_.at == '\n'))
-                return *number;
-            scan_.word();
-            return std::numeric_limits<double>::infinity();
-        }
-        const std::size_t size = size_of(type);
-        if (left() < size) fail("the file is cut off");
-        const double result = decoded(type, scan_.at, swap_);
-        scan_.at += size;
-        return result;
-    }
-
-    std::size_t list_length(const PlyProperty& property)
-    {
-        const double length = value(property.count_type);
-        const std::size_t least = ascii_ ? 2 : size_of(property.type);
-        if (!(length >= 0) || length != std::floor(length) ||
-            length * static_cast<double>(least) > static_cast<double>(left() + 1))
-            fail(
-                fmt::format("a list's length is {}, more than the file holds or no count", length));
-        return static_cast<std::size_t>(length);
-    }
-
-    void skip(const PlyProperty& property)
-    {
-        const std::size_t count = property.list ? list_length(property) : 1;
-        for (std::size_t i = 0; i < count; ++i) value(property.type);
-    }
-
     void skip(const PlyElement& element)
     {
-        for (std::size_t i = 0; i < element.count; ++i)
-            for (const PlyProperty& property : element.properties) skip(property);
+        for (std::size_t i = 0; i < element.count; ++i) {
+            values_.begin(element, i);
+            for (const PlyProperty& property : element.properties) values_.skip(property);
+        }
     }
 
     // Where a property of the vertices goes: x y z, normal, colour, u v.
@@ -158,41 +94,49 @@ private:
     {
         bool have[12]{};
         double scale[12]{};
-        for (const PlyProperty& property : element.properties)
-            if (const auto at = slot(property.name); at && !property.list) {
-                have[*at] = true;
-                scale[*at] = property.type == PlyType::u8    ? 1 / 255.0
-                             : property.type == PlyType::u16 ? 1 / 65535.0
-                                                             : 1;
-            }
-        if (!have[0] || !have[1] || !have[2]) fail("the vertices have no x, y and z");
+        std::vector<std::optional<std::size_t>> slots;
+        for (const PlyProperty& property : element.properties) {
+            slots.push_back(property.list ? std::nullopt : slot(property.name));
+            if (!slots.back()) continue;
+            have[*slots.back()] = true;
+            scale[*slots.back()] = property.type == PlyType::u8    ? 1 / 255.0
+                                   : property.type == PlyType::u16 ? 1 / 65535.0
+                                                                   : 1;
+        }
+        if (!have[0] || !have[1] || !have[2]) refuse("the vertices have no x, y and z");
         const bool normals = have[3] && have[4] && have[5], colors = have[6] && have[7] && have[8];
         const bool uvs = have[10] && have[11];
         if (uvs && mesh_.uvs.empty()) mesh_.uvs.emplace_back();
         for (std::size_t i = 0; i < element.count; ++i) {
             if (i % (1 << 16) == 0)
                 report(progress_, 0.3 * double(i) / double(element.count), "Reading vertices");
+            values_.begin(element, i);
             double v[12]{};
             v[9] = 1 / (have[9] ? scale[9] : 1);
-            for (const PlyProperty& property : element.properties) {
-                const auto at = property.list ? std::nullopt : slot(property.name);
-                if (!at)
-                    skip(property);
+            for (std::size_t p = 0; p < slots.size(); ++p) {
+                const PlyProperty& property = element.properties[p];
+                if (slots[p])
+                    v[*slots[p]] = finite_value(property, *slots[p] < 3);
                 else
-                    v[*at] = value(property.type);
-            }
-            for (std::size_t k = 0; k < 12; ++k) {
-                if (std::abs(v[k]) <= std::numeric_limits<float>::max()) continue;
-                if (k < 3)
-                    fail(fmt::format("vertex {} has a coordinate that is no finite number", i));
-                v[k] = 0;
-                ++repaired_values_;
+                    values_.skip(property);
             }
             mesh_.positions.emplace_back(v[0], v[1], v[2]);
             if (normals) mesh_.normals.emplace_back(v[3], v[4], v[5]);
             if (colors) mesh_.colors.push_back(color(v, scale));
             if (uvs) mesh_.uvs[0].emplace_back(v[10], v[11]);
         }
+    }
+
+    // Of a number that is none or fits no float, 0 is made where the mesh can do without it.
+    double finite_value(const PlyProperty& property, bool needed)
+    {
+        const double value = values_.value(property.type);
+        if (std::abs(value) <= std::numeric_limits<float>::max()) return value;
+        if (needed)
+            values_.fail(fmt::format("its {} is '{}', which is no number from -3.4e38 to 3.4e38",
+                                     shown(property.name), values_.last()));
+        ++bad_values_;
+        return 0;
     }
 
     // Whole numbers are display values, as scanners write them; fractions are linear light.
@@ -205,34 +149,149 @@ private:
         return rgba;
     }
 
+    void check_corners(const PlyElement& element)
+    {
+        if (std::ranges::none_of(element.properties, is_corners))
+            refuse(fmt::format("the element {} has no list named vertex_indices", element.name));
+    }
+
     void read_faces(const PlyElement& element)
     {
-        const auto is_corners = [](const PlyProperty& p) {
-            return p.list && (p.name == "vertex_indices" || p.name == "vertex_index");
-        };
-        if (std::none_of(element.properties.begin(), element.properties.end(), is_corners))
-            fail("the faces have no list of vertex_indices");
+        check_corners(element);
+        std::vector<float> uvs;
         for (std::size_t f = 0; f < element.count; ++f) {
             if (f % (1 << 16) == 0)
                 report(progress_, 0.3 + 0.6 * double(f) / double(element.count), "Reading faces");
+            values_.begin(element, f);
             for (const PlyProperty& property : element.properties) {
-                if (!is_corners(property)) {
-                    skip(property);
-                    continue;
-                }
-                const std::size_t count = list_length(property);
-                for (std::size_t c = 0; c < count; ++c) {
-                    const double index = value(property.type);
-                    if (!(index >= 0 && index < 1e9) || index != std::floor(index))
-                        fail(fmt::format("face {} has something that is no vertex", f));
-                    mesh_.corners.push_back(static_cast<std::uint32_t>(index));
+                if (is_corners(property)) {
+                    for (std::size_t left = values_.list_length(property); left > 0; --left)
+                        mesh_.corners.push_back(vertex(property.type).value_or(no_vertex));
+                } else if (property.list && property.name == "texcoord") {
+                    uvs = read_corner_uvs(property);
+                } else {
+                    texture_numbers_ |= property.name == "texnumber";
+                    values_.skip(property);
                 }
             }
             mesh_.face_begin.push_back(static_cast<std::uint32_t>(mesh_.corners.size()));
+            if (!uvs.empty()) add_corner_uvs(std::exchange(uvs, {}));
         }
     }
 
-    [[noreturn]] void fail(const std::string& what) const
+    // The number of a vertex, or nothing for one below 0.
+    std::optional<std::uint32_t> vertex(PlyType type)
+    {
+        const double index = values_.value(type);
+        if (!(std::abs(index) <= 4294967295.0) || index != std::floor(index))
+            values_.fail(
+                fmt::format("it has '{}' where the number of a vertex should be", values_.last()));
+        if (index < 0 || index == 4294967295.0) return {};
+        return static_cast<std::uint32_t>(index);
+    }
+
+    // MeshLab's "wedges": u and v for each corner of the face.
+    std::vector<float> read_corner_uvs(const PlyProperty& property)
+    {
+        std::vector<float> uvs(values_.list_length(property));
+        for (float& each : uvs) each = static_cast<float>(finite_value(property, false));
+        return uvs;
+    }
+
+    // Of the last face. Corners that have none get 0, 0.
+    void add_corner_uvs(const std::vector<float>& uvs)
+    {
+        const std::size_t first = mesh_.face_begin[mesh_.face_count() - 1];
+        corner_uvs_.resize(mesh_.corners.size(), glm::vec2(0));
+        if (uvs.size() != 2 * (mesh_.corners.size() - first)) {
+            ++bad_uv_lists_;
+            return;
+        }
+        for (std::size_t i = 0; i < uvs.size(); i += 2)
+            corner_uvs_[first + i / 2] = {uvs[i], uvs[i + 1]};
+    }
+
+    // Three vertices in a row are a triangle, every second one turned round; below 0 another strip
+    // begins. A vertex twice in a row is how a strip turns, and is no triangle.
+    void read_strips(const PlyElement& element)
+    {
+        check_corners(element);
+        for (std::size_t s = 0; s < element.count; ++s) {
+            values_.begin(element, s);
+            for (const PlyProperty& property : element.properties) {
+                if (!is_corners(property)) {
+                    values_.skip(property);
+                    continue;
+                }
+                std::uint32_t a = 0, b = 0;
+                std::size_t run = 0;
+                for (std::size_t left = values_.list_length(property); left > 0; --left) {
+                    const auto c = vertex(property.type);
+                    run = c ? run + 1 : 0;
+                    if (run >= 3 && a != b && b != *c && *c != a)
+                        add_face(mesh_, run % 2 == 1 ? std::array{a, b, *c} : std::array{b, a, *c});
+                    a = b;
+                    b = c.value_or(0);
+                }
+            }
+        }
+    }
+
+    // Those that name a vertex that is not there.
+    void leave_out_faces()
+    {
+        const auto there = [&](std::uint32_t v) { return v < mesh_.vertex_count(); };
+        if (std::ranges::all_of(mesh_.corners, there)) return;
+        std::vector<std::uint32_t> corners, begin{0};
+        std::vector<glm::vec2> uvs;
+        std::size_t first_gone = mesh_.face_count(), gone = 0;
+        for (std::size_t f = 0; f < mesh_.face_count(); ++f) {
+            const auto from = mesh_.corners.begin() + mesh_.face_begin[f],
+                       to = mesh_.corners.begin() + mesh_.face_begin[f + 1];
+            if (!std::all_of(from, to, there)) {
+                if (gone++ == 0) first_gone = f;
+                continue;
+            }
+            corners.insert(corners.end(), from, to);
+            begin.push_back(static_cast<std::uint32_t>(corners.size()));
+            if (!corner_uvs_.empty())
+                uvs.insert(uvs.end(), corner_uvs_.begin() + mesh_.face_begin[f],
+                           corner_uvs_.begin() + mesh_.face_begin[f + 1]);
+        }
+        const std::string first = fmt::format("face {} from 0", first_gone);
+        if (corners.empty()) refuse(no_whole_face(first, mesh_.vertex_count()));
+        say(faces_left_out(gone, first, mesh_.vertex_count()));
+        mesh_.corners = std::move(corners);
+        mesh_.face_begin = std::move(begin);
+        corner_uvs_ = std::move(uvs);
+    }
+
+    void say_what_was_left_out()
+    {
+        if (bad_values_ > 0)
+            say(fmt::format("{} no number from -3.4e38 to 3.4e38 and became 0",
+                            counted(bad_values_, "normal, colour or texture coordinate was",
+                                    "normals, colours or texture coordinates were")));
+        if (bad_uv_lists_ > 0)
+            say(fmt::format(
+                "{} left out; they should have two numbers for each corner of the face",
+                counted(bad_uv_lists_, "list of texcoord was", "lists of texcoord were")));
+        NameList pictures;
+        for (const std::string& name : header_.pictures) pictures.add(name);
+        if (pictures.count() > 0)
+            say(fmt::format("the header names {} left out: {}; OBJ and glTF bring their pictures",
+                            counted(pictures.count(), "picture that was", "pictures that were"),
+                            pictures.text()));
+        else if (texture_numbers_)
+            say("the numbers of its faces' pictures (texnumber) were left out; it names no "
+                "picture");
+    }
+
+    void say(const std::string& what)
+    {
+        notices_.push_back(fmt::format("{}: {}", file_.name, what));
+    }
+    [[noreturn]] void refuse(const std::string& what) const
     {
         throw Rejected(fmt::format("{}: {}", file_.name, what));
     }
@@ -240,17 +299,21 @@ private:
     const FileText& file_;
     const Progress& progress_;
     PlyHeader header_;
-    TextScan scan_;
-    bool ascii_, swap_;
+    PlyValues values_;
     Mesh mesh_;
-    std::size_t repaired_values_ = 0;
+    std::vector<glm::vec2> corner_uvs_; // #C, or empty: none
+    std::vector<std::string> notices_;
+    bool texture_numbers_ = false;
+    std::size_t bad_values_ = 0, bad_uv_lists_ = 0;
 };
 
 } // namespace
 
 Model read_ply(const FileText& file, const Progress& progress)
 {
-    return PlyReader(file, progress).read();
+    refuse_wide_text(file.bytes, file.name);
+    const FileText unmarked{without_mark(file.bytes), file.name, file.folder};
+    return PlyReader(unmarked, progress).read();
 }
 
 } // namespace trivar

@@ -4,6 +4,7 @@
 #include "core/base/rejected.h"
 #include "core/files/file_bytes.h"
 #include "core/files/formats.h"
+#include "core/files/plain_text.h"
 #include "core/mesh/repair.h"
 
 #include <algorithm>
@@ -22,7 +23,10 @@ Model read_format(const FileText& file, const std::string& extension, const Prog
     if (extension == ".ply") return read_ply(file, progress);
     if (extension == ".stl") return read_stl(file, progress);
     if (extension == ".off") return read_off(file, progress);
-    if (extension == ".gltf") return read_gltf(file, false, progress);
+    if (extension == ".gltf") {
+        refuse_wide_text(file.bytes, file.name);
+        return read_gltf(file, false, progress);
+    }
     if (extension == ".glb") return read_gltf(file, true, progress);
     throw Rejected(
         fmt::format("{}: models are read from .obj, .ply, .stl, .off, .gltf and .glb", file.name));

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
+#include "core/files/file_sentences.h"
 #include "core/files/formats.h"
+#include "core/files/plain_text.h"
 #include "core/files/text_scan.h"
 
+#include <algorithm>
 #include <cstring>
 #include <fmt/format.h>
 
@@ -22,47 +25,63 @@ std::vector<glm::vec3> read_binary(const FileText& file, std::uint32_t count)
         for (std::size_t c = 0; c < 3; ++c) {
             const glm::vec3 p(values[3 * c], values[3 * c + 1], values[3 * c + 2]);
             if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-                throw Rejected(fmt::format("{}: triangle {} has a coordinate that is no finite "
-                                           "number",
-                                           file.name, t));
+                throw Rejected(fmt::format("{}: triangle {} of {} (from 0): a coordinate is no "
+                                           "finite number",
+                                           file.name, t, count));
             corners[3 * t + c] = p;
         }
     }
     return corners;
 }
 
+// Keywords are written in small letters or in capitals.
+bool is_keyword(std::string_view word, std::string_view keyword)
+{
+    const auto same = [](char a, char b) {
+        return a == b || (a >= 'A' && a <= 'Z' && a + 32 == b);
+    };
+    return std::ranges::equal(word, keyword, same);
+}
+
+// Binary files may begin with "solid" too, but the size behind a long header has a byte that is 0.
+bool is_text(std::string_view bytes)
+{
+    TextScan scan(without_mark(bytes));
+    while (!scan.done() && (is_blank(*scan.at) || *scan.at == '\n')) ++scan.at;
+    return is_keyword(scan.word(), "solid") &&
+           bytes.substr(0, header_bytes).find('\0') == bytes.npos;
+}
+
 std::vector<glm::vec3> read_text(const FileText& file)
 {
+    const PlainText plain(file.bytes, file.name);
     std::vector<glm::vec3> corners;
-    TextScan scan(file.bytes);
+    TextScan scan(plain.view());
     int line = 0;
+    const auto fail = [&](const std::string& what) {
+        throw Rejected(fmt::format("{}: line {}: {}", file.name, line, what));
+    };
     std::size_t in_facet = 0;
     while (!scan.done()) {
         ++line;
         const std::string_view keyword = scan.word();
-        if (keyword == "facet") in_facet = 0;
-        if (keyword == "endfacet" && in_facet != 3)
-            throw Rejected(
-                fmt::format("{}: line {}: a facet has {} corners", file.name, line, in_facet));
-        if (keyword == "vertex") {
+        if (is_keyword(keyword, "facet")) in_facet = 0;
+        if (is_keyword(keyword, "endfacet") && in_facet != 3)
+            fail(fmt::format("a facet has {} corners, it should have 3", in_facet));
+        if (is_keyword(keyword, "vertex")) {
             glm::vec3 p;
             for (int i = 0; i < 3; ++i) {
                 const auto value = scan.number();
                 if (!value)
-                    throw Rejected(fmt::format("{}: line {}: coordinate {} is missing or is no "
-                                               "finite number",
-                                               file.name, line, i + 1));
+                    fail(fmt::format("the {} of a vertex {}", "xyz"[i], not_a_number(scan)));
                 p[i] = static_cast<float>(*value);
             }
-            if (++in_facet > 3)
-                throw Rejected(
-                    fmt::format("{}: line {}: a facet has more than 3 corners", file.name, line));
+            if (++in_facet > 3) fail("a facet has more than 3 corners");
             corners.push_back(p);
         }
         scan.line();
     }
-    if (corners.size() % 3 != 0)
-        throw Rejected(fmt::format("{}: the last facet is cut off", file.name));
+    if (corners.size() % 3 != 0) fail("the file ends in a facet");
     return corners;
 }
 
@@ -74,15 +93,18 @@ Model read_stl(const FileText& file, const Progress& progress)
     std::uint32_t count = 0;
     if (file.bytes.size() >= header_bytes) std::memcpy(&count, file.bytes.data() + 80, 4);
     const std::size_t expected = header_bytes + triangle_bytes * std::size_t{count};
-    // Binary files may begin with "solid" too: the size decides.
     const bool exact = file.bytes.size() >= header_bytes && file.bytes.size() == expected;
-    TextScan scan(file.bytes);
-    const bool text = !exact && scan.word() == "solid";
+    const bool text = !exact && is_text(file.bytes);
+    if (!exact && !text) refuse_wide_text(file.bytes, file.name);
     if (!exact && !text && (file.bytes.size() < header_bytes || file.bytes.size() < expected))
-        throw Rejected(
-            fmt::format("{}: neither text that begins with 'solid' nor the {} bytes that "
-                        "{} triangles take",
-                        file.name, expected, count));
+        throw Rejected(fmt::format(
+            "{}: it is no text, which begins with 'solid', and no whole binary file: its {} bytes "
+            "are fewer than {}",
+            file.name, file.bytes.size(),
+            file.bytes.size() < header_bytes
+                ? fmt::format("the {} that such a file begins with", header_bytes)
+                : fmt::format("the {} that the {} triangles take which it declares", expected,
+                              count)));
     const std::vector<glm::vec3> corners = text ? read_text(file) : read_binary(file, count);
 
     report(progress, 0.6, "Joining vertices");

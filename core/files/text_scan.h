@@ -44,6 +44,15 @@ struct TextScan {
         while (at != end && !is_blank(*at) && *at != '\n') ++at;
         return {begin, static_cast<std::size_t>(at - begin)};
     }
+    // What is left of this line, without the blanks around it; the scan stays where it begins.
+    std::string_view rest()
+    {
+        skip_blanks();
+        const char* stop = at;
+        while (stop != end && *stop != '\n') ++stop;
+        while (stop != at && is_blank(stop[-1])) --stop;
+        return {at, static_cast<std::size_t>(stop - at)};
+    }
     // A whole number of at most nine digits, or nothing; stops behind the last digit.
     std::optional<std::int32_t> integer()
     {

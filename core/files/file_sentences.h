@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/files/text_scan.h"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace trivar {
+
+// A number and what it counts: "1 face", "3 faces".
+std::string counted(std::size_t count, const char* one, const char* several);
+
+// Words of a file, cut to a length that a sentence can hold.
+std::string shown(std::string_view words);
+
+// The first of many names, and their number: "a.png", "a.png and b.png", "a.png, b.png, c.png and
+// 17 more".
+class NameList {
+public:
+    void add(std::string_view name);
+    std::size_t count() const { return count_; }
+    std::string text() const;
+
+private:
+    std::vector<std::string> first_;
+    std::size_t count_ = 0;
+};
+
+// What is wrong with the next word of the line, which should be a number: "is missing", or "is
+// 'abc', which is no number from -3.4e38 to 3.4e38".
+std::string not_a_number(TextScan scan);
+
+// For a number of faces, the first of them at `first`, that name vertices which are not there: that
+// they were left out, or, where no other is left, why there is no mesh.
+std::string faces_left_out(std::size_t count, const std::string& first, std::size_t vertices);
+std::string no_whole_face(const std::string& first, std::size_t vertices);
+
+} // namespace trivar
