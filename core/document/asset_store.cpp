@@ -14,6 +14,16 @@ namespace trivar {
 
 namespace {
 
+// A model stays whole when a file that goes with it vanishes while it is read.
+std::string hash_if_there(const std::string& path)
+{
+    try {
+        return file_hash(path);
+    } catch (const Rejected&) {
+        return "missing";
+    }
+}
+
 std::string content_of(const std::string& path, const std::string& hash)
 {
     const std::vector<std::string> companions = companions_of(path);
@@ -23,7 +33,7 @@ std::string content_of(const std::string& path, const std::string& hash)
     digest.add_text(hash);
     for (const std::string& name : companions) {
         digest.add_text(name);
-        digest.add_text(file_hash((folder / name).string()));
+        digest.add_text(hash_if_there((folder / name).string()));
     }
     return digest.hex();
 }

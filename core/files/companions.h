@@ -6,10 +6,10 @@
 
 namespace trivar {
 
-// The other files that reading a model would open: buffers and images of a .gltf, material
-// libraries of an .obj with their textures. Named as from the model's folder, in which all of them
-// lie; each once, sorted. What is missing is left out. Throws Rejected where the model cannot be
-// read at all.
+// The other files that a model needs: buffers and images of a .gltf or .glb, material libraries of
+// an .obj with all their pictures. They are found as the readers find them, and named as they lie
+// in the model's folder or further in, with '/', so that each can be opened from there; each once,
+// sorted. What is missing is left out. Throws Rejected where the model itself cannot be read.
 std::vector<std::string> companions_of(const std::string& path);
 
 } // namespace trivar

@@ -3,6 +3,7 @@
 
 #include "core/base/digest.h"
 #include "core/base/rejected.h"
+#include "core/files/folder_files.h"
 #include "core/files/growing_file.h"
 #include "core/files/read_model.h"
 
@@ -57,19 +58,8 @@ void write_bytes(const std::string& path, std::string_view bytes)
 
 std::optional<std::string> file_inside(const std::string& folder, const std::string& name)
 {
-    if (folder.empty() || name.empty() || name.find('\0') != std::string::npos) return {};
-    std::string slashed = name;
-    std::replace(slashed.begin(), slashed.end(), '\\', '/'); // from other systems
-    const fs::path relative(slashed);
-    if (relative.is_absolute() || slashed.find("://") != std::string::npos) return {};
-    std::error_code error;
-    const fs::path root = fs::canonical(folder, error);
-    if (error) return {};
-    const fs::path file = fs::canonical(root / relative, error);
-    if (error || !fs::is_regular_file(file, error)) return {};
-    const auto [end, ignored] = std::mismatch(root.begin(), root.end(), file.begin(), file.end());
-    if (end != root.end()) return {};
-    return file.string();
+    if (const auto found = FolderFiles(folder).find(name)) return found->path;
+    return {};
 }
 
 std::string extension_of(const std::string& path)

@@ -16,8 +16,7 @@ std::string read_bytes(const std::string& path, std::uintmax_t max_bytes);
 // was. Throws Rejected with the system's reason.
 void write_bytes(const std::string& path, std::string_view bytes);
 
-// The path of `name` in `folder`, if it is a file that really lies there: absolute names, schemes,
-// `..` and links that lead out give nothing, and so does an empty folder.
+// The path of the file in `folder` that a file there means by `name`, as FolderFiles finds it.
 std::optional<std::string> file_inside(const std::string& folder, const std::string& name);
 
 // Lower case, with the dot; empty if there is none.

@@ -1,28 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
 #include "core/files/file_bytes.h"
+#include "core/files/file_sentences.h"
 #include "core/files/formats.h"
 #include "core/files/image.h"
+#include "core/files/plain_text.h"
 #include "core/files/text_scan.h"
+#include "core/files/wavefront_names.h"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
+#include <set>
 
 namespace trivar {
 namespace {
 
+constexpr std::uintmax_t max_picture_bytes = std::uintmax_t{1} << 30;
+
 class MtlReader {
 public:
-    explicit MtlReader(const FileText& file) : file_(file) {}
+    explicit MtlReader(const FileText& file)
+        : file_(file),
+          plain_(file.bytes, file.name),
+          files_(file.folder)
+    {
+    }
 
     Mtl read()
     {
-        TextScan scan(file_.bytes);
+        TextScan scan(plain_.view());
         while (!scan.done()) {
             ++line_;
             read_line(scan.line());
         }
+        say_what_was_left_out();
         return std::move(mtl_);
     }
 
@@ -30,38 +42,37 @@ private:
     void read_line(std::string_view text)
     {
         TextScan scan(text);
-        const std::string_view keyword = scan.word();
-        if (keyword == "newmtl") {
-            scan.skip_blanks();
-            std::string_view name = text.substr(static_cast<std::size_t>(scan.at - text.data()));
-            while (!name.empty() && is_blank(name.back())) name.remove_suffix(1);
-            mtl_.materials.emplace_back().name = std::string(name);
+        keyword_ = scan.word();
+        if (keyword_ == "newmtl") {
+            mtl_.materials.emplace_back().name = std::string(scan.rest());
             return;
         }
         if (mtl_.materials.empty()) return;
         Material& m = mtl_.materials.back();
-        if (keyword == "Kd")
+        if (keyword_ == "Kd")
             set_color(m.base_color, scan);
-        else if (keyword == "Ke")
+        else if (keyword_ == "Ke")
             set_color(m.emissive, scan);
-        else if (keyword == "d")
+        else if (keyword_ == "d")
             set(m.base_color.w, scan, [](float d) { return d; });
-        else if (keyword == "Tr")
+        else if (keyword_ == "Tr")
             set(m.base_color.w, scan, [](float tr) { return 1 - tr; });
-        else if (keyword == "Pm")
+        else if (keyword_ == "Pm")
             set(m.metallic, scan, [](float pm) { return pm; });
-        else if (keyword == "Pr")
+        else if (keyword_ == "Pr")
             set(m.roughness, scan, [](float pr) { return pr; });
         // A Phong exponent n looks like a roughness r with r^4 = 2 / (n + 2) (B. Walter 2007).
-        else if (keyword == "Ns")
+        else if (keyword_ == "Ns")
             set(m.roughness, scan,
                 [](float n) { return std::pow(2 / (std::max(n, 0.0f) + 2), 0.25f); });
-        else if (keyword == "map_Kd")
-            set_texture(m.base_color_texture, text, scan);
-        else if (keyword == "map_Ke")
-            set_texture(m.emissive_texture, text, scan);
-        else if (keyword == "norm")
-            set_texture(m.normal_texture, text, scan);
+        else if (keyword_ == "map_Kd")
+            set_texture(m.base_color_texture, scan);
+        else if (keyword_ == "map_Ke")
+            set_texture(m.emissive_texture, scan);
+        else if (keyword_ == "norm")
+            m.normal_scale = set_texture(m.normal_texture, scan);
+        else if (names_picture(keyword_))
+            kinds_.emplace(shown(keyword_));
         m.alpha = m.base_color.w < 1 ? Material::Alpha::blend : Material::Alpha::opaque;
     }
 
@@ -70,7 +81,7 @@ private:
         if (const auto number = scan.number())
             value = std::clamp(convert(static_cast<float>(*number)), 0.0f, 1.0f);
         else
-            say_unreadable();
+            say_unreadable(scan);
     }
 
     template <class Color> void set_color(Color& color, TextScan& scan)
@@ -78,67 +89,90 @@ private:
         glm::vec3 read(0);
         for (int i = 0; i < 3; ++i) {
             const auto number = scan.number();
-            if (!number && i == 0) return say_unreadable();
+            if (!number && i == 0) return say_unreadable(scan);
             read[i] = number ? std::clamp(static_cast<float>(*number), 0.0f, 1e4f) : read[0];
         }
         for (int i = 0; i < 3; ++i) color[i] = read[i];
     }
 
-    // Options begin with a minus; what follows them is the file's name, which may have blanks.
-    void set_texture(Texture& texture, std::string_view text, TextScan& scan)
+    // Returns the strength of a normal map.
+    float set_texture(Texture& texture, const TextScan& scan)
     {
-        static const std::map<std::string_view, int> arguments{
-            {"-blendu", 1}, {"-blendv", 1}, {"-cc", 1},      {"-clamp", 1}, {"-texres", 1},
-            {"-bm", 1},     {"-boost", 1},  {"-imfchan", 1}, {"-type", 1},  {"-mm", 2},
-            {"-o", 3},      {"-s", 3},      {"-t", 3}};
-        for (scan.skip_blanks(); !scan.done() && *scan.at == '-'; scan.skip_blanks()) {
-            const auto option = arguments.find(scan.word());
-            if (option == arguments.end()) break;
-            for (int i = 0; i < option->second; ++i) {
-                const TextScan before = scan;
-                if (option->second == 3 && !scan.number()) { // one to three numbers
-                    scan = before;
-                    break;
-                }
-                if (option->second < 3) scan.word();
-            }
-        }
-        std::string_view name = text.substr(static_cast<std::size_t>(scan.at - text.data()));
-        while (!name.empty() && is_blank(name.back())) name.remove_suffix(1);
-        texture.image = image(std::string(name));
+        const PictureLine line = picture_line(TextScan(scan).rest(), files_);
+        for (const std::string& option : line.left_out) options_.insert(shown(option));
+        texture.repeat_u = texture.repeat_v = !line.clamped;
+        if (line.file)
+            texture.image = image(*line.file);
+        else if (line.name.empty())
+            unnamed_.add(fmt::format("line {}", line_));
+        else if (sought_.insert(line.name).second)
+            missing_.add(fmt::format("{} (line {})", shown(line.name), line_));
+        return static_cast<float>(std::clamp(line.strength, -100.0, 100.0));
     }
 
-    Ref<Image> image(const std::string& name)
+    Ref<Image> image(const NamedFile& file)
     {
-        const auto [at, added] = images_.emplace(name, nullptr);
+        const auto [at, added] = images_.emplace(file.path, nullptr);
         if (!added) return at->second;
-        const auto path = file_inside(file_.folder, name);
-        if (!path) {
-            say(fmt::format("the picture {} is not in the folder", name));
-            return nullptr;
-        }
+        if (file.in_other_case) other_case_.add(file.name);
         try {
-            at->second = make_ref(read_image(*path));
+            const std::string bytes = read_bytes(file.path, max_picture_bytes);
+            at->second = make_ref(read_image_bytes(bytes, file.name));
         } catch (const Rejected& rejected) {
             mtl_.notices.emplace_back(rejected.what());
         }
         return at->second;
     }
 
-    void say(const std::string& what)
-    {
-        mtl_.notices.push_back(fmt::format("{}: line {}: {}", file_.name, line_, what));
-    }
-    void say_unreadable()
+    void say_unreadable(const TextScan& scan)
     {
         if (unreadable_++ == 0)
-            say("no finite number; the default is used here and wherever one is missing");
+            first_unreadable_ = fmt::format("line {}: {} {}", line_, keyword_, not_a_number(scan));
+    }
+
+    void say_what_was_left_out()
+    {
+        const auto say = [&](const std::string& what) {
+            mtl_.notices.push_back(fmt::format("{}: {}", file_.name, what));
+        };
+        const auto names = [](const std::set<std::string>& from) {
+            NameList list;
+            for (const std::string& each : from) list.add(each);
+            return list.text();
+        };
+        if (unreadable_ > 0)
+            say(first_unreadable_ + "; it was left out" +
+                (unreadable_ == 1
+                     ? ""
+                     : " with " + counted(unreadable_ - 1, "line", "lines") + " more of its kind"));
+        if (missing_.count() > 0)
+            say(fmt::format("{} not in the model's folder: {}",
+                            counted(missing_.count(), "picture is", "pictures are"),
+                            missing_.text()));
+        if (unnamed_.count() > 0)
+            say(fmt::format("{}: a picture's file should be named there", unnamed_.text()));
+        if (other_case_.count() > 0)
+            say(fmt::format("{} named with other capitals than in the folder: {}",
+                            counted(other_case_.count(), "picture is", "pictures are"),
+                            other_case_.text()));
+        if (!kinds_.empty())
+            say(fmt::format("the pictures of {} were left out; those of map_Kd, map_Ke and norm "
+                            "are read",
+                            names(kinds_)));
+        if (!options_.empty())
+            say(fmt::format("options of its pictures were left out: {}", names(options_)));
     }
 
     const FileText& file_;
+    PlainText plain_;
+    FolderFiles files_;
     Mtl mtl_;
-    std::map<std::string, Ref<Image>> images_;
-    int line_ = 0, unreadable_ = 0;
+    std::map<std::string, Ref<Image>> images_; // by path
+    std::string_view keyword_;
+    std::string first_unreadable_;
+    NameList missing_, unnamed_, other_case_;
+    std::set<std::string> sought_, kinds_, options_;
+    std::size_t line_ = 0, unreadable_ = 0;
 };
 
 } // namespace

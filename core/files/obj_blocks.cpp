@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/obj_blocks.h"
 
+#include "core/files/file_sentences.h"
 #include "core/files/text_scan.h"
 
-#include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 #include <optional>
+#include <utility>
 
 namespace trivar {
 namespace {
+
+bool is_face(std::string_view keyword)
+{
+    return keyword == "f" || keyword == "fo";
+}
 
 class BlockReader {
 public:
@@ -16,12 +23,12 @@ public:
 
     ObjBlock read()
     {
-        while (!scan_.done() && block_.error.empty()) {
-            const char* line = scan_.at;
+        while (!scan_.done() && !block_.error.at) {
+            line_ = scan_.at;
             read_line();
-            if (!block_.error.empty()) block_.error_at = line;
             scan_.line();
         }
+        block_.counts = {block_.v.size(), block_.vt.size(), block_.vn.size()};
         return std::move(block_);
     }
 
@@ -32,11 +39,8 @@ private:
         if (keyword.empty() || keyword[0] == '#') return;
         if (keyword == "v") return read_position();
         if (keyword == "vt") return read_texture_coordinate();
-        if (keyword == "vn") {
-            if (const auto n = vector(3)) block_.vn.push_back(*n);
-            return;
-        }
-        if (keyword == "f" || keyword == "fo") return read_face();
+        if (keyword == "vn") return read_normal();
+        if (is_face(keyword)) return read_face();
         using Kind = ObjEvent::Kind;
         if (keyword == "usemtl") return add_event(Kind::material);
         if (keyword == "g") return add_event(Kind::group);
@@ -48,61 +52,65 @@ private:
         // Everything else sets display attributes or belongs to free forms.
     }
 
-    std::optional<glm::vec3> vector(int needed)
+    void fail(std::string what) { block_.error = {line_, std::move(what)}; }
+
+    // Reads numbers one after another; how many were there.
+    template <class T> int numbers(T& to, int most)
     {
-        glm::vec3 result(0);
-        for (int i = 0; i < needed; ++i) {
+        for (int i = 0; i < most; ++i) {
             const auto value = scan_.number();
-            if (!value) {
-                block_.error =
-                    fmt::format("number {} of {} is missing or is no finite number", i + 1, needed);
-                return {};
-            }
-            result[i] = static_cast<float>(*value);
+            if (!value) return i;
+            to[i] = static_cast<float>(*value);
         }
-        return result;
+        return most;
     }
 
     void read_position()
     {
-        const auto p = vector(3);
-        if (!p) return;
+        glm::vec3 p;
+        if (const int read = numbers(p, 3); read < 3)
+            return fail(fmt::format("the {} of a vertex {}", "xyz"[read], not_a_number(scan_)));
         // Three more numbers are a colour; a single one is a weight, which plain points ignore.
-        glm::vec3 color(1);
-        int count = 0;
-        while (count < 3) {
-            const auto value = scan_.number();
-            if (!value) break;
-            color[count++] = static_cast<float>(*value);
-        }
-        if (count == 3 || !block_.colors.empty()) {
+        glm::vec3 color;
+        const bool colored = numbers(color, 3) == 3;
+        if (colored || !block_.colors.empty()) {
             block_.colors.resize(block_.v.size(), glm::vec3(1));
-            block_.colors.push_back(count == 3 ? glm::clamp(color, 0.0f, 1.0f) : glm::vec3(1));
+            block_.colors.push_back(colored ? glm::clamp(color, 0.0f, 1.0f) : glm::vec3(1));
         }
-        block_.v.push_back(*p);
+        block_.v.push_back(p);
+    }
+
+    // The element stays, so that those behind it keep their numbers, but no face gets it.
+    template <class T> void leave_out(T& element, const char* name)
+    {
+        element.x = std::numeric_limits<float>::quiet_NaN();
+        if (block_.bad_lines++ == 0)
+            block_.first_bad = {line_, fmt::format("a number of {} {}", name, not_a_number(scan_))};
+    }
+
+    void read_normal()
+    {
+        glm::vec3 n(0);
+        if (numbers(n, 3) < 3) leave_out(n, "vn");
+        block_.vn.push_back(n);
     }
 
     void read_texture_coordinate()
     {
-        const auto u = vector(1);
-        if (!u) return;
-        const auto v = scan_.number();
-        block_.vt.emplace_back(u->x, v ? static_cast<float>(*v) : 0.0f);
+        glm::vec2 uv(0);
+        const int read = numbers(uv, 2);
+        scan_.skip_blanks();
+        const bool ended = scan_.done() || *scan_.at == '\n' || *scan_.at == '#';
+        if (read == 0 || (read == 1 && !ended)) leave_out(uv, "vt");
+        block_.vt.push_back(uv);
     }
 
-    // 1-based or relative to the end, as the file has it; -1 for none after an error.
-    std::int32_t index(std::size_t count)
+    // 1-based or relative to the end, as the file has it; nothing where it is no number.
+    std::optional<std::int32_t> index(std::size_t count)
     {
         const auto written = scan_.integer();
-        if (!written) {
-            block_.error = "a face has something that is no index";
-            return -1;
-        }
-        if (*written > 0) return *written - 1;
-        if (*written == 0) {
-            block_.error = "a face has the index 0, they count from 1";
-            return -1;
-        }
+        if (!written || *written > 0) return written ? std::optional(*written - 1) : std::nullopt;
+        if (*written == 0) return ObjCorner::absent;
         return ObjCorner::relative + static_cast<std::int32_t>(count) + *written;
     }
 
@@ -118,34 +126,44 @@ private:
                (*scan_.at == '-' || *scan_.at == '+' || (*scan_.at >= '0' && *scan_.at <= '9'));
     }
 
+    // v, v/vt, v//vn or v/vt/vn, to the next blank.
+    std::optional<ObjCorner> corner()
+    {
+        std::optional<std::int32_t> v = index(block_.v.size()), vt = ObjCorner::none, vn = vt;
+        if (v && slash()) {
+            if (at_index()) vt = index(block_.vt.size());
+            if (vt && slash() && at_index()) vn = index(block_.vn.size());
+        }
+        const bool ended = scan_.done() || is_blank(*scan_.at) || *scan_.at == '\n';
+        if (!v || !vt || !vn || !ended) return {};
+        return ObjCorner{*v, *vt, *vn};
+    }
+
     void read_face()
     {
-        for (scan_.skip_blanks(); block_.error.empty(); scan_.skip_blanks()) {
+        for (scan_.skip_blanks();; scan_.skip_blanks()) {
             if (scan_.done() || *scan_.at == '\n' || *scan_.at == '#') break;
-            ObjCorner corner{index(block_.v.size()), -1, -1};
-            if (slash()) {
-                if (at_index()) corner.vt = index(block_.vt.size());
-                if (slash() && at_index()) corner.vn = index(block_.vn.size());
-            }
-            if (block_.error.empty() && !scan_.done() && !is_blank(*scan_.at) && *scan_.at != '\n')
-                block_.error = "a face has something that is no index";
-            block_.corners.push_back(corner);
+            TextScan word = scan_;
+            const auto read = corner();
+            if (!read)
+                return fail(fmt::format("a face has '{}' where a corner such as 7, 7/8, 7//9 or "
+                                        "7/8/9 should be",
+                                        shown(word.word())));
+            if (read->v == ObjCorner::absent)
+                return fail("a face names vertex 0; they count from 1");
+            block_.corners.push_back(*read);
         }
         block_.face_end.push_back(static_cast<std::uint32_t>(block_.corners.size()));
     }
 
     void add_event(ObjEvent::Kind kind)
     {
-        scan_.skip_blanks();
-        const char* begin = scan_.at;
-        const char* end = std::find(begin, scan_.end, '\n');
-        scan_.at = end;
-        while (end != begin && is_blank(end[-1])) --end;
-        block_.events.push_back({kind, static_cast<std::uint32_t>(block_.face_end.size()),
-                                 std::string_view(begin, static_cast<std::size_t>(end - begin))});
+        const auto face = static_cast<std::uint32_t>(block_.face_end.size());
+        block_.events.push_back({kind, face, scan_.rest()});
     }
 
     TextScan scan_;
+    const char* line_ = nullptr;
     ObjBlock block_;
 };
 
@@ -154,6 +172,15 @@ private:
 ObjBlock read_obj_block(std::string_view text)
 {
     return BlockReader(text).read();
+}
+
+const char* line_of_face(std::string_view text, std::size_t face)
+{
+    TextScan scan(text);
+    for (;; scan.line()) {
+        const char* line = scan.at;
+        if (scan.done() || (is_face(scan.word()) && face-- == 0)) return line;
+    }
 }
 
 } // namespace trivar

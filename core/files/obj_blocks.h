@@ -9,10 +9,12 @@
 
 namespace trivar {
 
-// Indices from 0. Below 0: none. A relative index is kept as its distance from the first element
-// of its block plus `relative`, since the elements before the block are not counted yet.
+// Indices from 0, or below 0. A relative index is kept as its distance from the first element of
+// its block plus `relative`, since the elements before the block are not counted yet.
 struct ObjCorner {
     std::int32_t v, vt, vn;
+    static constexpr std::int32_t none = -1;
+    static constexpr std::int32_t absent = -2; // named, and not there
     static constexpr std::int32_t relative = 3 << 29;
     static constexpr std::int32_t limit = 1 << 30; // more lines than the largest file has
 };
@@ -27,16 +29,26 @@ struct ObjEvent {
 // What one stretch of whole lines says.
 struct ObjBlock {
     std::vector<glm::vec3> v, vn, colors; // colors as many as v, or none
-    std::vector<glm::vec2> vt;
+    std::vector<glm::vec2> vt;            // vt and vn that cannot be read begin with NaN
+    struct {
+        std::size_t v, vt, vn;
+    } counts{}; // of them, also when they were taken out
     std::vector<ObjCorner> corners;
     std::vector<std::uint32_t> face_end; // into corners
+    std::vector<std::uint32_t> left_out; // faces, rising
     std::vector<ObjEvent> events;
     std::size_t lines_and_points = 0, free_forms = 0; // elements left out
-    std::string error;                                // of the first wrong line
-    const char* error_at = nullptr;
+    std::size_t bad_lines = 0;                        // of vt and vn
+    struct Trouble {
+        const char* at = nullptr; // the line; null: none
+        std::string what;
+    } error, first_bad; // the line that ended it; the first of bad_lines
 };
 
 // Reads whole lines up to the first wrong one. Throws nothing.
 ObjBlock read_obj_block(std::string_view text);
+
+// Where the line of a face begins, by the number of faces before it.
+const char* line_of_face(std::string_view text, std::size_t face);
 
 } // namespace trivar

@@ -2,14 +2,15 @@
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
 #include "core/files/color.h"
-#include "core/files/file_bytes.h"
+#include "core/files/file_sentences.h"
 #include "core/files/formats.h"
 #include "core/files/obj_blocks.h"
-#include "core/files/text_scan.h"
+#include "core/files/obj_corners.h"
+#include "core/files/obj_statements.h"
+#include "core/files/plain_text.h"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <map>
 
 namespace trivar {
 namespace {
@@ -32,10 +33,10 @@ std::vector<std::string_view> split(std::string_view text)
     return parts;
 }
 
-std::vector<ObjBlock> read_blocks(const FileText& file, std::string_view text,
+std::vector<ObjBlock> read_blocks(const std::vector<std::string_view>& parts,
+                                  const PlainText& plain, const FileText& file,
                                   const Progress& progress)
 {
-    const std::vector<std::string_view> parts = split(text);
     std::vector<ObjBlock> blocks(parts.size());
     const std::size_t batch = 16;
     for (std::size_t first = 0; first < parts.size(); first += batch) {
@@ -46,10 +47,9 @@ std::vector<ObjBlock> read_blocks(const FileText& file, std::string_view text,
                 blocks[first + i] = read_obj_block(parts[first + i]);
         });
         for (std::size_t i = first; i < first + count; ++i)
-            if (!blocks[i].error.empty()) {
-                const auto line = 1 + std::count(text.data(), blocks[i].error_at, '\n');
-                throw Rejected(fmt::format("{}: line {}: {}", file.name, line, blocks[i].error));
-            }
+            if (const ObjBlock::Trouble& error = blocks[i].error; error.at)
+                throw Rejected(
+                    fmt::format("{}: line {}: {}", file.name, plain.line_of(error.at), error.what));
     }
     return blocks;
 }
@@ -68,78 +68,7 @@ std::vector<T> joined(std::vector<ObjBlock>& blocks, std::vector<T> ObjBlock::*m
     return all;
 }
 
-std::int32_t resolved(std::int32_t index, std::size_t base, std::size_t count, const char* what,
-                      const FileText& file)
-{
-    if (index == -1) return -1;
-    std::int64_t absolute = index;
-    if (index >= ObjCorner::limit)
-        absolute = static_cast<std::int64_t>(base) + index - ObjCorner::relative;
-    if (absolute < 0 || absolute >= static_cast<std::int64_t>(count))
-        throw Rejected(fmt::format("{}: a face asks for {} {}, there are {}", file.name, what,
-                                   absolute + 1, count));
-    return static_cast<std::int32_t>(absolute);
-}
-
-// Makes every corner's indices absolute. Faces may come before the elements they name.
-std::vector<ObjCorner> resolve_corners(std::vector<ObjBlock>& blocks, std::size_t v_count,
-                                       std::size_t vt_count, std::size_t vn_count,
-                                       const FileText& file)
-{
-    std::size_t v = 0, vt = 0, vn = 0;
-    for (ObjBlock& block : blocks) {
-        for (ObjCorner& corner : block.corners) {
-            corner.v = resolved(corner.v, v, v_count, "vertex", file);
-            corner.vt = resolved(corner.vt, vt, vt_count, "texture coordinate", file);
-            corner.vn = resolved(corner.vn, vn, vn_count, "normal", file);
-        }
-        v += block.v.size();
-        vt += block.vt.size();
-        vn += block.vn.size();
-    }
-    return joined(blocks, &ObjBlock::corners);
-}
-
-// Every different (v, vt, vn) is one vertex of the mesh, in the order of the file's v.
-struct Vertices {
-    std::vector<ObjCorner> of;           // #V
-    std::vector<std::uint32_t> corners;  // #C to vertex
-    std::vector<std::uint32_t> first_of; // #v + 1: the first vertex at each v
-};
-
-Vertices unify(const std::vector<ObjCorner>& corners, std::size_t v_count)
-{
-    std::vector<std::uint32_t> begin(v_count + 1, 0);
-    for (const ObjCorner& c : corners) ++begin[static_cast<std::size_t>(c.v) + 1];
-    for (std::size_t v = 0; v < v_count; ++v) begin[v + 1] += begin[v];
-    std::vector<std::uint32_t> at(corners.size());
-    {
-        std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
-        for (std::uint32_t c = 0; c < corners.size(); ++c)
-            at[next[static_cast<std::size_t>(corners[c].v)]++] = c;
-    }
-    const auto key = [&](std::uint32_t c) { return std::pair(corners[c].vt, corners[c].vn); };
-    parallel_blocks(v_count, 1 << 14, [&](std::size_t first, std::size_t last) {
-        for (std::size_t v = first; v < last; ++v)
-            std::sort(at.begin() + begin[v], at.begin() + begin[v + 1],
-                      [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
-    });
-    Vertices vertices;
-    vertices.corners.resize(corners.size());
-    vertices.first_of.resize(v_count + 1);
-    for (std::size_t v = 0; v < v_count; ++v) {
-        vertices.first_of[v] = static_cast<std::uint32_t>(vertices.of.size());
-        for (std::uint32_t i = begin[v]; i < begin[v + 1]; ++i) {
-            if (i == begin[v] || key(at[i]) != key(at[i - 1]))
-                vertices.of.push_back(corners[at[i]]);
-            vertices.corners[at[i]] = static_cast<std::uint32_t>(vertices.of.size() - 1);
-        }
-    }
-    vertices.first_of[v_count] = static_cast<std::uint32_t>(vertices.of.size());
-    return vertices;
-}
-
-void fill_attributes(Mesh& mesh, const Vertices& vertices, const std::vector<glm::vec3>& v,
+void fill_attributes(Mesh& mesh, const ObjVertices& vertices, const std::vector<glm::vec3>& v,
                      const std::vector<glm::vec3>& colors, const std::vector<glm::vec2>& vt,
                      const std::vector<glm::vec3>& vn)
 {
@@ -167,213 +96,98 @@ void fill_attributes(Mesh& mesh, const Vertices& vertices, const std::vector<glm
     }
 }
 
-// Follows the statements between the faces.
-class Attributes {
+// What was left out of the faces and what stands between them.
+class ObjNotices {
 public:
-    Attributes(const FileText& file, Mesh& mesh, Model& model)
-        : file_(file),
-          mesh_(mesh),
-          model_(model)
+    ObjNotices(const std::vector<ObjBlock>& blocks, const std::vector<std::string_view>& parts,
+               const PlainText& plain, const FileText& file)
+        : blocks_(blocks),
+          parts_(parts),
+          plain_(plain),
+          file_(file)
     {
     }
 
-    // Libraries first: some files name them after their use.
-    void read_libraries(const std::vector<ObjBlock>& blocks)
+    std::vector<std::string> of(const ObjFaces& faces, std::size_t v_count)
     {
-        for (const ObjBlock& block : blocks)
-            for (const ObjEvent& event : block.events)
-                if (event.kind == ObjEvent::Kind::library) read_library(std::string(event.text));
-    }
-
-    void apply(const ObjBlock& block, const std::vector<std::uint32_t>& first_of)
-    {
-        std::size_t next = 0;
-        for (std::uint32_t face = 0; face <= block.face_end.size(); ++face) {
-            for (; next < block.events.size() && block.events[next].face == face; ++next)
-                handle(block.events[next], first_of);
-            if (face == block.face_end.size()) break;
-            if (group_ == none && group_named_) group_ = group(group_name_);
-            mesh_.face_material.push_back(material_);
-            mesh_.face_group.push_back(group_);
+        if (faces.left_out.count > 0) {
+            const std::string first = line(faces.left_out);
+            if (faces.begin.size() == 1)
+                throw Rejected(file_.name + ": " + no_whole_face(first, v_count));
+            say("{}", faces_left_out(faces.left_out.count, first, v_count));
         }
-    }
-
-    void finish()
-    {
-        const auto unset = [](std::uint32_t i) { return i == none; };
-        auto& materials = mesh_.face_material;
-        if (model_.materials.empty()) {
-            materials.clear();
-        } else if (std::any_of(materials.begin(), materials.end(), unset)) {
-            std::replace(materials.begin(), materials.end(), none,
-                         static_cast<std::uint32_t>(model_.materials.size()));
-            model_.materials.emplace_back();
+        if (faces.details.count > 0)
+            say("{} read without a vt or vn that is named and not there (the first: {})",
+                counted(faces.details.count, "corner of a face was", "corners of faces were"),
+                line(faces.details));
+        std::size_t bad = 0, lines_and_points = 0, free_forms = 0;
+        const ObjBlock::Trouble* first_bad = nullptr;
+        for (const ObjBlock& block : blocks_) {
+            if (bad == 0 && block.bad_lines > 0) first_bad = &block.first_bad;
+            bad += block.bad_lines;
+            lines_and_points += block.lines_and_points;
+            free_forms += block.free_forms;
         }
-        auto& groups = mesh_.face_group;
-        if (mesh_.group_names.empty()) {
-            groups.clear();
-        } else if (std::any_of(groups.begin(), groups.end(), unset)) {
-            std::replace(groups.begin(), groups.end(), none,
-                         static_cast<std::uint32_t>(mesh_.group_names.size()));
-            mesh_.group_names.emplace_back("default");
-        }
+        if (bad > 0)
+            say("{} left out; on line {}, {}",
+                counted(bad, "normal or texture coordinate was",
+                        "normals and texture coordinates were"),
+                plain_.line_of(first_bad->at), first_bad->what);
+        if (lines_and_points > 0)
+            say("{} left out",
+                counted(lines_and_points, "line or point was", "lines and points were"));
+        if (free_forms > 0)
+            say("{} left out", counted(free_forms, "free-form curve or surface was",
+                                       "free-form curves and surfaces were"));
+        return std::move(notices_);
     }
 
 private:
-    static constexpr std::uint32_t none = ~0u;
-
-    void read_library(const std::string& name)
+    std::string line(const ObjAbsent& absent) const
     {
-        if (!libraries_.emplace(name, 0).second) return;
-        const auto path = file_inside(file_.folder, name);
-        if (!path) {
-            model_.notices.push_back(
-                fmt::format("{}: the material library {} is not in its folder", file_.name, name));
-            return;
-        }
-        const std::string bytes = read_bytes(*path, max_mtl_bytes);
-        Mtl mtl = read_mtl({bytes, name, file_.folder});
-        for (Material& material : mtl.materials) {
-            const auto index = static_cast<std::uint32_t>(model_.materials.size());
-            if (materials_.emplace(material.name, index).second)
-                model_.materials.push_back(std::move(material));
-        }
-        model_.notices.insert(model_.notices.end(), mtl.notices.begin(), mtl.notices.end());
+        return fmt::format("line {}",
+                           plain_.line_of(line_of_face(parts_[absent.block], absent.face)));
     }
 
-    void handle(const ObjEvent& event, const std::vector<std::uint32_t>& first_of)
+    template <class... T> void say(fmt::format_string<T...> what, T&&... values)
     {
-        using Kind = ObjEvent::Kind;
-        if (event.kind == Kind::material) material_ = material(std::string(event.text));
-        if (event.kind == Kind::group || event.kind == Kind::object) {
-            // Listed when a face comes: an object's name is often followed by its groups' at once.
-            group_name_ = event.text;
-            group_named_ = true;
-            group_ = none;
-        }
-        if (event.kind == Kind::tag) add_tag(event.text, first_of);
+        notices_.push_back(file_.name + ": " + fmt::format(what, std::forward<T>(values)...));
     }
 
-    std::uint32_t material(const std::string& name)
-    {
-        const auto next = static_cast<std::uint32_t>(model_.materials.size());
-        const auto [at, added] = materials_.emplace(name, next);
-        if (added) {
-            model_.notices.push_back(
-                fmt::format("{}: the material {} is used and not defined", file_.name, name));
-            model_.materials.emplace_back().name = name;
-        }
-        return at->second;
-    }
-
-    std::uint32_t group(const std::string& name)
-    {
-        const auto next = static_cast<std::uint32_t>(mesh_.group_names.size());
-        const auto [at, added] = groups_.emplace(name, next);
-        if (added) mesh_.group_names.push_back(name);
-        return at->second;
-    }
-
-    // OpenSubdiv's tags: crease 2/1/0 A B SHARPNESS and corner 1/1/0 A SHARPNESS, v from 0.
-    void add_tag(std::string_view text, const std::vector<std::uint32_t>& first_of)
-    {
-        TextScan scan(text);
-        const std::string_view kind = scan.word();
-        if (kind != "crease" && kind != "corner") return;
-        scan.word();
-        std::uint32_t ends[2]{};
-        for (int i = 0; i < (kind == "crease" ? 2 : 1); ++i) {
-            scan.skip_blanks();
-            const auto v = scan.integer();
-            if (!v || *v < 0 || static_cast<std::size_t>(*v) + 1 >= first_of.size())
-                throw Rejected(
-                    fmt::format("{}: a {} tag names a vertex that is not there", file_.name, kind));
-            const auto at = static_cast<std::size_t>(*v);
-            if (first_of[at] == first_of[at + 1]) return; // no face has it
-            ends[i] = first_of[at];
-            if (kind == "corner") ends[1] = ends[0];
-        }
-        const auto sharpness = scan.number();
-        if (!sharpness || *sharpness < 0)
-            throw Rejected(
-                fmt::format("{}: a {} tag has no sharpness from 0 up", file_.name, kind));
-        mesh_.creases.push_back({ends[0], ends[1], static_cast<float>(*sharpness)});
-    }
-
-    static constexpr std::uintmax_t max_mtl_bytes = 64 << 20;
+    const std::vector<ObjBlock>& blocks_;
+    const std::vector<std::string_view>& parts_;
+    const PlainText& plain_;
     const FileText& file_;
-    Mesh& mesh_;
-    Model& model_;
-    std::map<std::string, std::uint32_t> materials_, groups_;
-    std::map<std::string, int> libraries_;
-    std::uint32_t material_ = none, group_ = none;
-    std::string group_name_;
-    bool group_named_ = false;
+    std::vector<std::string> notices_;
 };
-
-// A backslash at the end of a line carries it on; blanks in their place keep every offset.
-std::string without_continuations(std::string_view text)
-{
-    std::string result(text);
-    for (std::size_t i = 0; (i = result.find('\\', i)) != result.npos; ++i) {
-        std::size_t end = i + 1;
-        if (end < result.size() && result[end] == '\r') ++end;
-        if (end < result.size() && result[end] == '\n')
-            std::fill_n(result.begin() + static_cast<std::ptrdiff_t>(i), end + 1 - i, ' ');
-    }
-    return result;
-}
 
 } // namespace
 
 Model read_obj(const FileText& file, const Progress& progress)
 {
-    std::string plain;
-    std::string_view text = file.bytes;
-    if (text.find("\\\n") != text.npos || text.find("\\\r\n") != text.npos)
-        text = plain = without_continuations(text);
-    std::vector<ObjBlock> blocks = read_blocks(file, text, progress);
+    PlainText plain(file.bytes, file.name);
+    plain.join_lines();
+    const std::vector<std::string_view> parts = split(plain.view());
+    std::vector<ObjBlock> blocks = read_blocks(parts, plain, file, progress);
 
     report(progress, 0.7, "Joining vertices");
-    std::size_t v_count = 0, vt_count = 0, vn_count = 0;
-    std::size_t left_out = 0, free_forms = 0;
-    bool colored = false;
-    for (const ObjBlock& block : blocks) {
-        v_count += block.v.size();
-        vt_count += block.vt.size();
-        vn_count += block.vn.size();
-        left_out += block.lines_and_points;
-        free_forms += block.free_forms;
-        colored |= !block.colors.empty();
-    }
-    if (colored)
+    if (std::ranges::any_of(blocks, [](const ObjBlock& b) { return !b.colors.empty(); }))
         for (ObjBlock& block : blocks) block.colors.resize(block.v.size(), glm::vec3(1));
-
-    Model model;
-    Mesh mesh;
-    for (const ObjBlock& block : blocks) {
-        const auto first = mesh.face_begin.back();
-        for (const std::uint32_t end : block.face_end) mesh.face_begin.push_back(first + end);
-    }
-    const std::vector<ObjCorner> corners =
-        resolve_corners(blocks, v_count, vt_count, vn_count, file);
-    Vertices vertices = unify(corners, v_count);
     const auto v = joined(blocks, &ObjBlock::v), vn = joined(blocks, &ObjBlock::vn),
                colors = joined(blocks, &ObjBlock::colors);
-    fill_attributes(mesh, vertices, v, colors, joined(blocks, &ObjBlock::vt), vn);
+    const auto vt = joined(blocks, &ObjBlock::vt);
+    ObjFaces faces = faces_of(blocks, v.size(), vt, vn);
+
+    Model model;
+    model.notices = ObjNotices(blocks, parts, plain, file).of(faces, v.size());
+    Mesh mesh;
+    mesh.face_begin = std::move(faces.begin);
+    ObjVertices vertices = unified(faces.corners, v.size());
+    fill_attributes(mesh, vertices, v, colors, vt, vn);
     mesh.corners = std::move(vertices.corners);
 
     report(progress, 0.85, "Reading materials");
-    Attributes attributes(file, mesh, model);
-    attributes.read_libraries(blocks);
-    for (const ObjBlock& block : blocks) attributes.apply(block, vertices.first_of);
-    attributes.finish();
-    if (left_out > 0)
-        model.notices.push_back(
-            fmt::format("{}: {} lines and points were left out", file.name, left_out));
-    if (free_forms > 0)
-        model.notices.push_back(fmt::format("{}: {} free-form curves and surfaces were left out",
-                                            file.name, free_forms));
+    add_obj_statements(model, mesh, blocks, vertices.first_of, file, plain);
     model.meshes = {make_ref(std::move(mesh))};
     model.nodes = {Node{"", -1, glm::dmat4(1), 0}};
     return model;

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/files/obj_blocks.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace trivar {
+
+// What faces name and is not there: how often, and the first face that does, as its block and the
+// number of the block's faces before it.
+struct ObjAbsent {
+    std::size_t count = 0, block = 0, face = 0;
+};
+
+// The faces of all blocks, with indices from 0, or below 0: none.
+struct ObjFaces {
+    std::vector<ObjCorner> corners;
+    std::vector<std::uint32_t> begin{0}; // #F + 1 to corner
+    ObjAbsent left_out;                  // faces that name a vertex that is not there
+    ObjAbsent details;                   // corners that name a vt or vn that is not there
+};
+
+// Takes the faces out of the blocks, in which ObjBlock::left_out tells of those that are gone.
+// Faces may come before what they name. A vt or vn that begins with NaN was none and counts as not
+// given.
+ObjFaces faces_of(std::vector<ObjBlock>& blocks, std::size_t v_count,
+                  const std::vector<glm::vec2>& vt, const std::vector<glm::vec3>& vn);
+
+// Every different (v, vt, vn) is one vertex of the mesh, in the order of the file's v.
+struct ObjVertices {
+    std::vector<ObjCorner> of;           // #V
+    std::vector<std::uint32_t> corners;  // #C to vertex
+    std::vector<std::uint32_t> first_of; // #v + 1: the first vertex at each v
+};
+ObjVertices unified(const std::vector<ObjCorner>& corners, std::size_t v_count);
+
+} // namespace trivar

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/files/formats.h"
+#include "core/files/obj_blocks.h"
+#include "core/files/plain_text.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace trivar {
+
+// Adds what an OBJ's statements between its faces say: materials with their libraries, groups and
+// creases. `first_of` is as ObjVertices has it, `plain` the text of the blocks.
+void add_obj_statements(Model& model, Mesh& mesh, const std::vector<ObjBlock>& blocks,
+                        const std::vector<std::uint32_t>& first_of, const FileText& file,
+                        const PlainText& plain);
+
+} // namespace trivar
