@@ -117,9 +117,9 @@ public:
             say("{}", faces_left_out(faces.left_out.count, first, v_count));
         }
         if (faces.details.count > 0)
-            say("{} read without a vt or vn that is named and not there (the first: {})",
-                counted(faces.details.count, "corner of a face was", "corners of faces were"),
-                line(faces.details));
+            say("{} a vt or vn that is not there and {} read without it (the first: {})",
+                counted(faces.details.count, "corner of a face names", "corners of faces name"),
+                faces.details.count == 1 ? "was" : "were", line(faces.details));
         std::size_t bad = 0, lines_and_points = 0, free_forms = 0;
         const ObjBlock::Trouble* first_bad = nullptr;
         for (const ObjBlock& block : blocks_) {

@@ -258,7 +258,7 @@ private:
                 uvs.insert(uvs.end(), corner_uvs_.begin() + mesh_.face_begin[f],
                            corner_uvs_.begin() + mesh_.face_begin[f + 1]);
         }
-        const std::string first = fmt::format("face {} from 0", first_gone);
+        const std::string first = fmt::format("face {}, counted from 0", first_gone);
         if (corners.empty()) refuse(no_whole_face(first, mesh_.vertex_count()));
         say(faces_left_out(gone, first, mesh_.vertex_count()));
         mesh_.corners = std::move(corners);

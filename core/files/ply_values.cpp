@@ -111,8 +111,8 @@ std::string PlyValues::last() const
 
 void PlyValues::fail(const std::string& what) const
 {
-    throw Rejected(fmt::format("{}: {} {} of {} (from 0): {}", name_, shown(element_->name), index_,
-                               element_->count, what));
+    throw Rejected(fmt::format("{}: {} {} of {}, counted from 0: {}", name_, shown(element_->name),
+                               index_, element_->count, what));
 }
 
 } // namespace trivar

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/read_model.h"
 
+#include "core/base/finite.h"
 #include "core/base/rejected.h"
 #include "core/files/file_bytes.h"
 #include "core/files/formats.h"
@@ -101,7 +102,13 @@ Model read_model_bytes(std::string_view bytes, const std::string& name, const st
         repairs += result.repairs;
         Mesh mesh = std::move(result.mesh);
         faces += mesh.face_count();
-        if (!gltf && matrix != glm::dmat4(1)) mesh = transformed(mesh, matrix);
+        if (!gltf && matrix != glm::dmat4(1)) {
+            mesh = transformed(mesh, matrix);
+            if (!std::ranges::all_of(mesh.positions, [](const auto& p) { return finite(p); }))
+                throw Rejected(fmt::format("{}: with the scale {} its size is beyond 3.4e38, the "
+                                           "largest number there is",
+                                           file.name, options.scale));
+        }
         ref = make_ref(std::move(mesh));
     }
     if (faces == 0)
@@ -123,7 +130,7 @@ Model read_model_bytes(std::string_view bytes, const std::string& name, const st
     if (model.notices.size() > max_notices) {
         const std::size_t more = model.notices.size() - max_notices;
         model.notices.resize(max_notices);
-        model.notices.push_back(fmt::format("{}: and {} more of such sentences", file.name, more));
+        model.notices.push_back(fmt::format("{}: and {} more notices", file.name, more));
     }
     report(progress, 1, "Done");
     return model;

@@ -25,9 +25,10 @@ std::vector<glm::vec3> read_binary(const FileText& file, std::uint32_t count)
         for (std::size_t c = 0; c < 3; ++c) {
             const glm::vec3 p(values[3 * c], values[3 * c + 1], values[3 * c + 2]);
             if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-                throw Rejected(fmt::format("{}: triangle {} of {} (from 0): a coordinate is no "
-                                           "finite number",
-                                           file.name, t, count));
+                throw Rejected(
+                    fmt::format("{}: triangle {} of {}, counted from 0: a coordinate is no "
+                                "finite number",
+                                file.name, t, count));
             corners[3 * t + c] = p;
         }
     }

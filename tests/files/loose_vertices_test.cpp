@@ -51,5 +51,18 @@ TEST(SignedZeros, AreOnePlaceInEveryFormat)
     }
 }
 
+TEST(Scale, ThatLeavesTheNumbersThereAreIsRefused)
+{
+    const std::string text = obj_text({{"3e38 0 0", "0 3e38 0", "0 0 0"}, {{0, 1, 2}}});
+    EXPECT_EQ(read_model_bytes(text, "a.obj", "").meshes[0]->face_count(), 1u);
+    try {
+        read_model_bytes(text, "a.obj", "", {.scale = 1000});
+        ADD_FAILURE();
+    } catch (const Rejected& rejected) {
+        EXPECT_EQ(std::string(rejected.what()), "a.obj: with the scale 1000 its size is beyond "
+                                                "3.4e38, the largest number there is");
+    }
+}
+
 } // namespace
 } // namespace trivar

@@ -26,11 +26,11 @@ TEST(ObjReader, ReadsFacesWithoutATextureCoordinateOrNormalThatIsNotThere)
                               "f 1/0/0 2/0/0 3/0/0\nf 1/9/9 3 4/999999999/-999999999\n"}) {
         const Model model = read_text_model(obj_corners + faces, ".obj");
         EXPECT_EQ(*model.meshes[0], expected) << faces;
-        EXPECT_THAT(model.notices, ElementsAre(HasSubstr("read without a vt or vn"))) << faces;
+        EXPECT_THAT(model.notices, ElementsAre(HasSubstr("a vt or vn that is not there"))) << faces;
     }
     EXPECT_THAT(read_text_model(obj_corners + "f 1/1 2 3\n\nf 1 3/1/1 4\n", ".obj").notices,
-                ElementsAre("a.obj: 2 corners of faces were read without a vt or vn that is named "
-                            "and not there (the first: line 5)"));
+                ElementsAre("a.obj: 2 corners of faces name a vt or vn that is not there and were "
+                            "read without it (the first: line 5)"));
 }
 
 // The others keep their numbers, so no face gets the coordinate of another.

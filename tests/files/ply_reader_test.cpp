@@ -120,7 +120,7 @@ TEST(PlyReader, LeavesOutFacesOfVerticesThatAreNotThere)
     EXPECT_EQ(*read.meshes[0], expected);
     EXPECT_THAT(read.notices,
                 ElementsAre("a.ply: 2 faces name vertices that are not there and were left out "
-                            "(the first: face 1 from 0); the file has 4 vertices"));
+                            "(the first: face 1, counted from 0); the file has 4 vertices"));
     EXPECT_THAT(refusal_of(with_strips("3 0 1 4\n"), ".ply"),
                 HasSubstr("every face names a vertex that is not there"));
 }
@@ -133,12 +133,14 @@ TEST(PlyReader, SaysTheElementAndTheWordThatIsWrong)
         other.replace(other.rfind(was), was.size(), now);
         return refusal_of(other, ".ply");
     };
-    EXPECT_EQ(with("1 1 0", "1 1e39 0"),
-              "a.ply: vertex 2 of 4 (from 0): its y is '1e39', which is no number from -3.4e38 to "
-              "3.4e38");
-    EXPECT_EQ(with("3 0 2 3", "3 0 2"), "a.ply: face 1 of 2 (from 0): the file ends here");
-    EXPECT_EQ(with("3 0 2 3", "3 0 2.5 3"),
-              "a.ply: face 1 of 2 (from 0): it has '2.5' where the number of a vertex should be");
+    EXPECT_EQ(
+        with("1 1 0", "1 1e39 0"),
+        "a.ply: vertex 2 of 4, counted from 0: its y is '1e39', which is no number from -3.4e38 to "
+        "3.4e38");
+    EXPECT_EQ(with("3 0 2 3", "3 0 2"), "a.ply: face 1 of 2, counted from 0: the file ends here");
+    EXPECT_EQ(
+        with("3 0 2 3", "3 0 2.5 3"),
+        "a.ply: face 1 of 2, counted from 0: it has '2.5' where the number of a vertex should be");
     EXPECT_EQ(with("end_header", "end"), "a.ply: line 9: 'end' does not belong in a PLY header");
     EXPECT_EQ(with("vertex_indices", "indices"),
               "a.ply: the element face has no list named vertex_indices");

@@ -67,7 +67,7 @@ TEST(StlReader, SaysWhatIsWrongAndWhere)
     std::string infinite = binary_stl("a", 1, 1);
     std::memset(infinite.data() + 84 + 12, 0xff, 4);
     EXPECT_EQ(refusal_of(infinite, ".stl"),
-              "a.stl: triangle 0 of 1 (from 0): a coordinate is no finite number");
+              "a.stl: triangle 0 of 1, counted from 0: a coordinate is no finite number");
 }
 
 } // namespace
