@@ -38,7 +38,7 @@ GltfJson parsed_gltf(std::string_view text, const std::string& name)
         const std::string_view before = text.substr(0, error.byte == 0 ? 0 : error.byte - 1);
         if (before.size() >= text.size())
             throw Rejected(name + ": its JSON is damaged or cut off: it ends in the middle");
-        throw Rejected(fmt::format("{}: its JSON is damaged in line {}, at character {}", name,
+        throw Rejected(fmt::format("{}: its JSON is damaged in line {}, near character {}", name,
                                    1 + std::ranges::count(before, '\n'),
                                    before.size() - (before.rfind('\n') + 1) + 1));
     } catch (const GltfJson::exception&) { // a number out of range
@@ -128,12 +128,11 @@ void GltfFile::account(const GltfEntry& owner, std::size_t count, std::size_t by
 GltfFile::Buffer GltfFile::opened(const GltfEntry& buffer, std::optional<std::string_view> binary)
 {
     const std::string_view uri = buffer.text("uri");
-    if (uri.empty()) {
-        if (binary) return {*binary, {}};
+    if (uri.empty() && binary) return {*binary, {}};
+    if (uri.empty())
         return {{},
-                "it has no 'uri', and only the first buffer of a GLB file goes without one, "
-                "whose bytes are the file's binary chunk"};
-    }
+                "it has no 'uri', and only the first buffer of a GLB file with a binary chunk "
+                "goes without one"};
     auto known = by_uri_.find(uri);
     if (known == by_uri_.end()) {
         std::optional<std::string> bytes = uri_bytes(uri);
@@ -177,8 +176,8 @@ std::string_view GltfFile::view(const GltfEntry& owner, const char* name) const
     if (!trouble.empty()) buffer.fail(trouble);
     const std::size_t begin = view.size("byteOffset"), size = view.needed_size("byteLength");
     if (begin > bytes.size() || size > bytes.size() - begin)
-        view.fail(fmt::format("it reaches to byte {} of buffer {}, which has {}", begin + size,
-                              view.needed_index("buffer"), bytes.size()));
+        view.fail(fmt::format("it reaches to byte {} of buffer {}, which has {} bytes",
+                              begin + size, view.needed_index("buffer"), bytes.size()));
     return bytes.substr(begin, size);
 }
 

@@ -124,7 +124,7 @@ GltfMeshes::Added GltfMeshes::add_vertices(Mesh& mesh, const GltfEntry& primitiv
     const GltfEntry attributes = primitive.needed_part("attributes");
     const GltfAccessors::Table positions = accessors_.floats(attributes, "POSITION");
     if (positions.not_finite > 0)
-        attributes.fail(fmt::format("'POSITION' has {} numbers that are infinite or none",
+        attributes.fail(fmt::format("'POSITION' has numbers that are infinite or none, {} in all",
                                     positions.not_finite));
     const Added added{mesh.vertex_count(), positions.count};
     if (added.end() > 0xfffffff0u)

@@ -13,8 +13,9 @@ void check_range(const GltfEntry& node, const char* name, const std::vector<doub
 {
     for (const double value : values)
         if (!(std::abs(value) <= gltf_most_coordinate))
-            node.fail(fmt::format("'{}' has the number {}, and numbers up to {} can be worked with",
-                                  name, value, gltf_most_coordinate));
+            node.fail(
+                fmt::format("'{}' has the number {}, and numbers up to {:g} can be worked with",
+                            name, value, gltf_most_coordinate));
 }
 
 glm::dmat4 affine_matrix(const GltfEntry& node, const std::vector<double>& values)

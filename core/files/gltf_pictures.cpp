@@ -61,10 +61,14 @@ Ref<Image> GltfPictures::read(const GltfEntry& image, std::size_t number)
             known->second = decoded(*bytes, name);
         else
             notices_.add("the picture '{1}' is not in its folder",
-                         "{0} pictures are not in its folder, '{1}' for one", 1, name);
+                         "{0} pictures are not in its folder, '{1}' for one", 1, printable(uri));
         return known->second;
     } catch (const Rejected& why) {
-        notices_.add("{1}", "{0} of its pictures cannot be read, for one {1}", 1, why.what());
+        std::string_view sentence =
+            why.what(); // which may begin with the file's name as notices do
+        const std::string file = file_.name() + ": ";
+        if (sentence.starts_with(file)) sentence.remove_prefix(file.size());
+        notices_.add("{1}", "{0} of its pictures cannot be read, for one {1}", 1, sentence);
         return nullptr;
     }
 }

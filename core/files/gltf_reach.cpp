@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whether numbers that are finite each take a mesh to where nothing can be worked with.
 #include "core/base/rejected.h"
+#include "core/base/text.h"
 #include "core/files/gltf_nodes.h"
 #include "core/files/gltf_skins.h"
 #include "core/mesh/pose.h"
@@ -56,10 +57,12 @@ void check_gltf_reach(Model& model, const std::string& file_name, CountedNotices
             if (in_reach(index)) continue;
         }
         throw Rejected(fmt::format(
-            "{}: the mesh of node '{}' reaches {:.3g} m from the origin, and places up to {} m can "
-            "be worked with: is its unit or a scale wrong?",
-            file_name, node.name, furthest_coordinate(model, index, stance_at(model, nullptr, 0)),
-            gltf_most_coordinate));
+            "{}: {} reaches {:.3g} m from the origin, and places up to {:g} m can be worked with: "
+            "is its unit or a scale wrong?",
+            file_name,
+            node.name.empty() ? "a mesh"
+                              : fmt::format("the mesh of node '{}'", printable(node.name)),
+            furthest_coordinate(model, index, stance_at(model, nullptr, 0)), gltf_most_coordinate));
     }
 }
 

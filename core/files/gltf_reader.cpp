@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/rejected.h"
 #include "core/files/gltf_clips.h"
 #include "core/files/gltf_materials.h"
 #include "core/files/gltf_mesh.h"
 #include "core/files/gltf_nodes.h"
 #include "core/files/gltf_skins.h"
+
+#include <algorithm>
+#include <fmt/format.h>
 
 namespace trivar {
 namespace {
@@ -32,6 +36,20 @@ void add_named_meshes(Model& model, GltfMeshes& meshes, const GltfFile& file,
                 "{0} meshes hang on no node of the scene and were left out", unnamed);
 }
 
+// What was left out may be why there are none.
+void check_for_faces(const Model& model, const GltfFile& file, const CountedNotices& notices)
+{
+    const auto has_faces = [](const Ref<Mesh>& mesh) { return mesh->face_count() > 0; };
+    if (std::ranges::any_of(model.meshes, has_faces)) return;
+    std::vector<std::string> left_out = notices.sentences(file.name());
+    constexpr std::size_t most_reasons = 3;
+    left_out.resize(std::min(left_out.size(), most_reasons));
+    std::string why;
+    for (const std::string& notice : left_out)
+        why += (why.empty() ? ": " : "; ") + notice.substr(file.name().size() + 2);
+    throw Rejected(fmt::format("{}: there are no faces in it{}", file.name(), why));
+}
+
 } // namespace
 
 Model read_gltf(const FileText& text, bool binary, const Progress& progress)
@@ -47,6 +65,7 @@ Model read_gltf(const FileText& text, bool binary, const Progress& progress)
     model.materials = gltf_materials(file, notices);
     GltfMeshes meshes(accessors, notices);
     add_named_meshes(model, meshes, file, notices, progress);
+    check_for_faces(model, file, notices);
     if (meshes.uses_plain_material() || model.materials.empty()) model.materials.emplace_back();
     add_gltf_skins(model, accessors, nodes.node_of, notices);
     add_gltf_clips(model, accessors, nodes.node_of, notices);
