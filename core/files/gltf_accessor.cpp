@@ -147,7 +147,7 @@ GltfAccessors::Table GltfAccessors::floats(const GltfEntry& owner, const char* n
     const GltfEntry entry = accessor(owner, name);
     const Layout from = layout(entry);
     // A table is read into something of its size, which takes its place.
-    file_.account(entry, from.count, 2 * sizeof(float) * from.components);
+    file_.account(entry, from.count, "elements", 2 * sizeof(float) * from.components);
     Table table{from.count, from.components, std::vector<float>(from.count * from.components, 0)};
     const bool fractions = entry.flag("normalized");
     each(entry, from, [&](std::size_t i, std::size_t c, double value) {
@@ -178,7 +178,7 @@ std::vector<std::uint32_t> GltfAccessors::indices(const GltfEntry& owner, const 
     const Layout from = layout(entry);
     if (from.components != 1 || from.component_type == single_float)
         entry.fail("it gives the numbers of vertices, and must hold whole numbers, one by one");
-    file_.account(entry, from.count, sizeof(std::uint32_t));
+    file_.account(entry, from.count, "elements", sizeof(std::uint32_t));
     std::vector<std::uint32_t> result(from.count, 0);
     if (from.count > 0 && limit == 0) entry.fail("it asks for vertices, and there are none");
     each(entry, from, [&](std::size_t i, std::size_t, double value) {

@@ -24,10 +24,10 @@ constexpr std::array<std::string_view, 3> supported_extensions{
     "KHR_mesh_quantization", "KHR_materials_emissive_strength", "EXT_texture_webp"};
 constexpr std::string_view texture_transform = "KHR_texture_transform"; // has its own notice
 
-// What may be made of a file: 256 MB, and 48 bytes of each of its own.
+// What may be made of a file: 256 MB, and 32 bytes of each of its own.
 std::size_t memory_for(std::size_t file_bytes)
 {
-    return (std::size_t{1} << 28) + 48 * file_bytes;
+    return (std::size_t{1} << 28) + 32 * file_bytes;
 }
 
 GltfJson parsed_gltf(std::string_view text, const std::string& name)
@@ -116,12 +116,13 @@ GltfFile::GltfFile(const FileText& file, bool binary, CountedNotices& notices)
 
 GltfFile::~GltfFile() = default;
 
-void GltfFile::account(const GltfEntry& owner, std::size_t count, std::size_t bytes_each)
+void GltfFile::account(const GltfEntry& owner, std::size_t count, const char* called,
+                       std::size_t bytes_each)
 {
     if (count > bytes_left_ / bytes_each)
-        owner.fail(fmt::format("it is {} values, and with what was read before more than a file of "
-                               "{} bytes accounts for",
-                               count, byte_count_));
+        owner.fail(fmt::format("it has {} {}, and with what was read before that is more than a "
+                               "file of {} bytes accounts for",
+                               count, called, byte_count_));
     bytes_left_ -= count * bytes_each;
 }
 

@@ -40,8 +40,9 @@ public:
 
     // Much may be made of few bytes, of one accessor a thousand times over. What is made stays in
     // proportion to the file, so that a small one cannot fill the memory. Throws Rejected where
-    // `count` things that an entry stands for go beyond that.
-    void account(const GltfEntry& owner, std::size_t count, std::size_t bytes_each);
+    // the things that an entry stands for go beyond that; `called` is what they are.
+    void account(const GltfEntry& owner, std::size_t count, const char* called,
+                 std::size_t bytes_each);
 
 private:
     struct Buffer {

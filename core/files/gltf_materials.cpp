@@ -158,11 +158,14 @@ private:
 
 } // namespace
 
-std::vector<Material> gltf_materials(const GltfFile& file, CountedNotices& notices)
+std::vector<Material> gltf_materials(GltfFile& file, CountedNotices& notices)
 {
+    const std::size_t count = file.root().count("materials");
+    constexpr std::size_t material_bytes = 450;
+    file.account(file.root(), count, "materials", material_bytes);
     MaterialReader reader(file, notices);
     std::vector<Material> out;
-    out.reserve(file.root().count("materials"));
+    out.reserve(count + 1); // a plain one may be added
     file.root().each("materials", "material",
                      [&](const GltfEntry& each) { out.push_back(reader.read(each)); });
     return out;

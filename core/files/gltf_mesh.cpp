@@ -14,7 +14,7 @@ constexpr std::size_t max_uv_sets = 8, max_targets = 1024;
 
 // What a vertex and a corner come to beside the values of their own attributes: normals, points,
 // faces, and what the repairs and the copies want meanwhile.
-constexpr std::size_t vertex_bytes = 64, corner_bytes = 56;
+constexpr std::size_t vertex_bytes = 40, corner_bytes = 32;
 
 // The accessors that the vertices of a primitive are made of, by name: of its attributes, then of
 // each target.
@@ -129,7 +129,7 @@ GltfMeshes::Added GltfMeshes::add_vertices(Mesh& mesh, const GltfEntry& primitiv
     const Added added{mesh.vertex_count(), positions.count};
     if (added.end() > 0xfffffff0u)
         primitive.fail("with it, the mesh has more vertices than can be counted");
-    accessors_.file().account(primitive, added.count, vertex_bytes);
+    accessors_.file().account(primitive, added.count, "vertices", vertex_bytes);
     append(mesh.positions, attributes, "POSITION", added, glm::vec3(0));
     append(mesh.normals, attributes, "NORMAL", added, glm::vec3(0));
     append(mesh.tangents, attributes, "TANGENT", added, glm::vec4(1, 0, 0, 1));
@@ -198,7 +198,8 @@ void GltfMeshes::add_faces(Mesh& mesh, const GltfEntry& primitive, std::size_t m
         for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::uint32_t>(i);
     }
     const bool listed = mode == triangle_list;
-    accessors_.file().account(primitive, order.size(), listed ? corner_bytes : 3 * corner_bytes);
+    accessors_.file().account(primitive, order.size(), "corners",
+                              listed ? corner_bytes : 3 * corner_bytes);
     if (listed && order.size() % 3 != 0)
         notices_.add("one list of triangles ends within a triangle, which was left out",
                      "{0} lists of triangles end within a triangle, which was left out");

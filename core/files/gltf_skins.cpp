@@ -21,7 +21,8 @@ ReadSkin read_skin(const GltfEntry& from, GltfAccessors& accessors, const std::v
     const std::vector<int> joints = from.indices("joints");
     if (joints.size() > max_joints)
         from.fail(fmt::format("it has {} joints, and may have {}", joints.size(), max_joints));
-    accessors.file().account(from, joints.size(), sizeof(int) + sizeof(glm::dmat4));
+    constexpr std::size_t joint_bytes = 200; // with its matrix, here and in a pose
+    accessors.file().account(from, joints.size(), "joints", joint_bytes);
     for (const int joint : joints) {
         const bool there = joint >= 0 && static_cast<std::size_t>(joint) < node_of.size() &&
                            node_of[static_cast<std::size_t>(joint)] >= 0;
