@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <fmt/format.h>
 #include <limits>
 
 namespace trivar {
@@ -31,20 +32,45 @@ std::size_t up_to_four(std::size_t size)
 
 } // namespace
 
+GlbViews glb_views(std::string_view bytes)
+{
+    constexpr std::size_t head = 12, chunk_head = 8, json = 0x4e4f534a, binary = 0x004e4942;
+    if (bytes.substr(0, 4) != "glTF")
+        throw Rejected("this is no GLB file: it does not begin with the letters glTF");
+    if (bytes.size() < head + chunk_head) throw Rejected("the file is cut off in its first bytes");
+    if (glb_word(bytes, 4) != 2)
+        throw Rejected(
+            fmt::format("this is glTF {}, and only glTF 2 can be read", glb_word(bytes, 4)));
+    const std::size_t length = glb_word(bytes, 8);
+    if (length > bytes.size() || length < head + chunk_head)
+        throw Rejected(
+            fmt::format("the file is cut off or damaged: it says that it has {} bytes, and has {}",
+                        length, bytes.size()));
+    bytes = bytes.substr(0, length);
+    GlbViews out;
+    for (std::size_t at = head; bytes.size() - at >= chunk_head;) {
+        const std::size_t size = glb_word(bytes, at), kind = glb_word(bytes, at + 4);
+        const std::size_t left = bytes.size() - at - chunk_head;
+        if (at == head && kind != json) throw Rejected("its first chunk is not its JSON");
+        if (size > left)
+            throw Rejected(fmt::format("{} is cut off: it says that it has {} bytes, and has {}",
+                                       at == head       ? "its JSON"
+                                       : kind == binary ? "its binary chunk"
+                                                        : "one of its chunks",
+                                       size, left));
+        const std::string_view chunk = bytes.substr(at + chunk_head, size);
+        if (at == head) out.json = chunk;
+        if (kind == binary && !out.binary) out.binary = chunk;
+        at += chunk_head + size;
+    }
+    if (nested_too_deep(out.json)) throw Rejected("its JSON is nested too deep");
+    return out;
+}
+
 GlbChunks glb_chunks(std::string_view bytes)
 {
-    if (bytes.size() < 20 || bytes.substr(0, 4) != "glTF") throw Rejected("this is no GLB file");
-    const std::size_t length = glb_word(bytes, 12);
-    if (length > bytes.size() - 20) throw Rejected("its JSON is cut off");
-    const std::string_view text = bytes.substr(20, length);
-    if (nested_too_deep(text)) throw Rejected("its JSON is nested too deep");
-    GlbChunks out{std::string(text), {}};
-    const std::size_t next = 20 + length;
-    if (bytes.size() < next + 8) return out;
-    const std::size_t size = glb_word(bytes, next);
-    if (size > bytes.size() - next - 8) throw Rejected("its data is cut off");
-    out.binary = bytes.substr(next + 8, size);
-    return out;
+    const GlbViews views = glb_views(bytes);
+    return {std::string(views.json), std::string(views.binary.value_or(""))};
 }
 
 std::string glb_container(const GlbChunks& chunks)

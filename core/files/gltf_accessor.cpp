@@ -1,183 +1,190 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/gltf_accessor.h"
 
-#include "core/base/rejected.h"
+#include "core/base/text.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <fmt/format.h>
-#include <tiny_gltf.h>
 
 namespace trivar {
 namespace {
 
-std::size_t bytes_of(int component_type)
+// The component types of glTF 2.0, 3.6.2.2.
+enum : std::size_t {
+    signed_byte = 5120,
+    unsigned_byte = 5121,
+    signed_short = 5122,
+    unsigned_short = 5123,
+    unsigned_int = 5125,
+    single_float = 5126
+};
+
+std::size_t bytes_of(std::size_t component_type)
 {
     switch (component_type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return 1;
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return 2;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-    case TINYGLTF_COMPONENT_TYPE_FLOAT: return 4;
+    case signed_byte:
+    case unsigned_byte: return 1;
+    case signed_short:
+    case unsigned_short: return 2;
+    case unsigned_int:
+    case single_float: return 4;
     default: return 0;
     }
 }
 
-template <class T> double loaded(const unsigned char* at)
+std::size_t components_of(std::string_view type)
+{
+    using Type = std::pair<std::string_view, std::size_t>;
+    for (const auto& [name, components] :
+         {Type("SCALAR", 1), Type("VEC2", 2), Type("VEC3", 3), Type("VEC4", 4), Type("MAT4", 16)})
+        if (type == name) return components;
+    return 0;
+}
+
+template <class T> double loaded(const char* at)
 {
     T value;
     std::memcpy(&value, at, sizeof value);
     return static_cast<double>(value);
 }
 
-double loaded(int component_type, const unsigned char* at)
+double loaded(std::size_t component_type, const char* at)
 {
     switch (component_type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE: return loaded<std::int8_t>(at);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return loaded<std::uint8_t>(at);
-    case TINYGLTF_COMPONENT_TYPE_SHORT: return loaded<std::int16_t>(at);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return loaded<std::uint16_t>(at);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return loaded<std::uint32_t>(at);
+    case signed_byte: return loaded<std::int8_t>(at);
+    case unsigned_byte: return loaded<std::uint8_t>(at);
+    case signed_short: return loaded<std::int16_t>(at);
+    case unsigned_short: return loaded<std::uint16_t>(at);
+    case unsigned_int: return loaded<std::uint32_t>(at);
     default: return loaded<float>(at);
     }
 }
 
-double normalized(int component_type, double value)
+double normalized(std::size_t component_type, double value)
 {
     switch (component_type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE: return std::max(value / 127, -1.0);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return value / 255;
-    case TINYGLTF_COMPONENT_TYPE_SHORT: return std::max(value / 32767, -1.0);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return value / 65535;
+    case signed_byte: return std::max(value / 127, -1.0);
+    case unsigned_byte: return value / 255;
+    case signed_short: return std::max(value / 32767, -1.0);
+    case unsigned_short: return value / 65535;
     default: return value;
     }
 }
 
 } // namespace
 
-GltfAccessors::GltfAccessors(const tinygltf::Model& gltf, std::string name)
-    : gltf_(gltf),
-      name_(std::move(name)),
-      values_left_(1 << 20)
+GltfEntry GltfAccessors::accessor(const GltfEntry& owner, const char* name) const
 {
-    for (const tinygltf::Buffer& buffer : gltf.buffers) values_left_ += 16 * buffer.data.size();
+    return file_.named(owner, name, "accessors", "accessor");
 }
 
-void GltfAccessors::fail(int accessor, const std::string& what) const
+GltfAccessors::Layout GltfAccessors::layout(const GltfEntry& accessor) const
 {
-    throw Rejected(fmt::format("{}: accessor {} {}", name_, accessor, what));
+    const Layout out{accessor.needed_size("count"), components_of(accessor.needed_text("type")),
+                     accessor.needed_size("componentType")};
+    if (out.components == 0)
+        accessor.fail(fmt::format("'type' is '{}', and must be SCALAR, VEC2, VEC3, VEC4 or MAT4",
+                                  printable(accessor.text("type").substr(0, 20))));
+    if (bytes_of(out.component_type) == 0)
+        accessor.fail(fmt::format("'componentType' is {}, and must be 5120, 5121, 5122, 5123, 5125 "
+                                  "or 5126",
+                                  out.component_type));
+    return out;
 }
 
-GltfAccessors::Bytes GltfAccessors::view(int index) const
-{
-    if (index < 0 || static_cast<std::size_t>(index) >= gltf_.bufferViews.size())
-        throw Rejected(fmt::format("{}: there is no buffer view {}", name_, index));
-    const tinygltf::BufferView& view = gltf_.bufferViews[static_cast<std::size_t>(index)];
-    if (view.buffer < 0 || static_cast<std::size_t>(view.buffer) >= gltf_.buffers.size())
-        throw Rejected(fmt::format("{}: buffer view {} names buffer {}, which is not there", name_,
-                                   index, view.buffer));
-    const auto& data = gltf_.buffers[static_cast<std::size_t>(view.buffer)].data;
-    if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset)
-        throw Rejected(
-            fmt::format("{}: buffer view {} reaches past the end of its buffer", name_, index));
-    return {data.data() + view.byteOffset, view.byteLength};
-}
-
-GltfAccessors::Layout GltfAccessors::checked_layout(int index)
-{
-    if (index < 0 || static_cast<std::size_t>(index) >= gltf_.accessors.size())
-        fail(index, "is asked for and not there");
-    const tinygltf::Accessor& a = gltf_.accessors[static_cast<std::size_t>(index)];
-    Layout layout{a.bufferView, a.byteOffset, a.count, 0, a.componentType};
-    switch (a.type) {
-    case TINYGLTF_TYPE_SCALAR: layout.components = 1; break;
-    case TINYGLTF_TYPE_VEC2: layout.components = 2; break;
-    case TINYGLTF_TYPE_VEC3: layout.components = 3; break;
-    case TINYGLTF_TYPE_VEC4: layout.components = 4; break;
-    case TINYGLTF_TYPE_MAT4: layout.components = 16; break;
-    default: fail(index, "is neither a scalar, a vector nor a matrix of 4 x 4");
-    }
-    if (bytes_of(a.componentType) == 0) fail(index, "has no component type that is known");
-    if (a.count > values_left_ / layout.components)
-        fail(index, fmt::format("has {} elements, and with what was read before more than the file "
-                                "accounts for",
-                                a.count));
-    values_left_ -= a.count * layout.components;
-    return layout;
-}
-
-void GltfAccessors::each(const Layout& layout, int accessor,
-                         const std::function<void(std::size_t, std::size_t, double)>& use) const
+void GltfAccessors::each_in_view(const GltfEntry& place, const Layout& layout, const Use& use) const
 {
     if (layout.count == 0) return;
-    const Bytes bytes = view(layout.buffer_view);
+    const std::string_view bytes = file_.view(place, "bufferView");
+    const GltfEntry view = file_.named(place, "bufferView", "bufferViews", "bufferView");
     const std::size_t component = bytes_of(layout.component_type);
     const std::size_t element = component * layout.components;
-    std::size_t stride = gltf_.bufferViews[static_cast<std::size_t>(layout.buffer_view)].byteStride;
-    if (stride == 0) stride = element;
+    const std::size_t stride = view.size("byteStride", element), offset = place.size("byteOffset");
+    if (stride < element)
+        view.fail(fmt::format("'byteStride' is {}, and one element has {} bytes", stride, element));
     // Written so that no product can overflow.
-    if (stride < element || layout.byte_offset > bytes.size ||
-        bytes.size - layout.byte_offset < element ||
-        layout.count - 1 > (bytes.size - layout.byte_offset - element) / stride)
-        fail(accessor, "reaches past the end of its buffer view");
+    if (offset > bytes.size() || bytes.size() - offset < element ||
+        layout.count - 1 > (bytes.size() - offset - element) / stride)
+        place.fail(fmt::format("its {} elements of {} bytes reach past the end of its buffer view, "
+                               "which has {} bytes",
+                               layout.count, element, bytes.size()));
     for (std::size_t i = 0; i < layout.count; ++i) {
-        const unsigned char* at = bytes.data + layout.byte_offset + i * stride;
+        const char* at = bytes.data() + offset + i * stride;
         for (std::size_t c = 0; c < layout.components; ++c)
             use(i, c, loaded(layout.component_type, at + c * component));
     }
 }
 
-GltfAccessors::Table GltfAccessors::floats(int index)
+void GltfAccessors::each(const GltfEntry& accessor, const Layout& layout, const Use& use) const
 {
-    const Layout layout = checked_layout(index);
-    const tinygltf::Accessor& accessor = gltf_.accessors[static_cast<std::size_t>(index)];
-    Table table{layout.count, layout.components,
-                std::vector<float>(layout.count * layout.components, 0.0f)};
-    const auto put = [&](std::size_t i, std::size_t c, double value) {
-        if (accessor.normalized) value = normalized(layout.component_type, value);
-        if (!std::isfinite(value))
-            fail(index, fmt::format("has no finite number at element {}", i));
-        table.values[i * layout.components + c] = static_cast<float>(value);
-    };
-    if (layout.buffer_view >= 0)
-        each(layout, index, put);
-    else if (!accessor.sparse.isSparse)
-        fail(index, "has no buffer view");
-    if (!accessor.sparse.isSparse) return table;
-
-    const auto& sparse = accessor.sparse;
-    if (sparse.count < 0 || static_cast<std::size_t>(sparse.count) > layout.count ||
-        sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0)
-        fail(index, "has impossible sparse values");
-    const auto count = static_cast<std::size_t>(sparse.count);
-    if (bytes_of(sparse.indices.componentType) == 0) fail(index, "has impossible sparse indices");
+    if (accessor.index("bufferView") >= 0) each_in_view(accessor, layout, use);
+    const std::optional<GltfEntry> sparse = accessor.part("sparse");
+    if (!sparse) return;
+    const std::size_t count = sparse->needed_size("count");
+    if (count > layout.count)
+        sparse->fail(
+            fmt::format("'count' is {}, and its accessor has {} elements", count, layout.count));
+    const GltfEntry indices = sparse->needed_part("indices"),
+                    values = sparse->needed_part("values");
+    const Layout of_indices{count, 1, indices.needed_size("componentType")};
+    if (bytes_of(of_indices.component_type) == 0)
+        indices.fail("'componentType' must be 5121, 5123 or 5125");
     std::vector<std::size_t> at(count);
-    each({sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset), count, 1,
-          sparse.indices.componentType},
-         index, [&](std::size_t i, std::size_t, double value) {
-             if (!(value >= 0 && value < static_cast<double>(layout.count)))
-                 fail(index, "has a sparse index out of range");
-             at[i] = static_cast<std::size_t>(value);
-         });
-    each({sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset), count,
-          layout.components, layout.component_type},
-         index, [&](std::size_t i, std::size_t c, double value) { put(at[i], c, value); });
+    each_in_view(indices, of_indices, [&](std::size_t i, std::size_t, double value) {
+        if (!(value >= 0 && value < static_cast<double>(layout.count)))
+            indices.fail(
+                fmt::format("one is {}, and its accessor has {} elements", value, layout.count));
+        at[i] = static_cast<std::size_t>(value);
+    });
+    each_in_view(values, {count, layout.components, layout.component_type},
+                 [&](std::size_t i, std::size_t c, double value) { use(at[i], c, value); });
+}
+
+GltfAccessors::Table GltfAccessors::floats(const GltfEntry& owner, const char* name)
+{
+    const GltfEntry entry = accessor(owner, name);
+    const Layout from = layout(entry);
+    // A table is read into something of its size, which takes its place.
+    file_.account(entry, from.count, "elements", 2 * sizeof(float) * from.components);
+    Table table{from.count, from.components, std::vector<float>(from.count * from.components, 0)};
+    const bool fractions = entry.flag("normalized");
+    each(entry, from, [&](std::size_t i, std::size_t c, double value) {
+        if (fractions) value = normalized(from.component_type, value);
+        float& to = table.values[i * from.components + c];
+        to = std::isfinite(value) ? static_cast<float>(value) : 0.0f;
+        if (!std::isfinite(value)) ++table.not_finite;
+    });
     return table;
 }
 
-std::vector<std::uint32_t> GltfAccessors::indices(int index, std::size_t limit)
+std::optional<std::size_t> GltfAccessors::zeros(const GltfEntry& owner, const char* name) const
 {
-    const Layout layout = checked_layout(index);
-    if (layout.components != 1 || layout.component_type == TINYGLTF_COMPONENT_TYPE_FLOAT)
-        fail(index, "gives vertex indices and holds something else");
-    if (gltf_.accessors[static_cast<std::size_t>(index)].sparse.isSparse)
-        fail(index, "gives vertex indices sparsely, which cannot be read");
-    std::vector<std::uint32_t> result(layout.count);
-    each(layout, index, [&](std::size_t i, std::size_t, double value) {
+    const GltfEntry entry = accessor(owner, name);
+    if (entry.index("bufferView") >= 0 || entry.has("sparse")) return {};
+    return layout(entry).count;
+}
+
+bool GltfAccessors::holds_floats(const GltfEntry& owner, const char* name) const
+{
+    return layout(accessor(owner, name)).component_type == single_float;
+}
+
+std::vector<std::uint32_t> GltfAccessors::indices(const GltfEntry& owner, const char* name,
+                                                  std::size_t limit)
+{
+    const GltfEntry entry = accessor(owner, name);
+    const Layout from = layout(entry);
+    if (from.components != 1 || from.component_type == single_float)
+        entry.fail("it gives the numbers of vertices, and must hold whole numbers, one by one");
+    file_.account(entry, from.count, "elements", sizeof(std::uint32_t));
+    std::vector<std::uint32_t> result(from.count, 0);
+    if (from.count > 0 && limit == 0) entry.fail("it asks for vertices, and there are none");
+    each(entry, from, [&](std::size_t i, std::size_t, double value) {
         if (!(value >= 0 && value < static_cast<double>(limit)))
-            fail(index, fmt::format("asks for vertex {:.0f}, there are {}", value, limit));
+            entry.fail(
+                fmt::format("it asks for vertex {:.0f}, and the last is {}", value, limit - 1));
         result[i] = static_cast<std::uint32_t>(value);
     });
     return result;

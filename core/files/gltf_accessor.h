@@ -1,56 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <string>
-#include <vector>
+#include "core/files/gltf_file.h"
 
-namespace tinygltf {
-class Model;
-}
+#include <cstdint>
 
 namespace trivar {
 
 // Reads accessors of a glTF file whose numbers nobody has checked: every offset, stride, count and
-// index is held against the bytes that are there. Throws Rejected, naming file and accessor.
+// index is held against the bytes that are there. An accessor is named by an entry and what it
+// calls it, such as an attribute; what is wrong is said with both. Throws Rejected.
 class GltfAccessors {
 public:
-    GltfAccessors(const tinygltf::Model& gltf, std::string name);
+    explicit GltfAccessors(GltfFile& file) : file_(file) {}
+    GltfFile& file() const { return file_; }
 
-    // count x components numbers, normalised integers as fractions, sparse values in place.
+    // count x components numbers, normalised integers as fractions, sparse values in place, and 0
+    // where the file gives none. What is no finite number is 0, too, and counted.
     struct Table {
-        std::size_t count, components;
-        std::vector<float> values;
+        std::size_t count = 0, components = 0;
+        std::vector<float> values = {};
+        std::size_t not_finite = 0;
     };
-    Table floats(int accessor);
+    Table floats(const GltfEntry& owner, const char* name);
+    // How many elements of 0 there are where an accessor lies in no buffer; nothing where it does.
+    std::optional<std::size_t> zeros(const GltfEntry& owner, const char* name) const;
     // Vertex indices, each below `limit`.
-    std::vector<std::uint32_t> indices(int accessor, std::size_t limit);
-
-    // The bytes of a buffer view.
-    struct Bytes {
-        const unsigned char* data;
-        std::size_t size;
-    };
-    Bytes view(int buffer_view) const;
+    std::vector<std::uint32_t> indices(const GltfEntry& owner, const char* name, std::size_t limit);
+    bool holds_floats(const GltfEntry& owner, const char* name) const;
 
 private:
     struct Layout {
-        int buffer_view;
-        std::size_t byte_offset, count, components;
-        int component_type;
+        std::size_t count, components, component_type;
     };
-    void each(const Layout& layout, int accessor,
-              const std::function<void(std::size_t i, std::size_t c, double value)>& use) const;
-    Layout checked_layout(int accessor);
-    [[noreturn]] void fail(int accessor, const std::string& what) const;
+    GltfEntry accessor(const GltfEntry& owner, const char* name) const;
+    Layout layout(const GltfEntry& accessor) const;
+    using Use = std::function<void(std::size_t i, std::size_t c, double value)>;
+    void each_in_view(const GltfEntry& place, const Layout& layout, const Use& use) const;
+    void each(const GltfEntry& accessor, const Layout& layout, const Use& use) const;
 
-    const tinygltf::Model& gltf_;
-    std::string name_;
-    // Many primitives may read one accessor; what they read together stays in proportion to the
-    // file, so that a small one cannot fill the memory.
-    std::size_t values_left_;
+    GltfFile& file_;
 };
 
 } // namespace trivar

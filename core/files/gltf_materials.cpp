@@ -1,130 +1,174 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/gltf_materials.h"
 
-#include "core/base/rejected.h"
-#include "core/files/image.h"
+#include "core/files/gltf_pictures.h"
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
-#include <tiny_gltf.h>
 
 namespace trivar {
 namespace {
 
-Ref<Image> decoded(const tinygltf::Image& image, std::size_t index, const GltfAccessors& accessors,
-                   const std::string& name, std::vector<std::string>& notices)
+constexpr int max_uv_set = 7;
+
+float unit(double value)
 {
-    const std::string label = !image.name.empty()  ? image.name
-                              : !image.uri.empty() ? image.uri
-                                                   : fmt::format("picture {}", index);
-    try {
-        std::string_view bytes(reinterpret_cast<const char*>(image.image.data()),
-                               image.image.size());
-        if (image.bufferView >= 0) {
-            const GltfAccessors::Bytes view = accessors.view(image.bufferView);
-            bytes = {reinterpret_cast<const char*>(view.data), view.size};
-        }
-        if (bytes.empty()) return nullptr; // not found: said when the file was loaded
-        Image result = read_image_bytes(bytes, label);
-        return make_ref(std::move(result));
-    } catch (const Rejected& rejected) {
-        notices.push_back(fmt::format("{}: {}", name, rejected.what()));
-        return nullptr;
-    }
+    return static_cast<float>(std::clamp(value, 0.0, 1.0));
 }
 
 class MaterialReader {
 public:
-    MaterialReader(const tinygltf::Model& gltf, std::vector<Ref<Image>> images)
-        : gltf_(gltf),
-          images_(std::move(images))
+    MaterialReader(const GltfFile& file, CountedNotices& notices)
+        : file_(file),
+          notices_(notices),
+          pictures_(file, notices)
     {
     }
 
-    Material read(const tinygltf::Material& from)
+    Material read(const GltfEntry& from)
     {
         Material m;
-        m.name = from.name;
-        const auto& pbr = from.pbrMetallicRoughness;
-        for (int i = 0; i < 4; ++i) m.base_color[i] = unit(at(pbr.baseColorFactor, i, 1), 1);
-        m.metallic = unit(pbr.metallicFactor, 1);
-        m.roughness = unit(pbr.roughnessFactor, 1);
-        double strength = 1;
-        if (const auto e = from.extensions.find("KHR_materials_emissive_strength");
-            e != from.extensions.end() && e->second.Has("emissiveStrength") &&
-            e->second.Get("emissiveStrength").IsNumber())
-            strength = e->second.Get("emissiveStrength").GetNumberAsDouble();
-        for (int i = 0; i < 3; ++i) {
-            const double value = at(from.emissiveFactor, i, 0) * strength;
-            m.emissive[i] = value > 0 ? static_cast<float>(std::min(value, 1e6)) : 0.0f;
+        m.name = from.text("name");
+        m.base_color = glm::vec4(1);
+        m.metallic = m.roughness = 1;
+        if (const auto pbr = from.part("pbrMetallicRoughness")) {
+            const std::vector<double> color = pbr->numbers("baseColorFactor", 4);
+            for (std::size_t i = 0; i < color.size(); ++i)
+                m.base_color[static_cast<int>(i)] = unit(color[i]);
+            m.metallic = unit(pbr->number("metallicFactor", 1));
+            m.roughness = unit(pbr->number("roughnessFactor", 1));
+            m.base_color_texture = texture(*pbr, "baseColorTexture");
+            m.metallic_roughness_texture = texture(*pbr, "metallicRoughnessTexture");
         }
-        m.normal_scale = std::isfinite(from.normalTexture.scale)
-                             ? static_cast<float>(std::clamp(from.normalTexture.scale, -100., 100.))
-                             : 1.0f;
-        m.alpha = from.alphaMode == "MASK"    ? Material::Alpha::mask
-                  : from.alphaMode == "BLEND" ? Material::Alpha::blend
-                                              : Material::Alpha::opaque;
-        m.alpha_cutoff = unit(from.alphaCutoff, 0.5f);
-        m.double_sided = from.doubleSided;
-        m.base_color_texture = texture(pbr.baseColorTexture);
-        m.metallic_roughness_texture = texture(pbr.metallicRoughnessTexture);
-        m.normal_texture = texture(from.normalTexture);
-        m.occlusion_texture = texture(from.occlusionTexture);
-        m.emissive_texture = texture(from.emissiveTexture);
+        m.normal_texture = texture(from, "normalTexture");
+        m.occlusion_texture = texture(from, "occlusionTexture");
+        m.emissive_texture = texture(from, "emissiveTexture");
+        if (const auto normal = from.part("normalTexture"))
+            m.normal_scale =
+                static_cast<float>(std::clamp(normal->number("scale", 1), -100.0, 100.0));
+        const std::vector<double> emissive = from.numbers("emissiveFactor", 3);
+        const double strength = emissive_strength(from);
+        for (std::size_t i = 0; i < emissive.size(); ++i)
+            m.emissive[static_cast<int>(i)] =
+                static_cast<float>(std::clamp(emissive[i] * strength, 0.0, 1e6));
+        const std::string_view alpha = from.text("alphaMode");
+        m.alpha = alpha == "MASK"    ? Material::Alpha::mask
+                  : alpha == "BLEND" ? Material::Alpha::blend
+                                     : Material::Alpha::opaque;
+        m.alpha_cutoff = unit(from.number("alphaCutoff", 0.5));
+        m.double_sided = from.flag("doubleSided");
         return m;
     }
 
-    bool transforms_left_out() const { return transforms_left_out_; }
-
 private:
-    static double at(const std::vector<double>& values, int i, double otherwise)
+    static double emissive_strength(const GltfEntry& material)
     {
-        const auto index = static_cast<std::size_t>(i);
-        return index < values.size() ? values[index] : otherwise;
-    }
-    static float unit(double value, float otherwise)
-    {
-        return std::isfinite(value) ? static_cast<float>(std::clamp(value, 0.0, 1.0)) : otherwise;
+        const auto extensions = material.part("extensions");
+        const auto strength =
+            extensions ? extensions->part("KHR_materials_emissive_strength") : std::nullopt;
+        return strength ? strength->number("emissiveStrength", 1) : 1;
     }
 
-    template <class Info> Texture texture(const Info& info)
+    // As a material uses it.
+    Texture texture(const GltfEntry& material, const char* name)
     {
-        Texture result;
-        if (info.index < 0 || static_cast<std::size_t>(info.index) >= gltf_.textures.size())
-            return result;
-        const tinygltf::Texture& from = gltf_.textures[static_cast<std::size_t>(info.index)];
-        if (from.source < 0 || static_cast<std::size_t>(from.source) >= images_.size())
-            return result;
-        result.image = images_[static_cast<std::size_t>(from.source)];
-        result.uv_set = std::clamp(info.texCoord, 0, 7);
-        if (from.sampler >= 0 && static_cast<std::size_t>(from.sampler) < gltf_.samplers.size()) {
-            const auto& sampler = gltf_.samplers[static_cast<std::size_t>(from.sampler)];
-            result.repeat_u = sampler.wrapS != TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
-            result.repeat_v = sampler.wrapT != TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
+        const auto use = material.part(name);
+        if (!use) return {};
+        const std::size_t index = use->size("index", ~std::size_t{0});
+        if (index >= file_.root().count("textures")) {
+            notices_.add("one texture that a material names is not there",
+                         "{0} textures that materials name are not there");
+            return {};
         }
-        transforms_left_out_ |= info.extensions.contains("KHR_texture_transform");
-        return result;
+        const auto [known, fresh] = textures_.try_emplace(index);
+        if (fresh) known->second = read_texture(file_.root().item("textures", "texture", index));
+        Texture out = known->second;
+        if (!out.image) return {};
+        const std::size_t uv_set = use->size("texCoord");
+        out.uv_set = static_cast<int>(std::min<std::size_t>(uv_set, max_uv_set));
+        if (uv_set > max_uv_set)
+            notices_.add("one texture lies on a set of texture coordinates beyond the eighth, and "
+                         "was laid on that",
+                         "{0} textures lie on sets of texture coordinates beyond the eighth, and "
+                         "were laid on that");
+        const auto extensions = use->part("extensions");
+        if (extensions && extensions->has("KHR_texture_transform"))
+            notices_.add("the transform of one texture was left out",
+                         "the transforms of {0} textures were left out");
+        return out;
     }
 
-    const tinygltf::Model& gltf_;
-    std::vector<Ref<Image>> images_;
-    bool transforms_left_out_ = false;
+    Texture read_texture(const GltfEntry& from)
+    {
+        Texture out;
+        const auto source = picture_of(from);
+        if (!source) return out;
+        if (*source >= file_.root().count("images")) {
+            notices_.add("one texture names a picture that is not there",
+                         "{0} textures name pictures that are not there");
+            return out;
+        }
+        out.image = pictures_.picture(*source);
+        if (const int sampler = from.index("sampler"); sampler >= 0)
+            set_wrapping(out, static_cast<std::size_t>(sampler));
+        return out;
+    }
+
+    // A texture may have its picture in a format of an extension, and beside it in a plain one.
+    std::optional<std::size_t> picture_of(const GltfEntry& texture)
+    {
+        if (texture.index("source") >= 0) return texture.size("source");
+        const auto extensions = texture.part("extensions");
+        const auto webp = extensions ? extensions->part("EXT_texture_webp") : std::nullopt;
+        if (webp && webp->index("source") >= 0) return webp->size("source");
+        const std::vector<std::string> others =
+            extensions ? extensions->names() : std::vector<std::string>();
+        if (others.empty())
+            notices_.add("one texture names no picture", "{0} textures name no pictures");
+        else
+            notices_.add("one texture has its picture only in a kind that cannot be read, {1}",
+                         "{0} textures have their pictures only in kinds that cannot be read, {1} "
+                         "for one",
+                         1, others.front());
+        return {};
+    }
+
+    void set_wrapping(Texture& out, std::size_t index)
+    {
+        constexpr std::size_t clamp = 33071, mirrored = 33648, repeat = 10497;
+        if (index >= file_.root().count("samplers")) {
+            notices_.add("one texture names a sampler that is not there, and repeats as usual",
+                         "{0} textures name samplers that are not there, and repeat as usual");
+            return;
+        }
+        const GltfEntry sampler = file_.root().item("samplers", "sampler", index);
+        const std::size_t u = sampler.size("wrapS", repeat), v = sampler.size("wrapT", repeat);
+        out.repeat_u = u != clamp;
+        out.repeat_v = v != clamp;
+        if (u == mirrored || v == mirrored)
+            notices_.add("one texture is mirrored where it repeats, which was left out",
+                         "{0} textures are mirrored where they repeat, which was left out");
+    }
+
+    const GltfFile& file_;
+    CountedNotices& notices_;
+    GltfPictures pictures_;
+    std::map<std::size_t, Texture> textures_; // by number
 };
 
 } // namespace
 
-void add_gltf_materials(Model& model, const tinygltf::Model& gltf, const GltfAccessors& accessors,
-                        const std::string& name)
+std::vector<Material> gltf_materials(GltfFile& file, CountedNotices& notices)
 {
-    std::vector<Ref<Image>> images;
-    for (const tinygltf::Image& image : gltf.images)
-        images.push_back(decoded(image, images.size(), accessors, name, model.notices));
-    MaterialReader reader(gltf, std::move(images));
-    for (const tinygltf::Material& material : gltf.materials)
-        model.materials.push_back(reader.read(material));
-    if (reader.transforms_left_out())
-        model.notices.push_back(name + ": the textures' own transforms were left out");
+    const std::size_t count = file.root().count("materials");
+    constexpr std::size_t material_bytes = 450;
+    file.account(file.root(), count, "materials", material_bytes);
+    MaterialReader reader(file, notices);
+    std::vector<Material> out;
+    out.reserve(count + 1); // a plain one may be added
+    file.root().each("materials", "material",
+                     [&](const GltfEntry& each) { out.push_back(reader.read(each)); });
+    return out;
 }
 
 } // namespace trivar

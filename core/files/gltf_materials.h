@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/files/gltf_accessor.h"
+#include "core/files/gltf_file.h"
 #include "core/mesh/model.h"
 
 namespace trivar {
 
-// Appends the file's materials with their pictures decoded; a picture that cannot be read is a
-// notice and no texture.
-void add_gltf_materials(Model& model, const tinygltf::Model& gltf, const GltfAccessors& accessors,
-                        const std::string& name);
+// The file's materials with their pictures decoded. References to what is not there, and pictures
+// that cannot be read, are notices and no textures.
+std::vector<Material> gltf_materials(GltfFile& file, CountedNotices& notices);
 
 } // namespace trivar

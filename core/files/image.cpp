@@ -201,6 +201,13 @@ Image read_image_bytes(std::string_view bytes, const std::string& name)
     return image;
 }
 
+glm::ivec2 image_size_px(std::string_view bytes, const std::string& name)
+{
+    OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
+    const Reading read(bytes, name, memory);
+    return {read.spec.width, read.spec.height};
+}
+
 Image read_image(const std::string& path)
 {
     return read_image_bytes(read_bytes(path, max_file_bytes), path);

@@ -198,10 +198,10 @@ TEST(HostileGltf, ReadsNoFileOutsideItsFolder)
             "");
 }
 
-TEST(HostileGltf, MayNotReadOneAccessorAThousandTimes)
+TEST(HostileGltf, MayNotReadOneAccessorThousandsOfTimes)
 {
     std::string primitives, bytes(3000, '\0');
-    for (int i = 0; i < 2000; ++i)
+    for (int i = 0; i < 20000; ++i)
         primitives += R"({"attributes":{"POSITION":0,"X)" + std::to_string(i) + R"(":0}},)";
     primitives.pop_back();
     const std::string text =

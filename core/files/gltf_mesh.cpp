@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/files/gltf_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <map>
+
+namespace trivar {
+namespace {
+
+enum : std::size_t { triangle_list = 4, triangle_strip = 5, triangle_fan = 6 };
+constexpr std::size_t max_uv_sets = 8, max_targets = 1024;
+
+// What a vertex and a corner come to beside the values of their own attributes: normals, points,
+// faces, and what the repairs and the copies want meanwhile.
+constexpr std::size_t vertex_bytes = 40, corner_bytes = 32;
+
+// The accessors that the vertices of a primitive are made of, by name: of its attributes, then of
+// each target.
+using Sources = std::vector<std::map<std::string, int>>;
+
+Sources sources_of(const GltfEntry& primitive)
+{
+    Sources out;
+    const auto add = [&](const GltfEntry& attributes) {
+        auto& by_name = out.emplace_back();
+        for (const std::string& name : attributes.names())
+            by_name[name] = attributes.index(name.c_str());
+    };
+    add(primitive.needed_part("attributes"));
+    primitive.each("targets", "target", add);
+    return out;
+}
+
+bool is_set_beyond(const std::string& name, std::size_t uv_sets)
+{
+    for (std::size_t set = 0; set < uv_sets; ++set)
+        if (name == fmt::format("TEXCOORD_{}", set)) return false;
+    return name.starts_with("TEXCOORD_") || (name.starts_with("COLOR_") && name != "COLOR_0");
+}
+
+template <class T>
+void grow(std::vector<T>& values, std::size_t first, std::size_t end, const T& neutral)
+{
+    values.resize(first, neutral);
+    values.resize(end, neutral);
+}
+
+} // namespace
+
+GltfMeshes::GltfMeshes(GltfAccessors& accessors, CountedNotices& notices)
+    : accessors_(accessors),
+      notices_(notices),
+      material_count_(static_cast<std::uint32_t>(accessors.file().root().count("materials")))
+{
+}
+
+Mesh GltfMeshes::read(const GltfEntry& from)
+{
+    std::map<Sources, Added> read_before;
+    Mesh mesh;
+    from.each("primitives", "primitive", [&](const GltfEntry& primitive) {
+        const std::size_t mode = primitive.size("mode", triangle_list);
+        if (mode > triangle_fan)
+            primitive.fail(fmt::format("'mode' is {}, and must be from 0 to 6", mode));
+        if (mode < triangle_list)
+            return notices_.add("one part of a mesh is lines or points and was left out",
+                                "{0} parts of meshes are lines or points and were left out");
+        const GltfEntry attributes = primitive.needed_part("attributes");
+        if (!attributes.has("POSITION"))
+            return notices_.add("one part of a mesh has no positions and was left out",
+                                "{0} parts of meshes have no positions and were left out");
+        const auto extensions = primitive.part("extensions");
+        if (extensions && extensions->has("KHR_draco_mesh_compression") &&
+            accessors_.zeros(attributes, "POSITION"))
+            primitive.fail("it is compressed by KHR_draco_mesh_compression, which is not "
+                           "supported: export it without");
+        // Primitives that differ in their material only share their vertices.
+        const auto [known, fresh] = read_before.try_emplace(sources_of(primitive));
+        if (fresh) known->second = add_vertices(mesh, primitive);
+        add_faces(mesh, primitive, mode, known->second);
+    });
+    mesh = without_loose_vertices(std::move(mesh));
+    mesh.points = points_by_position(mesh.positions);
+    return mesh;
+}
+
+GltfAccessors::Table GltfMeshes::table(const GltfEntry& owner, const char* name, std::size_t count,
+                                       std::size_t least, std::size_t most)
+{
+    GltfAccessors::Table out = accessors_.floats(owner, name);
+    if (out.components < least || out.components > most)
+        owner.fail(fmt::format("'{}' has {} numbers a vertex, and must have {}", name,
+                               out.components, least));
+    if (out.count != count)
+        owner.fail(
+            fmt::format("'{}' is for {} vertices, and there are {}", name, out.count, count));
+    return out;
+}
+
+// Meshes of several primitives may have an attribute in some only: the others get what changes
+// nothing.
+template <class T>
+void GltfMeshes::append(std::vector<T>& values, const GltfEntry& owner, const char* name,
+                        Added added, T neutral, std::size_t least_components)
+{
+    const bool there = owner.has(name);
+    if (!there && values.empty()) return;
+    grow(values, added.first, added.end(), neutral);
+    if (!there) return;
+    const GltfAccessors::Table read =
+        table(owner, name, added.count, least_components, T::length());
+    for (std::size_t i = 0; i < added.count; ++i)
+        for (std::size_t c = 0; c < read.components; ++c)
+            values[added.first + i][static_cast<int>(c)] = read.values[i * read.components + c];
+    notices_.add("one number of its vertices is infinite or none, and was read as 0",
+                 "{0} numbers of its vertices are infinite or none, and were read as 0",
+                 read.not_finite);
+}
+
+GltfMeshes::Added GltfMeshes::add_vertices(Mesh& mesh, const GltfEntry& primitive)
+{
+    const GltfEntry attributes = primitive.needed_part("attributes");
+    const GltfAccessors::Table positions = accessors_.floats(attributes, "POSITION");
+    if (positions.not_finite > 0)
+        attributes.fail(fmt::format("'POSITION' has numbers that are infinite or none, {} in all",
+                                    positions.not_finite));
+    const Added added{mesh.vertex_count(), positions.count};
+    if (added.end() > 0xfffffff0u)
+        primitive.fail("with it, the mesh has more vertices than can be counted");
+    accessors_.file().account(primitive, added.count, "vertices", vertex_bytes);
+    append(mesh.positions, attributes, "POSITION", added, glm::vec3(0));
+    append(mesh.normals, attributes, "NORMAL", added, glm::vec3(0));
+    append(mesh.tangents, attributes, "TANGENT", added, glm::vec4(1, 0, 0, 1));
+    append(mesh.colors, attributes, "COLOR_0", added, glm::vec4(1), 3);
+    add_uvs(mesh, attributes, added);
+    add_influences(mesh, attributes, added);
+    add_targets(mesh, primitive, added);
+    return added;
+}
+
+void GltfMeshes::add_uvs(Mesh& mesh, const GltfEntry& attributes, Added added)
+{
+    std::size_t set = 0;
+    for (; set < max_uv_sets; ++set) {
+        const std::string name = fmt::format("TEXCOORD_{}", set);
+        const bool there = attributes.has(name.c_str());
+        if (!there && set >= mesh.uvs.size()) break;
+        if (set == mesh.uvs.size()) mesh.uvs.emplace_back();
+        append(mesh.uvs[set], attributes, name.c_str(), added, glm::vec2(0));
+        for (std::size_t v = added.first; there && v < added.end(); ++v)
+            mesh.uvs[set][v].y = 1 - mesh.uvs[set][v].y; // glTF's v goes down
+    }
+    const std::vector<std::string> names = attributes.names();
+    if (std::ranges::any_of(names, [&](const auto& name) { return is_set_beyond(name, set); }))
+        notices_.add("one part of a mesh has more colours or sets of texture coordinates than can "
+                     "be read, which were left out",
+                     "{0} parts of meshes have more colours or sets of texture coordinates than "
+                     "can be read, which were left out");
+}
+
+void GltfMeshes::add_targets(Mesh& mesh, const GltfEntry& primitive, Added added)
+{
+    const std::size_t count = primitive.count("targets");
+    if (count > max_targets)
+        primitive.fail(fmt::format("it has {} morph targets, and may have {}", count, max_targets));
+    mesh.morph_targets.resize(std::max(mesh.morph_targets.size(), count));
+    const auto add = [&](std::vector<glm::vec3>& values, const GltfEntry& target,
+                         const char* name) {
+        // Differences that are all 0 want no memory.
+        if (!target.has(name) || accessors_.zeros(target, name) != added.count)
+            append(values, target, name, added, glm::vec3(0));
+        else if (!values.empty())
+            grow(values, added.first, added.end(), glm::vec3(0));
+    };
+    for (std::size_t t = 0; t < mesh.morph_targets.size(); ++t) {
+        Mesh::MorphTarget& to = mesh.morph_targets[t];
+        if (t < count) {
+            const GltfEntry target = primitive.item("targets", "target", t);
+            add(to.positions, target, "POSITION");
+            add(to.normals, target, "NORMAL");
+            add(to.tangents, target, "TANGENT");
+            continue;
+        }
+        for (std::vector<glm::vec3>* values : {&to.positions, &to.normals, &to.tangents})
+            if (!values->empty()) grow(*values, added.first, added.end(), glm::vec3(0));
+    }
+}
+
+void GltfMeshes::add_faces(Mesh& mesh, const GltfEntry& primitive, std::size_t mode, Added vertices)
+{
+    std::vector<std::uint32_t> order;
+    if (primitive.index("indices") >= 0) {
+        order = accessors_.indices(primitive, "indices", vertices.count);
+    } else {
+        order.resize(vertices.count);
+        for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::uint32_t>(i);
+    }
+    const bool listed = mode == triangle_list;
+    accessors_.file().account(primitive, order.size(), "corners",
+                              listed ? corner_bytes : 3 * corner_bytes);
+    if (listed && order.size() % 3 != 0)
+        notices_.add("one list of triangles ends within a triangle, which was left out",
+                     "{0} lists of triangles end within a triangle, which was left out");
+    for (std::size_t i = 0; i + 2 < order.size(); i += listed ? 3 : 1) {
+        std::array triangle{order[i], order[i + 1], order[i + 2]};
+        if (mode == triangle_strip && i % 2 == 1) std::swap(triangle[1], triangle[2]);
+        if (mode == triangle_fan) triangle[0] = order[0];
+        for (std::uint32_t& v : triangle) v += static_cast<std::uint32_t>(vertices.first);
+        add_face(mesh, triangle);
+    }
+    mesh.face_material.resize(mesh.face_count(), material_of(primitive));
+}
+
+std::uint32_t GltfMeshes::material_of(const GltfEntry& primitive)
+{
+    const int named = primitive.index("material");
+    if (named >= 0 && static_cast<std::uint32_t>(named) < material_count_)
+        return static_cast<std::uint32_t>(named);
+    if (named >= 0)
+        notices_.add("one part of a mesh names a material that is not there, and got a plain one",
+                     "{0} parts of meshes name materials that are not there, and got a plain one");
+    plain_used_ = true;
+    return material_count_;
+}
+
+} // namespace trivar

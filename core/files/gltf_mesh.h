@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/files/gltf_accessor.h"
+#include "core/mesh/mesh.h"
+
+namespace trivar {
+
+// The meshes of a glTF file: faces, attributes, influences, morph targets. Throws Rejected; what
+// can be left out is a notice.
+class GltfMeshes {
+public:
+    GltfMeshes(GltfAccessors& accessors, CountedNotices& notices);
+    Mesh read(const GltfEntry& mesh);
+    // Whether a face was given the material after the last one of the file, for it names none.
+    bool uses_plain_material() const { return plain_used_; }
+
+private:
+    // The vertices of a primitive, which are the last ones of the mesh while it is read.
+    struct Added {
+        std::size_t first, count;
+        std::size_t end() const { return first + count; }
+    };
+    Added add_vertices(Mesh& mesh, const GltfEntry& primitive);
+    void add_uvs(Mesh& mesh, const GltfEntry& attributes, Added added);
+    void add_influences(Mesh& mesh, const GltfEntry& attributes, Added added);
+    void add_targets(Mesh& mesh, const GltfEntry& primitive, Added added);
+    void add_faces(Mesh& mesh, const GltfEntry& primitive, std::size_t mode, Added vertices);
+    std::uint32_t material_of(const GltfEntry& primitive);
+    template <class T>
+    void append(std::vector<T>& values, const GltfEntry& owner, const char* name, Added added,
+                T neutral, std::size_t least_components = T::length());
+    GltfAccessors::Table table(const GltfEntry& owner, const char* name, std::size_t count,
+                               std::size_t least, std::size_t most);
+
+    GltfAccessors& accessors_;
+    CountedNotices& notices_;
+    std::uint32_t material_count_;
+    bool plain_used_ = false;
+};
+
+} // namespace trivar

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/files/gltf_file.h"
+#include "core/mesh/model.h"
+
+namespace trivar {
+
+// Numbers that place something, and places, are of use up to here, in metres: products of two of
+// them keep to single precision.
+inline constexpr double gltf_most_coordinate = 1e15;
+
+// The nodes of the scene that a glTF file shows, each after its parent; `mesh` is the number of a
+// mesh in the file. Where the scene shows no mesh all nodes are taken, and where these show none
+// either each mesh gets one: what is in a file is seen.
+struct GltfNodes {
+    std::vector<Node> nodes;
+    std::vector<int> node_of; // by node of the file: where it is in the list, or -1
+};
+// Throws Rejected where the nodes are no trees or are placed beyond use.
+GltfNodes gltf_nodes(GltfFile& file, CountedNotices& notices);
+
+} // namespace trivar

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a glTF file names and cannot be had is said once, with how often; the rest is read.
+#include "core/files/gltf_uri.h"
+#include "tests/files/gltf_texts.h"
+#include "tests/support/fixtures.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace trivar {
+namespace {
+
+using namespace testing;
+using ::testing::AllOf, ::testing::ElementsAre, ::testing::EndsWith, ::testing::HasSubstr,
+    ::testing::IsEmpty;
+
+// The file with two more materials of the same kind as its first one.
+GltfText three_materials(GltfText text)
+{
+    text["materials"] = {text["materials"][0], text["materials"][0], text["materials"][0]};
+    return text;
+}
+
+TEST(GltfReferences, ToTexturesPicturesAndSamplersThatAreNotThereAreCounted)
+{
+    EXPECT_THAT(read_gltf_text(textured_gltf()).notices, IsEmpty());
+    GltfText text = three_materials(textured_gltf());
+    for (GltfText& material : text["materials"])
+        material["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 7;
+    EXPECT_THAT(read_gltf_text(text).notices,
+                ElementsAre("a.gltf: 3 textures that materials name are not there"));
+    text = textured_gltf();
+    text["textures"][0]["source"] = 4;
+    EXPECT_THAT(read_gltf_text(text).notices,
+                ElementsAre(HasSubstr("one texture names a picture")));
+    text = textured_gltf();
+    text["textures"][0]["sampler"] = 4;
+    EXPECT_THAT(read_gltf_text(text).notices,
+                ElementsAre(HasSubstr("one texture names a sampler")));
+    text = textured_gltf();
+    text["meshes"][0]["primitives"][0]["material"] = 9;
+    EXPECT_THAT(read_gltf_text(text).notices, ElementsAre(HasSubstr("names a material")));
+}
+
+TEST(GltfReferences, ToPicturesInExtensionsAreReadWhereTheyCanBe)
+{
+    GltfText text = textured_gltf();
+    text["extensionsUsed"] = {"EXT_texture_webp"};
+    text["textures"][0] = {{"extensions", {{"EXT_texture_webp", {{"source", 0}}}}}};
+    const Model model = read_gltf_text(text);
+    EXPECT_THAT(model.notices, IsEmpty());
+    EXPECT_TRUE(model.materials[0].base_color_texture.image);
+    text["textures"][0] = {{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}};
+    EXPECT_THAT(read_gltf_text(text).notices,
+                ElementsAre(HasSubstr("only in a kind that cannot be read, KHR_texture_basisu")));
+    text["textures"][0]["source"] = 0; // a plain picture beside it
+    EXPECT_THAT(read_gltf_text(text).notices, IsEmpty());
+}
+
+TEST(GltfReferences, ToOptionalExtensionsAreSaidOnce)
+{
+    GltfText text = triangle_gltf();
+    text["extensionsUsed"] = {"KHR_materials_ior", "KHR_mesh_quantization", "KHR_lights_punctual"};
+    EXPECT_THAT(read_gltf_text(text).notices,
+                ElementsAre("a.gltf: 2 of its extensions are not supported and were left out: "
+                            "KHR_materials_ior, KHR_lights_punctual"));
+    text["extensionsRequired"] = {"KHR_lights_punctual"};
+    EXPECT_THAT(refusal_of(text), HasSubstr("it needs the extension KHR_lights_punctual"));
+}
+
+TEST(GltfReferences, MirroredTexturesAreReadAsRepeating)
+{
+    GltfText text = three_materials(textured_gltf());
+    text["samplers"][0] = {{"wrapS", 33648}, {"wrapT", 33071}};
+    const Model model = read_gltf_text(text);
+    EXPECT_THAT(model.notices, ElementsAre(HasSubstr("one texture is mirrored where it repeats")));
+    EXPECT_TRUE(model.materials[0].base_color_texture.repeat_u);
+    EXPECT_FALSE(model.materials[0].base_color_texture.repeat_v);
+}
+
+TEST(GltfReferences, ToFilesThatAreNotInTheFolderAreCountedAndNamed)
+{
+    const TemporaryFolder folder;
+    GltfText text = textured_gltf();
+    text["images"] = GltfText::parse(R"([{"uri":"a.png","name":"bark"},{"uri":"b.png"}])");
+    text["textures"] = GltfText::parse(R"([{"source":0},{"source":1}])");
+    text["materials"][0]["normalTexture"] = {{"index", 1}};
+    EXPECT_THAT(read_gltf_text(text, folder.path().string()).notices,
+                ElementsAre("a.gltf: 2 pictures are not in its folder, 'a.png' for one"));
+    text["buffers"][0]["uri"] = "body one.bin";
+    EXPECT_THAT(refusal_of(text), EndsWith("bufferView 0, buffer 0: its file 'body one.bin' is not "
+                                           "in the folder of the glTF file"));
+    const std::string uri = triangle_gltf()["buffers"][0]["uri"];
+    write_file(folder.path() / "body one.bin", data_uri_bytes(uri).value());
+    text["buffers"][0]["uri"] = "body%20one.bin";
+    EXPECT_NO_THROW(read_gltf_text(text, folder.path().string()));
+}
+
+TEST(GltfPictures, AreDecodedOnceHoweverManyShareThem)
+{
+    const TemporaryFolder folder;
+    write_image(checker_image(), folder.file("a.png"));
+    const std::string png = encoded_image(checker_image(), ".png");
+    GltfText text = textured_gltf();
+    text["buffers"].push_back({{"byteLength", png.size()}, {"uri", data_uri(png)}});
+    text["bufferViews"].push_back({{"buffer", 1}, {"byteLength", png.size()}});
+    text["bufferViews"].push_back({{"buffer", 1}, {"byteLength", png.size()}});
+    text["images"] = GltfText::parse(R"([{"bufferView":1},{"bufferView":2},{"uri":"a.png"},
+                                         {"uri":"a.png"}])");
+    text["textures"] = GltfText::parse(R"([{"source":0},{"source":1},{"source":2},{"source":3}])");
+    text["materials"][0]["normalTexture"] = {{"index", 1}};
+    text["materials"][0]["occlusionTexture"] = {{"index", 2}};
+    text["materials"][0]["emissiveTexture"] = {{"index", 3}};
+    const Material m = read_gltf_text(text, folder.path().string()).materials[0];
+    ASSERT_TRUE(m.base_color_texture.image && m.occlusion_texture.image);
+    EXPECT_EQ(m.normal_texture.image, m.base_color_texture.image);
+    EXPECT_EQ(m.emissive_texture.image, m.occlusion_texture.image);
+}
+
+TEST(GltfPictures, AreLeftOutBeforeTheyFillTheMemory)
+{
+    // A header that declares 2^28 pixels, and bytes enough for it to be believed alone.
+    std::string picture = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 16384 +X 16384\n";
+    picture.resize(300'000, '\1');
+    GltfText text = three_materials(textured_gltf());
+    text["images"][0] = {{"uri", data_uri(picture)}, {"name", "sky"}};
+    EXPECT_THAT(read_gltf_text(text).notices,
+                ElementsAre(AllOf(HasSubstr("the picture 'sky' was left out"),
+                                  EndsWith("more pixels than the file accounts for"))));
+}
+
+} // namespace
+} // namespace trivar
