@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fmt/format.h>
 #include <imgui.h>
 
 namespace trivar {
@@ -23,6 +24,15 @@ std::string kept(const std::string& name)
         return state + std::string("/trivar/") + name;
     const char* home = std::getenv("HOME");
     return home && *home ? home + std::string("/.local/state/trivar/") + name : std::string();
+}
+
+// For a program that watches this one: what the frame that is shown next shows at most.
+void tell_steps(const SceneFile& scene)
+{
+    const History& history = scene.history();
+    fmt::print("shows {} of {} steps, {} lines: {}\n", history.position(), history.steps().size(),
+               scene.lines().size(), scene.path());
+    std::fflush(stdout);
 }
 
 } // namespace
@@ -68,6 +78,7 @@ int run_editor(const EditorOptions& options)
                 const std::string trouble = dragging ? "" : preferences.keep(editor.preferences);
                 if (!trouble.empty())
                     editor.session.notices.say(ui::NoticeKind::warning, "Not remembered", trouble);
+                if (options.tell_steps) tell_steps(editor.session.scene());
                 const std::string now = title_of(editor.session.scene()) + " - Trivar";
                 if (now == title) return;
                 title = now;

@@ -14,6 +14,7 @@ struct EditorOptions {
     std::string shaders;                 // a checkout whose shaders are drawn with; empty: none
     double scale = 0;                    // of the interface; 0: TRIVAR_SCALE or the monitor's
     bool light = false;
+    bool tell_steps = false; // says on standard output, before each frame, how many it shows
 };
 
 // The editor in a window, till it is closed. Exit status 0, or 1 with a sentence on stderr where

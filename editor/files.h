@@ -6,6 +6,7 @@
 #include "ui/file_dialog.h"
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -51,7 +52,9 @@ public:
     void ask_close();
 
     void draw(const ui::Theme& theme); // whatever is asked at present
-    bool asking() const { return dialog_.is_open() || question_.has_value(); }
+    // A scene is being read that takes the place of the present one: no key belongs to that.
+    bool opening() const { return !opening_.expired(); }
+    bool asking() const { return dialog_.is_open() || question_.has_value() || opening(); }
     bool close_agreed() const { return close_agreed_; }
 
     // Scenes to try, offered over an empty viewport: what opens is a copy, they stay as they are.
@@ -75,7 +78,16 @@ private:
         ui::Question question;
         std::function<void(int)> answer;
     };
+    struct Present { // how far the present scene is
+        long scene = 0;
+        std::size_t lines = 0;
+        bool operator==(const Present&) const = default;
+    };
+    Present present() const { return {session_->scenes(), session_->scene().lines().size()}; }
     void open(const std::string& path, bool copy, std::function<void()> then);
+    // It was read; asks once more if something was done since it was asked for.
+    void take_opened(const Present& since, const std::shared_ptr<SceneFile>& scene,
+                     const std::function<void()>& then);
     void show(SceneFile scene); // where it is a copy, its notice offers to save it
     void
     ask_how_to_open(const std::shared_ptr<SceneFile>& copy); // of a file that is open elsewhere
@@ -88,6 +100,7 @@ private:
     void keep_or(std::function<void()> go_on); // asks what becomes of a scene without a name
 
     Session* session_;
+    std::weak_ptr<const Present> opening_; // its job has it
     ui::FileDialog dialog_;
     std::string import_folder_; // of the last model that was imported by the dialog
     Purpose purpose_ = Purpose::open;

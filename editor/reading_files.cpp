@@ -36,24 +36,40 @@ void Files::open_copy(const std::string& path, std::function<void()> then)
 void Files::open(const std::string& path, bool copy, std::function<void()> then)
 {
     keep_or([this, path, copy, then = std::move(then)] {
+        const auto since = std::make_shared<const Present>(present());
+        opening_ = since;
         session_->jobs().start(
             {"Opening " + file_name(path),
-             [this, path, copy, then](const Progress&) -> Jobs::Finish {
+             [this, since, path, copy, then](const Progress&) -> Jobs::Finish {
                  // Shared, for a function that is copied cannot hold what is
                  // only moved.
                  auto scene =
                      std::make_shared<SceneFile>(copy ? SceneFile::copy_of(path) : SceneFile(path));
-                 return [this, scene, then] {
-                     if (scene->in_use()) return ask_how_to_open(scene);
-                     show(std::move(*scene));
-                     if (then) then();
+                 return [this, since, scene, then] {
+                     if (opening_.lock() == since) opening_.reset();
+                     take_opened(*since, scene, then);
                  };
              },
              [this, path](const std::string& why) {
+                 opening_.reset();
                  session_->notices.say(ui::NoticeKind::error, file_name(path) + " was not opened",
                                        reason(why, path));
              }});
     });
+}
+
+void Files::take_opened(const Present& since, const std::shared_ptr<SceneFile>& scene,
+                        const std::function<void()>& then)
+{
+    const auto go_on = [this, scene, then] {
+        if (scene->in_use()) return ask_how_to_open(scene);
+        show(std::move(*scene));
+        if (then) then();
+    };
+    if (since == present())
+        go_on();
+    else
+        keep_or(go_on); // a model that was being read may have come
 }
 
 void Files::show(SceneFile scene)

@@ -2,8 +2,10 @@
 #include "core/document/locked_file.h"
 
 #include "core/base/rejected.h"
+#include "core/document/lock_holders.h"
 
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
@@ -11,6 +13,7 @@
 #include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <thread>
 #include <unistd.h>
 #include <utility>
 
@@ -48,6 +51,20 @@ bool locked(int descriptor)
     return ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
 }
 
+// A killed program may have the file locked for a moment yet.
+bool freed_in_a_moment(int descriptor)
+{
+    constexpr auto step = std::chrono::milliseconds(5);
+    constexpr int most = 2000; // to write what is left of a crashed program takes seconds
+    struct stat file {};
+    if (::fstat(descriptor, &file) != 0) return false;
+    for (int i = 0; i < most && held_by_the_dying(file); ++i) {
+        std::this_thread::sleep_for(step);
+        if (locked(descriptor)) return true;
+    }
+    return locked(descriptor); // it went while it was looked for
+}
+
 void flush_folder(const std::string& path)
 {
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
@@ -72,7 +89,8 @@ LockedFile::LockedFile(const std::string& path) : path_(path)
             if (descriptor_ < 0) fail(path, "cannot be opened", errno);
             return;
         }
-        access_ = locked(descriptor_) ? Access::locked : Access::in_use;
+        const bool ours = locked(descriptor_) || freed_in_a_moment(descriptor_);
+        access_ = ours ? Access::locked : Access::in_use;
         if (access_ == Access::in_use || still_at(descriptor_, path)) return;
         ::close(descriptor_);
     }

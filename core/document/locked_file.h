@@ -12,7 +12,8 @@ class LockedFile {
 public:
     enum class Access { locked, in_use, read_only };
 
-    // Opens an existing regular file for appending. Throws Rejected if it cannot even be read.
+    // Opens an existing regular file for appending. Waits for the lock where a killed program is
+    // about to lose it. Throws Rejected if it cannot even be read.
     explicit LockedFile(const std::string& path);
     // Writes `text` to a file beside `path`, flushes it to the disk, locks it, and renames it
     // over `path`. Throws Rejected; what was at `path` is then still there.

@@ -25,6 +25,7 @@ namespace {
 struct Choices {
     std::vector<std::string> files;
     std::string shaders;
+    bool tell_steps = false;
     ReplayOptions replay;
     RenderOptions render;
     ExportOptions exported;
@@ -297,6 +298,9 @@ Status dispatch(const std::vector<std::string>& arguments, const Streams& stream
         "3 a check failed, 130 stopped by Ctrl C.");
     app.add_option("FILE", choices.files, "scenes (.trivar) and models to open")->type_name("");
     add_shaders(app, choices.shaders);
+    app.add_flag("--tell-steps", choices.tell_steps,
+                 "say on standard output, before each frame of the window is shown, how many\n"
+                 "steps it shows");
     app.set_version_flag("--version", "Trivar " + program_version(), "print the version and exit");
     app.require_subcommand(0, 1);
     const CLI::App* replay = add_replay(app, choices.replay);
@@ -326,6 +330,7 @@ Status dispatch(const std::vector<std::string>& arguments, const Streams& stream
     EditorOptions options;
     options.files = choices.files;
     options.shaders = choices.shaders;
+    options.tell_steps = choices.tell_steps;
     const Places places = places_of(this_program());
     options.samples = sample_scenes_in(places.scenes);
     options.sample_pictures = places.pictures;

@@ -8,8 +8,10 @@
 #include "tests/document/full_disk.h"
 #include "tests/support/fixtures.h"
 
+#include <array>
 #include <csignal>
 #include <filesystem>
+#include <functional>
 #include <gmock/gmock.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -219,6 +221,54 @@ TEST(KeptScene, WithoutANameOutlivesAKilledProgram)
         EXPECT_FALSE(SceneFile::left_in(folder.path().string()));
     }
     EXPECT_FALSE(SceneFile::left_in(folder.path().string()));
+}
+
+// Has the scene open and so much memory that it takes a while to go when it is killed.
+pid_t large_program_with(const std::function<SceneFile()>& open)
+{
+    std::array<int, 2> ready{};
+    EXPECT_EQ(::pipe(ready.data()), 0);
+    const pid_t child = ::fork();
+    if (child == 0) {
+        const SceneFile scene = open();
+        const std::vector<char> memory(std::size_t{1} << 28, 'x');
+        if (::write(ready[1], memory.data(), 1) != 1) ::_exit(1);
+        for (;;) ::pause();
+    }
+    char c = 0;
+    EXPECT_EQ(::read(ready[0], &c, 1), 1);
+    for (const int end : ready) ::close(end);
+    return child;
+}
+
+TEST(KeptScene, IsOpenedWithItsNameWhileAKilledProgramStillGivesBackItsMemory)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.trivar");
+    write_file(path, log_header() + command_line(AddBox{}));
+    const pid_t killed = large_program_with([&] { return SceneFile(path); });
+    EXPECT_TRUE(SceneFile(path).in_use()); // nobody waits for who is alive
+    ::kill(killed, SIGKILL);
+    const SceneFile scene(path);
+    EXPECT_EQ(scene.path(), path);
+    EXPECT_FALSE(scene.in_use());
+    ::waitpid(killed, nullptr, 0);
+}
+
+TEST(KeptScene, WithoutANameIsFoundWhileAKilledProgramStillGivesBackItsMemory)
+{
+    const TemporaryFolder folder;
+    const std::string kept = folder.path().string();
+    const pid_t killed = large_program_with([&] {
+        SceneFile scene;
+        scene.keep_in(kept);
+        scene.run(AddBox{});
+        return scene;
+    });
+    EXPECT_FALSE(SceneFile::left_in(kept));
+    ::kill(killed, SIGKILL);
+    EXPECT_TRUE(SceneFile::left_in(kept));
+    ::waitpid(killed, nullptr, 0);
 }
 
 TEST(KeptScene, SaysWhyItIsNotKept)

@@ -3,6 +3,7 @@
 #include "tests/editor/rig.h"
 #include "tests/support/fixtures.h"
 
+#include <future>
 #include <imgui.h>
 
 namespace trivar {
@@ -62,6 +63,57 @@ TEST(Keeping, ACopyOfASceneThatIsOpenElsewhereOffersToBeSaved)
     EXPECT_EQ(save.words, "Save as...");
     save.act();
     EXPECT_TRUE(rig.editor.files.asking());
+}
+
+// A scene that is asked for behind a job which goes on till it is let go.
+struct OpeningLate {
+    testing::TemporaryFolder folder;
+    std::string path = folder.file("a.trivar");
+    std::promise<void> gate;
+    Rig rig;
+    OpeningLate()
+    {
+        SceneFile scene;
+        scene.run(AddBox{});
+        scene.save_as(path);
+        scene = SceneFile();
+        rig.editor.session.jobs().start({"Waiting",
+                                         [this](const Progress&) -> Jobs::Finish {
+                                             gate.get_future().wait();
+                                             return [] {};
+                                         },
+                                         nullptr});
+        rig.editor.files.open_scene(path);
+    }
+    const SceneFile& opened()
+    {
+        gate.set_value();
+        rig.wait();
+        return rig.editor.session.scene();
+    }
+};
+
+TEST(Keeping, KeysMakeNoStepInASceneWhosePlaceAnotherIsAboutToTake)
+{
+    OpeningLate late;
+    late.rig.key({.key = 'A', .shift = true});
+    late.rig.type("b");
+    EXPECT_EQ(late.rig.steps(), 0u);
+    EXPECT_EQ(late.opened().path(), late.path);
+    late.rig.key({.key = 'A', .shift = true});
+    late.rig.type("b");
+    EXPECT_EQ(late.rig.steps(), 2u);
+}
+
+TEST(Keeping, AStepThatCameWhileAnotherSceneWasReadIsNotLetGoUnasked)
+{
+    OpeningLate late;
+    ASSERT_TRUE(late.rig.editor.session.run(AddSphere{})); // as a model does that was being read
+    EXPECT_EQ(late.opened().path(), "");
+    ASSERT_TRUE(late.rig.editor.files.asking());
+    late.rig.key({ui::key_tab}); // from Name it... to Discard
+    late.rig.key({ui::key_enter});
+    EXPECT_EQ(late.rig.editor.session.scene().path(), late.path);
 }
 
 TEST(Keeping, ANewSceneIsSeenFromHomeWithTheSelectingTool)
