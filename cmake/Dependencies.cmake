@@ -5,6 +5,7 @@ find_package(Threads REQUIRED)
 find_package(glm CONFIG REQUIRED)
 find_package(glfw3 3.3 CONFIG REQUIRED)
 find_package(OpenMesh CONFIG REQUIRED)
+find_package(TinyGLTF CONFIG REQUIRED)
 # OpenImageIO pulls Imath's configuration, which talks about Python parts that nobody asked for.
 set(CMAKE_MESSAGE_LOG_LEVEL NOTICE)
 find_package(OpenImageIO CONFIG REQUIRED)
@@ -64,6 +65,7 @@ Highway|${hwy_VERSION}|Apache-2.0
 Eigen|${Eigen3_VERSION}|MPL-2.0
 OpenSubdiv|${OPENSUBDIV_VERSION}|Apache-2.0, modified
 OpenImageIO|${OpenImageIO_VERSION}|BSD-3-Clause
+TinyGLTF|${TinyGLTF_VERSION}|MIT
 JSON for Modern C++|${nlohmann_json_VERSION}|MIT
 CLI11|${CLI11_VERSION}|BSD-3-Clause
 fmt|${fmt_VERSION}|MIT
