@@ -111,7 +111,10 @@ PlyHeader read_ply_header(std::string_view bytes, const std::string& name)
                 type = words.word();
             }
             const auto known = type_named(type);
-            if (!known) fail(fmt::format("'{}' is no PLY type", shown(type)));
+            if (!known)
+                fail(fmt::format("'{}' is no PLY type; char, uchar, short, ushort, int, uint, "
+                                 "float and double are",
+                                 shown(type)));
             property.type = *known;
             property.name = words.word();
             header.elements.back().properties.push_back(std::move(property));
@@ -123,7 +126,7 @@ PlyHeader read_ply_header(std::string_view bytes, const std::string& name)
             fail(fmt::format("'{}' does not belong in a PLY header", shown(keyword)));
         }
     }
-    if (!format_said) fail("the header names no format");
+    if (!format_said) fail("the header has no line such as 'format ascii 1.0'");
     header.size = bytes.size() - lines.left();
     return header;
 }

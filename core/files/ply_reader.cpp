@@ -20,7 +20,7 @@
 namespace trivar {
 namespace {
 
-// Stands for a number that no vertex has.
+// A corner's vertex where the file has a number below 0: no vertex is called so.
 constexpr std::uint32_t no_vertex = ~0u;
 
 bool is_corners(const PlyProperty& property)

@@ -98,7 +98,7 @@ void PlyValues::check_count(const PlyElement& element) const
     std::size_t least = 0;
     for (const PlyProperty& property : element.properties)
         least += ascii_ ? 2 : size_of(property.list ? property.count_type : property.type);
-    if (element.count > (left() + 1) / least)
+    if (least > 0 && element.count > (left() + 1) / least)
         throw Rejected(fmt::format("{}: {} of the element {} are declared, more than the {} bytes "
                                    "left can hold",
                                    name_, element.count, shown(element.name), left()));

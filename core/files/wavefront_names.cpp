@@ -22,13 +22,13 @@ std::vector<std::string_view> split_behind_mtl(std::string_view words)
 {
     std::vector<std::string_view> names;
     TextScan scan(words);
-    for (std::string_view rest = scan.rest(); !rest.empty(); rest = scan.rest()) {
-        std::string_view word;
-        do word = scan.word();
-        while (!word.empty() && !word.ends_with(".mtl") && !word.ends_with(".MTL"));
-        if (word.empty()) return names.push_back(rest), names;
-        names.push_back(rest.substr(0, static_cast<std::size_t>(scan.at - rest.data())));
+    std::string_view name = scan.rest(); // to the end of the line, until its own end is found
+    for (auto word = scan.word(); !word.empty(); word = scan.word()) {
+        if (!word.ends_with(".mtl") && !word.ends_with(".MTL")) continue;
+        names.push_back(name.substr(0, static_cast<std::size_t>(scan.at - name.data())));
+        name = scan.rest();
     }
+    if (!name.empty()) names.push_back(name);
     return names;
 }
 
@@ -65,7 +65,7 @@ private:
         } else if (option == "-boost" || option == "-texres") {
             number(); // sharpness and size of what is sampled
         } else if (option == "-imfchan" || option == "-type" || option == "-colorspace") {
-            scan_.word(); // the channel of a picture in grey, of a reflection, of no format
+            scan_.word(); // a grey picture's channel, a reflection's kind, the colours' space
         } else {
             return false;
         }
@@ -140,7 +140,7 @@ PictureLine picture_line(std::string_view words, FolderFiles& files)
     line.name = without_quotes(scan.rest());
     line.file = files.find(line.name);
     if (line.file || unknown.empty()) return line;
-    // How many words belong to the option nobody says: the first rest that is a file is the name.
+    // It may have any number of words: the first rest of the line that is a file is the name.
     line.left_out.emplace_back(unknown);
     for (int i = 0; i < most_words && !line.file; ++i) {
         scan.word();

@@ -7,6 +7,7 @@
 #include "tests/files/sample_models.h"
 #include "tests/support/fixtures.h"
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <gmock/gmock.h>
@@ -251,6 +252,20 @@ TEST(Repairs, AreSaid)
                 HasSubstr("not defined"));
     EXPECT_THAT(notices("OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n5 5 5\n3 0 1 2\n", "a.off").at(0),
                 HasSubstr("no face uses"));
+}
+
+TEST(Repairs, AreSummedOverTheMeshesOfAFile)
+{
+    Mesh plane = plane_mesh({1, 1}, {2, 2});
+    std::reverse(plane.corners.begin(), plane.corners.begin() + 4);
+    Model model = single_mesh_model("a", plane);
+    for (int i = 1; i < 30; ++i) {
+        model.meshes.push_back(model.meshes[0]);
+        model.nodes.push_back({"b", -1, glm::dmat4(1), i});
+    }
+    EXPECT_THAT(
+        notices(bytes_of(model, ".glb"), "a.glb"),
+        ::testing::ElementsAre("a.glb: 60 faces were turned round to agree with their neighbours"));
 }
 
 TEST(Repairs, LeaveAMoebiusBandAsItIs)

@@ -76,7 +76,7 @@ TEST(PlyReader, GivesTheSameMeshForCoordinatesOfVerticesAndOfCornersWithoutASeam
     text.insert(text.find("element face"), "property float s\nproperty float t\n");
     for (const char* row : {"0 0 0", "1 0 0", "1 1 0", "0 1 0"}) {
         const std::string uv(row, 3); // x y
-        text.insert(text.find("\n", text.find(std::string("\n") + row) + 1), " " + uv);
+        text.insert(text.find('\n', text.find(std::string("\n") + row) + 1), " " + uv);
     }
     const Mesh expected = ply_mesh(text);
     ASSERT_EQ(expected.uvs.size(), 1u);

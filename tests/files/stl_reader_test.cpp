@@ -11,7 +11,6 @@ namespace trivar {
 namespace {
 
 using namespace testing;
-using ::testing::HasSubstr;
 
 TEST(StlReader, ReadsTextInCapitalsAndWithBlanksBefore)
 {
