@@ -65,7 +65,7 @@ TEST(GltfReferences, ToOptionalExtensionsAreSaidOnce)
                 ElementsAre("a.gltf: 2 of its extensions are not supported and were left out: "
                             "KHR_materials_ior, KHR_lights_punctual"));
     text["extensionsRequired"] = {"KHR_lights_punctual"};
-    EXPECT_THAT(refusal_of(text), HasSubstr("it needs the extension KHR_lights_punctual"));
+    EXPECT_THAT(gltf_refusal(text), HasSubstr("it needs the extension KHR_lights_punctual"));
 }
 
 TEST(GltfReferences, MirroredTexturesAreReadAsRepeating)
@@ -88,8 +88,9 @@ TEST(GltfReferences, ToFilesThatAreNotInTheFolderAreCountedAndNamed)
     EXPECT_THAT(read_gltf_text(text, folder.path().string()).notices,
                 ElementsAre("a.gltf: 2 pictures are not in its folder, 'a.png' for one"));
     text["buffers"][0]["uri"] = "body one.bin";
-    EXPECT_THAT(refusal_of(text), EndsWith("bufferView 0, buffer 0: its file 'body one.bin' is not "
-                                           "in the folder of the glTF file"));
+    EXPECT_THAT(gltf_refusal(text),
+                EndsWith("bufferView 0, buffer 0: its file 'body one.bin' is not "
+                         "in the folder of the glTF file"));
     const std::string uri = triangle_gltf()["buffers"][0]["uri"];
     write_file(folder.path() / "body one.bin", data_uri_bytes(uri).value());
     text["buffers"][0]["uri"] = "body%20one.bin";
