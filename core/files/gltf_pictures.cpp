@@ -75,7 +75,7 @@ Ref<Image> GltfPictures::read(const GltfEntry& image, std::size_t number)
 
 Ref<Image> GltfPictures::decoded(std::string_view bytes, const std::string& name)
 {
-    const glm::dvec2 size_px(image_size_px(bytes, name));
+    const glm::dvec2 size_px(picture_size(bytes, name));
     const double needed = 4 * size_px.x * size_px.y + static_cast<double>(bytes.size());
     if (needed > static_cast<double>(bytes_left_)) {
         notices_.add(

@@ -201,7 +201,7 @@ Image read_image_bytes(std::string_view bytes, const std::string& name)
     return image;
 }
 
-glm::ivec2 image_size_px(std::string_view bytes, const std::string& name)
+glm::ivec2 picture_size(std::string_view bytes, const std::string& name)
 {
     OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
     const Reading read(bytes, name, memory);

@@ -16,8 +16,8 @@ namespace trivar {
 Image read_image(const std::string& path);
 Image read_image_bytes(std::string_view bytes, const std::string& name);
 
-// The size that a picture's first bytes say, without decoding it. Throws Rejected.
-glm::ivec2 image_size_px(std::string_view bytes, const std::string& name);
+// Width and height, by the file's head alone. Throws Rejected; what it gives may still be damaged.
+glm::ivec2 picture_size(std::string_view bytes, const std::string& name);
 
 // What a picture's file says beside its pixels: names and words.
 using ImageTags = std::vector<std::pair<std::string, std::string>>;
