@@ -6,7 +6,6 @@
 #include "core/base/whole_numbers.h"
 #include "core/document/files_read.h"
 #include "core/files/file_bytes.h"
-#include "core/files/image.h"
 #include "editor/about.h"
 
 #include <algorithm>
@@ -107,13 +106,13 @@ std::vector<int> share_of(const std::vector<int>& frames, std::string_view shard
     return share;
 }
 
-bool Sequence::has(int frame) const
+bool Sequence::has(int frame, PictureReader& reader) const
 {
     const std::string path = names.path(frame);
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored)) return false;
     try {
-        const ImageHead head = image_head(path, {tag_log, tag_frame, tag_settings});
+        const ImageHead head = reader.head(path, {tag_log, tag_frame, tag_settings});
         const int bits = names.extension() == ".exr" ? 16 : depth;
         return head.size_px == size_px && head.bits == bits && head.tags == tags_of(*this, frame);
     } catch (const Rejected&) {
@@ -140,7 +139,7 @@ std::function<void()> Sequence::writer(int frame, const Still& still) const
 }
 
 std::string sequence_settings(std::string drawn, const Document& document, const AssetStore& assets,
-                              const Ref<gpu::ShaderTexts>& shaders)
+                              const Ref<gpu::ShaderTexts>& shaders, bool missing_is_well)
 {
     drawn += " version=" + program_version();
     if (shaders) {
@@ -151,7 +150,8 @@ std::string sequence_settings(std::string drawn, const Document& document, const
         }
         drawn += " shaders=" + digest.hex();
     }
-    if (const std::string files = digest_of_files(document, assets); !files.empty())
+    if (const std::string files = digest_of_files(document, assets, missing_is_well);
+        !files.empty())
         drawn += " files=" + files;
     return drawn;
 }

@@ -54,10 +54,10 @@ std::string format_of(const std::string& path)
 }
 
 // What has no end of its own in a stream, as EXR, is made another.
-std::string as_png(const std::string& path)
+std::string as_png(const std::string& path, PictureReader& reader)
 {
     if (extension_of(path) == ".png") return read_bytes(path, max_picture_bytes);
-    return encoded_image(read_image(path), ".png");
+    return encoded_image(reader.read(path), ".png");
 }
 
 // A program that is given bytes to its standard input; what it says goes nowhere.
@@ -190,11 +190,12 @@ void write_video(const std::vector<std::string>& pictures, double frames_per_sec
                                          "+faststart",
                                          "-f",
                                          format_of(path),
-                                         file.temporary()};
+                                         file.for_others()};
     const WithoutPipeSignal no_signal;
     bool content = true;
     {
         Child ffmpeg(words);
+        PictureReader reader;
         std::size_t given = 0;
         const auto tell = [&] {
             report(progress, static_cast<double>(given) / static_cast<double>(pictures.size()),
@@ -202,12 +203,12 @@ void write_video(const std::vector<std::string>& pictures, double frames_per_sec
         };
         for (; given < pictures.size() && content; ++given) {
             tell();
-            content = ffmpeg.give(as_png(pictures[given]), tell);
+            content = ffmpeg.give(as_png(pictures[given], reader), tell);
         }
         content = ffmpeg.end(tell) && content;
     }
     std::error_code ignored;
-    content = content && fs::file_size(file.temporary(), ignored) > 0;
+    content = content && fs::file_size(file.for_others(), ignored) > 0;
     if (!content) throw Rejected(path + ": ffmpeg could not make it of these pictures there");
     file.finish();
 }

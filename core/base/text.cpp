@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/text.h"
 
+#include "core/base/ordinary_file.h"
 #include "core/base/rejected.h"
+#include "core/base/utf8.h"
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 
 namespace trivar {
 namespace {
@@ -45,10 +43,37 @@ std::optional<double> parse_number(std::string_view text)
 
 std::string printable(std::string_view text)
 {
-    std::string shown(text);
-    for (char& c : shown)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
+    std::string shown;
+    shown.reserve(text.size());
+    while (!text.empty()) {
+        const Utf8Letter next = first_letter(text);
+        const bool control = next.number < 0x20 || (next.number >= 0x7F && next.number < 0xA0);
+        if (next.bytes == 0 || control)
+            shown += '?';
+        else
+            shown += text.substr(0, next.bytes);
+        text.remove_prefix(std::max<std::size_t>(next.bytes, 1));
+    }
     return shown;
+}
+
+std::string excerpt(std::string_view text)
+{
+    constexpr std::size_t most = 60;
+    if (text.size() <= most) return printable(text);
+    std::size_t end = most; // not inside a letter
+    while (end > most - 4 && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80) --end;
+    return printable(text.substr(0, end)) + "...";
+}
+
+std::string short_sentence(std::string_view text)
+{
+    constexpr std::size_t most = 380;
+    if (text.size() <= most) return printable(text);
+    std::size_t begin = text.size() - most; // not inside a letter
+    while (begin < text.size() && (static_cast<unsigned char>(text[begin]) & 0xC0u) == 0x80)
+        ++begin;
+    return "..." + printable(text.substr(begin));
 }
 
 std::vector<std::string_view> trimmed_lines(std::string_view text)
@@ -68,14 +93,8 @@ std::vector<std::string_view> trimmed_lines(std::string_view text)
 
 std::string read_text_file(const std::string& path)
 {
-    std::error_code error;
-    if (std::filesystem::is_directory(path, error))
-        throw Rejected(path + ": this is a folder, not a file");
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw Rejected(path + ": cannot be opened (" + std::strerror(errno) + ")");
-    std::string content{std::istreambuf_iterator<char>(file), {}};
-    if (file.bad()) throw Rejected(path + ": cannot be read to its end");
-    return content;
+    constexpr std::uintmax_t most_bytes = std::uintmax_t{4} << 30; // as many as a .glb can have
+    return read_file(path, most_bytes);
 }
 
 } // namespace trivar

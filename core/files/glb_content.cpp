@@ -6,133 +6,88 @@
 #include "core/files/glb_chunks.h"
 
 #include <cstring>
-#include <limits>
 #include <nlohmann/json.hpp>
-#include <tiny_gltf.h>
 
 namespace trivar {
 namespace {
 
 using GlbJson = nlohmann::json;
 
-// What somebody else's reader finds in the bytes: a file that was written wrong must not pass
-// because it is read wrong in the same way.
-tinygltf::Model read_by_tinygltf(const std::string& bytes)
-{
-    if (bytes.size() > std::numeric_limits<unsigned>::max())
-        throw Rejected("a GLB file has at most 4 GB");
-    glb_views(bytes); // its chunks lie in it, and its JSON is not nested too deep for a parser
-    tinygltf::TinyGLTF loader;
-    loader.SetImageLoader([](tinygltf::Image*, int, std::string*, std::string*, int, int,
-                             const unsigned char*, int, void*) { return true; },
-                          nullptr);
-    // It names no other file.
-    loader.SetFsCallbacks(
-        {[](const std::string&, void*) { return false; },
-         [](const std::string& path, void*) { return path; },
-         [](std::vector<unsigned char>*, std::string*, const std::string&, void*) { return false; },
-         nullptr, nullptr});
-    tinygltf::Model model;
-    std::string error, warning;
-    if (!loader.LoadBinaryFromMemory(&model, &error, &warning,
-                                     reinterpret_cast<const unsigned char*>(bytes.data()),
-                                     static_cast<unsigned>(bytes.size())))
-        throw Rejected("this is no GLB file as Trivar writes them");
-    return model;
-}
-
 class GlbParts {
 public:
     explicit GlbParts(const std::string& bytes)
-        : model(read_by_tinygltf(bytes)),
-          left_(16 * bytes.size() + (std::size_t{1} << 20))
+        : GlbParts(glb_chunks(bytes), 16 * bytes.size() + (std::size_t{1} << 20))
     {
+    }
+
+    // The values of an accessor, each of `Value`'s size. An accessor may be shared, not multiplied.
+    template <class Value> std::vector<Value> values(const GlbJson& accessor_index)
+    {
+        const GlbJson& accessor = json.at("accessors").at(accessor_index.get<std::size_t>());
+        const GlbJson& view =
+            json.at("bufferViews").at(accessor.at("bufferView").get<std::size_t>());
+        const auto count = accessor.at("count").get<std::size_t>(),
+                   begin = view.at("byteOffset").get<std::size_t>(),
+                   size = view.at("byteLength").get<std::size_t>();
+        if (begin > binary.size() || size > binary.size() - begin || count > size / sizeof(Value))
+            fail("an accessor reaches beyond the data");
+        const std::size_t taken = 64 + count * sizeof(Value);
+        if (taken > left_) fail("its nodes name the same data over and over");
+        left_ -= taken;
+        std::vector<Value> out(count);
+        if (count > 0) std::memcpy(out.data(), binary.data() + begin, count * sizeof(Value));
+        return out;
     }
 
     [[noreturn]] static void fail(const std::string& what) { throw Rejected(what); }
 
-    template <class T> static const T& at(const std::vector<T>& list, int index)
-    {
-        if (index < 0 || static_cast<std::size_t>(index) >= list.size())
-            fail("it names an entry that is not there");
-        return list[static_cast<std::size_t>(index)];
-    }
-
-    // The values of an accessor, each of `Value`'s size. An accessor may be shared, not multiplied.
-    template <class Value> std::vector<Value> values(int index)
-    {
-        const tinygltf::Accessor& accessor = at(model.accessors, index);
-        const tinygltf::BufferView& view = at(model.bufferViews, accessor.bufferView);
-        const std::vector<unsigned char>& data = at(model.buffers, view.buffer).data;
-        if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset ||
-            accessor.byteOffset != 0 || accessor.count > view.byteLength / sizeof(Value))
-            fail("an accessor reaches beyond the data");
-        const std::size_t taken = 64 + accessor.count * sizeof(Value);
-        if (taken > left_) fail("its nodes name the same data over and over");
-        left_ -= taken;
-        std::vector<Value> out(accessor.count);
-        if (!out.empty())
-            std::memcpy(out.data(), data.data() + view.byteOffset, out.size() * sizeof(Value));
-        return out;
-    }
-
-    tinygltf::Model model;
+    GlbJson json;
+    std::string binary;
 
 private:
+    GlbParts(GlbChunks chunks, std::size_t left)
+        : json(GlbJson::parse(chunks.json)),
+          binary(std::move(chunks.binary)),
+          left_(left)
+    {
+    }
+
     std::size_t left_; // bytes that may still be copied
 };
 
-glm::dmat4 matrix_of(const tinygltf::Node& node)
+glm::dmat4 matrix_of(const GlbJson& node)
 {
-    if (!node.translation.empty() || !node.rotation.empty() || !node.scale.empty())
-        GlbParts::fail("a node is moved otherwise than by a matrix");
     glm::dmat4 out(1);
-    if (node.matrix.empty()) return out;
-    if (node.matrix.size() != 16) GlbParts::fail("a node's matrix has not 16 numbers");
-    for (int i = 0; i < 16; ++i) out[i / 4][i % 4] = node.matrix[static_cast<std::size_t>(i)];
+    for (const char* other : {"translation", "rotation", "scale"})
+        if (node.contains(other)) GlbParts::fail("a node is moved otherwise than by a matrix");
+    if (!node.contains("matrix")) return out;
+    for (int i = 0; i < 16; ++i)
+        out[i / 4][i % 4] = node.at("matrix").at(static_cast<std::size_t>(i)).get<double>();
     return out;
 }
 
-GlbContent::Node content_of(GlbParts& parts, const tinygltf::Node& node)
+GlbContent::Node content_of(GlbParts& parts, const GlbJson& node)
 {
     GlbContent::Node out;
-    out.name = node.name;
+    out.name = node.value("name", "");
     out.to_file = matrix_of(node);
-    if (node.mesh < 0) return out;
-    int shared = -1;
-    for (const tinygltf::Primitive& primitive :
-         GlbParts::at(parts.model.meshes, node.mesh).primitives) {
-        const auto position = primitive.attributes.find("POSITION");
-        if (position == primitive.attributes.end()) GlbParts::fail("a primitive has no positions");
-        if (shared < 0)
-            out.positions = parts.values<glm::vec3>(position->second);
-        else if (position->second != shared)
+    if (!node.contains("mesh")) return out;
+    const GlbJson& mesh = parts.json.at("meshes").at(node.at("mesh").get<std::size_t>());
+    GlbJson shared;
+    for (const GlbJson& primitive : mesh.at("primitives")) {
+        const GlbJson& positions = primitive.at("attributes").at("POSITION");
+        if (shared.is_null())
+            out.positions = parts.values<glm::vec3>(positions);
+        else if (positions != shared)
             GlbParts::fail("the primitives of a mesh stand on different vertices");
-        shared = position->second;
-        const std::vector<std::uint32_t> corners = parts.values<std::uint32_t>(primitive.indices);
+        shared = positions;
+        const std::vector<std::uint32_t> corners =
+            parts.values<std::uint32_t>(primitive.at("indices"));
         out.corners.insert(out.corners.end(), corners.begin(), corners.end());
     }
     for (const std::uint32_t corner : out.corners)
         if (corner >= out.positions.size()) GlbParts::fail("an index names no vertex");
     return out;
-}
-
-// What is wrong of the file, with its name.
-template <class Read> auto of_file(const std::string& name, Read&& read)
-{
-    try {
-        return read();
-    } catch (const Rejected& error) {
-        throw Rejected(name + ": " + error.what());
-    } catch (const std::exception&) { // of the JSON, where a value has another type
-        throw Rejected(name + ": this is no GLB file as Trivar writes them");
-    }
-}
-
-std::string extras_of(const std::string& bytes)
-{
-    const GlbJson json = GlbJson::parse(glb_views(bytes).json);
-    return json.is_object() && json.contains("extras") ? json.at("extras").dump() : "";
 }
 
 } // namespace
@@ -144,27 +99,37 @@ GlbContent glb_content(const std::string& path)
 
 std::string glb_extras(const std::string& bytes, const std::string& name)
 {
-    return of_file(name, [&] { return extras_of(bytes); });
+    try {
+        const GlbJson json = GlbJson::parse(glb_chunks(bytes).json);
+        return json.is_object() && json.contains("extras") ? json.at("extras").dump() : "";
+    } catch (const Rejected& error) {
+        throw Rejected(name + ": " + error.what());
+    } catch (const GlbJson::exception&) {
+        throw Rejected(name + ": this is no GLB file as Trivar writes them");
+    }
 }
 
 GlbContent glb_content_of(const std::string& bytes, const std::string& name)
 {
-    return of_file(name, [&] {
+    try {
         GlbParts parts(bytes);
         GlbContent out;
-        out.extras = extras_of(bytes);
-        const std::vector<tinygltf::Node>& nodes = parts.model.nodes;
-        for (const tinygltf::Node& node : nodes) out.nodes.push_back(content_of(parts, node));
+        if (parts.json.contains("extras")) out.extras = parts.json.at("extras").dump();
+        const GlbJson nodes = parts.json.value("nodes", GlbJson::array());
+        for (const GlbJson& node : nodes) out.nodes.push_back(content_of(parts, node));
         // Parents come before their children, as Trivar writes them.
         for (std::size_t n = 0; n < nodes.size(); ++n)
-            for (const int child : nodes[n].children) {
-                const auto c = static_cast<std::size_t>(child);
-                if (child < 0 || c <= n || c >= nodes.size())
-                    GlbParts::fail("a node comes before its parent");
+            for (const GlbJson& child : nodes[n].value("children", GlbJson::array())) {
+                const auto c = child.get<std::size_t>();
+                if (c <= n || c >= nodes.size()) GlbParts::fail("a node comes before its parent");
                 out.nodes[c].to_file = out.nodes[n].to_file * out.nodes[c].to_file;
             }
         return out;
-    });
+    } catch (const Rejected& error) {
+        throw Rejected(name + ": " + error.what());
+    } catch (const GlbJson::exception&) {
+        throw Rejected(name + ": this is no GLB file as Trivar writes them");
+    }
 }
 
 } // namespace trivar

@@ -16,6 +16,7 @@ struct GlbContent {
         glm::dmat4 to_file{1}; // with those of its parents; Y up
         std::vector<glm::vec3> positions;
         std::vector<std::uint32_t> corners; // three a triangle, primitive by primitive
+        bool operator==(const Node&) const = default;
     };
     std::vector<Node> nodes;
 };

@@ -51,7 +51,7 @@ std::optional<double> number_of(const EntryJson& value)
 }
 
 // JSON has one kind of number: 3.0 is whole, too.
-std::optional<std::size_t> size_of(const EntryJson& value)
+std::optional<std::size_t> whole_of(const EntryJson& value)
 {
     constexpr double beyond = 9007199254740992.0; // where doubles begin to leave out whole numbers
     const double number = value.is_number() ? value.get<double>() : -1;
@@ -63,7 +63,7 @@ std::optional<std::size_t> size_of(const EntryJson& value)
 std::optional<int> index_of(const EntryJson& value)
 {
     if (value == -1) return -1;
-    const std::optional<std::size_t> size = size_of(value);
+    const std::optional<std::size_t> size = whole_of(value);
     if (!size || *size > std::size_t{std::numeric_limits<int>::max()}) return {};
     return static_cast<int>(*size);
 }
@@ -183,7 +183,7 @@ double GltfEntry::number(const char* name, double otherwise) const
 
 std::size_t GltfEntry::size(const char* name, std::size_t otherwise) const
 {
-    return read(name, whole_words, size_of).value_or(otherwise);
+    return read(name, whole_words, whole_of).value_or(otherwise);
 }
 
 int GltfEntry::index(const char* name) const

@@ -76,12 +76,12 @@ void check_extensions(const GltfEntry& root, CountedNotices& notices)
                               needed.front()));
     std::vector<std::string> used = unsupported_extensions(root, "extensionsUsed");
     std::erase(used, texture_transform);
-    constexpr std::size_t most_names = 6;
+    constexpr std::size_t most_listed = 6;
     const std::size_t all = used.size();
-    used.resize(std::min(all, most_names));
+    used.resize(std::min(all, most_listed));
     notices.add("its extension {1} is not supported and was left out",
                 "{0} of its extensions are not supported and were left out: {1}", all,
-                fmt::format("{}{}", fmt::join(used, ", "), all > most_names ? " ..." : ""));
+                fmt::format("{}{}", fmt::join(used, ", "), all > most_listed ? " ..." : ""));
 }
 
 } // namespace

@@ -4,7 +4,6 @@
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/files/gltf_uri.h"
-#include "core/files/image.h"
 
 #include <fmt/format.h>
 
@@ -75,7 +74,7 @@ Ref<Image> GltfPictures::read(const GltfEntry& image, std::size_t number)
 
 Ref<Image> GltfPictures::decoded(std::string_view bytes, const std::string& name)
 {
-    const glm::dvec2 size_px(image_size_px(bytes, name));
+    const glm::dvec2 size_px(picture_size(bytes, name));
     const double needed = 4 * size_px.x * size_px.y + static_cast<double>(bytes.size());
     if (needed > static_cast<double>(bytes_left_)) {
         notices_.add(
@@ -87,7 +86,7 @@ Ref<Image> GltfPictures::decoded(std::string_view bytes, const std::string& name
         return nullptr;
     }
     bytes_left_ -= static_cast<std::uintmax_t>(needed);
-    return make_ref(read_image_bytes(bytes, name));
+    return make_ref(pictures_.read_bytes(bytes, name));
 }
 
 } // namespace trivar

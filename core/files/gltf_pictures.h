@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/files/gltf_file.h"
-#include "core/mesh/model.h"
+#include "core/files/image.h"
 
 #include <map>
 
@@ -23,6 +23,7 @@ private:
 
     const GltfFile& file_;
     CountedNotices& notices_;
+    PictureReader pictures_;
     std::uintmax_t bytes_left_;
     std::map<std::size_t, Ref<Image>> by_image_;
     std::map<std::string_view, Ref<Image>> by_uri_;

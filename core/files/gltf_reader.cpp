@@ -36,16 +36,13 @@ void add_named_meshes(Model& model, GltfMeshes& meshes, const GltfFile& file,
                 "{0} meshes hang on no node of the scene and were left out", unnamed);
 }
 
-// What was left out may be why there are none.
-void check_for_faces(const Model& model, const GltfFile& file, const CountedNotices& notices)
+// What was left out of the meshes may be why there are none.
+void check_for_faces(const Model& model, const GltfFile& file, const std::vector<std::string>& said)
 {
     const auto has_faces = [](const Ref<Mesh>& mesh) { return mesh->face_count() > 0; };
     if (std::ranges::any_of(model.meshes, has_faces)) return;
-    std::vector<std::string> left_out = notices.sentences(file.name());
-    constexpr std::size_t most_reasons = 3;
-    left_out.resize(std::min(left_out.size(), most_reasons));
     std::string why;
-    for (const std::string& notice : left_out)
+    for (const std::string& notice : said)
         why += (why.empty() ? ": " : "; ") + notice.substr(file.name().size() + 2);
     throw Rejected(fmt::format("{}: there are no faces in it{}", file.name(), why));
 }
@@ -63,14 +60,17 @@ Model read_gltf(const FileText& text, bool binary, const Progress& progress)
     model.nodes = std::move(nodes.nodes);
     report(progress, 0.2, "Reading materials");
     model.materials = gltf_materials(file, notices);
-    GltfMeshes meshes(accessors, notices);
-    add_named_meshes(model, meshes, file, notices, progress);
-    check_for_faces(model, file, notices);
+    CountedNotices of_meshes;
+    GltfMeshes meshes(accessors, of_meshes);
+    add_named_meshes(model, meshes, file, of_meshes, progress);
+    check_for_faces(model, file, of_meshes.sentences(file.name()));
     if (meshes.uses_plain_material() || model.materials.empty()) model.materials.emplace_back();
     add_gltf_skins(model, accessors, nodes.node_of, notices);
     add_gltf_clips(model, accessors, nodes.node_of, notices);
     check_gltf_reach(model, file.name(), notices);
     model.notices = notices.sentences(file.name());
+    for (std::string& notice : of_meshes.sentences(file.name()))
+        model.notices.push_back(std::move(notice));
     return model;
 }
 

@@ -117,7 +117,13 @@ private:
         if (file.in_other_case) other_case_.add(file.name);
         try {
             const std::string bytes = read_bytes(file.path, max_picture_bytes);
-            at->second = make_ref(read_image_bytes(bytes, file.name));
+            const glm::dvec2 size_px(picture_size(bytes, file.name));
+            pixels_ += size_px.x * size_px.y;
+            if (pixels_ > static_cast<double>(max_pixels_per_model))
+                throw Rejected(fmt::format("{}: it was left out: with the pictures before it, it "
+                                           "has more pixels than a model may have",
+                                           file.name));
+            at->second = make_ref(pictures_.read_bytes(bytes, file.name));
         } catch (const Rejected& rejected) {
             mtl_.notices.emplace_back(rejected.what());
         }
@@ -167,6 +173,8 @@ private:
     PlainText plain_;
     FolderFiles files_;
     Mtl mtl_;
+    PictureReader pictures_;
+    double pixels_ = 0;                        // of all of them together
     std::map<std::string, Ref<Image>> images_; // by path
     std::string_view keyword_;
     std::string first_unreadable_;

@@ -11,7 +11,7 @@ namespace {
 using testing::small_document;
 
 // The pot (3) lies on the table in the small document.
-class Shape : public ::testing::Test {
+class VolumeShape : public ::testing::Test {
 protected:
     static Press press() { return {.radius = 0.5, .samples = {{0.5, 0.5, 1, 0.05}}}; }
     static Document pressed() { return after(small_document(), PressVolume{3, press()}); }
@@ -22,7 +22,7 @@ protected:
     Evaluator evaluate_{std::make_shared<const AssetStore>("/nowhere")};
 };
 
-TEST_F(Shape, ChangesTheModelAndComesBackByUndo)
+TEST_F(VolumeShape, ChangesTheModelAndComesBackByUndo)
 {
     const Evaluated before = evaluate_(small_document()), after = evaluate_(pressed());
     ASSERT_TRUE(shown(before).placement);
@@ -34,7 +34,7 @@ TEST_F(Shape, ChangesTheModelAndComesBackByUndo)
     EXPECT_EQ(digest(evaluate_(small_document())), digest(before));
 }
 
-TEST_F(Shape, FollowsTheStrokeWhereverThatGoes)
+TEST_F(VolumeShape, FollowsTheStrokeWhereverThatGoes)
 {
     PlacementParameters wide = object(small_document(), 3).placement->parameters;
     wide.width = 0.5;
@@ -46,7 +46,7 @@ TEST_F(Shape, FollowsTheStrokeWhereverThatGoes)
               digest(evaluate_(after(small_document(), EditPlacement{3, wide, {}, {}}))));
 }
 
-TEST_F(Shape, GoesWithTheVolumeThatItWasOf)
+TEST_F(VolumeShape, GoesWithTheVolumeThatItWasOf)
 {
     EXPECT_TRUE(object(after(pressed(), Unplace{3}), 3).shaping.empty());
     const PlacementStep step = *object(small_document(), 3).placement;
@@ -54,7 +54,7 @@ TEST_F(Shape, GoesWithTheVolumeThatItWasOf)
         object(after(pressed(), Place{3, step.sketch, step.parameters, {}}), 3).shaping.empty());
 }
 
-TEST_F(Shape, IsCopiedByDuplicateAndPaste)
+TEST_F(VolumeShape, IsCopiedByDuplicateAndPaste)
 {
     const Document twice = after(pressed(), Duplicate{.objects = {3}});
     EXPECT_EQ(object(twice, twice.next_id - 1).shaping, object(twice, 3).shaping);
@@ -64,7 +64,7 @@ TEST_F(Shape, IsCopiedByDuplicateAndPaste)
     EXPECT_EQ(*copy.shaping.front(), *object(pasted, 3).shaping.front());
 }
 
-TEST_F(Shape, StepsAreTakenBackOneByOneOrAll)
+TEST_F(VolumeShape, StepsAreTakenBackOneByOneOrAll)
 {
     Document document = after(pressed(), MendVolume{3});
     document = after(document, InsertKnots{3, {.along = {0.5}}});
@@ -75,7 +75,7 @@ TEST_F(Shape, StepsAreTakenBackOneByOneOrAll)
     EXPECT_THROW(after(document, Unshape{3, {4}}), Rejected);
 }
 
-TEST_F(Shape, MayFoldWhereThatIsAllowedAndNowhereElse)
+TEST_F(VolumeShape, MayFoldWhereThatIsAllowedAndNowhereElse)
 {
     const MovePoints far{3, {.points = {{16, 4, 3}}, .by = {1, 0, 0}}};
     const auto done = [&](const Document& document) {
@@ -101,7 +101,7 @@ TEST_F(Shape, MayFoldWhereThatIsAllowedAndNowhereElse)
     EXPECT_THROW(allowed(small_document(), {{{0, -1, 0}, {1, 1, 1}}}), Rejected);
 }
 
-TEST_F(Shape, OfWhatIsNotPlacedIsRefusedAndSoIsWhatCannotBe)
+TEST_F(VolumeShape, OfWhatIsNotPlacedIsRefusedAndSoIsWhatCannotBe)
 {
     EXPECT_THROW(after(small_document(), PressVolume{1, press()}), Rejected);
     EXPECT_THROW(after(small_document(), PressVolume{3, Press{}}), Rejected);
@@ -113,7 +113,7 @@ TEST_F(Shape, OfWhatIsNotPlacedIsRefusedAndSoIsWhatCannotBe)
     EXPECT_THROW(after(small_document(), paste), Rejected);
 }
 
-TEST_F(Shape, ThatFitsNoMoreIsPassedOverAndSaid)
+TEST_F(VolumeShape, ThatFitsNoMoreIsPassedOverAndSaid)
 {
     const Document document =
         after(pressed(), MovePoints{3, {.points = {{500, 0, 0}}, .by = {0, 0, 0.1}}});

@@ -3,6 +3,7 @@
 #include "core/document/log.h"
 #include "core/files/glb_chunks.h"
 #include "core/files/glb_content.h"
+#include "core/files/second_reader.h"
 #include "editor/command_line/command_line.h"
 #include "tests/editor/scenes.h"
 #include "tests/support/fixtures.h"
@@ -46,13 +47,17 @@ protected:
     {
         const std::string bytes = read_text_file(folder.file("pot.glb")), key = "\"" + name + "\":";
         const std::size_t place = (last ? bytes.rfind(key) : bytes.find(key)) + key.size();
-        std::uint32_t length;
+        std::uint32_t length, all;
         std::memcpy(&length, bytes.data() + 12, 4);
+        std::memcpy(&all, bytes.data() + 8, 4);
         const std::string old = bytes.substr(place, bytes.find_first_of(",}]", place) - place);
         std::string changed = bytes;
         changed.replace(place, old.size(), value);
-        length += static_cast<std::uint32_t>(value.size() - old.size());
+        const auto more = static_cast<std::uint32_t>(value.size() - old.size());
+        length += more;
+        all += more;
         std::memcpy(changed.data() + 12, &length, 4);
+        std::memcpy(changed.data() + 8, &all, 4);
         write_file(folder.file("pot.glb"), changed);
         const Ran ran = verified();
         EXPECT_EQ(ran.status, Status::check_failed) << name << " " << value;
@@ -84,6 +89,16 @@ TEST_F(CertifiedExport, IsVerifiedAgainstTheSceneBesideIt)
     EXPECT_EQ(ran.status, Status::done);
     EXPECT_THAT(ran.text, HasSubstr("what it claims holds"));
     EXPECT_THAT(ran.text, HasSubstr("samples"));
+}
+
+TEST_F(CertifiedExport, IsReadByTinygltfAsItIsByUs)
+{
+    ASSERT_EQ(exported("0.001").status, Status::done);
+    const std::string bytes = read_text_file(folder.file("pot.glb"));
+    const std::vector<GlbContent::Node> nodes = nodes_by_tinygltf(bytes);
+    EXPECT_GT(nodes.size(), 1u);
+    EXPECT_EQ(nodes, glb_content(folder.file("pot.glb")).nodes);
+    EXPECT_THROW(nodes_by_tinygltf(bytes.substr(0, bytes.size() / 2)), Rejected);
 }
 
 TEST_F(CertifiedExport, FailsWhereAVertexWasMoved)
@@ -195,7 +210,9 @@ TEST_F(CertifiedExport, ListsWhatDoesNotLieWhereItShould)
     Place stroke = testing::placed(3, 1);
     const std::string before = testing::scene_text();
     write_file(folder.file("pot.trivar"), before + command_line(gone) + command_line(stroke));
-    const Ran ran = exported("0.001");
+    EXPECT_EQ(exported("0.001").status, Status::rejected);
+    const Ran ran = run_verb({"replay", folder.file("pot.trivar"), "--epsilon", "0.001", "--export",
+                              folder.file("pot.glb"), "--keep-going"});
     EXPECT_EQ(ran.status, Status::check_failed);
     EXPECT_THAT(ran.text, HasSubstr("is not certified: it does not lie where it should"));
     const Ran checked = verified();
@@ -239,13 +256,7 @@ TEST_F(CertifiedExport, SaysWhatIsNotRefinedInWords)
 TEST_F(CertifiedExport, IsRefusedWhereItNestsOrMultiplies)
 {
     const auto refused = [&](const std::string& json, std::size_t data) {
-        std::string bytes = "glTF        ";
-        for (const std::size_t word : {json.size(), std::size_t{0}})
-            for (int i = 0; i < 4; ++i) bytes += static_cast<char>(word >> (8 * i));
-        bytes += json;
-        for (const std::size_t word : {data, std::size_t{0}})
-            for (int i = 0; i < 4; ++i) bytes += static_cast<char>(word >> (8 * i));
-        write_file(folder.file("bad.glb"), bytes + std::string(data, '\0'));
+        write_file(folder.file("bad.glb"), glb_container({json, std::string(data, '\0')}));
         const Ran ran = run_verb({"verify", folder.file("bad.glb")});
         EXPECT_EQ(ran.status, Status::rejected);
         return ran.text;

@@ -3,6 +3,7 @@
 #include "core/files/companions.h"
 #include "core/files/file_bytes.h"
 #include "core/files/folder_files.h"
+#include "core/files/glb_chunks.h"
 #include "core/files/image.h"
 #include "tests/files/sample_models.h"
 #include "tests/files/text_models.h"
@@ -174,11 +175,8 @@ TEST(Libraries, ThatCannotBeReadLeaveTheModel)
 TEST(Companions, OfAGlbAreThePicturesBesideIt)
 {
     NamedPicture disk("t.png");
-    const std::string json = R"({"images":[{"uri":".\\t.png"},{"uri":"gone.png"}]})"
-                             "   ";
-    std::string glb("glTF\2\0\0\0....", 12);
-    const auto size = static_cast<char>(json.size());
-    glb += std::string{size, 0, 0, 0} + "JSON" + json;
+    const std::string glb =
+        glb_container({R"({"images":[{"uri":".\\t.png"},{"uri":"gone.png"}]})", ""});
     write_file(disk.folder.file("m.glb"), glb);
     EXPECT_THAT(companions_of(disk.folder.file("m.glb")), ElementsAre("t.png"));
     write_file(disk.folder.file("m.glb"), glb.substr(0, 30));

@@ -49,36 +49,38 @@ std::string triangle_bytes()
 TEST(GltfContainer, MayHaveChunksOfOtherKindsAndAnEmptyBinaryOne)
 {
     const std::string json = chunk("JSON", binary_triangle().dump());
-    EXPECT_EQ(refusal_of(glb(json + chunk("ABCD", "xyz") + chunk(bin, triangle_bytes())), "a.glb"),
+    EXPECT_EQ(
+        gltf_refusal(glb(json + chunk("ABCD", "xyz") + chunk(bin, triangle_bytes())), "a.glb"), "");
+    EXPECT_EQ(gltf_refusal(glb(chunk("JSON", triangle_gltf().dump()) + chunk(bin, "")), "a.glb"),
               "");
-    EXPECT_EQ(refusal_of(glb(chunk("JSON", triangle_gltf().dump()) + chunk(bin, "")), "a.glb"), "");
-    EXPECT_THAT(refusal_of(glb(json + chunk(bin, "")), "a.glb"),
+    EXPECT_THAT(gltf_refusal(glb(json + chunk(bin, "")), "a.glb"),
                 HasSubstr("bufferView 0: it reaches to byte 60 of buffer 0, which has 0 bytes"));
 }
 
 TEST(GltfContainer, GivesItsBinaryChunkToTheFirstBufferAlone)
 {
     GltfText text = binary_triangle();
-    EXPECT_THAT(refusal_of(glb(chunk("JSON", text.dump())), "a.glb"),
+    EXPECT_THAT(gltf_refusal(glb(chunk("JSON", text.dump())), "a.glb"),
                 HasSubstr("buffer 0: it has no 'uri', and only the first buffer"));
     text["buffers"].push_back(text["buffers"][0]);
     text["bufferViews"][0]["buffer"] = 1;
-    EXPECT_THAT(refusal_of(glb(chunk("JSON", text.dump()) + chunk(bin, triangle_bytes())), "a.glb"),
-                HasSubstr("buffer 1: it has no 'uri', and only the first buffer"));
+    EXPECT_THAT(
+        gltf_refusal(glb(chunk("JSON", text.dump()) + chunk(bin, triangle_bytes())), "a.glb"),
+        HasSubstr("buffer 1: it has no 'uri', and only the first buffer"));
 }
 
 TEST(GltfContainer, SaysWhatOfItIsCutOff)
 {
     const std::string whole =
         glb(chunk("JSON", binary_triangle().dump()) + chunk(bin, triangle_bytes()));
-    EXPECT_EQ(refusal_of(whole, "a.glb"), "");
-    EXPECT_THAT(refusal_of(whole.substr(0, whole.size() - 1), "a.glb"),
+    EXPECT_EQ(gltf_refusal(whole, "a.glb"), "");
+    EXPECT_THAT(gltf_refusal(whole.substr(0, whole.size() - 1), "a.glb"),
                 HasSubstr("says that it has"));
     std::string shorter = whole.substr(0, whole.size() - 4);
     shorter.replace(8, 4, word(shorter.size()));
-    EXPECT_THAT(refusal_of(shorter, "a.glb"), HasSubstr("its binary chunk is cut off"));
-    EXPECT_THAT(refusal_of("PK" + whole, "a.glb"), HasSubstr("this is no GLB file"));
-    EXPECT_THAT(refusal_of(whole, "a.gltf"), HasSubstr("name it .glb"));
+    EXPECT_THAT(gltf_refusal(shorter, "a.glb"), HasSubstr("its binary chunk is cut off"));
+    EXPECT_THAT(gltf_refusal("PK" + whole, "a.glb"), HasSubstr("this is no GLB file"));
+    EXPECT_THAT(gltf_refusal(whole, "a.gltf"), HasSubstr("name it .glb"));
 }
 
 TEST(GltfUris, HoldBase64OrText)

@@ -45,12 +45,12 @@ TEST(GltfNumbers, OfAnAccessorInNoBufferAreBounded)
 {
     GltfText text = triangle_gltf();
     text["accessors"][0] = {{"componentType", 5126}, {"count", 4'000'000'000}, {"type", "VEC3"}};
-    EXPECT_THAT(refusal_of(text), HasSubstr("accounts for"));
+    EXPECT_THAT(gltf_refusal(text), HasSubstr("accounts for"));
 }
 
 TEST(GltfNumbers, OfPositionsMustBeFiniteAndOthersAreReadAsZero)
 {
-    EXPECT_THAT(refusal_of(with_numbers({0, 0, no_number, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1})),
+    EXPECT_THAT(gltf_refusal(with_numbers({0, 0, no_number, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1})),
                 HasSubstr("'POSITION' has numbers that are infinite or none, 1 in all"));
     const Model model =
         read_gltf_text(with_numbers({0, 0, 0, 1, 0, 0, 0, 1, 0, no_number, 0, 1, no_number, 0, 1}));
@@ -60,14 +60,14 @@ TEST(GltfNumbers, OfPositionsMustBeFiniteAndOthersAreReadAsZero)
 
 TEST(GltfNumbers, ThatPutAMeshOutOfReachAreRefused)
 {
-    EXPECT_THAT(refusal_of(with_numbers({0, 0, 0, 3e38f, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1})),
+    EXPECT_THAT(gltf_refusal(with_numbers({0, 0, 0, 3e38f, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1})),
                 HasSubstr("a mesh reaches 3e+38 m from the origin, and places up to 1e+15 m"));
     GltfText text = triangle_gltf();
     text["nodes"][0]["scale"] = {1e30, 1, 1};
-    EXPECT_THAT(refusal_of(text), HasSubstr("node 0: 'scale' has the number 1e+30"));
+    EXPECT_THAT(gltf_refusal(text), HasSubstr("node 0: 'scale' has the number 1e+30"));
     text["nodes"] = GltfText::parse(R"([{"children":[1],"scale":[1e9,1,1]},
                                         {"mesh":0,"name":"far","scale":[1e9,1,1]}])");
-    EXPECT_THAT(refusal_of(text), HasSubstr("the mesh of node 'far' reaches 1e+18 m"));
+    EXPECT_THAT(gltf_refusal(text), HasSubstr("the mesh of node 'far' reaches 1e+18 m"));
 }
 
 TEST(GltfNumbers, OfASkinThatPutItsMeshOutOfReachLeaveTheSkinOut)

@@ -2,6 +2,7 @@
 // What a glTF file names and cannot be had is said once, with how often; the rest is read.
 #include "core/files/gltf_uri.h"
 #include "tests/files/gltf_texts.h"
+#include "tests/fuzz/sound_pictures.h"
 #include "tests/support/fixtures.h"
 
 #include <gmock/gmock.h>
@@ -65,7 +66,7 @@ TEST(GltfReferences, ToOptionalExtensionsAreSaidOnce)
                 ElementsAre("a.gltf: 2 of its extensions are not supported and were left out: "
                             "KHR_materials_ior, KHR_lights_punctual"));
     text["extensionsRequired"] = {"KHR_lights_punctual"};
-    EXPECT_THAT(refusal_of(text), HasSubstr("it needs the extension KHR_lights_punctual"));
+    EXPECT_THAT(gltf_refusal(text), HasSubstr("it needs the extension KHR_lights_punctual"));
 }
 
 TEST(GltfReferences, MirroredTexturesAreReadAsRepeating)
@@ -88,8 +89,9 @@ TEST(GltfReferences, ToFilesThatAreNotInTheFolderAreCountedAndNamed)
     EXPECT_THAT(read_gltf_text(text, folder.path().string()).notices,
                 ElementsAre("a.gltf: 2 pictures are not in its folder, 'a.png' for one"));
     text["buffers"][0]["uri"] = "body one.bin";
-    EXPECT_THAT(refusal_of(text), EndsWith("bufferView 0, buffer 0: its file 'body one.bin' is not "
-                                           "in the folder of the glTF file"));
+    EXPECT_THAT(gltf_refusal(text),
+                EndsWith("bufferView 0, buffer 0: its file 'body one.bin' is not "
+                         "in the folder of the glTF file"));
     const std::string uri = triangle_gltf()["buffers"][0]["uri"];
     write_file(folder.path() / "body one.bin", data_uri_bytes(uri).value());
     text["buffers"][0]["uri"] = "body%20one.bin";
@@ -120,7 +122,8 @@ TEST(GltfPictures, AreDecodedOnceHoweverManyShareThem)
 TEST(GltfPictures, AreLeftOutBeforeTheyFillTheMemory)
 {
     // A header that declares 2^28 pixels, and bytes enough for it to be believed alone.
-    std::string picture = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 16384 +X 16384\n";
+    const std::string head = "IHDR" + big(16384, 4) + big(16384, 4) + std::string("\1\0\0\0\0", 5);
+    std::string picture = "\x89PNG\r\n\x1a\n" + big(13, 4) + head + big(png_checksum(head), 4);
     picture.resize(300'000, '\1');
     GltfText text = three_materials(textured_gltf());
     text["images"][0] = {{"uri", data_uri(picture)}, {"name", "sky"}};

@@ -78,7 +78,7 @@ TEST(GltfScenes, BuffersThatNothingAsksForNeedNotBeThere)
     text["buffers"].push_back({{"byteLength", 3}, {"uri", "data:,abc"}});
     EXPECT_THAT(read_gltf_text(text).notices, IsEmpty());
     text["bufferViews"][0]["buffer"] = 1;
-    EXPECT_THAT(refusal_of(text), HasSubstr("buffer 1: it has no 'uri'"));
+    EXPECT_THAT(gltf_refusal(text), HasSubstr("buffer 1: it has no 'uri'"));
 }
 
 } // namespace

@@ -15,34 +15,35 @@ TEST(GltfSentences, NameThePlaceWhatStandsThereAndWhatShould)
 {
     GltfText text = GltfText::parse(gltf_text(rigged_model()));
     text["animations"][0]["channels"][0].erase("sampler");
-    EXPECT_EQ(refusal_of(text), "a.gltf: animation 0 'bend', channel 0: 'sampler' is missing, and "
-                                "must be a whole number from 0 up");
+    EXPECT_EQ(gltf_refusal(text),
+              "a.gltf: animation 0 'bend', channel 0: 'sampler' is missing, and "
+              "must be a whole number from 0 up");
     text["animations"][0]["channels"][0]["sampler"] = "first";
-    EXPECT_EQ(refusal_of(text), "a.gltf: animation 0 'bend', channel 0: 'sampler' is the text "
-                                "'first', and must be a whole number from 0 up");
+    EXPECT_EQ(gltf_refusal(text), "a.gltf: animation 0 'bend', channel 0: 'sampler' is the text "
+                                  "'first', and must be a whole number from 0 up");
     text["animations"][0]["channels"][0]["sampler"] = 7;
-    EXPECT_THAT(refusal_of(text), HasSubstr("channel 0: 'sampler' names sampler 7"));
+    EXPECT_THAT(gltf_refusal(text), HasSubstr("channel 0: 'sampler' names sampler 7"));
 }
 
 TEST(GltfSentences, TellWhichAttributeAnAccessorIsReadFor)
 {
     GltfText text = triangle_gltf();
     text["accessors"][1]["count"] = 300;
-    EXPECT_EQ(refusal_of(text),
+    EXPECT_EQ(gltf_refusal(text),
               "a.gltf: mesh 0, primitive 0, attributes, TEXCOORD_0 (accessor 1): its 300 elements "
               "of 8 bytes reach past the end of its buffer view, which has 60 bytes");
     text["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] = 5;
-    EXPECT_THAT(refusal_of(text), HasSubstr("attributes: 'TEXCOORD_0' names accessor 5, which is "
-                                            "not there: the last is accessor 1"));
+    EXPECT_THAT(gltf_refusal(text), HasSubstr("attributes: 'TEXCOORD_0' names accessor 5, which is "
+                                              "not there: the last is accessor 1"));
 }
 
 TEST(GltfSentences, GiveTheLineWhereJsonIsDamaged)
 {
-    EXPECT_EQ(refusal_of("{\"asset\":\n{\"version\" \"2.0\"}}", "a.gltf"),
+    EXPECT_EQ(gltf_refusal("{\"asset\":\n{\"version\" \"2.0\"}}", "a.gltf"),
               "a.gltf: its JSON is damaged in line 2, near character 16");
-    EXPECT_THAT(refusal_of("{\"asset\":", "a.gltf"), HasSubstr("cut off"));
-    EXPECT_THAT(refusal_of("[]", "a.gltf"), HasSubstr("must be an object"));
-    EXPECT_THAT(refusal_of("{\"asset\":{\"version\":\"2.0\"},\"x\":1e999}", "a.gltf"),
+    EXPECT_THAT(gltf_refusal("{\"asset\":", "a.gltf"), HasSubstr("cut off"));
+    EXPECT_THAT(gltf_refusal("[]", "a.gltf"), HasSubstr("must be an object"));
+    EXPECT_THAT(gltf_refusal("{\"asset\":{\"version\":\"2.0\"},\"x\":1e999}", "a.gltf"),
                 HasSubstr("too large"));
 }
 
@@ -55,7 +56,7 @@ TEST(GltfSentences, NeverPrintADataUri)
     EXPECT_EQ(model.notices[0], "a.gltf: picture 0: its data uri is no base64");
     text = triangle_gltf();
     text["buffers"][0]["uri"] = "data:application/octet-stream;base64,A";
-    EXPECT_THAT(refusal_of(text),
+    EXPECT_THAT(gltf_refusal(text),
                 AllOf(HasSubstr("buffer 0: the text of its data uri is no base64"),
                       Not(HasSubstr("octet"))));
 }
@@ -64,8 +65,9 @@ TEST(GltfSentences, SayWhyThereAreNoFaces)
 {
     GltfText text = triangle_gltf();
     text["meshes"][0]["primitives"][0]["mode"] = 1;
-    EXPECT_EQ(refusal_of(text), "a.gltf: there are no faces in it: one part of a mesh is lines or "
-                                "points and was left out");
+    EXPECT_EQ(gltf_refusal(text),
+              "a.gltf: there are no faces in it: one part of a mesh is lines or "
+              "points and was left out");
 }
 
 // Whatever stands anywhere in the JSON.
@@ -76,7 +78,7 @@ TEST(GltfSentences, AreWholeForEveryValueOfEveryWrongType)
     for (const char* list : {"materials", "textures", "samplers", "images"})
         text[list] = textured[list];
     text["meshes"][0]["primitives"][0]["material"] = 0;
-    ASSERT_EQ(refusal_of(text), "");
+    ASSERT_EQ(gltf_refusal(text), "");
     std::vector<std::string> places;
     const std::function<void(const GltfText&, const std::string&)> collect =
         [&](const GltfText& value, const std::string& place) {
@@ -91,7 +93,7 @@ TEST(GltfSentences, AreWholeForEveryValueOfEveryWrongType)
              {"null", "true", "-1", "0.5", "1e300", "\"x\"", "[]", "[[0]]", "{}", "4000000000"}) {
             GltfText changed = text;
             changed[GltfText::json_pointer(place)] = GltfText::parse(value);
-            const std::string said = refusal_of(changed);
+            const std::string said = gltf_refusal(changed);
             if (said.empty()) continue;
             EXPECT_THAT(said, AllOf(StartsWith("a.gltf: "), Not(HasSubstr("exception"))))
                 << place << " as " << value;

@@ -53,7 +53,7 @@ inline Model read_gltf_text(const GltfText& text, const std::string& folder = ""
 }
 
 // Empty where the file was read.
-inline std::string refusal_of(const std::string& bytes, const std::string& name)
+inline std::string gltf_refusal(const std::string& bytes, const std::string& name)
 {
     try {
         read_model_bytes(bytes, name, "");
@@ -63,9 +63,9 @@ inline std::string refusal_of(const std::string& bytes, const std::string& name)
     }
 }
 
-inline std::string refusal_of(const GltfText& text)
+inline std::string gltf_refusal(const GltfText& text)
 {
-    return refusal_of(text.dump(), "a.gltf");
+    return gltf_refusal(text.dump(), "a.gltf");
 }
 
 } // namespace trivar::testing

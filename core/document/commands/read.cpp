@@ -9,7 +9,6 @@
 #include <array>
 #include <fmt/format.h>
 #include <limits>
-#include <set>
 #include <span>
 #include <utility>
 
@@ -22,7 +21,7 @@ using nlohmann::json;
 {
     std::string text = found.dump(-1, ' ', false, json::error_handler_t::replace);
     if (text.size() > 40) text = std::string(found.type_name());
-    throw Rejected(fmt::format("field \"{}\" must be {}, not {}", name, wanted, text));
+    throw Rejected(fmt::format("field \"{}\" must be {}, not {}", name, wanted, printable(text)));
 }
 
 // What does not depend on a field's type is in plain functions: there are some 150 fields, and each
@@ -122,7 +121,8 @@ public:
     {
         for (const auto& [name, ignored] : object_->items())
             if (std::find(known_.begin(), known_.end(), name) == known_.end())
-                throw Rejected(fmt::format("field \"{}{}\" is unknown here", prefix_, name));
+                throw Rejected(
+                    fmt::format("field \"{}{}\" is unknown here", prefix_, excerpt(name)));
     }
 
 private:
@@ -204,35 +204,10 @@ Command command_named(std::string_view verb, const json& object)
     for (const Named& each : all)
         if (each.verb == verb) return each.read(object);
     throw Rejected(
-        fmt::format("there is no command \"{}\"; trivar commands lists them", printable(verb)));
+        fmt::format("there is no command \"{}\"; trivar commands lists them", excerpt(verb)));
 }
 
 } // namespace
-
-json parse_object(std::string_view line)
-{
-    std::vector<std::set<std::string>> keys;
-    constexpr int deepest = 10; // no field nests further, and some walks over JSON are recursive
-    const auto watch = [&](int depth, json::parse_event_t event, json& parsed) {
-        if (depth > deepest) throw Rejected("brackets nest too deeply");
-        if (event == json::parse_event_t::object_start) keys.emplace_back();
-        if (event == json::parse_event_t::object_end) keys.pop_back();
-        if (event == json::parse_event_t::key &&
-            !keys.back().insert(parsed.get_ref<const std::string&>()).second)
-            throw Rejected(
-                fmt::format("field \"{}\" appears twice", printable(parsed.get<std::string>())));
-        return true;
-    };
-    try {
-        json object = json::parse(line, watch);
-        if (!object.is_object()) throw Rejected("the line must be an object in braces");
-        return object;
-    } catch (const json::parse_error& error) {
-        throw Rejected(fmt::format("no JSON: byte {} is not what it should be", error.byte));
-    } catch (const json::exception&) {
-        throw Rejected("no JSON: a number is too large");
-    }
-}
 
 std::string text_field(const json& object, const std::string& name)
 {
