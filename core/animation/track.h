@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/ref.h"
+
 #include <glm/glm.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace trivar {
@@ -32,6 +35,32 @@ struct Track {
     std::vector<Key> keys; // ascending by frame, no two in one
     Repeat repeat = Repeat::once;
     bool operator==(const Track&) const = default;
+};
+
+// Tracks by name of their parameter. Copies share them: an object that is copied because something
+// else of it changes does not copy its keys.
+class Tracks {
+public:
+    Tracks() = default;
+    Tracks(std::vector<Track> all) : all_(all.empty() ? nullptr : make_ref(std::move(all))) {}
+    operator const std::vector<Track>&() const { return all(); }
+    const std::vector<Track>& all() const
+    {
+        static const std::vector<Track> none;
+        return all_ ? *all_ : none;
+    }
+    auto begin() const { return all().begin(); }
+    auto end() const { return all().end(); }
+    std::size_t size() const { return all().size(); }
+    bool empty() const { return !all_; }
+    const Track& operator[](std::size_t i) const { return all()[i]; }
+    bool operator==(const Tracks& other) const
+    {
+        return all_ == other.all_ || all() == other.all();
+    }
+
+private:
+    Ref<std::vector<Track>> all_; // null: none
 };
 
 // At any frame, whole or between two, directly: before the first key as there, after the last one

@@ -108,7 +108,7 @@ void add(Digest& digest, const Object& object)
     }
     if (!object.tracks.empty()) { // there were scenes without it
         digest.add_text("tracks");
-        add(digest, object.tracks);
+        add(digest, object.tracks.all());
     }
 }
 

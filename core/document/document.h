@@ -83,7 +83,7 @@ struct Object {
     Travel travel = {};                    // along its stroke, if it lies on one
     Playing playing = {};                  // if it is an imported file
     std::optional<Refining> refining = {}; // if it lies on a stroke
-    std::vector<Track> tracks = {};        // of what changes in time, by parameter
+    Tracks tracks = {};                    // of what changes in time, by parameter
     bool operator==(const Object&) const = default;
 };
 

@@ -126,7 +126,7 @@ std::optional<Command> without_keys(const Document& document, const std::vector<
 
 const std::vector<Track>& tracks_of(const Document& document, Id id)
 {
-    return id == 0 ? *document.tracks : object(document, id).tracks;
+    return id == 0 ? *document.tracks : object(document, id).tracks.all();
 }
 
 const Track* track_of(const Document& document, Id id, const std::string& parameter)

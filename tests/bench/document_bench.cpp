@@ -5,6 +5,7 @@
 
 #include <benchmark/benchmark.h>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 // A scene of 200 objects and 1,000 small edits, the sizes that docs/benchmarks.md speaks of.
 namespace trivar {
@@ -27,6 +28,47 @@ void open_log_of_1000_edits(benchmark::State& state)
     for (auto _ : state) benchmark::DoNotOptimize(SceneFile(path));
 }
 BENCHMARK(open_log_of_1000_edits)->Unit(benchmark::kMillisecond);
+
+// One object that goes from key to key, in one line of the log.
+std::string log_of_keys(std::int64_t count)
+{
+    Track track{"transform.translation.x", {}};
+    for (std::int64_t i = 0; i < count; ++i) {
+        const auto frame = static_cast<double>(i);
+        track.keys.push_back({.frame = frame, .value = 0.1 * frame});
+    }
+    return log_header() + command_line(AddBox{}) + command_line(Animate{{{1, {track}}}});
+}
+
+void read_keys(benchmark::State& state)
+{
+    const std::string text = log_of_keys(state.range(0));
+    for (auto _ : state) benchmark::DoNotOptimize(replay(read_log(text, "keys")));
+    state.SetComplexityN(state.range(0));
+}
+BENCHMARK(read_keys)
+    ->Arg(12500)
+    ->Arg(25000)
+    ->Arg(50000)
+    ->Arg(100000)
+    ->Complexity(benchmark::oN)
+    ->Unit(benchmark::kMillisecond);
+
+void parse_json_of_keys(benchmark::State& state) // the baseline: the values, as they are written
+{
+    const std::string text = log_of_keys(state.range(0));
+    const std::string line = text.substr(text.rfind('\n', text.size() - 2) + 1);
+    for (auto _ : state) benchmark::DoNotOptimize(nlohmann::json::parse(line));
+}
+BENCHMARK(parse_json_of_keys)->Arg(12500)->Arg(100000)->Unit(benchmark::kMillisecond);
+
+void edit_what_has_100000_keys(benchmark::State& state)
+{
+    History history = replay(read_log(log_of_keys(100000), "keys"));
+    double x = 0;
+    for (auto _ : state) history.propose(SetTransform{1, {.translation = {x += 0.1, 0, 0}}});
+}
+BENCHMARK(edit_what_has_100000_keys)->Unit(benchmark::kMicrosecond);
 
 void undo_and_redo_with_200_objects(benchmark::State& state)
 {

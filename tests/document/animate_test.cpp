@@ -36,6 +36,19 @@ Document rich_document()
     return after(document, Refine{{3}, {}});
 }
 
+TEST(Animate, KeysAreSharedWhereSomethingElseOfTheirObjectChanges)
+{
+    const Document keyed = animated(small_document(), 2, {{"hidden", {{1, 0}, {9, 1}}}});
+    const Document renamed = after(keyed, Rename{2, "Other"});
+    EXPECT_EQ(&object(keyed, 2).tracks[0], &object(renamed, 2).tracks[0]);
+    const Document more = animated(renamed, 2, {{"hidden", {{1, 0}, {9, 0}}}});
+    EXPECT_EQ(object(keyed, 2).tracks[0].keys[1].value, 1) << "what was, is as it was";
+    EXPECT_FALSE(object(more, 2).tracks == object(renamed, 2).tracks);
+    EXPECT_TRUE(object(animated(more, 2, {{"hidden", {{1, 0}, {9, 1}}}}), 2).tracks ==
+                object(keyed, 2).tracks)
+        << "equal by value";
+}
+
 TEST(Animate, MovesEveryParameterThatThereIs)
 {
     const Document document = rich_document();

@@ -89,6 +89,28 @@ TEST(Log, NamesLineAndFieldOfWhatItRefuses)
     EXPECT_THAT(line_rejection(std::string(1000, '[')), HasSubstr("too deeply"));
 }
 
+TEST(Log, NestsAsDeepAsItsFieldsDoAndNoDeeper)
+{
+    const std::string keys = R"([{"object":1,"tracks":[{"parameter":"hidden","keys":[)"
+                             R"({"frame":1,"value":1,"before":[0,0]},{"frame":2,"value":0}]}]}])";
+    EXPECT_EQ(rejection(log_header() + command_line(AddBox{}) + R"({"do":"animate","of":)" + keys +
+                        "}\n"),
+              "");
+    EXPECT_THAT(line_rejection(R"({"do":[[[[[[[[[[]]]]]]]]]]})"), HasSubstr("a text in quotes"));
+    EXPECT_THAT(line_rejection(R"({"do":[[[[[[[[[[[]]]]]]]]]]]})"), HasSubstr("too deeply"));
+}
+
+TEST(Log, TellsTheSameFieldTwiceWhereverItStands)
+{
+    const auto twice = HasSubstr("field \"scale\" appears twice");
+    EXPECT_THAT(line_rejection(R"({"do":"add_box","transform":{"scale":[1,1,1],"scale":1}})"),
+                twice);
+    EXPECT_THAT(line_rejection(R"({"do":"add_box","a":[{"scale":1},{"scale":1,"scale":[{}]}]})"),
+                twice);
+    EXPECT_THAT(line_rejection(R"({"do":"add_box","a":[{"scale":1},{"scale":1}]})"),
+                HasSubstr("\"a\" is unknown"));
+}
+
 TEST(Log, RefusesWhatIsNoSceneAndWhatIsNewer)
 {
     EXPECT_THAT(rejection(""), HasSubstr("empty"));

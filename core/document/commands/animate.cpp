@@ -74,7 +74,7 @@ Document applied(Document document, const Animate& command)
                 merged(*document.tracks, each.tracks, scene_parameters(document), "the scene"));
         else
             document = with_changed(std::move(document), id, [&](Object& o) {
-                o.tracks = merged(std::move(o.tracks), each.tracks, parameters(o),
+                o.tracks = merged(o.tracks, each.tracks, parameters(o),
                                   fmt::format("object {} ({})", id, o.name));
             });
     }

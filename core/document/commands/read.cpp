@@ -9,7 +9,6 @@
 #include <array>
 #include <fmt/format.h>
 #include <limits>
-#include <set>
 #include <span>
 #include <utility>
 
@@ -208,31 +207,6 @@ Command command_named(std::string_view verb, const json& object)
 }
 
 } // namespace
-
-json parse_object(std::string_view line)
-{
-    std::vector<std::set<std::string>> keys;
-    constexpr int deepest = 10; // no field nests further, and some walks over JSON are recursive
-    const auto watch = [&](int depth, json::parse_event_t event, json& parsed) {
-        if (depth > deepest) throw Rejected("brackets nest too deeply");
-        if (event == json::parse_event_t::object_start) keys.emplace_back();
-        if (event == json::parse_event_t::object_end) keys.pop_back();
-        if (event == json::parse_event_t::key &&
-            !keys.back().insert(parsed.get_ref<const std::string&>()).second)
-            throw Rejected(
-                fmt::format("field \"{}\" appears twice", printable(parsed.get<std::string>())));
-        return true;
-    };
-    try {
-        json object = json::parse(line, watch);
-        if (!object.is_object()) throw Rejected("the line must be an object in braces");
-        return object;
-    } catch (const json::parse_error& error) {
-        throw Rejected(fmt::format("no JSON: byte {} is not what it should be", error.byte));
-    } catch (const json::exception&) {
-        throw Rejected("no JSON: a number is too large");
-    }
-}
 
 std::string text_field(const json& object, const std::string& name)
 {
