@@ -190,7 +190,7 @@ void write_video(const std::vector<std::string>& pictures, double frames_per_sec
                                          "+faststart",
                                          "-f",
                                          format_of(path),
-                                         file.temporary()};
+                                         file.for_others()};
     const WithoutPipeSignal no_signal;
     bool content = true;
     {
@@ -207,7 +207,7 @@ void write_video(const std::vector<std::string>& pictures, double frames_per_sec
         content = ffmpeg.end(tell) && content;
     }
     std::error_code ignored;
-    content = content && fs::file_size(file.temporary(), ignored) > 0;
+    content = content && fs::file_size(file.for_others(), ignored) > 0;
     if (!content) throw Rejected(path + ": ffmpeg could not make it of these pictures there");
     file.finish();
 }

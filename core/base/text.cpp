@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/text.h"
 
-#include "core/base/rejected.h"
+#include "core/base/ordinary_file.h"
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 
 namespace trivar {
 namespace {
@@ -68,14 +64,8 @@ std::vector<std::string_view> trimmed_lines(std::string_view text)
 
 std::string read_text_file(const std::string& path)
 {
-    std::error_code error;
-    if (std::filesystem::is_directory(path, error))
-        throw Rejected(path + ": this is a folder, not a file");
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw Rejected(path + ": cannot be opened (" + std::strerror(errno) + ")");
-    std::string content{std::istreambuf_iterator<char>(file), {}};
-    if (file.bad()) throw Rejected(path + ": cannot be read to its end");
-    return content;
+    constexpr std::uintmax_t most_bytes = std::uintmax_t{4} << 30; // as many as a .glb can have
+    return read_file(path, most_bytes);
 }
 
 } // namespace trivar

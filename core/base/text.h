@@ -21,7 +21,7 @@ std::string printable(std::string_view text);
 // The text's lines without the blanks at their ends, in their order; empty ones too.
 std::vector<std::string_view> trimmed_lines(std::string_view text);
 
-// The whole content of a file. Throws Rejected, naming the file and the reason.
+// The whole content of an ordinary file. Throws Rejected, naming the file and the reason.
 std::string read_text_file(const std::string& path);
 
 } // namespace trivar

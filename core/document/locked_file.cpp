@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/locked_file.h"
 
+#include "core/base/ordinary_file.h"
 #include "core/base/rejected.h"
 
 #include <cerrno>
@@ -62,13 +63,12 @@ void flush_folder(const std::string& path)
 
 LockedFile::LockedFile(const std::string& path) : path_(path)
 {
-    struct stat status {};
-    if (::stat(path.c_str(), &status) != 0) fail(path, "cannot be opened", errno);
-    if (!S_ISREG(status.st_mode)) throw Rejected(path + ": this is no ordinary file");
+    static_cast<void>(
+        OrdinaryFile(path)); // what is none is neither opened to be written nor locked
     for (;;) {
-        descriptor_ = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+        descriptor_ = ::open(path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
         if (descriptor_ < 0) {
-            descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+            descriptor_ = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
             if (descriptor_ < 0) fail(path, "cannot be opened", errno);
             return;
         }
@@ -87,9 +87,7 @@ LockedFile::LockedFile(const std::string& path, std::string_view text)
     const std::filesystem::path target = std::filesystem::is_symlink(path, ignored)
                                              ? std::filesystem::weakly_canonical(path, ignored)
                                              : std::filesystem::path(path);
-    if (std::filesystem::exists(target, ignored) &&
-        !std::filesystem::is_regular_file(target, ignored))
-        throw Rejected(path + ": this is no ordinary file and is not replaced");
+    check_replaceable(path);
     std::string beside = target.string() + ".XXXXXX";
     descriptor_ = ::mkostemp(beside.data(), O_CLOEXEC);
     if (descriptor_ < 0) fail(path, "cannot be written", errno);

@@ -140,6 +140,7 @@ std::vector<std::string> write_caches(const Film& film, CacheFormat format,
         Model first;
     };
     std::vector<Made> made;
+    constexpr std::size_t most_open = 200; // files of a program, of some 1,000 that it may have
     for (std::size_t o = 0; o < objects.size(); ++o) {
         CachedMesh cached = cached_mesh(objects[o]);
         const std::string name =
@@ -163,7 +164,7 @@ std::vector<std::string> write_caches(const Film& film, CacheFormat format,
             }
             file.append(places);
         }
-        file.close();
+        objects.size() > most_open ? file.close() : file.settle();
         made.push_back({name, std::move(cache), std::move(cached.model)});
     }
     std::vector<std::string> out; // all of them or, where it was stopped before, none

@@ -9,7 +9,8 @@
 
 namespace trivar {
 
-// A file's bytes. Throws Rejected for what is no readable file or has more than `max_bytes`.
+// An ordinary file's bytes (core/base/ordinary_file.h). Throws Rejected for what is none, cannot be
+// read or has more than `max_bytes`.
 std::string read_bytes(const std::string& path, std::uintmax_t max_bytes);
 
 // Writes beside `path` and renames at the end, so that any failure leaves the previous file as it

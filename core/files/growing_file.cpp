@@ -1,33 +1,71 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/growing_file.h"
 
+#include "core/base/ordinary_file.h"
 #include "core/base/rejected.h"
 
 #include <cerrno>
 #include <cstring>
+#include <fcntl.h>
+#include <filesystem>
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
 
 namespace trivar {
+namespace {
 
-GrowingFile::GrowingFile(std::string path) : path_(std::move(path)), temporary_(path_ + ".XXXXXX")
+std::string without_link(const std::string& path)
 {
-    file_ = ::mkstemp(temporary_.data());
-    if (file_ < 0) fail(errno);
-    there_ = true;
+    std::error_code ignored;
+    return std::filesystem::is_symlink(path, ignored)
+               ? std::filesystem::weakly_canonical(path, ignored).string()
+               : path;
+}
+
+std::string descriptor_path(const char* process, int descriptor)
+{
+    return fmt::format("/proc/{}/fd/{}", process, descriptor);
+}
+
+// A file without a name on the disk of a folder; -1 where there are none.
+int unnamed_file(const std::string& folder)
+{
+    const int file = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+    // It is named by its entry there.
+    if (file < 0 || ::access(descriptor_path("self", file).c_str(), F_OK) == 0) return file;
+    ::close(file);
+    return -1;
+}
+
+} // namespace
+
+GrowingFile::GrowingFile(std::string path) : path_(std::move(path)), target_(without_link(path_))
+{
+    check_replaceable(path_);
+    const std::string folder = std::filesystem::path(target_).parent_path().string();
+    file_ = unnamed_file(folder.empty() ? "." : folder);
+    if (file_ < 0) open_named();
 }
 
 GrowingFile::~GrowingFile()
 {
     if (file_ >= 0) ::close(file_);
-    if (there_) ::unlink(temporary_.c_str());
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
 }
 
 void GrowingFile::fail(int reason)
 {
     throw Rejected(fmt::format("{}: cannot be written ({})", path_, std::strerror(reason)));
+}
+
+void GrowingFile::open_named()
+{
+    std::string name = target_ + ".XXXXXX";
+    file_ = ::mkostemp(name.data(), O_CLOEXEC);
+    if (file_ < 0) fail(errno);
+    temporary_ = std::move(name);
 }
 
 void GrowingFile::append(std::string_view bytes)
@@ -49,20 +87,55 @@ void GrowingFile::flush()
     waiting_.clear();
 }
 
+void GrowingFile::settle()
+{
+    if (std::exchange(settled_, true)) return;
+    flush();
+    // Until now it was its owner's alone; it becomes an ordinary one.
+    if (::fchmod(file_, 0644) != 0 || ::fsync(file_) != 0) fail(errno);
+}
+
+void GrowingFile::name_temporarily()
+{
+    if (!temporary_.empty()) return;
+    const std::string unnamed = descriptor_path("self", file_);
+    constexpr int most_tries = 1000;
+    for (int i = 0;; ++i) {
+        std::string name = fmt::format("{}.{}-{}", target_, ::getpid(), file_ + i);
+        if (::linkat(AT_FDCWD, unnamed.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) {
+            temporary_ = std::move(name);
+            return;
+        }
+        if (errno != EEXIST || i == most_tries) fail(errno);
+    }
+}
+
 void GrowingFile::close()
 {
+    settle();
     if (file_ < 0) return;
-    flush();
-    // mkstemp makes files for the owner only; these are ordinary ones.
-    if (::fchmod(file_, 0644) != 0 || ::fsync(file_) != 0) fail(errno);
+    name_temporarily();
     if (::close(std::exchange(file_, -1)) != 0) fail(errno);
 }
 
 void GrowingFile::finish()
 {
-    close();
-    if (::rename(temporary_.c_str(), path_.c_str()) != 0) fail(errno);
-    there_ = false;
+    settle();
+    const std::string unnamed = descriptor_path("self", file_);
+    const bool is_new = temporary_.empty() && ::linkat(AT_FDCWD, unnamed.c_str(), AT_FDCWD,
+                                                       target_.c_str(), AT_SYMLINK_FOLLOW) == 0;
+    if (!is_new) { // what is there is replaced at one stroke, which wants a name for a moment
+        name_temporarily();
+        if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
+        temporary_.clear();
+    }
+    if (file_ >= 0 && ::close(std::exchange(file_, -1)) != 0) fail(errno);
+}
+
+std::string GrowingFile::for_others() const
+{
+    return temporary_.empty() ? descriptor_path(std::to_string(::getpid()).c_str(), file_)
+                              : temporary_;
 }
 
 } // namespace trivar

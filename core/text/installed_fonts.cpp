@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/text/installed_fonts.h"
 
+#include "core/base/ordinary_file.h"
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <filesystem>
 #include <fontconfig/fontconfig.h>
-#include <fstream>
 #include <memory>
 
 namespace trivar {
@@ -51,16 +50,20 @@ InstalledFont described(FcPattern* font)
 
 Font font_of_file(const std::string& path, int face)
 {
-    std::error_code error;
-    const std::uintmax_t size = std::filesystem::file_size(path, error);
-    if (error || !std::filesystem::is_regular_file(path, error))
+    std::unique_ptr<OrdinaryFile> file;
+    try {
+        file = std::make_unique<OrdinaryFile>(path);
+    } catch (const Rejected&) {
         throw Rejected("the font " + printable(path) + " cannot be opened");
-    if (size > Font::most_bytes)
+    }
+    if (file->size() > Font::most_bytes)
         throw Rejected("the font " + printable(path) + " has more than 256 MB");
-    std::string bytes(size, ' ');
-    std::ifstream file(path, std::ios::binary);
-    if (!file.read(bytes.data(), static_cast<std::streamsize>(size)))
+    std::string bytes(static_cast<std::size_t>(file->size()), ' ');
+    try {
+        file->read(bytes);
+    } catch (const Rejected&) {
         throw Rejected("the font " + printable(path) + " cannot be read to its end");
+    }
     return {std::move(bytes), face, printable(path)};
 }
 
