@@ -14,6 +14,16 @@
 namespace trivar {
 namespace {
 
+// What it is instead; empty: it is an ordinary file.
+std::string unusual_kind(mode_t mode)
+{
+    return S_ISREG(mode)    ? ""
+           : S_ISDIR(mode)  ? "folder"
+           : S_ISFIFO(mode) ? "pipe"
+           : S_ISSOCK(mode) ? "socket"
+                            : "device";
+}
+
 void check_ordinary(const std::string& path, mode_t mode)
 {
     if (const std::string kind = unusual_kind(mode); !kind.empty())
@@ -27,15 +37,6 @@ void check_ordinary(const std::string& path, mode_t mode)
 }
 
 } // namespace
-
-std::string unusual_kind(mode_t mode)
-{
-    return S_ISREG(mode)    ? ""
-           : S_ISDIR(mode)  ? "folder"
-           : S_ISFIFO(mode) ? "pipe"
-           : S_ISSOCK(mode) ? "socket"
-                            : "device";
-}
 
 OrdinaryFile::OrdinaryFile(const std::string& path) : path_(path)
 {

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <sys/types.h>
 
 namespace trivar {
 
@@ -30,8 +29,6 @@ private:
 // All of an ordinary file. Throws Rejected, also where it has more than `most_bytes`.
 std::string read_file(const std::string& path, std::uintmax_t most_bytes);
 
-// "folder", "pipe", "device" or "socket"; empty: it is an ordinary file.
-std::string unusual_kind(mode_t mode);
 // Throws Rejected where what stands at a path, links followed, is no ordinary file, which no file
 // may take the place of. Nothing being there is well.
 void check_replaceable(const std::string& path);

@@ -9,6 +9,7 @@
 #include <array>
 #include <filesystem>
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -36,6 +37,20 @@ TEST(SceneFile, ReplayedFromItsFileHasTheBranchesAgain)
     EXPECT_EQ(digest(again.document()), now);
     ASSERT_EQ(again.history().branches().size(), 1u);
     EXPECT_EQ(verb(again.history().branches()[0].steps[0].command), "add_torus");
+}
+
+TEST(SceneFile, IsAnOrdinaryFile)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(::mkfifo(folder.file("pipe").c_str(), 0600), 0);
+    for (const std::string& path :
+         {folder.file("pipe"), std::string("/dev/zero"), folder.path().string()}) {
+        const auto refused = ::testing::ThrowsMessage<Rejected>(HasSubstr("no ordinary file"));
+        EXPECT_THAT([&] { SceneFile scene(path); }, refused);
+        EXPECT_THAT([&] { SceneFile::copy_of(path); }, refused);
+        EXPECT_THAT([&] { SceneFile::looked_at(path); }, refused);
+        EXPECT_THAT([&] { SceneFile().save_as(path); }, refused);
+    }
 }
 
 TEST(SceneFile, TellsItsLinesAsTheyStandInTheFile)
