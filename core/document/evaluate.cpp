@@ -3,6 +3,7 @@
 
 #include "core/base/digest.h"
 #include "core/base/parallel.h"
+#include "core/document/lacking.h"
 #include "core/document/laying.h"
 #include "core/document/parameters.h"
 #include "core/document/posing.h"
@@ -80,6 +81,7 @@ EvaluatedObject evaluated_object(Id id, const Causes& causes)
     EvaluatedObject result;
     result.id = id;
     result.notices = causes.shape->notices;
+    result.lacks = causes.shape->lacks;
     for (const Clip& clip : causes.shape->model->clips) result.clips.push_back(clip.name);
     if (causes.laid && causes.laid->placement) {
         result.placement = causes.laid->placement;
@@ -107,7 +109,8 @@ EvaluatedObject evaluated_object(Id id, const Causes& causes)
     } else
         for (const Shape::Hung& hung : causes.shape->meshes)
             result.parts.push_back({hung.rest, causes.to_world * hung.to_model, hung.posed, nullptr,
-                                    static_cast<int>(result.parts.size())});
+                                    hung.slot, hung.bounds});
+    leave_out_what_is_out_of_reach(result);
     if (causes.feet_on_nothing)
         result.notices.emplace_back("its feet are locked to its travel, and it lies on no stroke");
     if (causes.laid && !causes.laid->rejected.empty()) {

@@ -26,6 +26,7 @@ struct EvaluatedObject {
     Lazy<Box> bounds;                     // world; asking for it deforms the parts
     std::vector<std::string> clips;       // what its file lets it play
     std::vector<std::string> notices;     // a missing file, a stroke that misses now
+    std::vector<std::string> lacks;       // of those, why something is not here, as in Shape
     // Why the stroke gave nothing, as a sentence for the user; the object then stands undeformed
     // where its transform says. A tool shows it and does not commit. Empty: it lies, or has none.
     std::string rejected;

@@ -47,12 +47,14 @@ std::vector<Standing> standing(const Shape& shape, const glm::dmat3& turned)
 {
     std::vector<Standing> out;
     for (const Shape::Hung& hung : shape.meshes) {
-        Standing each{{.rest = hung.rest, .posed = hung.posed}, glm::dmat4(turned) * hung.to_model};
+        Standing each{{.rest = hung.rest, .posed = hung.posed, .bounds = hung.bounds},
+                      glm::dmat4(turned) * hung.to_model};
         if (glm::determinant(glm::dmat3(each.to_box)) < 0) { // turn the faces round once, before
             each.part = {.rest = make_ref(transformed(*hung.mesh(), each.to_box))};
+            each.part.bounds = bounding_box(*each.part.rest);
             each.to_box = glm::dmat4(1);
         }
-        each.part.slot = static_cast<int>(out.size());
+        each.part.slot = hung.slot;
         out.push_back(std::move(each));
     }
     return out;

@@ -3,7 +3,7 @@
 
 #include "core/base/timing.h"
 #include "core/ffd/deform.h"
-#include "core/mesh/pose.h"
+#include "core/mesh/extent.h"
 
 namespace trivar {
 
@@ -23,10 +23,15 @@ struct Part {
     Ref<Posed> posed = nullptr; // null where no skin and no morph target moves its vertices
     Ref<Bent> bent = nullptr;   // null where no volume does
     int slot = 0;               // which of its object's it is, whichever of the others are shown
+    Box bounds = {}; // before to_world or the volume, of its vertices as they are posed; or larger
 
     const Ref<Mesh>& before_volume() const { return posed ? *posed->mesh : rest; }
     const Ref<Mesh>& mesh() const { return bent ? *bent->mesh : before_volume(); }
-    bool operator==(const Part&) const = default;
+    bool operator==(const Part& other) const // bounds follow from the others
+    {
+        return rest == other.rest && to_world == other.to_world && posed == other.posed &&
+               bent == other.bent && slot == other.slot;
+    }
 };
 
 bool is_deformed(const Part& part); // or needs not to be: mesh() is there at once

@@ -18,7 +18,8 @@ Part in_the_same_volume(const Part& part, const Ref<Mesh>& mesh)
         [=] { return make_ref(deform(*mesh, bent->embedding, *bent->volume)); });
     return {.rest = mesh,
             .bent = make_ref(Bent{bent->embedding, bent->volume, out}),
-            .slot = part.slot};
+            .slot = part.slot,
+            .bounds = part.bounds};
 }
 
 Laid refined(const Laid& laid, const Refining& refining, const Progress& progress)

@@ -6,6 +6,7 @@
 #include "core/mesh/subdivide.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace trivar {
 namespace {
@@ -58,18 +59,56 @@ Model primitive(const TextShape&)
     return {};
 }
 
-// The model, what there is to say of it in its notices.
-Model letters(const TextShape& text, const AssetStore& assets)
+struct Letters {
+    Model model; // what there is to say of it in its notices
+    std::vector<std::string> lacks;
+};
+Letters letters(const TextShape& text, const AssetStore& assets)
 {
     const FoundFont found = font_of(text, assets);
     TextBody body = text_body(text, found.font);
-    Model model = single_mesh_model("", std::move(body.mesh));
-    model.notices = found.notices;
+    Letters out{single_mesh_model("", std::move(body.mesh)), {}};
+    out.model.notices = found.notices;
+    // A font that is not installed is meant to be stood in for; a file that is named is not.
+    if (is_font_path(text.font)) out.lacks = found.notices;
     // That it is another file goes without saying where another font stands in.
     for (std::string& notice : body.notices)
         if (found.notices.empty() || notice.find("that was meant") == notice.npos)
-            model.notices.push_back(std::move(notice));
-    return model;
+            out.model.notices.push_back(std::move(notice));
+    return out;
+}
+
+void say_lacking(Shape& shape, const std::string& why)
+{
+    shape.notices.push_back(why);
+    shape.lacks.push_back(why);
+}
+
+// A mesh that hangs on several nodes is measured once.
+void measure(Shape& shape)
+{
+    std::map<Ref<Mesh>, Ref<Extent>> known;
+    for (Shape::Hung& hung : shape.meshes) {
+        Ref<Extent>& extent = known[hung.rest];
+        if (!extent) extent = std::make_shared<const Extent>(hung.rest);
+        hung.extent = extent;
+    }
+}
+
+// What of it can be worked with where it stands, each mesh with its bounds.
+void leave_out_what_is_too_large(Shape& shape)
+{
+    const std::size_t all = shape.meshes.size();
+    const std::size_t gone = std::erase_if(shape.meshes, [](Shape::Hung& hung) {
+        const std::optional<Box> box = hung.extent->posed(hung.posed ? &hung.posed->pose : nullptr);
+        if (box) hung.bounds = *box;
+        return !box || !within_reach(*box, hung.to_model);
+    });
+    if (gone == 0) return;
+    say_lacking(shape, gone == all
+                           ? fmt::format("its numbers are {}", too_large_words)
+                           : fmt::format("{} of its {} meshes are left out: their numbers are {}",
+                                         gone, all, too_large_words));
 }
 
 Shape shape_of(Ref<Model> from)
@@ -80,6 +119,7 @@ Shape shape_of(Ref<Model> from)
         if (const int mesh = model.nodes[i].mesh; mesh >= 0)
             shape.meshes.push_back({.rest = model.meshes[static_cast<std::size_t>(mesh)],
                                     .node = static_cast<int>(i)});
+    measure(shape);
     shape.materials =
         make_ref(model.materials.empty() ? std::vector<Material>(1) : model.materials);
     shape.model = std::move(from);
@@ -99,6 +139,8 @@ void subdivide_all(Shape& shape, int levels, const Progress& progress)
         hung.rest = entry->second;
         hung.posed = nullptr;
     }
+    measure(shape);
+    leave_out_what_is_too_large(shape);
     if (bends)
         shape.notices.emplace_back(
             "what is subdivided stands as it came: skins and morph targets do not move it");
@@ -125,6 +167,7 @@ void stand(Shape& shape, const Stance& stance)
         Pose pose = bends ? pose_of(model, hung.node, stance) : Pose{};
         hung.posed = pose.empty() ? nullptr : posed_later(hung.rest, std::move(pose));
     }
+    leave_out_what_is_too_large(shape);
 }
 
 std::optional<Band> band_round(const Source& source, double level, const glm::dmat4& to_world)
@@ -159,22 +202,28 @@ Ref<Shape> Shapes::operator()(const Source& source, Timings& timings, const Prog
                 timed(timings, "import", [&] { return assets_->load(*file, progress); });
             missing = !loaded.model;
             shape = shape_of(loaded.model ? loaded.model : make_ref(Model{}));
-            shape.notices = loaded.notices;
+            shape.notices.insert(shape.notices.begin(), loaded.notices.begin(),
+                                 loaded.notices.end());
+            if (missing) shape.lacks = loaded.notices;
             if (file->subdivisions > 0)
                 timed(timings, "subdivide",
                       [&] { subdivide_all(shape, file->subdivisions, progress); });
         } else if (const auto* text = std::get_if<TextShape>(&source)) {
-            shape = shape_of(
-                make_ref(timed(timings, "letters", [&] { return letters(*text, *assets_); })));
-            shape.notices = shape.model->notices;
+            Letters made = timed(timings, "letters", [&] { return letters(*text, *assets_); });
+            shape = shape_of(make_ref(std::move(made.model)));
+            shape.notices.insert(shape.notices.begin(), shape.model->notices.begin(),
+                                 shape.model->notices.end());
+            shape.lacks.insert(shape.lacks.begin(), made.lacks.begin(), made.lacks.end());
         } else
             shape = shape_of(timed(timings, "import", [&] {
                 return make_ref(std::visit([](const auto& s) { return primitive(s); }, source));
             }));
     } catch (const Rejected& error) {
         if (!shape.materials) shape = shape_of(make_ref(Model{}));
-        shape.notices.emplace_back(error.what());
+        say_lacking(shape, error.what());
     }
+    for (std::size_t i = 0; i < shape.meshes.size(); ++i)
+        shape.meshes[i].slot = static_cast<int>(i);
     Ref<Shape> result = make_ref(std::move(shape));
     if (!missing) known_.emplace_back(source, result);
     return result;

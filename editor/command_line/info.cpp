@@ -4,13 +4,13 @@
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/document/log.h"
+#include "core/files/file_bytes.h"
 #include "core/files/image.h"
 #include "core/files/read_model.h"
-#include "core/mesh/pose.h"
+#include "core/mesh/extent.h"
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -22,6 +22,8 @@ using Facts = nlohmann::ordered_json; // name to value, in the order they are sa
 Facts model_facts(const std::string& path)
 {
     const Model model = read_model(path);
+    if (too_large(model))
+        throw Rejected(fmt::format("{}: its numbers are {}", path, too_large_words));
     std::size_t vertices = 0, faces = 0, triangles = 0, uv_sets = 0, images = 0;
     std::size_t targets = 0;
     bool colors = false, creases = false;
@@ -95,13 +97,7 @@ Facts scene_facts(const std::string& path)
 
 Facts facts_of(const std::string& path)
 {
-    std::error_code ignored;
-    if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored))
-        throw Rejected(path + ": this is no ordinary file");
-    std::string extension = std::filesystem::path(path).extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) {
-        return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-    });
+    const std::string extension = extension_of(path);
     static constexpr std::array<std::string_view, 6> models{".obj", ".ply",  ".stl",
                                                             ".off", ".gltf", ".glb"};
     if (extension == ".trivar") return scene_facts(path);

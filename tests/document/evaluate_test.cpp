@@ -4,14 +4,17 @@
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
 #include "core/document/command.h"
+#include "core/document/lacking.h"
+#include "core/mesh/primitives.h"
 #include "tests/document/commands.h"
 
 #include <gmock/gmock.h>
+#include <limits>
 
 namespace trivar {
 namespace {
 
-using ::testing::HasSubstr, ::testing::IsEmpty;
+using ::testing::ElementsAre, ::testing::HasSubstr, ::testing::IsEmpty;
 using testing::new_evaluator, testing::small_document, testing::small_sketch;
 
 bool has_stage(const Evaluated& evaluated, const std::string& name)
@@ -248,6 +251,48 @@ TEST(ModelOf, HangsPartsOnTheirGroupsWhichMoveNothing)
         if (model.nodes[static_cast<std::size_t>(n)].name != "Ball") continue;
         EXPECT_EQ(node_to_model(model, n), evaluated.objects.at(2)->parts[0].to_world);
     }
+}
+
+TEST(Evaluator, LeavesOutWhatIsTooLargeAndSaysSo)
+{
+    Evaluator evaluate = new_evaluator();
+    AddBox far;
+    far.name = "Far";
+    far.shape.size = {1e9, 1, 1};
+    far.transform.scale = {1e5, 1, 1};
+    const Document still = after(small_document(), far);
+    const Id id = still.next_id - 1;
+    EXPECT_THAT(lacks(evaluate(still), still), IsEmpty());
+    const Document document = after(still, SetTransform{id, {.scale = {1e9, 1, 1}}});
+    const Evaluated result = evaluate(document);
+    EXPECT_THAT(result.objects.at(id)->parts, IsEmpty());
+    EXPECT_TRUE(result.objects.at(id)->bounds->empty());
+    EXPECT_THAT(result.objects.at(id)->notices, ElementsAre(HasSubstr("too large")));
+    EXPECT_THAT(lacks(result, document), ElementsAre(HasSubstr("Far: where it lies its numbers")));
+    EXPECT_EQ(evaluate(document).objects.at(id), result.objects.at(id)) << "and it is kept";
+    EXPECT_FALSE(result.objects.at(3)->parts.empty());
+}
+
+TEST(OutOfReach, IsAPartThatGoesAndTheOthersStay)
+{
+    const Ref<Mesh> mesh = make_ref(box_mesh({2, 2, 2}, {1, 1, 1}));
+    const Box box = bounding_box(*mesh);
+    glm::dmat4 far(1);
+    far[3].y = 2 * most_coordinate;
+    Lattice bent = lattice_at_rest(
+        {Knots::uniform(3, 4), Knots::uniform(3, 4), Knots::uniform(3, 4)}, glm::dmat4(1));
+    bent.displacement.points[5].z = std::numeric_limits<double>::infinity();
+    const Ref<Bent> lies = make_ref(Bent{Embedding{}, make_ref(bent), {}});
+    EvaluatedObject object;
+    object.parts = {{.rest = mesh, .slot = 0, .bounds = box},
+                    {.rest = mesh, .to_world = far, .slot = 1, .bounds = box},
+                    {.rest = mesh, .bent = lies, .slot = 2, .bounds = box},
+                    {.rest = mesh, .slot = 3, .bounds = box}};
+    leave_out_what_is_out_of_reach(object);
+    ASSERT_EQ(object.parts.size(), 2u);
+    EXPECT_EQ(object.parts[1].slot, 3);
+    EXPECT_THAT(object.lacks, ElementsAre(HasSubstr("2 of its 4 meshes are left out")));
+    EXPECT_EQ(object.notices, object.lacks);
 }
 
 } // namespace
