@@ -4,6 +4,7 @@
 #include "core/base/rejected.h"
 #include "core/document/certificate.h"
 #include "core/document/collect.h"
+#include "core/document/files_read.h"
 #include "core/files/file_bytes.h"
 #include "core/files/write_model.h"
 #include "editor/file_words.h"
@@ -333,7 +334,8 @@ void Files::write_model_to(const std::string& path)
                  seen ? *seen : Evaluator(assets)(exported.document, exported.frame, progress);
              const Export result = export_of(evaluated, exported);
              report(progress, 0.3, "writing");
-             write_model(result.model, path);
+             write_model(result.model, path,
+                         source_files(exported.document, *assets, exported.log));
              return [this, path, words = words_of_export(path, exported.log, result.certificate)] {
                  session_->notices.say(words.kind, words.title, words.body);
              };

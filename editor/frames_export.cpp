@@ -2,6 +2,7 @@
 #include "editor/frames_export.h"
 
 #include "core/base/rejected.h"
+#include "core/document/files_read.h"
 #include "editor/file_words.h"
 
 #include <fmt/format.h>
@@ -15,7 +16,9 @@ void FramesExport::begin(ExportWish wish)
         {"Writing " + name,
          [this, path, name, wish = std::move(wish)](const Progress& progress) -> Jobs::Finish {
              try {
-                 const AnimatedFile made = write_animated(wish.scene, wish.assets, path, progress);
+                 const AnimatedFile made = write_animated(
+                     wish.scene, wish.assets, path, progress,
+                     source_files(wish.scene.document, *wish.assets, wish.scene.log));
                  return [this, path, made, named = !wish.scene.log.empty()] {
                      tell(path, made, named);
                  };
@@ -36,19 +39,20 @@ void FramesExport::tell(const std::string& path, const AnimatedFile& made, bool 
     const std::string name = file_name(path);
     const std::string title =
         fmt::format("Exported {} frame{} to {}", made.frames, made.frames == 1 ? "" : "s", name);
+    std::vector<std::string> lines;
+    for (const std::string& sentence : made.lacks) lines.push_back("Left out: " + sentence);
+    const auto well = lines.empty() ? ui::NoticeKind::good : ui::NoticeKind::warning;
     if (!made.certificate) {
-        const std::size_t others = made.files.size() - 1;
-        return notices_.say(
-            ui::NoticeKind::good, title,
-            others == 0 ? std::string()
-                        : fmt::format("{} and {} more.", file_name(made.files.front()), others));
+        if (const std::size_t others = made.files.size() - 1; others > 0)
+            lines.push_back(fmt::format("{} and {} more.", file_name(made.files.front()), others));
+        return notices_.say_all(well, title, lines);
     }
-    std::vector<std::string> lines = summary(*made.certificate);
+    for (std::string& sentence : summary(*made.certificate)) lines.push_back(std::move(sentence));
     const std::vector<std::string> open = not_certified(*made.certificate);
     if (open.empty()) {
         if (!named)
             lines.emplace_back("give the scene a name: trivar verify looks for it beside the file");
-        return notices_.say_all(ui::NoticeKind::good, title, lines);
+        return notices_.say_all(well, title, lines);
     }
     std::vector<ui::Notices::Action> more;
     if (open.size() > 1)

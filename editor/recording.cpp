@@ -2,6 +2,7 @@
 #include "editor/recording.h"
 
 #include "core/base/rejected.h"
+#include "core/document/files_read.h"
 #include "core/document/parameters.h"
 #include "editor/file_words.h"
 #include "editor/picture.h"
@@ -87,6 +88,9 @@ void Recording::next()
         [shaders = shaders_](Run& run, const Progress& progress) {
             RecordingWish& wish = run.wish;
             if (!std::exchange(run.prepared, true)) {
+                const SourceFiles sources = source_files(wish.document, *wish.assets, {});
+                for (const int frame : wish.frames) sources.check(wish.sequence.names.path(frame));
+                if (!wish.video.empty()) sources.check(wish.video);
                 make_folder_of(wish.sequence.names.path(wish.frames.front()));
                 if (!wish.video.empty()) make_folder_of(wish.video);
                 wish.sequence.settings = sequence_settings(std::move(wish.sequence.settings),

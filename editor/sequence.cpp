@@ -140,7 +140,7 @@ std::function<void()> Sequence::writer(int frame, const Still& still) const
 }
 
 std::string sequence_settings(std::string drawn, const Document& document, const AssetStore& assets,
-                              const Ref<gpu::ShaderTexts>& shaders)
+                              const Ref<gpu::ShaderTexts>& shaders, bool missing_is_well)
 {
     drawn += " version=" + program_version();
     if (shaders) {
@@ -151,7 +151,8 @@ std::string sequence_settings(std::string drawn, const Document& document, const
         }
         drawn += " shaders=" + digest.hex();
     }
-    if (const std::string files = digest_of_files(document, assets); !files.empty())
+    if (const std::string files = digest_of_files(document, assets, missing_is_well);
+        !files.empty())
         drawn += " files=" + files;
     return drawn;
 }

@@ -48,9 +48,10 @@ struct Sequence {
 };
 // What else than the log decides what its pictures show: words of who draws it, the program's
 // version, a developer's shaders if there are any, and the files that the scene uses, as they were
-// read. Throws Rejected where one is missing.
+// read. Throws Rejected where one is missing, unless that is well.
 std::string sequence_settings(std::string drawn, const Document& document, const AssetStore& assets,
-                              const Ref<gpu::ShaderTexts>& shaders = {});
+                              const Ref<gpu::ShaderTexts>& shaders = {},
+                              bool missing_is_well = false);
 std::string digest_of_log(std::string_view text);
 
 // The folder of a file, made if only the last part of its name is missing. Throws Rejected.

@@ -3,6 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/document/certificate.h"
+#include "core/document/lacking.h"
 #include "core/export/point_cache.h"
 #include "core/export/usd_writer.h"
 #include "core/files/file_bytes.h"
@@ -13,6 +14,14 @@
 #include <fmt/format.h>
 
 namespace trivar {
+namespace {
+
+bool has_faces(const FilmStrip& strip)
+{
+    return strip.first().rest->face_count() > 0;
+}
+
+} // namespace
 
 const std::vector<std::string>& animated_extensions()
 {
@@ -31,29 +40,36 @@ void check_animated_name(const std::string& path)
 }
 
 AnimatedFile write_animated(const AnimatedScene& scene, const Ref<AssetStore>& assets,
-                            const std::string& path, const Progress& progress)
+                            const std::string& path, const Progress& progress,
+                            const SourceFiles& sources)
 {
     check_animated_name(path);
+    sources.check(path);
     AnimatedFile out;
     out.frames = scene.frames.last - scene.frames.first + 1;
     out.files = {path};
     if (extension_of(path) == ".glb") {
         AnimatedExport made = animated_export(scene, assets, progress);
         report(progress, 1, "writing");
-        write_model(made.model, path);
+        write_model(made.model, path, sources);
+        out.lacks = lacks(made.film, scene.document);
         out.certificate = std::move(made.certificate);
         return out;
     }
     const double per_second = scene.document.time.frames_per_second;
     const Film film =
         film_of(scene.document, assets, moments_of(scene.frames, 1), between(progress, 0, 0.2));
+    out.lacks = lacks(film, scene.document);
+    if (scene.whole) check_whole(out.lacks);
+    if (std::ranges::none_of(film.strips, has_faces))
+        throw Rejected(path + ": there are no faces to write, so nothing is written");
     const Progress writing = between(progress, 0.2, 1);
     if (extension_of(path) == ".usda")
         write_usda(film, per_second, path, writing);
     else
         out.files =
             write_caches(film, extension_of(path) == ".pc2" ? CacheFormat::pc2 : CacheFormat::mdd,
-                         per_second, path, writing);
+                         per_second, path, writing, sources);
     return out;
 }
 

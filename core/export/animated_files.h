@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/export/animated_model.h"
+#include "core/files/source_files.h"
 
 #include <optional>
 
@@ -17,12 +18,15 @@ struct AnimatedFile {
     std::vector<std::string> files;
     int frames = 0;
     std::optional<FilmCertificate> certificate;
+    std::vector<std::string> lacks; // what the scene does at some moment
 };
 
 // The frames of a scene to a file, or several, each whole or not there. The tolerance is a .glb's.
-// What the scene lacks is not said here. Throws Rejected and Cancelled.
+// None takes the place of one of the sources. Throws Rejected, also where nothing is visible, and
+// Cancelled.
 AnimatedFile write_animated(const AnimatedScene& scene, const Ref<AssetStore>& assets,
-                            const std::string& path, const Progress& progress = {});
+                            const std::string& path, const Progress& progress = {},
+                            const SourceFiles& sources = {});
 
 // What a certificate says, a line each.
 std::vector<std::string> summary(const FilmCertificate& certificate);

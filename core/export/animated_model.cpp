@@ -3,6 +3,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
+#include "core/document/lacking.h"
 #include "core/export/animated_nodes.h"
 #include "core/export/places_in_file.h"
 #include "core/export/sag.h"
@@ -88,6 +89,7 @@ FilmPlan planned(const AnimatedScene& scene, const Ref<AssetStore>& assets,
         FilmPlan plan;
         plan.per_frame = per_frame;
         plan.film = film_of(scene.document, assets, moments_of(scene.frames, per_frame), progress);
+        if (scene.whole) check_whole(lacks(plan.film, scene.document));
         bool measured = false;
         double sag = 0;
         const auto measure = [&](const FilmStrip& strip) {

@@ -14,6 +14,7 @@ struct AnimatedScene {
     FrameRange frames;
     double tolerance = default_tolerance; // metres
     std::string log;                      // the scene's file; empty: it has no name
+    bool whole = false;                   // what it lacks is not left out: Lacking is thrown
 };
 
 struct AnimatedExport {

@@ -4,10 +4,12 @@
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/base/whole_numbers.h"
+#include "core/document/lacking.h"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <iterator>
+#include <set>
 
 namespace trivar {
 namespace {
@@ -154,6 +156,16 @@ Film film_of(const Document& document, const Ref<AssetStore>& assets, std::vecto
             }
     for (auto& [key, pieces] : strips) std::ranges::move(pieces, std::back_inserter(film.strips));
     return film;
+}
+
+std::vector<std::string> lacks(const Film& film, const Document& document)
+{
+    std::vector<std::string> out;
+    std::set<std::string> said;
+    for (const Evaluated& evaluated : film.evaluated)
+        for (std::string& sentence : lacks(evaluated, document))
+            if (said.insert(sentence).second) out.push_back(std::move(sentence));
+    return out;
 }
 
 Mesh mesh_in_world(const Part& part)

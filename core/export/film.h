@@ -46,6 +46,8 @@ Document unrefined(Document document);
 // of something change very often, and Cancelled.
 Film film_of(const Document& document, const Ref<AssetStore>& assets, std::vector<double> moments,
              const Progress& progress = {});
+// What the scene lacks at some moment, a sentence each (core/document/lacking.h).
+std::vector<std::string> lacks(const Film& film, const Document& document);
 // The moments of a range, some to a frame.
 std::vector<double> moments_of(const FrameRange& range, int per_frame);
 

@@ -128,12 +128,18 @@ std::string header(CacheFormat format, std::size_t points, const Film& film, dou
 
 std::vector<std::string> write_caches(const Film& film, CacheFormat format,
                                       double frames_per_second, const std::string& path,
-                                      const Progress& progress)
+                                      const Progress& progress, const SourceFiles& sources)
 {
     const std::filesystem::path target(path);
     const std::string extension = format == CacheFormat::pc2 ? ".pc2" : ".mdd";
     const std::vector<CachedObject> objects = objects_of(film);
     if (objects.empty()) throw Rejected(path + ": there is nothing visible to write");
+    const auto name_of = [&](const CachedObject& object) {
+        return (target.parent_path() / (target.stem().string() + "." + object.name)).string();
+    };
+    for (const CachedObject& object : objects) // an .obj has a library of materials beside it
+        for (const char* ending : {extension.c_str(), ".obj", ".mtl"})
+            sources.check(name_of(object) + ending);
     struct Made {
         std::string name;
         std::unique_ptr<GrowingFile> cache;
@@ -143,8 +149,7 @@ std::vector<std::string> write_caches(const Film& film, CacheFormat format,
     constexpr std::size_t most_open = 200; // files of a program, of some 1,000 that it may have
     for (std::size_t o = 0; o < objects.size(); ++o) {
         CachedMesh cached = cached_mesh(objects[o]);
-        const std::string name =
-            (target.parent_path() / (target.stem().string() + "." + objects[o].name)).string();
+        const std::string name = name_of(objects[o]);
         auto cache = std::make_unique<GrowingFile>(name + extension);
         GrowingFile& file = *cache;
         file.append(

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/export/film.h"
+#include "core/files/source_files.h"
 
 namespace trivar {
 
@@ -13,9 +14,11 @@ enum class CacheFormat {
 };
 
 // FOLDER/NAME.OBJECT.pc2 and .obj for every object of the film, which has one moment a frame. Every
-// file is whole or not there. Returns the names of the caches. Throws Rejected and Cancelled.
+// file is whole or not there, and none takes the place of one of the sources. Returns the names of
+// the caches. Throws Rejected and Cancelled.
 std::vector<std::string> write_caches(const Film& film, CacheFormat format,
                                       double frames_per_second, const std::string& path,
-                                      const Progress& progress = {});
+                                      const Progress& progress = {},
+                                      const SourceFiles& sources = {});
 
 } // namespace trivar

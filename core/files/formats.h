@@ -38,7 +38,7 @@ Mtl read_mtl(const FileText& file);
 // The bytes of one file of each format.
 std::string write_glb(const Model& model);
 struct ObjFiles {
-    std::string obj, mtl;
+    std::string obj, mtl, mtl_name; // the last one: of the file that the OBJ names
     std::vector<std::pair<std::string, Ref<Image>>> images; // file name to picture
 };
 ObjFiles write_obj(const Model& model, const std::string& stem);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/files/formats.h"
 #include "core/files/glb_chunks.h"
@@ -25,7 +26,8 @@ enum : int {
 // The double whose shortest text is the float's: 0.1, not 0.10000000149011612.
 double plain(float value)
 {
-    return parse_number(shortest(value)).value();
+    if (const auto number = parse_number(shortest(value))) return *number;
+    throw Rejected("a number of the model is not finite, so it cannot be written as glTF");
 }
 
 class GlbWriter {

@@ -24,7 +24,8 @@ public:
     ObjFiles write()
     {
         write_materials();
-        fmt::format_to(to(), "# Trivar\nmtllib {}.mtl\n", plain_name(stem_, "model"));
+        files_.mtl_name = plain_name(stem_, "model") + ".mtl";
+        fmt::format_to(to(), "# Trivar\nmtllib {}\n", files_.mtl_name);
         for (std::size_t n = 0; n < model_.nodes.size(); ++n) {
             const Node& node = model_.nodes[n];
             if (node.mesh < 0) continue;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/write_model.h"
 
+#include "core/base/finite.h"
 #include "core/base/rejected.h"
+#include "core/base/text.h"
 #include "core/files/file_bytes.h"
 #include "core/files/formats.h"
 #include "core/files/image.h"
+#include "core/mesh/extent.h"
 
 #include <algorithm>
 #include <array>
@@ -14,21 +17,47 @@
 namespace trivar {
 namespace {
 
+void check_faces(const Model& model, const std::string& path)
+{
+    for (const Node& node : model.nodes)
+        if (node.mesh >= 0 &&
+            model.meshes.at(static_cast<std::size_t>(node.mesh))->face_count() > 0)
+            return;
+    throw Rejected(path + ": there are no faces to write, so nothing is written");
+}
+
+void check_finite(const Model& model, const std::string& path)
+{
+    if (too_large(model))
+        throw Rejected(
+            fmt::format("{}: the model is {}, so nothing is written", path, too_large_words));
+    for (const Material& m : model.materials)
+        if (!finite(m.base_color) || !finite(m.emissive) ||
+            !finite(glm::vec4(m.metallic, m.roughness, m.normal_scale, m.alpha_cutoff)))
+            throw Rejected(fmt::format("{}: the material {} has a number that is not finite, so "
+                                       "nothing is written",
+                                       path, printable(m.name)));
+}
+
 // What the OBJ names is written before it, so that it never names what is not there.
-void write_obj_files(const Model& model, const std::string& path)
+void write_obj_files(const Model& model, const std::string& path, const SourceFiles& sources)
 {
     const std::filesystem::path target(path);
     const ObjFiles files = write_obj(model, target.stem().string());
+    const auto beside = [&](const std::string& name) {
+        return (target.parent_path() / name).string();
+    };
+    if (!files.mtl.empty()) sources.check(beside(files.mtl_name));
+    for (const auto& [name, image] : files.images) sources.check(beside(name));
     for (const auto& [name, image] : files.images) {
-        const std::string picture = (target.parent_path() / name).string();
+        const std::string picture = beside(name);
         const bool as_it_came = !image->source_bytes.empty() && image->mime == "image/jpeg";
         if (as_it_came)
             write_bytes(picture, image->source_bytes);
         else
             write_image(*image, picture);
     }
-    if (!files.mtl.empty())
-        write_bytes((target.parent_path() / (target.stem().string() + ".mtl")).string(), files.mtl);
+    if (!files.mtl.empty()) write_bytes(beside(files.mtl_name), files.mtl);
     write_bytes(path, files.obj);
 }
 
@@ -42,14 +71,17 @@ void check_model_name(const std::string& path)
             fmt::format("{}: models are written as .glb, .obj, .ply, .stl and .off", path));
 }
 
-void write_model(const Model& model, const std::string& path)
+void write_model(const Model& model, const std::string& path, const SourceFiles& sources)
 {
     check_model_name(path);
+    sources.check(path);
+    check_faces(model, path);
+    check_finite(model, path);
     const std::string extension = extension_of(path);
     if (extension == ".glb")
         write_bytes(path, write_glb(model));
     else if (extension == ".obj")
-        write_obj_files(model, path);
+        write_obj_files(model, path, sources);
     else if (extension == ".ply")
         write_bytes(path, write_ply(model));
     else if (extension == ".stl")

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/files/source_files.h"
 #include "core/mesh/model.h"
 
 #include <string>
 
 namespace trivar {
 
-// Writes .glb, .obj (with .mtl and pictures), .ply, .stl or .off by extension, through a temporary
-// file beside it that is renamed at the end: a failure leaves the previous file as it was. glTF and
+// Writes .glb, .obj (with .mtl and pictures), .ply, .stl or .off by extension, each as a
+// GrowingFile: a failure leaves the previous file as it was. glTF and
 // OBJ are written Y up, the others Z up. Formats keep what they can hold: GLB the nodes and every
 // attribute and material, its faces cut to triangles; OBJ polygons, normals, one UV set, materials
 // and groups; PLY polygons, normals, one UV set and colours; OFF polygons; STL triangles. Throws
-// Rejected.
-void write_model(const Model& model, const std::string& path);
+// Rejected, before anything is written where the model has no faces or is too large to be worked
+// with, and where one of its files would take the place of one of the sources.
+void write_model(const Model& model, const std::string& path, const SourceFiles& sources = {});
 
 // Throws Rejected where the name ends as none of these.
 void check_model_name(const std::string& path);

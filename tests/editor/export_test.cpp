@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/text.h"
 #include "editor/command_line/command_line.h"
 #include "tests/editor/rig.h"
 #include "tests/editor/scenes.h"
 #include "tests/support/fixtures.h"
 
+#include <filesystem>
 #include <gmock/gmock.h>
 #include <sstream>
 
@@ -74,6 +76,32 @@ TEST_F(WindowExport, HasNoCertificateWhereNothingIsRefined)
     open(testing::scene_text());
     EXPECT_TRUE(exported("pot.glb").body.empty());
     EXPECT_THAT(verified(Status::rejected), HasSubstr("has no certificate"));
+}
+
+TEST_F(WindowExport, TakesThePlaceOfNoFileThatTheSceneIsMadeFrom)
+{
+    const std::string model = "mtllib red.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n",
+                      red = "newmtl m\nKd 1 0 0\n";
+    testing::write_file(disk.file("tri.obj"), model);
+    testing::write_file(disk.file("red.mtl"), red);
+    ImportModel import;
+    import.file.path = "tri.obj";
+    open(log_header() + command_line(import));
+    for (const char* name : {"tri.obj", "red.obj"}) { // the other one's library of materials
+        const ui::Notices::Notice said = exported(name);
+        EXPECT_EQ(said.title, std::string(name) + " was not written");
+        EXPECT_THAT(said.body, HasSubstr("take another name"));
+    }
+    EXPECT_EQ(read_text_file(disk.file("tri.obj")), model);
+    EXPECT_EQ(read_text_file(disk.file("red.mtl")), red);
+    EXPECT_EQ(exported("other.obj").title, "Exported other.obj");
+}
+
+TEST_F(WindowExport, OfNothingWithFacesIsNoFile)
+{
+    open(log_header() + command_line(AddBox{}) + command_line(Hide{{1}}));
+    EXPECT_EQ(exported("pot.glb").title, "pot.glb was not written");
+    EXPECT_FALSE(std::filesystem::exists(disk.file("pot.glb")));
 }
 
 } // namespace
