@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace trivar {
@@ -22,13 +23,19 @@ const Part* shown_in(const EvaluatedObject& object, const FilmStrip& strip)
 }
 
 void compare(FilmSample& sample, const CommonMesh& common, const Part& truth,
-             const std::vector<glm::dvec3>& file, double frame)
+             const std::vector<glm::dvec3>& file, double frame, bool at_moment)
 {
+    const auto raise = [](double& most, double value) { // also to what is no number
+        if (!(value <= most))
+            most = std::isfinite(value) ? value : std::numeric_limits<double>::infinity();
+    };
     const auto add = [&](const glm::dvec3& shown, const glm::dvec3& true_place) {
         ++sample.samples;
         const double off = glm::distance(shown, true_place);
+        if (at_moment) raise(sample.furthest_at_moments, off);
+        raise(sample.reach, glm::length(true_place));
         if (off <= sample.furthest) return;
-        sample.furthest = std::isfinite(off) ? off : std::numeric_limits<double>::infinity();
+        raise(sample.furthest, off);
         sample.at_frame = frame;
     };
     if (!truth.bent) {
@@ -61,15 +68,19 @@ std::vector<FilmSample> sampled_film(const AnimatedExport& exported, const Docum
     const FilmCertificate& claims = exported.certificate;
     const Document plain = unrefined(document);
     Evaluator evaluator(assets);
-    const std::vector<double> frames =
-        moments_of({claims.first_frame, claims.last_frame}, per_frame);
+    const std::vector<double>& moments = exported.film.moments;
+    const std::vector<double> rate = moments_of({claims.first_frame, claims.last_frame}, per_frame);
+    std::vector<double> frames = rate;
+    if (!std::ranges::all_of(claims.parts, is_proven)) {
+        frames.clear();
+        std::ranges::set_union(rate, moments, std::back_inserter(frames));
+    }
     const Model& model = exported.model;
     const Clip* clip = model.clips.empty() ? nullptr : &model.clips.front();
     std::vector<FilmSample> out(claims.parts.size());
     std::vector<const Channel*> weights;
     for (const FilmCertificate::PartClaim& claim : claims.parts)
         weights.push_back(weights_of_node(model, claim.node));
-    const std::vector<double>& moments = exported.film.moments;
     // What was compared last of each part, and how many samples that was: what rests in the file
     // and in the scene is found once.
     struct Compared {
@@ -86,9 +97,12 @@ std::vector<FilmSample> sampled_film(const AnimatedExport& exported, const Docum
         const Stance stance = stance_at(model, clip, time_s);
         const auto after = std::ranges::lower_bound(moments, frame);
         const auto next = static_cast<std::size_t>(after - moments.begin());
-        const std::size_t before = *after == frame ? next : next - 1;
+        const bool at_moment = *after == frame, at_rate = std::ranges::binary_search(rate, frame);
+        const std::size_t before = at_moment ? next : next - 1;
         parallel_blocks(out.size(), 1, [&](std::size_t begin, std::size_t end) {
             for (std::size_t p = begin; p < end; ++p) {
+                const bool proven = is_proven(claims.parts[p]);
+                if (proven && !at_rate) continue;
                 const FilmStrip& strip = exported.film.strips[p];
                 if (!strip.shown[before] || !strip.shown[next]) continue;
                 const auto object = now.objects.find(strip.object);
@@ -102,7 +116,7 @@ std::vector<FilmSample> sampled_film(const AnimatedExport& exported, const Docum
                 last[p] = {object->second, truth, out[p].samples};
                 compare(out[p], exported.common[p], *truth,
                         places_in_file(model, claims.parts[p].node, stance, weights[p], time_s),
-                        frame);
+                        frame, at_moment && !proven);
                 last[p].samples = out[p].samples - last[p].samples;
             }
         });

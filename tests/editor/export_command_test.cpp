@@ -6,6 +6,7 @@
 #include "editor/command_line/interrupts.h"
 #include "tests/editor/scenes.h"
 #include "tests/support/fixtures.h"
+#include "tests/support/rigged.h"
 
 #include <csignal>
 #include <cstdlib>
@@ -70,6 +71,33 @@ TEST_F(ExportCommand, WritesAFileThatIsVerified)
     EXPECT_THAT(verified.text, HasSubstr("what it claims holds"));
 }
 
+// What is off further than a claim says stands beside what is claimed of that.
+TEST_F(ExportCommand, IsNeverSaidToHoldBesideAFigureThatIsBeyondItsClaim)
+{
+    write_file(folder_.file("bar.gltf"), testing::gltf_text(testing::rigged_model()));
+    ImportModel bar;
+    bar.file.path = "bar.gltf";
+    bar.file.scale = 500; // what single precision leaves of it is seen
+    write_file(scene_, log_header() + command_line(bar) +
+                           command_line(PlayClip{{1}, {.clip = "bend", .speed = 1.3}}));
+    ASSERT_EQ(exported("a.glb", {"--frames", "1:12"}).status, Status::done);
+    const Told told = run({"verify", folder_.file("a.glb")});
+    EXPECT_EQ(told.status, Status::done) << told.text;
+    double off = 0, claimed = 0, there = 0, between = 0;
+    const auto number_after = [&](const char* words) {
+        const std::size_t at = told.text.find(words);
+        EXPECT_NE(at, std::string::npos) << words << told.text;
+        return std::strtod(told.text.c_str() + at + std::strlen(words), nullptr);
+    };
+    off = number_after("the furthest off by ");
+    claimed = number_after("claimed: ");
+    there = number_after(", where it is ");
+    between = number_after(" m off at most, and ");
+    EXPECT_GT(off, 0);
+    EXPECT_LE(there, claimed) << told.text;
+    EXPECT_LE(off, between) << told.text;
+}
+
 TEST_F(ExportCommand, IsFoundOutWhereAFileWasChanged)
 {
     ASSERT_EQ(exported("a.glb", {"--frames", "1:3", "--epsilon", "0.004"}).status, Status::done);
@@ -125,6 +153,7 @@ TEST(InterruptsDeathTest, OfOneAreWaitedForAndASecondEndsTheProgram)
 {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     const auto interrupted = [](int times, int signal) {
+        std::signal(signal, SIG_DFL); // whatever this program was started to ignore
         const Interrupts interrupts;
         for (int i = 0; i < times; ++i) {
             ::kill(::getpid(), signal);
