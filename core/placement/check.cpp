@@ -11,9 +11,6 @@
 namespace trivar {
 namespace {
 
-constexpr int most_along_or_across = 400; // control points
-constexpr int most_layers = 64;
-
 void in_range(double value, double lo, double hi, const char* name)
 {
     if (!(value >= lo && value <= hi))

@@ -25,6 +25,9 @@ struct Sketch {
     bool operator==(const Sketch&) const = default;
 };
 
+// Control points of a volume, at most; of each axis at least its order.
+inline constexpr int most_along_or_across = 400, most_layers = 64;
+
 // What a node of the grid does whose ray hits nothing.
 enum class Misses { membrane, ground, nearest, shrink };
 

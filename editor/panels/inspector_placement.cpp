@@ -80,7 +80,8 @@ void volume_rows(ValueRows& rows, PlacementParameters& p, bool round, const Plac
     if (!round) // there is no camera to extrude toward
         rows.number("Offset", p.offset, rest.offset, {.lo = 0, .hi = 1, .bar_hi = 1},
                     help_of("offset"));
-    rows.triple("Density", p.grid, rest.grid, {.lo = 2, .hi = 1024}, help_of("grid"));
+    rows.triple("Density", p.grid, rest.grid, {.lo = 2, .hi = most_along_or_across},
+                help_of("grid"));
     rows.triple("Order", p.orders, rest.orders, {.lo = 2, .hi = 6}, help_of("orders"));
 }
 
@@ -94,7 +95,7 @@ void spring_rows(ValueRows& rows, PlacementParameters& p)
                 help_of("stiffness"));
     rows.number("Bending", p.bending, rest.bending, {.lo = 0, .hi = 10, .bar_hi = 10},
                 help_of("bending"));
-    rows.integer("Reach", p.neighborhood, rest.neighborhood, {.lo = 0, .hi = 1024},
+    rows.integer("Reach", p.neighborhood, rest.neighborhood, {.lo = 0, .hi = most_along_or_across},
                  help_of("neighborhood"));
     rows.number("Roughness", p.roughness_deg, rest.roughness_deg,
                 {.lo = 1, .hi = 90, .bar_hi = 90, .unit = "deg"}, help_of("roughness_deg"));

@@ -155,6 +155,26 @@ TEST(Place, OpensUpGroupsAndSaysWhenThereIsNothingToLieOn)
                 HasSubstr("nothing visible"));
 }
 
+// The bounds are said once; a log that was written with more is read, and says so when it is laid.
+TEST(Place, TakesAsManyControlPointsAsCanBeLaidAndReadsMore)
+{
+    const auto laid = [](int axis, int count) {
+        PlacementParameters p;
+        p.grid = {4, 4, 4};
+        p.grid[axis] = count;
+        const std::string line = to_json_line(Place{2, small_sketch(), p, {1}});
+        const Document document = after(small_document(), command_from_json_line(line));
+        return testing::new_evaluator()(document).objects.at(2)->rejected;
+    };
+    EXPECT_THAT(commands_markdown(), HasSubstr("| 2 to 400, 400 and 64 |"));
+    for (const int axis : {0, 1, 2}) {
+        const int most = axis < 2 ? most_along_or_across : most_layers;
+        EXPECT_EQ(laid(axis, most), "");
+        EXPECT_THAT(laid(axis, most + 1), HasSubstr("should be from 3 to " + std::to_string(most)));
+        EXPECT_THAT(laid(axis, 1024), HasSubstr("is 1024 and should be from 3"));
+    }
+}
+
 TEST(Place, SaysWhatIsWrongWithAClickAndWithParametersThatDoNotFit)
 {
     const Document d = small_document();

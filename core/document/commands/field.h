@@ -30,6 +30,9 @@ struct Rule {
     std::string_view choices{}; // of texts, separated by |; empty: any
     bool later = false;         // there were scenes without it, whose digests stay: no part of one
                                 // where it is zero
+    // The most of each number that works, where scenes were written with more: that is read, and
+    // when it is evaluated it is said. 0: hi.
+    std::array<int, 3> works_to{};
 };
 constexpr Rule required{.required = true};
 constexpr Rule required_between(double lo, double hi)
@@ -39,6 +42,10 @@ constexpr Rule required_between(double lo, double hi)
 constexpr Rule between(double lo, double hi)
 {
     return {.lo = lo, .hi = hi};
+}
+constexpr Rule works_between(double lo, std::array<int, 3> works_to, double hi)
+{
+    return {.lo = lo, .hi = hi, .works_to = works_to};
 }
 constexpr Rule later{.later = true};
 constexpr Rule later_between(double lo, double hi)

@@ -16,7 +16,7 @@ template <> struct FieldsOf<PlacementParameters> {
               "of the volume, away from the scene, metres; 0: in proportion to the model",
               not_negative);
         field("grid", p.grid, "control points along, across and above the stroke",
-              between(2, 1024));
+              works_between(2, {most_along_or_across, most_along_or_across, most_layers}, 1024));
         field("orders", p.orders,
               "of the volume along, across and above the stroke; 3 is quadratic, 4 is cubic",
               between(2, 6));
@@ -29,7 +29,7 @@ template <> struct FieldsOf<PlacementParameters> {
               between(1e-3, 1e3));
         field("bending", p.bending, "resistance to bending, relative to stiffness", between(0, 10));
         field("neighborhood", p.neighborhood, "grid steps round a rough node that are let loose",
-              between(0, 1024));
+              works_between(0, {most_along_or_across}, 1024));
         field("roughness_deg", p.roughness_deg,
               "angle between neighbouring faces that counts as rough, degrees", between(1, 90));
         field("free_ends", p.free_ends, "the first and the last row of nodes may move too");

@@ -93,6 +93,10 @@ std::string range(const Rule& rule)
         for (const char c : rule.choices) text += c == '|' ? std::string(", ") : std::string(1, c);
         return text;
     }
+    if (rule.works_to[2] > 0)
+        return fmt::format("{} to {}, {} and {}", shortest(rule.lo), rule.works_to[0],
+                           rule.works_to[1], rule.works_to[2]);
+    if (rule.works_to[0] > 0) return fmt::format("{} to {}", shortest(rule.lo), rule.works_to[0]);
     if (rule.lo == free.lo && rule.hi == free.hi) return "";
     if (rule.hi != free.hi) return shortest(rule.lo) + " to " + shortest(rule.hi);
     return rule.lo == 0 ? "0 or more" : rule.lo < 1e-6 ? "above 0" : shortest(rule.lo) + " or more";
