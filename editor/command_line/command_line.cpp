@@ -54,6 +54,12 @@ void add_scene(CLI::App& app, SceneLog& scene)
     app.add_option("--set", scene.relinked, "use FILE where the scene names the file NAME")
         ->type_name("NAME=FILE")
         ->allow_extra_args(false);
+    app.add_flag("--keep-going", scene.keep_going,
+                 "write without a model or font that cannot be read, or is too large; else\n"
+                 "nothing is written and the status is 1");
+    app.add_flag("--overwrite", scene.overwrite,
+                 "write also over files that the scene is made from: itself, models with their\n"
+                 "materials, pictures and buffers, fonts");
 }
 
 void add_drawing(CLI::App& app, DrawingOptions& o)
@@ -163,7 +169,8 @@ CLI::App* add_replay(CLI::App& app, ReplayOptions& o)
         "  trivar replay ants.trivar --frame 48 --image ants_048.png\n"
         "  trivar replay snake.trivar --set terrain.obj=/data/alps.obj --image alps.png\n"
         "  trivar replay snake.trivar --epsilon 0.001 --export snake.glb\n"
-        "  trivar replay snake.trivar --check          # status 3 if a digest differs");
+        "  trivar replay snake.trivar --check          # status 3 if a digest differs\n\n"
+        "Every file is whole or not there. Ctrl C ends it with status 130.");
     add_scene(*replay, o.scene);
     replay->add_option("--to", o.to, "stop after line N of the file")
         ->type_name("N")

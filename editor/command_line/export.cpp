@@ -14,9 +14,15 @@
 namespace trivar {
 namespace {
 
-Status tell(const AnimatedFile& written, const ExportOptions& options, const Streams& streams)
+void say(const std::vector<std::string>& sentences, const Streams& streams)
 {
     clear_progress(streams);
+    for (const std::string& sentence : sentences) streams.talk << "trivar: " << sentence << "\n";
+}
+
+Status tell(const AnimatedFile& written, const ExportOptions& options, const Streams& streams)
+{
+    say(written.lacks, streams);
     for (const std::string& path : written.files)
         streams.talk << fmt::format("trivar: {}: {}\n", path,
                                     written.frames == 1 ? "one frame"
@@ -25,8 +31,7 @@ Status tell(const AnimatedFile& written, const ExportOptions& options, const Str
     const std::vector<std::string> open = not_certified(*written.certificate);
     for (const std::string& sentence : open)
         streams.talk << "trivar: " << options.scene.path << ": " << sentence << "\n";
-    for (const std::string& sentence : summary(*written.certificate))
-        streams.talk << "trivar: " << sentence << "\n";
+    say(summary(*written.certificate), streams);
     return open.empty() ? Status::done : Status::check_failed;
 }
 
@@ -34,8 +39,10 @@ Status tell(const AnimatedFile& written, const ExportOptions& options, const Str
 
 Status run_export(const ExportOptions& options, const Streams& streams)
 {
+    const Interrupts interrupts; // before there are threads, so that they know of them too
     relinked_files(options.scene.relinked);
     check_animated_name(options.to);
+    check_written({options.to});
     if (options.epsilon && !(*options.epsilon > 0 && std::isfinite(*options.epsilon)))
         throw WrongUsage("--epsilon: must be a length above 0, in metres");
     constexpr Time any{.first_frame = std::numeric_limits<int>::min(),
@@ -48,12 +55,18 @@ Status run_export(const ExportOptions& options, const Streams& streams)
     for (const LogLine& line : log.lines) apply(history, line, log.name);
     check_relinked(options.scene, history.document());
     AnimatedScene scene{history.document(), frame_range(options.frames, history.document().time),
-                        options.epsilon.value_or(default_tolerance), options.scene.path};
-    const Interrupts interrupts; // before there are threads, so that they know of them too
+                        options.epsilon.value_or(default_tolerance), options.scene.path,
+                        !options.scene.keep_going};
+    const Ref<AssetStore> assets = asset_store(options.scene);
+    const SourceFiles sources = kept_sources(options.scene, scene.document, *assets);
     try {
-        return tell(write_animated(scene, asset_store(options.scene), options.to,
-                                   stoppable(streams, interrupts)),
-                    options, streams);
+        return tell(
+            write_animated(scene, assets, options.to, stoppable(streams, interrupts), sources),
+            options, streams);
+    } catch (const Lacking& lacking) {
+        say(lacking.sentences, streams);
+        say_not_whole(options.scene, streams);
+        return Status::rejected;
     } catch (const Cancelled&) {
         clear_progress(streams);
         streams.talk << "trivar: stopped; nothing was written\n";

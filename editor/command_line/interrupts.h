@@ -7,9 +7,9 @@
 
 namespace trivar {
 
-// While it lives Ctrl C (SIGINT) and SIGTERM wait to be asked for instead of ending the program, so
-// that what is at hand can be finished; a second one ends it. For threads that begin meanwhile,
-// too.
+// While it lives Ctrl C (SIGINT), SIGTERM and, where the terminal goes, SIGHUP wait to be asked for
+// instead of ending the program, so that what is at hand can be finished; a second one ends it. For
+// threads that begin meanwhile, too. What the program was started to ignore (nohup) it ignores.
 class Interrupts {
 public:
     Interrupts();

@@ -62,10 +62,12 @@ public:
         check_relinked(options.scene, document_);
         check_frames(frames_, document_.time);
         check_camera(options_.drawing, document_);
+        check_sources();
         if (!options.sheet.empty()) return;
         sequence_.log = digest_of_log(text);
-        sequence_.settings = sequence_settings(words_of(options.drawing), document_, *assets_,
-                                               shaders_of(options.drawing));
+        sequence_.settings =
+            sequence_settings(words_of(options.drawing), document_, *assets_,
+                              shaders_of(options.drawing), options.scene.keep_going);
     }
 
     Status run(const Interrupts& interrupts)
@@ -103,14 +105,20 @@ public:
         return Status::done;
     }
 
-    void write_sheet()
+    Status write_sheet(const Interrupts& interrupts)
     {
         Drawing drawing(options_.drawing, streams_);
         const std::optional<Camera> fixed = camera_of_all(drawing);
         std::vector<Image> pictures;
-        for (const int frame : share_)
+        for (const int frame : share_) {
+            if (interrupts.came()) {
+                streams_.talk << fmt::format("trivar: stopped; {} was not written\n", options_.out);
+                return Status::interrupted;
+            }
             pictures.push_back(drawn_frame(drawing, frame, fixed).image());
+        }
         write_image(contact_sheet(pictures, sheet_grid(options_.sheet).x), options_.out);
+        return Status::done;
     }
 
     Status write_video(const Interrupts& interrupts) const
@@ -139,6 +147,14 @@ public:
     }
 
 private:
+    // Nothing that is to be written takes the place of what the scene is made from.
+    void check_sources() const
+    {
+        const SourceFiles sources = kept_sources(options_.scene, document_, *assets_);
+        if (!options_.video.empty()) sources.check(options_.video);
+        if (!options_.sheet.empty()) return sources.check(options_.out);
+        for (const int frame : share_) sources.check(sequence_.names.path(frame));
+    }
     // Where no view is kept it is one for all of them: that of the first frame.
     std::optional<Camera> camera_of_all(const Drawing& drawing)
     {
@@ -164,6 +180,7 @@ private:
                 clear_progress(streams_);
                 streams_.talk << "trivar: " << sentence << "\n";
             }
+        check_whole(options_.scene, out, document_);
         return out;
     }
     void tell(int done, int drawn, double seconds) const
@@ -190,19 +207,22 @@ private:
 
 Status run_render(const RenderOptions& options, const Streams& streams)
 {
+    const Interrupts interrupts;    // before there are threads, so that they know of them too
     still_options(options.drawing); // before any work is done
     relinked_files(options.scene.relinked);
     if (!options.video.empty()) check_video(options.video);
+    check_written({options.video, options.sheet.empty() ? "" : options.out});
     std::optional<ThreadLimit> limit;
     if (options.threads > 0) limit.emplace(options.threads);
     Rendering rendering(options, streams);
-    if (!options.sheet.empty()) {
-        rendering.write_sheet();
-        return Status::done;
+    try {
+        if (!options.sheet.empty()) return rendering.write_sheet(interrupts);
+        const Status status = rendering.run(interrupts);
+        if (status != Status::done || options.video.empty()) return status;
+    } catch (const Lacking&) { // what was said
+        say_not_whole(options.scene, streams);
+        return Status::rejected;
     }
-    const Interrupts interrupts; // before there are threads, so that they know of them too
-    const Status status = rendering.run(interrupts);
-    if (status != Status::done || options.video.empty()) return status;
     return rendering.write_video(interrupts);
 }
 

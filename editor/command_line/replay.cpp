@@ -6,6 +6,7 @@
 #include "core/base/text.h"
 #include "core/document/certificate.h"
 #include "core/document/parameters.h"
+#include "core/files/file_bytes.h"
 #include "core/files/image.h"
 #include "core/files/write_model.h"
 #include "editor/volume_facts.h"
@@ -15,7 +16,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -27,7 +27,14 @@ struct Replayed {
     Evaluated evaluated;
     Timings timings;
     bool same = true; // all that --check looked at
+    SourceFiles sources;
 };
+
+// Ctrl C ends it where nothing is half done.
+void go_on(const Interrupts& interrupts)
+{
+    if (interrupts.came()) throw Cancelled();
+}
 
 void differs(Replayed& replayed, const Streams& streams, const std::string& sentence)
 {
@@ -113,33 +120,41 @@ void check_result(Replayed& replayed, const ReplayOptions& options, const Stream
                 fmt::format("{}: one thread gives another result than all of them",
                             options.scene.path));
     for (const auto& [id, ref] : replayed.evaluated.objects)
-        if ((ref->parts.empty() && !ref->placement) || !ref->rejected.empty())
+        if ((ref->parts.empty() && !ref->placement) || !ref->rejected.empty() ||
+            !ref->lacks.empty())
             differs(replayed, streams,
                     fmt::format("{}: {} is not as it was meant: {}", options.scene.path,
                                 object(replayed.document, id).name,
                                 ref->notices.empty() ? "it has no shape" : ref->notices.front()));
 }
 
-Replayed replay(const ReplayOptions& options, const Streams& streams)
+Replayed replay(const ReplayOptions& options, const Streams& streams, const Interrupts& interrupts)
 {
     Replayed result;
     const Log log = timed(result.timings, "read log", [&] {
         return scene_log(log_text(options.scene), options.scene.path, streams);
     });
-    Evaluator evaluator(asset_store(options.scene));
+    const Ref<AssetStore> assets = asset_store(options.scene);
+    Evaluator evaluator(assets);
     History history;
     for (const LogLine& line : log.lines) {
         if (options.to > 0 && line.number > options.to) break;
+        go_on(interrupts);
         timed(result.timings, "apply", [&] { apply(history, line, log.name); });
         if (options.check)
             check_line(result, line, log.name, history.document(), evaluator, streams);
     }
     result.document = history.document();
     check_relinked(options.scene, result.document);
+    if (!options.exports.empty() || !options.image.empty() || !options.timings.empty())
+        result.sources = kept_sources(options.scene, result.document, *assets);
+    for (const std::string& path : options.exports) result.sources.check(path);
+    for (const std::string& path : {options.image, options.timings})
+        if (!path.empty()) result.sources.check(path);
     result.shown =
         options.epsilon ? refined_to(result.document, *options.epsilon) : result.document;
     result.evaluated =
-        evaluator(result.shown, frame_of(options, result.document), shown_progress(streams));
+        evaluator(result.shown, frame_of(options, result.document), stoppable(streams, interrupts));
     if (still_options(options.drawing).deform == gpu::DeformBy::processor)
         deform_parts(result.evaluated);
     clear_progress(streams);
@@ -175,10 +190,7 @@ void write_timings(const std::string& path, const Timings& timings)
         stages.push_back({{"name", stage.name}, {"time_ms", stage.time_ms}});
         if (stage.vertices > 0) stages.back()["vertices"] = stage.vertices;
     }
-    std::ofstream file(path);
-    file << nlohmann::ordered_json{{"stages", stages}}.dump(2) << "\n";
-    file.flush();
-    if (!file) throw Rejected(path + ": the timings cannot be written there");
+    write_bytes(path, nlohmann::ordered_json{{"stages", stages}}.dump(2) + "\n");
 }
 
 // What is not certified of what --epsilon asks for is said. Whether all of it is.
@@ -193,34 +205,60 @@ bool certified(const Export& result, const ReplayOptions& options, const Streams
     return open.empty();
 }
 
+// All that is to be written, one file after another.
+Status write_all(const ReplayOptions& options, Replayed& replayed, const Streams& streams,
+                 const Interrupts& interrupts)
+{
+    Export result;
+    if (!options.exports.empty() || options.epsilon)
+        result = export_of(replayed.evaluated,
+                           {replayed.document, options.epsilon.value_or(0),
+                            frame_of(options, replayed.document), options.scene.path, options.to});
+    for (const std::string& path : options.exports) {
+        go_on(interrupts);
+        timed(replayed.timings, "export",
+              [&] { write_model(result.model, path, replayed.sources); });
+    }
+    go_on(interrupts);
+    if (!options.image.empty()) draw(options, replayed, streams);
+    go_on(interrupts);
+    if (!options.timings.empty()) write_timings(options.timings, replayed.timings);
+    if (options.digest)
+        streams.out << trivar::check_line(digest(replayed.document), digest(replayed.evaluated));
+    if (options.epsilon && !certified(result, options, streams)) return Status::check_failed;
+    return replayed.same ? Status::done : Status::check_failed;
+}
+
 } // namespace
 
 Status run_replay(const ReplayOptions& options, const Streams& streams)
 {
+    const Interrupts interrupts;    // before there are threads, so that they know of them too
     still_options(options.drawing); // before any work is done
     relinked_files(options.scene.relinked);
     if (options.epsilon && !(*options.epsilon > 0 && std::isfinite(*options.epsilon)))
         throw WrongUsage("--epsilon: must be a length above 0, in metres");
     if (!options.image.empty()) check_picture_name(options.image);
     for (const std::string& path : options.exports) check_model_name(path);
+    check_written(options.exports);
+    check_written({options.image, options.timings});
     std::optional<ThreadLimit> limit;
     if (options.threads > 0) limit.emplace(options.threads);
-    Replayed replayed = replay(options, streams);
-    Export result;
-    if (!options.exports.empty() || options.epsilon)
-        result = export_of(replayed.evaluated,
-                           {replayed.document, options.epsilon.value_or(0),
-                            frame_of(options, replayed.document), options.scene.path, options.to});
-    for (const std::string& path : options.exports)
-        timed(replayed.timings, "export", [&] { write_model(result.model, path); });
-    if (!options.image.empty()) draw(options, replayed, streams);
-    if (!options.timings.empty()) write_timings(options.timings, replayed.timings);
-    if (options.digest)
-        streams.out << check_line(digest(replayed.document), digest(replayed.evaluated));
-    if (options.epsilon && !certified(result, options, streams)) return Status::check_failed;
-    if (!replayed.same) return Status::check_failed;
-    if (options.check) streams.talk << "trivar: " << options.scene.path << ": as it was meant\n";
-    return Status::done;
+    try {
+        Replayed replayed = replay(options, streams, interrupts);
+        if (!options.scene.keep_going && !lacks(replayed.evaluated, replayed.document).empty()) {
+            say_not_whole(options.scene, streams);
+            return options.check ? Status::check_failed : Status::rejected;
+        }
+        const Status status = write_all(options, replayed, streams, interrupts);
+        if (options.check && status == Status::done)
+            streams.talk << "trivar: " << options.scene.path << ": as it was meant\n";
+        return status;
+    } catch (const Cancelled&) {
+        clear_progress(streams);
+        streams.talk << "trivar: stopped; what was not written yet is not there\n";
+        return Status::interrupted;
+    }
 }
 
 } // namespace trivar

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/command_line/scene_log.h"
 
+#include "core/base/ordinary_file.h"
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "editor/command_line/drawing.h"
@@ -44,15 +45,36 @@ void check_relinked(const SceneLog& scene, const Document& document)
                 fmt::format("--set {}={}: the scene names no file {}", name, file, name));
         if (!std::filesystem::exists(file, ignored))
             throw Rejected(fmt::format("--set {}={}: there is no file {}", name, file, file));
+        const OrdinaryFile can_be_read(file);
     }
+}
+
+SourceFiles kept_sources(const SceneLog& scene, const Document& document, const AssetStore& assets)
+{
+    if (scene.overwrite) return {};
+    return source_files(document, assets, scene.path, "or say --overwrite");
+}
+
+void check_whole(const SceneLog& scene, const Evaluated& evaluated, const Document& document)
+{
+    if (!scene.keep_going) check_whole(lacks(evaluated, document));
+}
+
+void say_not_whole(const SceneLog& scene, const Streams& streams)
+{
+    streams.talk << fmt::format("trivar: {}: not all of it is there, so nothing is written; "
+                                "--keep-going goes on without it\n",
+                                scene.path);
+}
+
+void check_written(const std::vector<std::string>& paths)
+{
+    for (const std::string& path : paths)
+        if (!path.empty()) check_replaceable(path);
 }
 
 std::string log_text(const SceneLog& scene)
 {
-    std::error_code ignored;
-    if (std::filesystem::exists(scene.path, ignored) &&
-        !std::filesystem::is_regular_file(scene.path, ignored))
-        throw Rejected(scene.path + ": this is no ordinary file");
     return read_text_file(scene.path);
 }
 

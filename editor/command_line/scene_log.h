@@ -3,6 +3,8 @@
 
 #include "core/base/progress.h"
 #include "core/document/asset_store.h"
+#include "core/document/files_read.h"
+#include "core/document/lacking.h"
 #include "core/document/log.h"
 #include "editor/command_line/command_line.h"
 #include "editor/command_line/interrupts.h"
@@ -15,6 +17,8 @@ namespace trivar {
 struct SceneLog {
     std::string path;
     std::vector<std::string> relinked; // NAME=FILE, as --set has it
+    bool keep_going = false;           // without what it lacks
+    bool overwrite = false;            // also files that it is made from
 };
 
 // NAME=FILE, as --set has it. Throws WrongUsage.
@@ -22,6 +26,15 @@ std::map<std::string, std::string> relinked_files(const std::vector<std::string>
 Ref<AssetStore> asset_store(const SceneLog& scene);
 // Whoever relinks a file means one that the scene names and one that is there. Throws Rejected.
 void check_relinked(const SceneLog& scene, const Document& document);
+
+// The files that what is written may not replace: none with --overwrite.
+SourceFiles kept_sources(const SceneLog& scene, const Document& document, const AssetStore& assets);
+// What a scene lacks ends a command, unless --keep-going was said. Throws Lacking.
+void check_whole(const SceneLog& scene, const Evaluated& evaluated, const Document& document);
+void say_not_whole(const SceneLog& scene, const Streams& streams);
+
+// Throws Rejected where a file that is to be written has the name of what is none.
+void check_written(const std::vector<std::string>& paths);
 
 // The text of an ordinary file. Throws Rejected.
 std::string log_text(const SceneLog& scene);

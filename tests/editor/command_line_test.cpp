@@ -159,8 +159,9 @@ TEST(Replay, SaysWhatIsMissingAndFailsTheCheck)
     import.file.path = "snail.obj";
     write_file(path, log_header() + command_line(import));
     const Ran ran = run({"replay", path});
-    EXPECT_EQ(ran.status, Status::done);
+    EXPECT_EQ(ran.status, Status::rejected);
     EXPECT_THAT(ran.talk, HasSubstr("snail.obj"));
+    EXPECT_EQ(run({"replay", path, "--keep-going"}).status, Status::done);
     EXPECT_EQ(run({"replay", path, "--check"}).status, Status::check_failed);
 }
 
