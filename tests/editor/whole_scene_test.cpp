@@ -16,7 +16,7 @@ namespace trivar {
 namespace {
 
 namespace fs = std::filesystem;
-using ::testing::ElementsAre, ::testing::HasSubstr, ::testing::Not;
+using ::testing::HasSubstr, ::testing::Not;
 using testing::write_file;
 
 class WholeScene : public ::testing::Test {
