@@ -28,6 +28,8 @@ pkg_check_modules(HARFBUZZ REQUIRED IMPORTED_TARGET harfbuzz)
 pkg_check_modules(FRIBIDI REQUIRED IMPORTED_TARGET fribidi)
 pkg_check_modules(POLYCLIPPING REQUIRED IMPORTED_TARGET polyclipping)
 pkg_check_modules(MD4C REQUIRED IMPORTED_TARGET md4c)
+pkg_check_modules(PNG REQUIRED IMPORTED_TARGET libpng)
+pkg_check_modules(JPEG REQUIRED IMPORTED_TARGET libjpeg)
 pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)
 
 # OpenImageIO's target names an OpenCV folder that its package does not bring.
@@ -63,6 +65,8 @@ oneTBB|${TBB_VERSION}|Apache-2.0
 Highway|${hwy_VERSION}|Apache-2.0
 Eigen|${Eigen3_VERSION}|MPL-2.0
 OpenSubdiv|${OPENSUBDIV_VERSION}|Apache-2.0, modified
+libpng|${PNG_VERSION}|PNG-2.0
+libjpeg-turbo|${JPEG_VERSION}|IJG and BSD-3-Clause
 OpenImageIO|${OpenImageIO_VERSION}|BSD-3-Clause
 TinyGLTF|${TinyGLTF_VERSION}|MIT
 JSON for Modern C++|${nlohmann_json_VERSION}|MIT

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# cmake --install build --prefix X puts the program into X/bin and what it shows into X/share/trivar,
-# where it looks for it from its own place.
+# cmake --install build --prefix X puts the program into X/bin, its parts into X/lib/trivar and what it
+# shows into X/share/trivar, where it looks for them from its own place.
 set(shared share/trivar)
 install(TARGETS trivar RUNTIME DESTINATION bin)
+# Its parts that are files of their own (core/base/this_program.h).
+install(TARGETS trivar_codec trivar_picture LIBRARY DESTINATION lib/trivar RUNTIME DESTINATION lib/trivar)
 install(FILES LICENSE DESTINATION ${shared})
 install(DIRECTORY docs/manual docs/gallery DESTINATION ${shared})
 install(DIRECTORY assets/scenes assets/tutorials DESTINATION ${shared}/assets FILES_MATCHING PATTERN *.trivar)

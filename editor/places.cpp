@@ -3,12 +3,6 @@
 
 namespace trivar {
 
-std::filesystem::path this_program()
-{
-    std::error_code none;
-    return std::filesystem::read_symlink("/proc/self/exe", none);
-}
-
 Places places_of(const std::filesystem::path& program)
 {
     std::error_code ignored;

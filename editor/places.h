@@ -14,6 +14,5 @@ struct Places {
 // As `cmake --install` puts them beside the program's own folder, else those of the checkout that
 // it was built in; empty where there is neither.
 Places places_of(const std::filesystem::path& program);
-std::filesystem::path this_program();
 
 } // namespace trivar

@@ -3,6 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/document/parameters.h"
+#include "core/files/image.h"
 #include "editor/file_words.h"
 #include "editor/picture.h"
 #include "editor/stored_pictures.h"
@@ -92,7 +93,8 @@ void Recording::next()
                 wish.sequence.settings = sequence_settings(std::move(wish.sequence.settings),
                                                            wish.document, *wish.assets, shaders);
             }
-            while (!run.all_there() && wish.sequence.has(run.frame())) {
+            PictureReader reader;
+            while (!run.all_there() && wish.sequence.has(run.frame(), reader)) {
                 report(progress, 0, "frames that are there");
                 ++run.at;
             }

@@ -6,7 +6,6 @@
 #include "core/base/whole_numbers.h"
 #include "core/document/files_read.h"
 #include "core/files/file_bytes.h"
-#include "core/files/image.h"
 #include "editor/about.h"
 
 #include <algorithm>
@@ -107,13 +106,13 @@ std::vector<int> share_of(const std::vector<int>& frames, std::string_view shard
     return share;
 }
 
-bool Sequence::has(int frame) const
+bool Sequence::has(int frame, PictureReader& reader) const
 {
     const std::string path = names.path(frame);
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored)) return false;
     try {
-        const ImageHead head = image_head(path, {tag_log, tag_frame, tag_settings});
+        const ImageHead head = reader.head(path, {tag_log, tag_frame, tag_settings});
         const int bits = names.extension() == ".exr" ? 16 : depth;
         return head.size_px == size_px && head.bits == bits && head.tags == tags_of(*this, frame);
     } catch (const Rejected&) {

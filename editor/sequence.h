@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/document/asset_store.h"
+#include "core/files/image.h"
 #include "editor/still.h"
 
 #include <functional>
@@ -39,7 +40,7 @@ struct Sequence {
     std::string settings; // what else decides what its pictures show
     bool deep() const { return depth == 16 || names.extension() == ".exr"; }
     // Whether that frame's file is whole and one of this sequence. Reads all of it.
-    bool has(int frame) const;
+    bool has(int frame, PictureReader& reader) const;
     // How many of the frames have no file, whatever is in those that are there.
     int gone(const std::vector<int>& frames) const;
     // What writes a frame that was drawn, on any thread: beside the file, flushed, then renamed.

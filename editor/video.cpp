@@ -54,10 +54,10 @@ std::string format_of(const std::string& path)
 }
 
 // What has no end of its own in a stream, as EXR, is made another.
-std::string as_png(const std::string& path)
+std::string as_png(const std::string& path, PictureReader& reader)
 {
     if (extension_of(path) == ".png") return read_bytes(path, max_picture_bytes);
-    return encoded_image(read_image(path), ".png");
+    return encoded_image(reader.read(path), ".png");
 }
 
 // A program that is given bytes to its standard input; what it says goes nowhere.
@@ -195,6 +195,7 @@ void write_video(const std::vector<std::string>& pictures, double frames_per_sec
     bool content = true;
     {
         Child ffmpeg(words);
+        PictureReader reader;
         std::size_t given = 0;
         const auto tell = [&] {
             report(progress, static_cast<double>(given) / static_cast<double>(pictures.size()),
@@ -202,7 +203,7 @@ void write_video(const std::vector<std::string>& pictures, double frames_per_sec
         };
         for (; given < pictures.size() && content; ++given) {
             tell();
-            content = ffmpeg.give(as_png(pictures[given]), tell);
+            content = ffmpeg.give(as_png(pictures[given], reader), tell);
         }
         content = ffmpeg.end(tell) && content;
     }

@@ -6,7 +6,10 @@ execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix} O
 set(shared ${prefix}/share/trivar)
 set(program ${prefix}/bin/trivar)
 set(scene ${shared}/assets/scenes/first_placement.trivar)
-foreach(arguments "--version" "--help" "info;${scene}" "replay;${scene};--check;--export;${prefix}/laid.obj")
+# Two kinds of pictures: one that the program reads itself, and one for which it starts another.
+file(WRITE ${prefix}/one_pixel.hdr "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\nabc~")
+foreach(arguments "--version" "--help" "info;${scene}" "info;${shared}/gallery/stacked.png"
+        "info;${prefix}/one_pixel.hdr" "replay;${scene};--check;--export;${prefix}/laid.obj")
   execute_process(COMMAND ${program} ${arguments} WORKING_DIRECTORY ${prefix} OUTPUT_QUIET
                   ERROR_VARIABLE talk COMMAND_ERROR_IS_FATAL ANY)
   if(talk MATCHES "no such file")

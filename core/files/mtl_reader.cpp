@@ -118,7 +118,7 @@ private:
             return nullptr;
         }
         try {
-            at->second = make_ref(read_image(*path));
+            at->second = make_ref(pictures_.read(*path));
         } catch (const Rejected& rejected) {
             mtl_.notices.emplace_back(rejected.what());
         }
@@ -137,6 +137,7 @@ private:
 
     const FileText& file_;
     Mtl mtl_;
+    PictureReader pictures_;
     std::map<std::string, Ref<Image>> images_;
     int line_ = 0, unreadable_ = 0;
 };

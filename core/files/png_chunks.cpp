@@ -47,21 +47,38 @@ std::string png_trouble(std::string_view bytes)
 {
     constexpr std::string_view begin("\x89PNG\r\n\x1a\n");
     constexpr std::size_t around = 12; // a chunk's length, name and checksum
-    if (!bytes.starts_with(begin)) return "its first bytes are not those of a PNG";
+    if (!bytes.starts_with(begin)) return "is damaged: its first bytes are not those of a PNG";
+    const auto cut_off = [&] {
+        return fmt::format("is cut off after {} bytes, a whole one has more", bytes.size());
+    };
     bool pixels = false;
     for (std::size_t at = begin.size();;) {
-        if (bytes.size() - at < around) return "it is cut short";
+        if (bytes.size() - at < around) return cut_off();
         const std::size_t length = number_at(bytes, at);
         const std::string_view name = bytes.substr(at + 4, 4);
-        if (!is_name(name)) return "it is damaged: what should be a chunk has no name";
-        if (length > bytes.size() - at - around) return "it is cut short";
-        if (at == begin.size() && name != "IHDR") return "it does not begin with its size";
+        if (!is_name(name)) return "is damaged: what should be a chunk has no name";
+        if (length > bytes.size() - at - around) return cut_off();
+        if (at == begin.size() && name != "IHDR")
+            return "is damaged: it does not begin with its size";
         if (crc_of(bytes.substr(at + 4, 4 + length)) != number_at(bytes, at + 8 + length))
-            return fmt::format("it is damaged: its chunk {} differs from its checksum", name);
+            return fmt::format("is damaged: its chunk {} differs from its checksum", name);
         pixels = pixels || name == "IDAT";
-        if (name == "IEND") return pixels ? "" : "it has no pixels";
+        if (name == "IEND") return pixels ? "" : "is damaged: it has no pixels";
         at += around + length;
     }
+}
+
+std::string png_text(std::string_view bytes, std::string_view name)
+{
+    const std::string begin = std::string(name) + '\0';
+    for (std::size_t at = 8; bytes.substr(at + 4, 4) != "IEND";) {
+        const std::size_t length = number_at(bytes, at);
+        const std::string_view data = bytes.substr(at + 8, length);
+        if (bytes.substr(at + 4, 4) == "tEXt" && data.starts_with(begin))
+            return std::string(data.substr(begin.size()));
+        at += 12 + length;
+    }
+    return {};
 }
 
 } // namespace trivar

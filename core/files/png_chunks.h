@@ -6,9 +6,11 @@
 
 namespace trivar {
 
-// Why the bytes are no whole PNG; empty: they are one. Its chunks are looked at, not its pixels.
-// The library that reads PNG says what is damaged on stderr; what is refused here never gets there.
-// PNG specification (W3C), 5.
+// Why the bytes are no whole PNG, the rest of a sentence; empty: they are one. Its chunks and their
+// checksums are looked at, not its pixels. PNG specification (W3C), 5.
 std::string png_trouble(std::string_view bytes);
+
+// The words that a whole PNG has under a name; empty: none. They are Latin text, not packed.
+std::string png_text(std::string_view bytes, std::string_view name);
 
 } // namespace trivar

@@ -2,6 +2,7 @@
 #include "editor/command_line/command_line.h"
 
 #include "core/base/rejected.h"
+#include "core/base/this_program.h"
 #include "core/document/command.h"
 #include "editor/about.h"
 #include "editor/app.h"

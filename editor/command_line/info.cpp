@@ -63,9 +63,9 @@ Facts model_facts(const std::string& path)
     return facts;
 }
 
-Facts image_facts(const std::string& path)
+Facts image_facts(const std::string& path, PictureReader& pictures)
 {
-    const Image image = read_image(path);
+    const Image image = pictures.read(path);
     return {{"kind", "image"}, {"width_px", image.size_px.x}, {"height_px", image.size_px.y}};
 }
 
@@ -93,7 +93,7 @@ Facts scene_facts(const std::string& path)
     return facts;
 }
 
-Facts facts_of(const std::string& path)
+Facts facts_of(const std::string& path, PictureReader& pictures)
 {
     std::error_code ignored;
     if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored))
@@ -106,7 +106,7 @@ Facts facts_of(const std::string& path)
                                                             ".off", ".gltf", ".glb"};
     if (extension == ".trivar") return scene_facts(path);
     return std::ranges::find(models, extension) != models.end() ? model_facts(path)
-                                                                : image_facts(path);
+                                                                : image_facts(path, pictures);
 }
 
 std::string plain(const Facts& value)
@@ -129,10 +129,11 @@ Status run_info(const InfoOptions& options, const Streams& streams)
 {
     Status status = Status::done;
     Facts all = Facts::array();
+    PictureReader pictures;
     for (const std::string& path : options.files) {
         Facts facts{{"file", path}};
         try {
-            facts.update(facts_of(path));
+            facts.update(facts_of(path, pictures));
         } catch (const Rejected& error) {
             streams.talk << "trivar: " << error.what() << "\n";
             status = Status::rejected;

@@ -76,8 +76,9 @@ public:
         if (!options_.video.empty()) make_folder_of(options_.video);
         const auto start = std::chrono::steady_clock::now();
         int done = 0, drawn = 0;
+        PictureReader reader;
         for (const int frame : share_) {
-            if (!options_.resume || !sequence_.has(frame)) {
+            if (!options_.resume || !sequence_.has(frame, reader)) {
                 const std::chrono::duration<double> passed =
                     std::chrono::steady_clock::now() - start;
                 tell(done, drawn, passed.count());
@@ -115,8 +116,9 @@ public:
 
     Status write_video(const Interrupts& interrupts) const
     {
-        const auto missing = static_cast<int>(
-            std::ranges::count_if(frames_, [&](int frame) { return !sequence_.has(frame); }));
+        PictureReader reader;
+        const auto missing = static_cast<int>(std::ranges::count_if(
+            frames_, [&](int frame) { return !sequence_.has(frame, reader); }));
         if (missing > 0) {
             streams_.talk << fmt::format("trivar: {}: is made when all frames are there; {} of {} "
                                          "are not\n",

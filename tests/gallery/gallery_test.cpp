@@ -13,7 +13,7 @@
 #include "gpu/ffd/deform_timer.h"
 #include "gpu/ffd/device_poser.h"
 #include "gpu/renderer.h"
-#include "tests/support/pictures.h"
+#include "tests/golden/pictures.h"
 
 #include <algorithm>
 #include <filesystem>

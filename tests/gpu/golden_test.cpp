@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/golden/pictures.h"
 #include "tests/gpu/support.h"
-#include "tests/support/pictures.h"
 
 namespace trivar::gpu::testing {
 

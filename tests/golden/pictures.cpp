@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/pictures.h"
+#include "tests/golden/pictures.h"
 
-#include <OpenImageIO/imageio.h>
+#include "core/base/rejected.h"
+#include "core/files/image.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -14,29 +16,16 @@ namespace {
 void write_png(const Image& image, const std::filesystem::path& path)
 {
     std::filesystem::create_directories(path.parent_path());
-    std::vector<std::uint8_t> rgb;
-    for (std::size_t i = 0; i < image.rgba.size(); ++i)
-        if (i % 4 != 3) rgb.push_back(image.rgba[i]);
-    OIIO::ImageSpec spec(image.size_px.x, image.size_px.y, 3, OIIO::TypeDesc::UINT8);
-    spec.attribute("png:compressionLevel", 9);
-    const auto out = OIIO::ImageOutput::create(path.string());
-    if (!out || !out->open(path.string(), spec) ||
-        !out->write_image(OIIO::TypeDesc::UINT8, rgb.data()))
-        ADD_FAILURE() << "cannot write " << path;
+    write_image(image, path.string());
 }
 
 std::optional<Image> read_png(const std::filesystem::path& path)
 {
-    const auto in = OIIO::ImageInput::open(path.string());
-    if (!in || in->spec().nchannels < 3) return {};
-    Image image;
-    image.size_px = {in->spec().width, in->spec().height};
-    const std::size_t pixels = static_cast<std::size_t>(image.size_px.x) * image.size_px.y;
-    std::vector<std::uint8_t> rgb(pixels * 3);
-    if (!in->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, rgb.data())) return {};
-    for (std::size_t i = 0; i < pixels; ++i)
-        image.rgba.insert(image.rgba.end(), {rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2], 255});
-    return image;
+    try {
+        return read_image(path.string());
+    } catch (const Rejected&) {
+        return {};
+    }
 }
 
 struct Difference {

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace trivar {
+
+// The file of the program that runs; empty where the system does not tell.
+std::filesystem::path this_program();
+
+// A part of Trivar that is a file of its own: beside the program, as the build puts it, or in
+// lib/trivar beside the program's folder, as `cmake --install` does. Empty: it is in neither.
+std::filesystem::path part_of(const std::filesystem::path& program, std::string_view name);
+
+} // namespace trivar

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/files/image.h"
+
+#include <cstdint>
+#include <functional>
+#include <span>
+
+// The door to OpenImageIO. What lies behind it is a file of its own, trivar-codec.so, that is
+// opened when the first picture is decoded or encoded (pictures/door.h): the library brings 250
+// others, which take a seventh of a second and 110 MB to load and which few runs of the program
+// need.
+namespace trivar {
+
+struct DecodeTask {
+    std::string_view bytes;
+    std::string format; // as OpenImageIO calls it
+    glm::ivec2 size_px; // as the head says
+    std::vector<std::string> tags;
+};
+
+// Takes whole rows from the top, RGBA, 8 bits a channel; colours of floating point as sRGB.
+using TakeRows = std::function<void(std::span<const std::uint8_t>)>;
+
+struct Decoded {
+    bool whole = false; // else it is damaged, or has another size
+    int bits = 0;       // a channel of the file
+    ImageTags tags;     // those that were asked for and are there
+};
+
+struct EncodeTask {
+    glm::ivec2 size_px;
+    std::span<const std::uint8_t> rgba;  // this
+    std::span<const std::uint16_t> deep; // or that
+    std::string extension;               // with the dot
+    const ImageTags& tags;
+};
+
+struct Codec {
+    Decoded (*decode)(const DecodeTask& task, const TakeRows& take);
+    std::string (*encode)(const EncodeTask& task); // empty: it could not
+    bool (*writes)(const std::string& extension);
+    void (*keep_to_one_thread)(); // from now on, in all of the process
+};
+
+} // namespace trivar
+
+extern "C" const trivar::Codec trivar_codec; // what the door looks for

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/files/pictures/apart.h"
+
+#include "core/base/rejected.h"
+#include "core/base/this_program.h"
+#include "core/files/pictures/wire.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <utility>
+
+namespace trivar {
+namespace {
+
+// Its libraries may come from a slow disk.
+constexpr int start_ms = 60000;
+// What neither takes nor says a byte for so long has fallen asleep; what works is stopped by the
+// system after its share of the processor's time, which others may stretch.
+constexpr int silent_ms_a_cpu_s = 3000;
+
+struct Ended { // the helper did, or it fell silent
+    bool silent = false;
+};
+
+template <class Struct> std::string_view message_bytes(const Struct& value)
+{
+    return {reinterpret_cast<const char*>(&value), sizeof(value)};
+}
+
+template <class Struct> Struct message_of(const std::string& bytes)
+{
+    Struct value;
+    std::memcpy(&value, bytes.data(), sizeof(value));
+    return value;
+}
+
+pid_t started(const std::string& program, int line)
+{
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    for (const int end : {STDIN_FILENO, STDOUT_FILENO})
+        posix_spawn_file_actions_adddup2(&actions, line, end);
+    // What its libraries say of a damaged picture is for nobody.
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+    // In a group of its own, Ctrl C does not reach it: it ends when its line does.
+    posix_spawnattr_t how;
+    posix_spawnattr_init(&how);
+    posix_spawnattr_setflags(&how, POSIX_SPAWN_SETPGROUP);
+    posix_spawnattr_setpgroup(&how, 0);
+    std::string name = program;
+    const std::array<char*, 2> arguments{name.data(), nullptr};
+    pid_t id = -1;
+    const int error =
+        ::posix_spawn(&id, program.c_str(), &actions, &how, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    posix_spawnattr_destroy(&how);
+    if (error != 0)
+        throw Rejected(fmt::format("{} cannot be started ({})", program, std::strerror(error)));
+    return id;
+}
+
+} // namespace
+
+ApartDecoder::ApartDecoder()
+{
+    constexpr const char* file = "trivar-picture";
+    const std::string program = part_of(this_program(), file).string();
+    if (program.empty())
+        throw Rejected(fmt::format("cannot be read: this part of Trivar, {}, is neither beside the "
+                                   "program nor in lib/trivar; install it again",
+                                   file));
+    std::array<int, 2> ends{};
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
+        throw Rejected(fmt::format("cannot be read ({})", std::strerror(errno)));
+    line_ = ends[0];
+    try {
+        id_ = started(program, ends[1]);
+        ::close(ends[1]);
+    } catch (const Rejected&) {
+        ::close(ends[1]);
+        ::close(std::exchange(line_, -1));
+        throw;
+    }
+    try {
+        received(sizeof(PictureAnswer), start_ms); // it is ready
+    } catch (const Ended&) {
+        end();
+        throw Rejected(fmt::format("cannot be read: {} does not start; install it again", program));
+    }
+}
+
+ApartDecoder::~ApartDecoder()
+{
+    end();
+}
+
+int ApartDecoder::end()
+{
+    int status = 0;
+    if (id_ < 0) return status;
+    ::close(std::exchange(line_, -1));
+    ::kill(id_, SIGKILL); // one that has ended by itself keeps its status
+    while (::waitpid(id_, &status, 0) < 0 && errno == EINTR) continue;
+    id_ = -1;
+    return status;
+}
+
+bool ApartDecoder::waited(short event, int wait_ms)
+{
+    pollfd line{line_, event, 0};
+    int ready = 0;
+    do ready = ::poll(&line, 1, wait_ms);
+    while (ready < 0 && errno == EINTR);
+    return ready > 0;
+}
+
+void ApartDecoder::send(std::string_view bytes, int wait_ms)
+{
+    while (!bytes.empty()) {
+        if (!waited(POLLOUT, wait_ms)) throw Ended{true};
+        const ssize_t count =
+            ::send(line_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+        if (count < 0 && errno != EINTR && errno != EAGAIN) throw Ended{};
+        if (count > 0) bytes.remove_prefix(static_cast<std::size_t>(count));
+    }
+}
+
+std::string ApartDecoder::received(std::uint64_t bytes, int wait_ms)
+{
+    std::string out(bytes, '\0');
+    for (std::size_t have = 0; have < out.size();) {
+        if (!waited(POLLIN, wait_ms)) throw Ended{true};
+        const ssize_t count = ::recv(line_, out.data() + have, out.size() - have, MSG_DONTWAIT);
+        if (count == 0 || (count < 0 && errno != EINTR && errno != EAGAIN)) throw Ended{};
+        if (count > 0) have += static_cast<std::size_t>(count);
+    }
+    return out;
+}
+
+void ApartDecoder::fail(bool silent, const ApartLimits& limits)
+{
+    const int status = end();
+    if (silent || (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU))
+        throw Rejected(fmt::format("takes more than {} s to decode, so it is damaged or made to "
+                                   "keep programs busy",
+                                   limits.cpu_s));
+    if (WIFEXITED(status) && WEXITSTATUS(status) == no_memory_status)
+        throw Rejected(fmt::format("takes more than {} MB to decode, so it is damaged or made to "
+                                   "fill the memory",
+                                   limits.memory_bytes >> 20));
+    throw Rejected("is damaged: its decoder fails");
+}
+
+Decoded ApartDecoder::decode(const DecodeTask& task, const ApartLimits& limits,
+                             const TakeRows& take)
+try {
+    const int wait_ms = static_cast<int>(limits.cpu_s) * silent_ms_a_cpu_s;
+    std::string words = task.format + '\0';
+    for (const std::string& tag : task.tags) words += tag + '\0';
+    PictureOrder order;
+    order.file_bytes = task.bytes.size();
+    order.word_bytes = words.size();
+    order.memory_bytes = limits.memory_bytes;
+    order.width_px = task.size_px.x;
+    order.height_px = task.size_px.y;
+    order.cpu_s = limits.cpu_s;
+    send(message_bytes(order), wait_ms);
+    send(words, wait_ms);
+    send(task.bytes, wait_ms);
+    const std::uint64_t most =
+        (std::uint64_t{1} << 20) + 4 * static_cast<std::uint64_t>(order.width_px) *
+                                       static_cast<std::uint64_t>(order.height_px);
+    while (true) {
+        const auto answer = message_of<PictureAnswer>(received(sizeof(PictureAnswer), wait_ms));
+        if (answer.bytes > most) throw Ended{}; // it went mad
+        const std::string bytes = received(answer.bytes, wait_ms);
+        if (answer.what == PictureAnswer::What::rows) {
+            take({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+            continue;
+        }
+        Decoded decoded{answer.what == PictureAnswer::What::whole, answer.bits, {}};
+        for (std::size_t at = 0; at < bytes.size();) {
+            const std::string tag = bytes.c_str() + at;
+            const std::string text = bytes.c_str() + std::min(bytes.size(), at + tag.size() + 1);
+            at += tag.size() + text.size() + 2;
+            decoded.tags.emplace_back(tag, text);
+        }
+        return decoded;
+    }
+} catch (const Ended& ended) {
+    fail(ended.silent, limits);
+} catch (...) { // of who takes the rows: there may be more of them on the line
+    end();
+    throw;
+}
+
+} // namespace trivar

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/files/codec/codec.h"
+
+#include <cstdint>
+#include <sys/types.h>
+
+namespace trivar {
+
+// Bounds of a picture that is decoded apart.
+struct ApartLimits {
+    std::uint64_t memory_bytes = 0; // beside those of the program that decodes
+    std::uint32_t cpu_s = 0;        // of the processor's time
+};
+
+// The program trivar-picture, started for pictures whose kind has no decoder that could be trusted:
+// one that crashes, hangs or takes all memory is ended, and nothing else is. It is no prison for a
+// decoder that was taken over. Starting it takes a seventh of a second, a picture a millisecond
+// more than here.
+class ApartDecoder {
+public:
+    ApartDecoder(); // throws Rejected where the program is missing
+    ~ApartDecoder();
+    ApartDecoder(const ApartDecoder&) = delete;
+    ApartDecoder& operator=(const ApartDecoder&) = delete;
+
+    // As Codec::decode. Throws Rejected, the rest of a sentence, where the program did not survive
+    // the picture; it can then take no more.
+    Decoded decode(const DecodeTask& task, const ApartLimits& limits, const TakeRows& take);
+    bool ended() const { return id_ < 0; }
+
+private:
+    void send(std::string_view bytes, int wait_ms);
+    std::string received(std::uint64_t bytes, int wait_ms);
+    bool waited(short event, int wait_ms);
+    [[noreturn]] void fail(bool silent, const ApartLimits& limits);
+    int end(); // its status, as of waitpid
+
+    pid_t id_ = -1;
+    int line_ = -1;
+};
+
+} // namespace trivar

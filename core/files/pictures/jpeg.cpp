@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/files/pictures/kinds.h"
+
+#include "core/base/rejected.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+// ITU-T T.81, annex B: segments that begin with a marker, ff and another byte.
+namespace trivar {
+namespace {
+
+enum : std::uint32_t { start_of_scan = 0xda, end_of_image = 0xd9 };
+
+// A scan goes over all pixels, and few bytes make one: a thousand keep a decoder for hours. Usual
+// are ten of ten pixels a byte.
+constexpr std::uint64_t scanned_a_byte = 8192, scanned_anyway = 100 << 20;
+
+bool stands_alone(std::uint32_t marker) // without a length
+{
+    return marker == 0x01 || (marker >= 0xd0 && marker <= 0xd8);
+}
+
+// Of the frames those that decoders in use know: baseline, extended, progressive; also arithmetic.
+bool begins_frame(std::uint32_t marker)
+{
+    return marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
+}
+
+PictureHead jpeg_frame(const ByteView& file, std::uint64_t at, std::uint32_t marker)
+{
+    if (marker != 0xc0 && marker != 0xc1 && marker != 0xc2 && marker != 0xc9 && marker != 0xca)
+        throw Rejected("is of a kind of JPEG that few programs read, a baseline or progressive one "
+                       "would be right");
+    if (file.byte(at + 2) != 8)
+        throw Rejected(fmt::format("has {} bits a channel, 8 would be right", file.byte(at + 2)));
+    const std::uint32_t channels = file.byte(at + 7);
+    if (channels == 0 || channels > 4 || file.big(at, 2) != 8 + 3 * channels)
+        throw Rejected("is damaged: its frame has no right number of channels");
+    for (std::uint32_t c = 0; c < channels; ++c) {
+        const std::uint32_t across = file.byte(at + 9 + 3 * c) >> 4;
+        const std::uint32_t down = file.byte(at + 9 + 3 * c) & 15;
+        if (across < 1 || across > 4 || down < 1 || down > 4)
+            throw Rejected("is damaged: its channels have no right sizes");
+    }
+    // What is not baseline keeps coefficients of two bytes till its end.
+    return {{file.big(at + 5, 2), file.big(at + 3, 2)},
+            static_cast<int>(channels),
+            marker == 0xc0 || marker == 0xc1 ? 1 : 2};
+}
+
+} // namespace
+
+PictureHead jpeg_head(const ByteView& file, Look look)
+{
+    PictureHead head;
+    std::uint64_t frames = 0, scans = 0;
+    for (std::uint64_t at = 2;;) {
+        // Between segments and in scans: up to the next marker. Decoders pass over what is between.
+        const auto is_marker = [&] {
+            return file.byte(at) == 0xff && file.byte(at + 1) != 0 && file.byte(at + 1) != 0xff;
+        };
+        // Pixels may all be there where only the end is not: the decoder finds out.
+        const auto may_end = [&] { return scans == 1 && at + 1 >= file.size(); };
+        while (!may_end() && !is_marker()) ++at;
+        if (may_end()) break;
+        const std::uint32_t marker = file.byte(at + 1);
+        at += 2;
+        if (marker == end_of_image) break;
+        if (stands_alone(marker)) continue;
+        const std::uint32_t length = file.big(at, 2);
+        if (length < 2) throw Rejected("is damaged: a segment is shorter than its own length");
+        file.part(at, length);
+        if (begins_frame(marker)) {
+            if (++frames > 1) throw Rejected("is damaged: it has two frames");
+            head = jpeg_frame(file, at, marker);
+            if (look == Look::head_only) return head;
+        }
+        if (marker == start_of_scan) ++scans;
+        at += length;
+    }
+    if (frames == 0 || scans == 0) throw Rejected("is damaged: it has no pixels");
+    const std::uint64_t pixels =
+        static_cast<std::uint64_t>(head.size_px.x) * static_cast<unsigned>(head.size_px.y);
+    if (scans * pixels > scanned_anyway + scanned_a_byte * file.size())
+        throw Rejected(
+            fmt::format("goes over its pixels {} times, ten times would be usual", scans));
+    return head;
+}
+
+} // namespace trivar

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+// What goes over the line between Trivar and trivar-picture: both are built from the same source,
+// and run on one machine. A message is one of these structs, then as many bytes as it says.
+namespace trivar {
+
+// To the helper, a picture to decode: words (the format's name, then tags, each with a null byte
+// behind it), then the file's bytes.
+struct PictureOrder {
+    std::uint64_t file_bytes = 0, word_bytes = 0;
+    std::uint64_t memory_bytes = 0; // it may take beside what it holds at its start
+    std::int32_t width_px = 0, height_px = 0;
+    std::uint32_t cpu_s = 0; // of the processor's time it may take
+    std::uint32_t unused = 0;
+};
+
+// From the helper: that it is there, rows of pixels, and at the end that all were there, with words
+// (tags and their texts, each with a null byte behind it), or that they are damaged.
+struct PictureAnswer {
+    enum class What : std::uint32_t { ready, rows, whole, damaged } what = What::damaged;
+    std::int32_t bits = 0; // a channel of the file, where it is whole
+    std::uint64_t bytes = 0;
+};
+
+// With this status the helper ends where there is no memory left that it may take.
+constexpr int no_memory_status = 3;
+
+} // namespace trivar
