@@ -2,6 +2,7 @@
 #include "core/base/text.h"
 
 #include "core/base/rejected.h"
+#include "core/base/utf8.h"
 
 #include <algorithm>
 #include <array>
@@ -45,10 +46,27 @@ std::optional<double> parse_number(std::string_view text)
 
 std::string printable(std::string_view text)
 {
-    std::string shown(text);
-    for (char& c : shown)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
+    std::string shown;
+    shown.reserve(text.size());
+    while (!text.empty()) {
+        const Utf8Letter next = first_letter(text);
+        const bool control = next.number < 0x20 || (next.number >= 0x7F && next.number < 0xA0);
+        if (next.bytes == 0 || control)
+            shown += '?';
+        else
+            shown += text.substr(0, next.bytes);
+        text.remove_prefix(std::max<std::size_t>(next.bytes, 1));
+    }
     return shown;
+}
+
+std::string excerpt(std::string_view text)
+{
+    constexpr std::size_t most = 60;
+    if (text.size() <= most) return printable(text);
+    std::size_t end = most; // not inside a letter
+    while (end > most - 4 && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80) --end;
+    return printable(text.substr(0, end)) + "...";
 }
 
 std::vector<std::string_view> trimmed_lines(std::string_view text)

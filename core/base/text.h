@@ -15,8 +15,12 @@ std::string shortest(double value);
 // The whole text as a finite number, or nothing. No locale.
 std::optional<double> parse_number(std::string_view text);
 
-// Words of a file for a message: what would not show as itself, or end it, is a question mark.
+// Words of a file for a message: what would not show as itself, or end it, is a question mark, and
+// so is each byte that is no UTF-8.
 std::string printable(std::string_view text);
+
+// The same, cut after some 60 bytes, so that a sentence stays one.
+std::string excerpt(std::string_view text);
 
 // The text's lines without the blanks at their ends, in their order; empty ones too.
 std::vector<std::string_view> trimmed_lines(std::string_view text);

@@ -2,32 +2,18 @@
 #include "core/text/letters.h"
 
 #include "core/base/rejected.h"
+#include "core/base/utf8.h"
 
 namespace trivar {
 
 std::u32string letters_of(std::string_view utf8)
 {
     std::u32string letters;
-    for (std::size_t i = 0; i < utf8.size();) {
-        const auto first = static_cast<unsigned char>(utf8[i]);
-        const std::size_t length = first < 0x80              ? 1
-                                   : (first & 0xE0u) == 0xC0 ? 2
-                                   : (first & 0xF0u) == 0xE0 ? 3
-                                   : (first & 0xF8u) == 0xF0 ? 4
-                                                             : 0;
-        bool whole = length > 0 && i + length <= utf8.size();
-        char32_t letter = length == 1 ? first : first & (0x7Fu >> length);
-        for (std::size_t k = 1; whole && k < length; ++k) {
-            const auto next = static_cast<unsigned char>(utf8[i + k]);
-            whole = (next & 0xC0u) == 0x80;
-            letter = (letter << 6) | (next & 0x3Fu);
-        }
-        constexpr char32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
-        if (!whole || letter < least[length] || letter > 0x10FFFF ||
-            (letter >= 0xD800 && letter < 0xE000))
-            throw Rejected("the text is not UTF-8");
-        letters += letter;
-        i += length;
+    while (!utf8.empty()) {
+        const Utf8Letter next = first_letter(utf8);
+        if (next.bytes == 0) throw Rejected("the text is not UTF-8");
+        letters += next.number;
+        utf8.remove_prefix(next.bytes);
     }
     return letters;
 }

@@ -3,6 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/base/text.h"
+#include "core/base/utf8.h"
 
 #include <fmt/format.h>
 
@@ -12,29 +13,6 @@ namespace {
 // Far beyond any name or path, and any stroke of a hand; keeps hostile lines from multiplying.
 constexpr std::size_t longest_text = 4096;
 constexpr std::size_t longest_list = 100000;
-
-bool is_utf8(std::string_view text)
-{
-    for (std::size_t i = 0; i < text.size();) {
-        const auto lead = static_cast<unsigned char>(text[i]);
-        const std::size_t length = lead < 0x80                   ? 1
-                                   : lead >= 0xC2 && lead < 0xE0 ? 2
-                                   : lead >= 0xE0 && lead < 0xF0 ? 3
-                                   : lead >= 0xF0 && lead < 0xF5 ? 4
-                                                                 : 0;
-        if (length == 0 || i + length > text.size()) return false;
-        unsigned code = length == 1 ? lead : lead & (0xFFu >> (length + 1));
-        for (std::size_t k = 1; k < length; ++k) {
-            const auto next = static_cast<unsigned char>(text[i + k]);
-            if ((next & 0xC0) != 0x80) return false;
-            code = (code << 6) | (next & 0x3Fu);
-        }
-        const bool overlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
-        if (overlong || code > 0x10FFFF || (code >= 0xD800 && code < 0xE000)) return false;
-        i += length;
-    }
-    return true;
-}
 
 void check_number(std::string_view name, double value, const Rule& rule)
 {
@@ -59,8 +37,8 @@ void check_text(std::string_view name, std::string_view text, const Rule& rule)
     if (rule.choices.empty()) return;
     const std::string all = "|" + std::string(rule.choices) + "|";
     if (text.find('|') != text.npos || all.find("|" + std::string(text) + "|") == all.npos)
-        throw Rejected(
-            fmt::format("field \"{}\" is \"{}\" but must be one of {}", name, text, rule.choices));
+        throw Rejected(fmt::format("field \"{}\" is \"{}\" but must be one of {}", name,
+                                   excerpt(text), rule.choices));
 }
 
 template <class T> void check_value(const std::string& name, const T& value, const Rule& rule)
