@@ -3,6 +3,7 @@
 
 #include "core/base/digest.h"
 #include "core/base/rejected.h"
+#include "core/base/text.h"
 #include "core/document/commands/import.h"
 #include "core/document/commands/place.h"
 #include "core/document/commands/play.h"
@@ -132,6 +133,16 @@ const Object& object(const Document& document, Id id)
     const auto found = document.objects.find(id);
     if (found == document.objects.end()) throw Rejected("there is no object " + std::to_string(id));
     return *found->second;
+}
+
+std::string named(Id id, const Object& object)
+{
+    return "object " + std::to_string(id) + " (" + excerpt(object.name) + ")";
+}
+
+std::string named(const Document& document, Id id)
+{
+    return named(id, object(document, id));
 }
 
 bool visible(const Document& document, Id id)

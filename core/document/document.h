@@ -108,6 +108,9 @@ struct Document {
 
 // The object, or Rejected naming the id.
 const Object& object(const Document& document, Id id);
+// "object 3 (Snake)", for a sentence; a long name is cut.
+std::string named(Id id, const Object& object);
+std::string named(const Document& document, Id id);
 bool visible(const Document& document, Id id); // neither it nor a parent is hidden
 bool locked(const Document& document, Id id);  // it or a parent is
 // All objects in the order of the outliner's rows, whatever is in which group.

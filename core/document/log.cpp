@@ -33,7 +33,7 @@ void check_header(const json& header)
         else if (name == "up" && value != "z")
             throw Rejected("field \"up\" must be \"z\"");
         else if (name != "trivar" && name != "units" && name != "up")
-            throw Rejected(fmt::format("field \"{}\" is unknown in a header", printable(name)));
+            throw Rejected(fmt::format("field \"{}\" is unknown in a header", excerpt(name)));
 }
 
 std::string taken_digest(json& object, const std::string& name)

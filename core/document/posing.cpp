@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/posing.h"
 
+#include "core/base/text.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -11,11 +13,17 @@ namespace {
 
 std::string missing_clip(const Model& model, const std::string& name)
 {
+    constexpr std::size_t most_named = 4;
+    if (model.clips.empty())
+        return fmt::format("it has no clip \"{}\", nor any other", excerpt(name));
     std::vector<std::string> there;
-    for (const Clip& clip : model.clips) there.push_back(clip.name);
-    return there.empty()
-               ? fmt::format("it has no clip \"{}\", nor any other", name)
-               : fmt::format("it has no clip \"{}\"; it has {}", name, fmt::join(there, ", "));
+    for (std::size_t i = 0; i < std::min(most_named, model.clips.size()); ++i)
+        there.push_back(excerpt(model.clips[i].name));
+    std::string text =
+        fmt::format("it has no clip \"{}\"; it has {}", excerpt(name), fmt::join(there, ", "));
+    if (model.clips.size() > most_named)
+        text += fmt::format(" and {} more", model.clips.size() - most_named);
+    return text;
 }
 
 // Whether a channel has one value at all times.
@@ -35,9 +43,10 @@ bool is_still(const Channel& channel)
 std::string stillness(const Clip& clip)
 {
     if (!(clip.end_s > clip.begin_s))
-        return fmt::format("\"{}\" lasts no time: it stands as its only keys have it", clip.name);
+        return fmt::format("\"{}\" lasts no time: it stands as its only keys have it",
+                           excerpt(clip.name));
     if (std::ranges::all_of(clip.channels, is_still))
-        return fmt::format("nothing moves in \"{}\": its keys are all alike", clip.name);
+        return fmt::format("nothing moves in \"{}\": its keys are all alike", excerpt(clip.name));
     return {};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/document/walking.h"
 
+#include "core/base/text.h"
 #include "core/mesh/pose_rates.h"
 #include "core/placement/embed.h"
 
@@ -135,15 +136,17 @@ Walk walk_of(Tread tread)
     const Gait& gait = *walk.gait;
     const glm::dvec3 stride = glm::dmat3(tread.to_uvw) * (gait.forward * gait.stride);
     if (!gait.trouble.empty()) {
-        walk.trouble = fmt::format("its feet are not locked: \"{}\" {}", tread.clip, gait.trouble);
+        walk.trouble =
+            fmt::format("its feet are not locked: \"{}\" {}", excerpt(tread.clip), gait.trouble);
         return walk;
     }
     walk.stride_u = stride.x;
     const double length = tread.laid->placement->report.length_world;
     const double width = tread.laid->placement->report.width_world;
     if (std::abs(stride.x) * length < std::abs(stride.y) * width) {
-        walk.trouble = fmt::format(
-            "its feet are not locked: in \"{}\" it walks across its stroke; turn it", tread.clip);
+        walk.trouble =
+            fmt::format("its feet are not locked: in \"{}\" it walks across its stroke; turn it",
+                        excerpt(tread.clip));
         return walk;
     }
     walk.natural_speed =
@@ -152,7 +155,7 @@ Walk walk_of(Tread tread)
     if (tread.journey->travel().speed > 0 && (stride.x < 0) != looks_back(tread.parameters))
         walk.remark = fmt::format(
             "in \"{}\" it walks backwards; a negative speed lets it walk the way it looks",
-            tread.clip);
+            excerpt(tread.clip));
     walk.correction = largest_correction(gait);
     tread.walk = walk;
     walk.slide = Lazy<double>([tread = std::move(tread)] { return slide_of(tread); });

@@ -2,6 +2,7 @@
 #include "core/document/commands/animate.h"
 
 #include "core/base/rejected.h"
+#include "core/base/text.h"
 #include "core/document/commands/apply.h"
 #include "core/document/parameters.h"
 
@@ -45,7 +46,8 @@ std::vector<Track> merged(std::vector<Track> tracks, const std::vector<Track>& m
         }
         const auto parameter = std::ranges::find(known, track.parameter, &Parameter::name);
         if (parameter == known.end())
-            throw Rejected(fmt::format("{} has no parameter \"{}\"", whose, track.parameter));
+            throw Rejected(
+                fmt::format("{} has no parameter \"{}\"", whose, excerpt(track.parameter)));
         check_keys(track, *parameter);
         if (!has) had = tracks.insert(had, Track{});
         *had = as_taken(track, *parameter);
@@ -73,10 +75,10 @@ Document applied(Document document, const Animate& command)
             document.tracks = make_ref(
                 merged(*document.tracks, each.tracks, scene_parameters(document), "the scene"));
         else
-            document = with_changed(std::move(document), id, [&](Object& o) {
-                o.tracks = merged(std::move(o.tracks), each.tracks, parameters(o),
-                                  fmt::format("object {} ({})", id, o.name));
-            });
+            document =
+                with_changed(std::move(document), id, [&, whose = named(document, id)](Object& o) {
+                    o.tracks = merged(std::move(o.tracks), each.tracks, parameters(o), whose);
+                });
     }
     return document;
 }

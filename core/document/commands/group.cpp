@@ -89,7 +89,7 @@ Document applied(Document document, const Ungroup& command)
 {
     const Object& group = object(document, command.object);
     if (!std::holds_alternative<GroupShape>(group.source))
-        throw Rejected(fmt::format("object {} ({}) is no group", command.object, group.name));
+        throw Rejected(named(document, command.object) + " is no group");
     const Id parent = group.parent;
     std::vector<Id> members;
     for (const auto& [id, ref] : document.objects)
@@ -107,10 +107,9 @@ Document applied(Document document, const Reorder& command)
     if (parent != 0) {
         const Object& group = object(document, parent);
         if (!std::holds_alternative<GroupShape>(group.source))
-            throw Rejected(fmt::format("object {} ({}) is no group", parent, group.name));
+            throw Rejected(named(document, parent) + " is no group");
         for (Id id = parent; id != 0; id = object(document, id).parent)
-            if (moves(id))
-                throw Rejected(fmt::format("{} cannot be in itself", object(document, id).name));
+            if (moves(id)) throw Rejected(named(document, id) + " cannot be in itself");
     }
     if (before != 0 && (object(document, before).parent != parent || moves(before)))
         throw Rejected(

@@ -12,8 +12,7 @@ Document with_surfacing(Document document, const std::vector<Id>& ids,
 {
     for (const Id id : distinct(document, ids))
         if (const Object& o = object(document, id); std::holds_alternative<GroupShape>(o.source))
-            throw Rejected(fmt::format(
-                "object {} ({}) is a group; give materials to the objects in it", id, o.name));
+            throw Rejected(named(id, o) + " is a group; give materials to the objects in it");
     return with_all_changed(std::move(document), ids, [&](Object& o) { o.surfacing = surfacing; });
 }
 

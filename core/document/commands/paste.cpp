@@ -2,6 +2,7 @@
 #include "core/document/commands/paste.h"
 
 #include "core/base/rejected.h"
+#include "core/base/text.h"
 #include "core/document/commands/apply.h"
 #include "core/document/commands/numbering.h"
 #include "core/document/parameters.h"
@@ -54,8 +55,8 @@ Object object_of(const CopiedObject& copy, const Document& document, const Copie
     if (copy.name.empty()) throw Rejected("field \"name\" is empty");
     const auto parent = made.find(copy.parent);
     if (copy.parent != 0 && parent == made.end())
-        throw Rejected(
-            fmt::format("field \"parent\": no object {} comes before {}", copy.parent, copy.name));
+        throw Rejected(fmt::format("field \"parent\": no object {} comes before {}", copy.parent,
+                                   excerpt(copy.name)));
     if (copy.parent != 0 &&
         !std::holds_alternative<GroupShape>(object(document, parent->second).source))
         throw Rejected(fmt::format("field \"parent\": object {} is no group", copy.parent));

@@ -56,20 +56,19 @@ std::vector<Id> supports(const Document& document, Id id, const std::vector<Id>&
         if (result.empty())
             throw Rejected(fmt::format("there is nothing visible that {} could lie on; add or "
                                        "show another object first",
-                                       object(document, id).name));
+                                       named(document, id)));
         check_count(result);
         return result;
     }
-    std::set<Id> named(onto.begin(), onto.end());
-    for (const Id other : named) object(document, other);
-    for (const Id other : with_contents(document, std::move(named))) {
+    std::set<Id> given(onto.begin(), onto.end());
+    for (const Id other : given) object(document, other);
+    for (const Id other : with_contents(document, std::move(given))) {
         if (is_group(object(document, other))) continue;
         if (other == id) throw Rejected("field \"onto\": an object cannot lie on itself");
         if (above.contains(other))
-            throw Rejected(fmt::format("field \"onto\": object {} ({}) lies on object {} ({}) "
-                                       "already, so the other way round is impossible",
-                                       other, object(document, other).name, id,
-                                       object(document, id).name));
+            throw Rejected(fmt::format("field \"onto\": {} lies on {} already, so the other "
+                                       "way round is impossible",
+                                       named(document, other), named(document, id)));
         result.push_back(other);
     }
     if (result.empty()) throw Rejected("field \"onto\" names only empty groups");
@@ -110,8 +109,7 @@ void check_parameters(const PlacementParameters& p)
 
 void check_placed(const Object& o, Id id)
 {
-    if (!o.placement)
-        throw Rejected(fmt::format("object {} ({}) is not placed; use place first", id, o.name));
+    if (!o.placement) throw Rejected(named(id, o) + " is not placed; use place first");
 }
 
 std::vector<Id> possible_bases(const Document& document, Id id)
@@ -128,8 +126,7 @@ Document applied(Document document, const Place& command)
 {
     const Object& placed = object(document, command.object);
     if (is_group(placed))
-        throw Rejected(fmt::format("object {} ({}) is a group; place the objects in it", //
-                                   command.object, placed.name));
+        throw Rejected(named(document, command.object) + " is a group; place the objects in it");
     check_sketch(command.sketch);
     check_parameters(command.parameters);
     PlacementStep step{command.sketch, command.parameters,
@@ -145,15 +142,14 @@ Document applied(Document document, const PlaceRound& command)
     const Object& placed = object(document, command.object);
     const Object& base = object(document, command.around);
     if (is_group(placed))
-        throw Rejected(fmt::format("object {} ({}) is a group; place the objects in it", //
-                                   command.object, placed.name));
+        throw Rejected(named(document, command.object) + " is a group; place the objects in it");
     if (!band_round(base.source, 0, glm::dmat4(1)))
         throw Rejected(fmt::format("field \"around\": {} is no cylinder, sphere, torus or Moebius "
                                    "band",
-                                   base.name));
+                                   named(document, command.around)));
     if (base.placement)
-        throw Rejected(
-            fmt::format("field \"around\": {} is itself placed; unplace it first", base.name));
+        throw Rejected(fmt::format("field \"around\": {} is itself placed; unplace it first",
+                                   named(document, command.around)));
     check_parameters(command.parameters);
     PlacementStep step{{},
                        command.parameters,

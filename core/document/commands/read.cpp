@@ -22,7 +22,7 @@ using nlohmann::json;
 {
     std::string text = found.dump(-1, ' ', false, json::error_handler_t::replace);
     if (text.size() > 40) text = std::string(found.type_name());
-    throw Rejected(fmt::format("field \"{}\" must be {}, not {}", name, wanted, text));
+    throw Rejected(fmt::format("field \"{}\" must be {}, not {}", name, wanted, printable(text)));
 }
 
 // What does not depend on a field's type is in plain functions: there are some 150 fields, and each
@@ -122,7 +122,8 @@ public:
     {
         for (const auto& [name, ignored] : object_->items())
             if (std::find(known_.begin(), known_.end(), name) == known_.end())
-                throw Rejected(fmt::format("field \"{}{}\" is unknown here", prefix_, name));
+                throw Rejected(
+                    fmt::format("field \"{}{}\" is unknown here", prefix_, excerpt(name)));
     }
 
 private:
@@ -204,7 +205,7 @@ Command command_named(std::string_view verb, const json& object)
     for (const Named& each : all)
         if (each.verb == verb) return each.read(object);
     throw Rejected(
-        fmt::format("there is no command \"{}\"; trivar commands lists them", printable(verb)));
+        fmt::format("there is no command \"{}\"; trivar commands lists them", excerpt(verb)));
 }
 
 } // namespace

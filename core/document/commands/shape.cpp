@@ -15,8 +15,8 @@ Document shaped(Document document, Id id, VolumeEdit edit)
     const Object& o = object(document, id);
     check_placed(o, id);
     if (o.shaping.size() >= most_shaping_steps)
-        throw Rejected(fmt::format("object {} ({}) is shaped in {} steps already; take some back",
-                                   id, o.name, most_shaping_steps));
+        throw Rejected(fmt::format("{} is shaped in {} steps already; take some back", named(id, o),
+                                   most_shaping_steps));
     return with_changed(std::move(document), id, [&](Object& changed) {
         changed.shaping.push_back(make_ref(std::move(edit)));
     });

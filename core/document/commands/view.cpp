@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
+#include "core/base/text.h"
 #include "core/document/commands/apply.h"
 #include "core/document/commands/check.h"
 
@@ -18,7 +19,7 @@ Document applied(Document document, const SaveCamera& command)
 Document applied(Document document, const DeleteCamera& command)
 {
     if (document.bookmarks.erase(command.name) == 0)
-        throw Rejected("there is no point of view named \"" + command.name + "\"");
+        throw Rejected("there is no point of view named \"" + excerpt(command.name) + "\"");
     return document;
 }
 
