@@ -103,6 +103,15 @@ std::vector<bool> faces_to_turn(std::size_t faces, const std::vector<Neighbours>
     return turn;
 }
 
+// Whether there are three different points among corners of which no two neighbours are at one.
+bool has_three_points(const Mesh& mesh, const std::uint32_t* begin, const std::uint32_t* end)
+{
+    if (end - begin < 3) return false;
+    const std::uint32_t a = mesh.point(begin[0]), b = mesh.point(begin[1]);
+    return std::any_of(begin + 2, end,
+                       [&](std::uint32_t v) { return mesh.point(v) != a && mesh.point(v) != b; });
+}
+
 // Drops repeated corners and then faces with fewer than three; returns how many of each.
 std::pair<std::size_t, std::size_t> drop_degenerate(Mesh& mesh)
 {
@@ -121,7 +130,7 @@ std::pair<std::size_t, std::size_t> drop_degenerate(Mesh& mesh)
         while (corners.size() - first > 1 &&
                mesh.point(corners.back()) == mesh.point(corners[first]))
             corners.pop_back();
-        if (corners.size() - first < 3) {
+        if (!has_three_points(mesh, corners.data() + first, corners.data() + corners.size())) {
             corners.resize(first);
             continue;
         }

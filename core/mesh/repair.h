@@ -14,9 +14,9 @@ struct Repaired {
 };
 
 // Takes the harmless damage out of a mesh whose indices are in range: corners that repeat the
-// point before them, faces left with fewer than three, vertices no face has, and faces turned
-// against the rest of their component (where the component can be turned consistently at all: a
-// Moebius band stays as it is). O(#C log valence).
+// point before them, faces left with fewer than three different ones, vertices no face has, and
+// faces turned against the rest of their component (where the component can be turned consistently
+// at all: a Moebius band stays as it is). O(#C log valence).
 Repaired repaired(Mesh mesh);
 
 } // namespace trivar
