@@ -69,6 +69,16 @@ std::string excerpt(std::string_view text)
     return printable(text.substr(0, end)) + "...";
 }
 
+std::string short_sentence(std::string_view text)
+{
+    constexpr std::size_t most = 380;
+    if (text.size() <= most) return printable(text);
+    std::size_t begin = text.size() - most; // not inside a letter
+    while (begin < text.size() && (static_cast<unsigned char>(text[begin]) & 0xC0u) == 0x80)
+        ++begin;
+    return "..." + printable(text.substr(begin));
+}
+
 std::vector<std::string_view> trimmed_lines(std::string_view text)
 {
     constexpr std::string_view blank = " \t\r";

@@ -22,6 +22,10 @@ std::string printable(std::string_view text);
 // The same, cut after some 60 bytes, so that a sentence stays one.
 std::string excerpt(std::string_view text);
 
+// What is to be told as one sentence, whatever a file or a path brings into it: printable, and where
+// it is longer than 380 bytes cut in front, since what is wrong stands at the end.
+std::string short_sentence(std::string_view text);
+
 // The text's lines without the blanks at their ends, in their order; empty ones too.
 std::vector<std::string_view> trimmed_lines(std::string_view text);
 

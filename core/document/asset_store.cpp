@@ -3,6 +3,7 @@
 
 #include "core/base/digest.h"
 #include "core/base/rejected.h"
+#include "core/base/text.h"
 #include "core/files/companions.h"
 
 #include <filesystem>
@@ -80,7 +81,7 @@ AssetStore::Loaded AssetStore::load(const ImportedFile& file, const Progress& pr
             entry->second.notices = model.notices;
             entry->second.model = make_ref(std::move(model));
         } catch (const Rejected& error) {
-            entry->second.notices = {error.what()};
+            entry->second.notices = {short_sentence(error.what())};
         } catch (...) {
             state_->loaded.erase(entry);
             throw;

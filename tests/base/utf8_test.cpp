@@ -49,5 +49,14 @@ TEST(Excerpt, IsShortAndEndsAfterAWholeLetter)
     }
 }
 
+TEST(ShortSentence, KeepsItsEndWhereWhatIsWrongStands)
+{
+    EXPECT_EQ(short_sentence("a\nb: there is no such file"), "a?b: there is no such file");
+    const std::string told = short_sentence(std::string(4000, 'a') + ": there is no such file");
+    EXPECT_TRUE(told.starts_with("...aaa"));
+    EXPECT_TRUE(told.ends_with("a: there is no such file"));
+    EXPECT_LT(told.size(), 400u);
+}
+
 } // namespace
 } // namespace trivar

@@ -68,5 +68,12 @@ TEST(LongNames, AreCutInWhatAnObjectSaysOfItsClips)
     expect_short(shown.objects.at(1)->notices.front());
 }
 
+TEST(LongNames, AreCutWhereTheFileOfThatNameIsMissing)
+{
+    const AssetStore assets(".");
+    for (const std::string& path : {long_name + ".obj", "AAAA" + long_name})
+        expect_short(assets.load({path, ""}).notices.at(0));
+}
+
 } // namespace
 } // namespace trivar
