@@ -5,6 +5,7 @@
 #include "core/files/file_bytes.h"
 #include "core/files/formats.h"
 #include "core/files/image.h"
+#include "core/files/writable.h"
 
 #include <algorithm>
 #include <array>
@@ -45,6 +46,7 @@ void check_model_name(const std::string& path)
 void write_model(const Model& model, const std::string& path)
 {
     check_model_name(path);
+    check_writable(model, path);
     const std::string extension = extension_of(path);
     if (extension == ".glb")
         write_bytes(path, write_glb(model));

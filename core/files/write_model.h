@@ -12,7 +12,7 @@ namespace trivar {
 // OBJ are written Y up, the others Z up. Formats keep what they can hold: GLB the nodes and every
 // attribute and material, its faces cut to triangles; OBJ polygons, normals, one UV set, materials
 // and groups; PLY polygons, normals, one UV set and colours; OFF polygons; STL triangles. Throws
-// Rejected.
+// Rejected, also where the file would hold nothing that can be read (core/files/writable.h).
 void write_model(const Model& model, const std::string& path);
 
 // Throws Rejected where the name ends as none of these.
