@@ -142,7 +142,7 @@ GltfFile::Buffer GltfFile::opened(const GltfEntry& buffer, std::optional<std::st
                     is_data_uri(uri)
                         ? std::string("the text of its data uri is no base64")
                         : fmt::format("its file '{}' is not in the folder of the glTF file",
-                                      printable(uri))};
+                                      excerpt(uri))};
         if (!is_data_uri(uri)) byte_count_ += bytes->size();
         known = by_uri_.emplace(uri, std::move(*bytes)).first;
     }

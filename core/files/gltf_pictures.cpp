@@ -20,8 +20,8 @@ std::uintmax_t picture_bytes(std::uintmax_t file_bytes)
 std::string picture_name(const GltfEntry& image, std::size_t number)
 {
     const std::string_view name = image.text("name"), uri = image.text("uri");
-    if (!name.empty()) return printable(name);
-    if (!uri.empty() && !is_data_uri(uri)) return printable(uri);
+    if (!name.empty()) return excerpt(name);
+    if (!uri.empty() && !is_data_uri(uri)) return excerpt(uri);
     return fmt::format("picture {}", number);
 }
 
@@ -60,7 +60,7 @@ Ref<Image> GltfPictures::read(const GltfEntry& image, std::size_t number)
             known->second = decoded(*bytes, name);
         else
             notices_.add("the picture '{1}' is not in its folder",
-                         "{0} pictures are not in its folder, '{1}' for one", 1, printable(uri));
+                         "{0} pictures are not in its folder, '{1}' for one", 1, excerpt(uri));
         return known->second;
     } catch (const Rejected& why) {
         std::string_view sentence =

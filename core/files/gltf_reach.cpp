@@ -61,8 +61,7 @@ void check_gltf_reach(Model& model, const std::string& file_name, CountedNotices
             "{}: {} reaches {:.3g} m from the origin, and places up to {:g} m can be worked with: "
             "is its unit or a scale wrong?",
             file_name,
-            node.name.empty() ? "a mesh"
-                              : fmt::format("the mesh of node '{}'", printable(node.name)),
+            node.name.empty() ? "a mesh" : fmt::format("the mesh of node '{}'", excerpt(node.name)),
             furthest_coordinate(model, index, stance_at(model, nullptr, 0)), gltf_most_coordinate));
     }
 }

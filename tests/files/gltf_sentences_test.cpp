@@ -61,6 +61,19 @@ TEST(GltfSentences, NeverPrintADataUri)
                       Not(HasSubstr("octet"))));
 }
 
+TEST(GltfSentences, CutTheNamesOfFilesThatAreEndless)
+{
+    const std::string endless(3000, 'A');
+    GltfText text = triangle_gltf();
+    text["buffers"][0]["uri"] = endless;
+    EXPECT_LT(gltf_refusal(text).size(), 400u);
+    text = textured_gltf();
+    text["images"][0]["uri"] = endless;
+    const Model model = read_gltf_text(text);
+    ASSERT_EQ(model.notices.size(), 1u);
+    EXPECT_LT(model.notices[0].size(), 400u);
+}
+
 TEST(GltfSentences, SayWhyThereAreNoFaces)
 {
     GltfText text = triangle_gltf();
