@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/editor.h"
 
-#include "editor/actions.h"
-#include "editor/hints.h"
-#include "editor/panels/inspect.h"
+#include "editor/actions/actions.h"
+#include "editor/help/hints.h"
+#include "editor/panels/inspector/inspect.h"
 #include "editor/panels/panels.h"
 
 #include <filesystem>

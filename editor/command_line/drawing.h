@@ -3,7 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "editor/command_line/command_line.h"
-#include "editor/still.h"
+#include "editor/picture/still.h"
 #include "gpu/context.h"
 
 #include <optional>

@@ -8,8 +8,8 @@
 #include "core/document/parameters.h"
 #include "core/files/image.h"
 #include "core/files/write_model.h"
-#include "editor/volume_facts.h"
-#include "editor/volume_words.h"
+#include "editor/picture/volume_facts.h"
+#include "editor/words/volume_words.h"
 
 #include <algorithm>
 #include <cmath>

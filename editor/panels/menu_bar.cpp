@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/menu_letters.h"
+#include "editor/actions/menu_letters.h"
 #include "editor/panels/panels.h"
 
 #include <algorithm>

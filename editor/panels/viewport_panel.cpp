@@ -3,10 +3,10 @@
 
 #include "core/base/memory.h"
 #include "core/base/text.h"
-#include "editor/captions.h"
-#include "editor/file_words.h"
 #include "editor/panels/foot_cards.h"
-#include "editor/volume_picture.h"
+#include "editor/picture/captions.h"
+#include "editor/picture/volume_picture.h"
+#include "editor/words/file_words.h"
 #include "ui/icons.h"
 #include "ui/timing_overlay.h"
 #include "ui/widgets.h"

@@ -3,10 +3,10 @@
 
 #include "core/base/rounded.h"
 #include "core/ffd/resolution.h"
+#include "editor/picture/volume_picture.h"
 #include "editor/tools/last_shaping.h"
 #include "editor/tools/placement_handles.h"
 #include "editor/tools/select.h"
-#include "editor/volume_picture.h"
 #include "ui/icons.h"
 #include "ui/option_bar.h"
 #include "ui/widgets.h"

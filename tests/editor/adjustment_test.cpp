@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/adjustment.h"
+#include "editor/commands/adjustment.h"
 
-#include "editor/actions.h"
-#include "editor/key_presets.h"
+#include "editor/actions/actions.h"
+#include "editor/actions/key_presets.h"
 #include "tests/editor/rig.h"
 #include "tests/editor/shared_keys.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/captions.h"
+#include "editor/picture/captions.h"
 
 #include "core/files/image.h"
 #include "editor/command_line/replay.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/clipboard.h"
+#include "editor/commands/clipboard.h"
 
 #include "core/document/log.h"
-#include "editor/actions.h"
+#include "editor/actions/actions.h"
 #include "tests/editor/boxes.h"
 #include "tests/editor/scenes.h"
 #include "tests/support/fixtures.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/command_form.h"
+#include "editor/commands/command_form.h"
 
 #include "core/base/rejected.h"
-#include "editor/as_it_is.h"
+#include "editor/commands/as_it_is.h"
+#include "editor/commands/typed_command.h"
 #include "editor/editor.h"
-#include "editor/typed_command.h"
 #include "tests/editor/rig.h"
 
 #include <gmock/gmock.h>

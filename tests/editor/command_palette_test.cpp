@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/command_palette.h"
+#include "editor/commands/command_palette.h"
 
-#include "editor/actions.h"
+#include "editor/actions/actions.h"
 #include "editor/editor.h"
-#include "editor/letters_in_order.h"
+#include "editor/words/letters_in_order.h"
 #include "tests/editor/rig.h"
 
 #include <gmock/gmock.h>

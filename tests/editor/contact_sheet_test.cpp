@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/contact_sheet.h"
+#include "editor/record/contact_sheet.h"
 
 #include "core/base/rejected.h"
 #include "core/files/image.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/draft_pace.h"
+#include "editor/viewport/draft_pace.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "core/base/text.h"
 #include "core/document/command.h"
 #include "core/document/log.h"
-#include "editor/actions.h"
+#include "editor/actions/actions.h"
 #include "editor/tools/place.h"
 #include "tests/editor/rig.h"
 #include "tests/support/fixtures.h"

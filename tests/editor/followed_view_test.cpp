@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/followed_view.h"
+#include "editor/session/followed_view.h"
 
 #include "core/document/keying.h"
-#include "editor/timeline/key_actions.h"
+#include "editor/actions/key_actions.h"
 #include "tests/editor/rig.h"
 
 namespace trivar {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/text.h"
+#include "editor/actions/file_actions.h"
 #include "editor/command_line/command_line.h"
-#include "editor/file_actions.h"
 #include "tests/editor/boxes.h"
 #include "tests/editor/scenes.h"
 #include "tests/support/fixtures.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/hints.h"
+#include "editor/help/hints.h"
 
-#include "editor/help_actions.h"
+#include "editor/actions/help_actions.h"
 #include "editor/panels/foot_cards.h"
 #include "tests/editor/rig.h"
 

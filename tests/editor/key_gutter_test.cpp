@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/panels/key_gutter.h"
+#include "editor/panels/inspector/key_gutter.h"
 
 #include "core/document/parameters.h"
-#include "editor/timeline/key_actions.h"
+#include "editor/actions/key_actions.h"
 #include "tests/editor/rig.h"
 #include "tests/editor/scenes.h"
 

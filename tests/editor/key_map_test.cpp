@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/key_map.h"
+#include "editor/preferences/key_map.h"
 
-#include "editor/actions.h"
+#include "editor/actions/actions.h"
 #include "tests/editor/rig.h"
 #include "tests/editor/shared_keys.h"
 

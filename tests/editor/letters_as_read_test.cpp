@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/panels/letters_as_read.h"
+#include "editor/panels/inspector/letters_as_read.h"
 
 #include "core/text/installed_fonts.h"
 #include "core/text/text_shape.h"

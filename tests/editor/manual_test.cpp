@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/manual.h"
+#include "editor/help/manual.h"
 
 #include "core/base/text.h"
-#include "editor/stored_pictures.h"
-#include "editor/words_with_keys.h"
+#include "editor/actions/words_with_keys.h"
+#include "editor/picture/stored_pictures.h"
 #include "tests/editor/rig.h"
 
 #include <filesystem>

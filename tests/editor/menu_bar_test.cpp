@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/actions.h"
-#include "editor/menu_letters.h"
+#include "editor/actions/actions.h"
+#include "editor/actions/menu_letters.h"
 #include "tests/editor/rig.h"
 #include "tests/support/fixtures.h"
 

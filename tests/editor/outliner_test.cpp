@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/outline.h"
+#include "editor/session/outline.h"
 
-#include "editor/actions.h"
+#include "editor/actions/actions.h"
 #include "tests/editor/rig.h"
 #include "tests/editor/scenes.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/places.h"
+#include "editor/files/places.h"
 
 #include "tests/support/fixtures.h"
 

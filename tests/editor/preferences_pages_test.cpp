@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the preferences do, beside the file they are kept in.
-#include "editor/panels/preferences_pages.h"
+#include "editor/panels/dialogs/preferences_pages.h"
 
-#include "editor/about.h"
-#include "editor/actions.h"
+#include "editor/actions/actions.h"
+#include "editor/help/about.h"
 #include "tests/editor/rig.h"
 #include "tests/support/fixtures.h"
 

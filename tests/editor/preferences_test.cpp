@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/preferences.h"
+#include "editor/preferences/preferences.h"
 
 #include "core/base/text.h"
 #include "tests/support/fixtures.h"

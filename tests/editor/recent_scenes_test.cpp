@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/recent_scenes.h"
-#include "editor/samples.h"
+#include "editor/session/recent_scenes.h"
+#include "editor/session/samples.h"
 
 #include "core/document/log.h"
-#include "editor/help_actions.h"
-#include "editor/panels/welcome.h"
+#include "editor/actions/help_actions.h"
+#include "editor/panels/help/welcome.h"
 #include "tests/editor/rig.h"
 #include "tests/support/fixtures.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/actions.h"
+#include "editor/actions/actions.h"
 #include "tests/editor/rig.h"
 
 namespace trivar {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/relink.h"
+#include "editor/files/relink.h"
 
 #include "tests/editor/rig.h"
 #include "tests/support/fixtures.h"

@@ -3,7 +3,7 @@
 #include "core/base/text.h"
 #include "core/files/image.h"
 #include "editor/command_line/command_line.h"
-#include "editor/sequence.h"
+#include "editor/record/sequence.h"
 #include "tests/editor/scenes.h"
 #include "tests/support/fixtures.h"
 

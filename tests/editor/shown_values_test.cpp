@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/picture.h"
+#include "editor/picture/picture.h"
 #include "tests/editor/rig.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/panels/curve_scale.h"
-#include "editor/timeline/key_actions.h"
+#include "editor/actions/key_actions.h"
+#include "editor/panels/timeline/curve_scale.h"
 #include "tests/editor/rig.h"
 
 namespace trivar {

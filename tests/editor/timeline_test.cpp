@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/panels/timeline.h"
+#include "editor/panels/timeline/timeline.h"
 
-#include "editor/time_actions.h"
+#include "editor/actions/time_actions.h"
 #include "tests/editor/rig.h"
 #include "tests/editor/scenes.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/field_words.h"
+#include "editor/words/field_words.h"
 #include "tests/editor/rig.h"
 #include "ui/sentence.h"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/tutorial.h"
+#include "editor/help/tutorial.h"
 
 #include "core/base/text.h"
 #include "core/document/evaluate.h"
 #include "core/document/log.h"
-#include "editor/help_actions.h"
-#include "editor/markdown.h"
-#include "editor/words_with_keys.h"
+#include "editor/actions/help_actions.h"
+#include "editor/actions/words_with_keys.h"
+#include "editor/words/markdown.h"
 #include "tests/editor/rig.h"
 #include "tests/support/fixtures.h"
 

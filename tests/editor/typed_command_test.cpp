@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/typed_command.h"
+#include "editor/commands/typed_command.h"
 
 #include "core/base/rejected.h"
 

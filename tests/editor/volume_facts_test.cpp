@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/volume_facts.h"
+#include "editor/picture/volume_facts.h"
 
 #include "ui/theme.h"
 

@@ -3,7 +3,7 @@
 // the page speaks of. Without arguments all of them, else those that are named.
 
 #include "core/files/image.h"
-#include "editor/help_actions.h"
+#include "editor/actions/help_actions.h"
 #include "tests/editor/rig.h"
 
 #include <algorithm>
