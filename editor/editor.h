@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/parallel.h"
+#include "editor/action.h"
 #include "editor/commands/adjustment.h"
 #include "editor/commands/command_field.h"
 #include "editor/commands/command_palette.h"
@@ -30,8 +31,6 @@
 #include <vector>
 
 namespace trivar {
-
-struct Action;
 
 // The whole editor between two frames. Panels read and change it; nothing else holds state.
 struct Editor {
