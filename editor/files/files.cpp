@@ -7,7 +7,6 @@
 #include "core/files/file_bytes.h"
 #include "core/files/write_model.h"
 #include "editor/files/relink.h"
-#include "editor/preferences/preferences.h"
 #include "editor/words/file_words.h"
 
 #include <filesystem>

@@ -244,12 +244,6 @@ void remember(std::vector<std::string>& recent, const std::string& what, std::si
     if (recent.size() > most) recent.resize(most);
 }
 
-std::string for_days(int days)
-{
-    if (days == 365) return "for a year";
-    return "for " + (days == 1 ? std::string("a day") : std::to_string(days) + " days");
-}
-
 double next_scale(double scale, int direction)
 {
     constexpr double nearly = 1e-6;

@@ -60,9 +60,6 @@ inline constexpr std::size_t most_remembered = 16;
 void remember(std::vector<std::string>& recent, const std::string& what,
               std::size_t most = most_remembered);
 
-// "for 30 days", "for a year".
-std::string for_days(int days);
-
 // The scales of the interface that can be chosen, rising; and the next one up or down.
 inline constexpr std::array interface_scales{0.75, 0.9, 1.0, 1.1, 1.25, 1.5, 2.0};
 double next_scale(double scale, int direction);

@@ -5,7 +5,6 @@
 #include "core/document/kept_scenes.h"
 #include "core/document/keying.h"
 #include "core/document/parameters.h"
-#include "editor/preferences/preferences.h"
 #include "editor/session/selection.h"
 #include "editor/words/file_words.h"
 #include "ui/camera_control.h"

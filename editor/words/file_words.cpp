@@ -31,4 +31,10 @@ std::string with_long_home(const std::string& folder)
     return home && (folder == "~" || folder.starts_with("~/")) ? home + folder.substr(1) : folder;
 }
 
+std::string for_days(int days)
+{
+    if (days == 365) return "for a year";
+    return "for " + (days == 1 ? std::string("a day") : std::to_string(days) + " days");
+}
+
 } // namespace trivar

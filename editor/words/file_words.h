@@ -19,4 +19,7 @@ std::string reason(const std::string& why, const std::string& path);
 std::string with_short_home(const std::string& folder);
 std::string with_long_home(const std::string& folder);
 
+// "for 30 days", "for a year".
+std::string for_days(int days);
+
 } // namespace trivar

@@ -2,6 +2,7 @@
 #include "editor/preferences/preferences.h"
 
 #include "core/base/text.h"
+#include "editor/words/file_words.h"
 #include "tests/support/fixtures.h"
 
 #include <filesystem>
