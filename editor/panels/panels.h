@@ -90,7 +90,6 @@ void draw_other_numbers(Editor& editor, const ui::Theme& theme, Id id);
 
 // The page of the preferences that shows every key and changes it.
 void draw_key_map(Editor& editor, const ui::Theme& theme, const ui::Rect& page);
-void ask_for_key(Editor& editor, const std::string& action); // opens that page
 
 // An action as an item of the menu that is open.
 void menu_item(Editor& editor, const Action& each);

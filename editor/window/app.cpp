@@ -4,6 +4,7 @@
 #include "core/base/rejected.h"
 #include "editor/actions/actions.h"
 #include "editor/actions/help_actions.h"
+#include "editor/actions/use_keys.h"
 #include "editor/editor.h"
 #include "ui/window.h"
 

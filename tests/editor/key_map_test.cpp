@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/preferences/key_map.h"
+#include "editor/actions/use_keys.h"
 
 #include "editor/actions/actions.h"
 #include "tests/editor/rig.h"

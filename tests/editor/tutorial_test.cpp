@@ -5,6 +5,7 @@
 #include "core/document/evaluate.h"
 #include "core/document/log.h"
 #include "editor/actions/help_actions.h"
+#include "editor/actions/use_keys.h"
 #include "editor/actions/words_with_keys.h"
 #include "editor/words/markdown.h"
 #include "tests/editor/rig.h"

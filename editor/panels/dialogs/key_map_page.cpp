@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/key_presets.h"
+#include "editor/actions/use_keys.h"
 #include "editor/panels/panels.h"
 #include "editor/words/letters_in_order.h"
 #include "ui/icons.h"
@@ -205,15 +206,6 @@ void draw_presets(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
 }
 
 } // namespace
-
-void ask_for_key(Editor& editor, const std::string& action)
-{
-    auto& dialog = editor.preferences_dialog;
-    dialog = {};
-    dialog.open = dialog.show_asking = true;
-    dialog.page = dialog.of_keys;
-    dialog.asking = action;
-}
 
 void draw_key_map(Editor& editor, const ui::Theme& theme, const ui::Rect& page)
 {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/actions/use_keys.h"
 #include "editor/panels/dialogs/preferences_pages.h"
 #include "editor/panels/panels.h"
 #include "ui/dialog.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/actions/use_keys.h"
 #include "editor/commands/command_palette.h"
 #include "editor/panels/lists/palette_rows.h"
 #include "editor/panels/panels.h"

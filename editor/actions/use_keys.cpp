@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/preferences/key_map.h"
+#include "editor/actions/use_keys.h"
 
-#include "editor/actions/actions.h"
+#include "editor/editor.h"
 
 #include <algorithm>
 
@@ -67,6 +67,15 @@ std::vector<std::string> give_usual_keys(std::vector<Action>& actions, const std
     const auto found = std::ranges::find(actions, name, &Action::name);
     if (found == actions.end()) return {};
     return give(actions, name, std::vector(found->usual_keys));
+}
+
+void ask_for_key(Editor& editor, const std::string& action)
+{
+    auto& dialog = editor.preferences_dialog;
+    dialog = {};
+    dialog.open = dialog.show_asking = true;
+    dialog.page = dialog.of_keys;
+    dialog.asking = action;
 }
 
 } // namespace trivar
