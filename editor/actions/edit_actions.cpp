@@ -5,6 +5,7 @@
 #include "editor/commands/clipboard.h"
 #include "editor/editor.h"
 #include "editor/panels/panels.h"
+#include "editor/session/scene_facts.h"
 
 #include <algorithm>
 #include <imgui.h>

@@ -2,6 +2,7 @@
 #include "editor/actions/key_actions.h"
 
 #include "editor/editor.h"
+#include "editor/session/session_facts.h"
 
 #include <algorithm>
 #include <cmath>

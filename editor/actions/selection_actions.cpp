@@ -2,6 +2,7 @@
 #include "editor/actions/selection_actions.h"
 
 #include "editor/editor.h"
+#include "editor/session/scene_facts.h"
 #include "editor/tools/select.h"
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 
 #include "editor/actions/chords.h"
 #include "editor/editor.h"
+#include "editor/session/session_facts.h"
 #include "ui/camera_control.h"
 
 namespace trivar {

@@ -5,6 +5,8 @@
 #include "core/base/text.h"
 #include "core/document/log.h"
 #include "editor/commands/run_lines.h"
+#include "editor/session/scene_facts.h"
+#include "editor/session/session_facts.h"
 #include "ui/sentence.h"
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 #include "core/base/rejected.h"
 #include "core/files/file_bytes.h"
 #include "editor/files/files.h"
+#include "editor/session/scene_names.h"
 #include "editor/words/file_words.h"
 
 #include <algorithm>

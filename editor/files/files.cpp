@@ -7,6 +7,8 @@
 #include "core/files/file_bytes.h"
 #include "core/files/write_model.h"
 #include "editor/files/relink.h"
+#include "editor/session/scene_facts.h"
+#include "editor/session/scene_names.h"
 #include "editor/words/file_words.h"
 
 #include <filesystem>

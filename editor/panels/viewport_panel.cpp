@@ -6,6 +6,7 @@
 #include "editor/panels/foot_cards.h"
 #include "editor/picture/captions.h"
 #include "editor/picture/volume_picture.h"
+#include "editor/session/scene_facts.h"
 #include "editor/words/file_words.h"
 #include "ui/icons.h"
 #include "ui/timing_overlay.h"

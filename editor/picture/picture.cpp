@@ -72,6 +72,14 @@ void add_points(std::vector<glm::dvec3>& points, const EvaluatedObject& object)
             points.emplace_back(part.to_world * glm::dvec4(p, 1));
 }
 
+std::vector<glm::dvec3> points_of(const Evaluated& evaluated, const std::vector<Id>& aside)
+{
+    std::vector<glm::dvec3> points;
+    for (const auto& [id, object] : evaluated.objects)
+        if (!std::ranges::binary_search(aside, id)) add_points(points, *object);
+    return points;
+}
+
 Camera picture_camera(const Evaluated& evaluated, const Document& document, glm::ivec2 size_px)
 {
     const auto bookmark = document.bookmarks.find("picture");

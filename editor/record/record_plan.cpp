@@ -4,6 +4,7 @@
 #include "core/base/digest.h"
 #include "core/base/rejected.h"
 #include "editor/record/video.h"
+#include "editor/session/scene_names.h"
 #include "editor/words/file_words.h"
 
 #include <filesystem>

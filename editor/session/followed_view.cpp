@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/session/followed_view.h"
 
-#include "editor/session/session.h"
 #include "ui/camera_control.h"
 
 namespace trivar {
@@ -19,16 +18,6 @@ Camera followed(std::optional<FollowedView>& view, const Document& document, Cam
     }
     view->shown = ui::reshaped(kept->second, size_px);
     return *view->shown;
-}
-
-Camera camera_for_pictures(const Session& session)
-{
-    const auto kept = session.document().bookmarks.find("picture");
-    if (kept == session.document().bookmarks.end()) return session.camera;
-    if (session.follows && session.follows->name == "picture" &&
-        session.follows->shown == session.camera)
-        return kept->second;
-    return ui::reshaped(session.camera, kept->second.size_px);
 }
 
 } // namespace trivar

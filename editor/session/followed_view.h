@@ -20,8 +20,4 @@ struct FollowedView {
 Camera followed(std::optional<FollowedView>& view, const Document& document, Camera camera,
                 glm::dvec2 size_px);
 
-class Session;
-// What the window shows now, in the shape that the view of pictures has already, if it is kept.
-Camera camera_for_pictures(const Session& session);
-
 } // namespace trivar

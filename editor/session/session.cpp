@@ -5,7 +5,11 @@
 #include "core/document/kept_scenes.h"
 #include "core/document/keying.h"
 #include "core/document/parameters.h"
+#include "editor/picture/picture.h"
+#include "editor/session/scene_facts.h"
+#include "editor/session/scene_names.h"
 #include "editor/session/selection.h"
+#include "editor/session/topics.h"
 #include "editor/words/file_words.h"
 #include "ui/camera_control.h"
 
@@ -428,7 +432,7 @@ void Session::poll()
         if (up_to_date()) tell_what_is_missing();
         if (frame_all_when_evaluated && up_to_date() && !evaluated_.objects.empty()) {
             frame_all_when_evaluated = false;
-            camera = ui::framed(camera, points_of(*this, {}));
+            camera = ui::framed(camera, points_of(evaluated_, aside));
         }
     }
     finish_check();

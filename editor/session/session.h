@@ -7,7 +7,6 @@
 #include "editor/session/followed_view.h"
 #include "editor/session/left_scene.h"
 #include "editor/session/selection.h"
-#include "editor/session/session_facts.h"
 #include "ui/notices.h"
 
 #include <ctime>

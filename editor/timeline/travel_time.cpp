@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/timeline/travel_time.h"
 
+#include "editor/session/scene_facts.h"
+
 #include <algorithm>
 #include <cmath>
 

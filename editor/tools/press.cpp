@@ -4,6 +4,7 @@
 #include "core/base/rounded.h"
 #include "core/ffd/resolution.h"
 #include "editor/picture/volume_picture.h"
+#include "editor/session/topics.h"
 #include "editor/tools/last_shaping.h"
 #include "editor/tools/placement_handles.h"
 #include "editor/tools/select.h"

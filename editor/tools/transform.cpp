@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/transform.h"
 
+#include "editor/session/scene_facts.h"
+#include "editor/session/session_facts.h"
 #include "editor/tools/gesture_keys.h"
 #include "editor/tools/select.h"
 #include "ui/icons.h"

@@ -6,6 +6,7 @@
 #include "editor/actions/help_actions.h"
 #include "editor/actions/use_keys.h"
 #include "editor/editor.h"
+#include "editor/session/scene_names.h"
 #include "ui/window.h"
 
 #include <cstdio>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/session/session_facts.h"
+#include "editor/session/scene_facts.h"
 #include "tests/editor/rig.h"
 #include "tests/support/fixtures.h"
 #include "tests/support/rigged.h"

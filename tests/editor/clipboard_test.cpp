@@ -3,6 +3,7 @@
 
 #include "core/document/log.h"
 #include "editor/actions/actions.h"
+#include "editor/session/scene_facts.h"
 #include "tests/editor/boxes.h"
 #include "tests/editor/scenes.h"
 #include "tests/support/fixtures.h"

@@ -3,6 +3,8 @@
 #include "core/document/command.h"
 #include "core/document/log.h"
 #include "editor/actions/actions.h"
+#include "editor/session/scene_facts.h"
+#include "editor/session/scene_names.h"
 #include "editor/tools/place.h"
 #include "tests/editor/rig.h"
 #include "tests/support/fixtures.h"

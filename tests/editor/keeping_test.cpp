@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What becomes of work that is let go, and what the window says of it.
+#include "editor/session/scene_facts.h"
 #include "tests/editor/rig.h"
 #include "tests/support/fixtures.h"
 

@@ -2,6 +2,7 @@
 #include "editor/session/outline.h"
 
 #include "editor/actions/actions.h"
+#include "editor/session/scene_facts.h"
 #include "tests/editor/rig.h"
 #include "tests/editor/scenes.h"
 

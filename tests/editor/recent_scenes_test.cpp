@@ -5,6 +5,7 @@
 #include "core/document/log.h"
 #include "editor/actions/help_actions.h"
 #include "editor/panels/help/welcome.h"
+#include "editor/session/scene_names.h"
 #include "tests/editor/rig.h"
 #include "tests/support/fixtures.h"
 

@@ -2,6 +2,7 @@
 #include "editor/commands/run_lines.h"
 
 #include "editor/files/files.h"
+#include "editor/session/scene_facts.h"
 #include "tests/editor/rig.h"
 #include "tests/support/fixtures.h"
 

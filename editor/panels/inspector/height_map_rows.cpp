@@ -2,6 +2,7 @@
 #include "editor/panels/inspector/height_map_rows.h"
 
 #include "core/placement/profile.h"
+#include "editor/session/scene_facts.h"
 #include "ui/height_field.h"
 
 #include <cmath>

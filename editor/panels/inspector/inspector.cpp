@@ -7,6 +7,8 @@
 #include "editor/commands/new_material.h"
 #include "editor/panels/inspector/key_gutter.h"
 #include "editor/panels/panels.h"
+#include "editor/session/scene_facts.h"
+#include "editor/session/session_facts.h"
 #include "editor/words/field_words.h"
 #include "ui/icons.h"
 #include "ui/sentence.h"

@@ -3,6 +3,7 @@
 #include "editor/panels/inspector/inspect.h"
 #include "editor/panels/inspector/key_gutter.h"
 #include "editor/panels/panels.h"
+#include "editor/session/session_facts.h"
 #include "editor/tools/motion.h"
 #include "editor/words/field_words.h"
 #include "ui/icons.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/panels.h"
+#include "editor/session/scene_facts.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
 

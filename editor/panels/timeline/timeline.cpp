@@ -4,6 +4,7 @@
 #include "editor/actions/key_actions.h"
 #include "editor/actions/time_actions.h"
 #include "editor/panels/inspector/inspect.h"
+#include "editor/session/scene_facts.h"
 #include "editor/words/field_words.h"
 #include "ui/icons.h"
 
