@@ -97,8 +97,6 @@ void menu_item(Editor& editor, const Action& each);
 void draw_object_menu(Editor& editor, const ui::Theme& theme, const char* name);
 void draw_add_menu(Editor& editor, const ui::Theme& theme); // at the mouse, when it is asked for
 
-const char* icon_of(const Object& object);
-
 // A row of the outliner; whether its menu is asked for.
 bool draw_outline_row(Editor& editor, const ui::Theme& theme, const std::vector<OutlineRow>& rows,
                       std::size_t index, const ui::Rect& place);

@@ -4,6 +4,7 @@
 #include "core/base/rejected.h"
 #include "editor/session/selection.h"
 #include "editor/words/letters_in_order.h"
+#include "ui/icons.h"
 
 #include <algorithm>
 #include <cctype>
@@ -127,6 +128,12 @@ std::string type_of(const Object& object)
     if (std::holds_alternative<GroupShape>(object.source)) return "Group";
     if (std::holds_alternative<TextShape>(object.source)) return "Text";
     return std::holds_alternative<ImportedFile>(object.source) ? "Model" : "Primitive";
+}
+
+const char* icon_of(const Object& object)
+{
+    if (object.placement) return ui::icon::place;
+    return std::holds_alternative<GroupShape>(object.source) ? ui::icon::group : ui::icon::mesh;
 }
 
 std::vector<OutlineRow> outline(const Document& document, const std::string& filter,

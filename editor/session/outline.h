@@ -51,5 +51,6 @@ struct OutlinerState {
 };
 
 std::string type_of(const Object& object);
+const char* icon_of(const Object& object);
 
 } // namespace trivar

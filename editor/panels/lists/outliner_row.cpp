@@ -147,12 +147,6 @@ std::string trouble_of(const Session& session, Id id)
 
 } // namespace
 
-const char* icon_of(const Object& object)
-{
-    if (object.placement) return ui::icon::place;
-    return std::holds_alternative<GroupShape>(object.source) ? ui::icon::group : ui::icon::mesh;
-}
-
 bool draw_outline_row(Editor& editor, const ui::Theme& theme, const std::vector<OutlineRow>& rows,
                       std::size_t index, const ui::Rect& place)
 {
