@@ -36,4 +36,6 @@ struct PreferencesDialog {
     std::optional<std::size_t> discarded; // scenes; counted when they are first shown
 };
 
+const char* preferences_page_name(int page);
+
 } // namespace trivar

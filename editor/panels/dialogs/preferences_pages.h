@@ -23,7 +23,6 @@ void draw_about_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r);
 void copy_about();                           // as text, to the clipboard
 void reset_preferences_page(Editor& editor); // the one that is shown, as it is drawn next
 
-const char* preferences_page_name(int page);
 const Preferences& usual_preferences(); // as they are at first
 
 // Their rows: a label, with a dot where the value is not the usual one. The dot brings that back.

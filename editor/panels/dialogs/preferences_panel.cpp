@@ -14,21 +14,12 @@
 namespace trivar {
 namespace {
 
-struct PageOf {
-    const char* name;
-    void (*draw)(Editor&, const ui::Theme&, const ui::Rect&); // none: the key map, which scrolls
+// In the order of their names; null: the key map, which scrolls.
+using DrawPage = void (*)(Editor&, const ui::Theme&, const ui::Rect&);
+constexpr std::array<DrawPage, PreferencesDialog::page_count> pages{
+    draw_general_page, draw_interface_page,   draw_viewport_page,      draw_mouse_page, nullptr,
+    draw_files_page,   draw_performance_page, draw_accessibility_page, draw_about_page,
 };
-constexpr std::array<PageOf, PreferencesDialog::page_count> pages{{
-    {"General", draw_general_page},
-    {"Interface", draw_interface_page},
-    {"Viewport", draw_viewport_page},
-    {"Mouse and trackpad", draw_mouse_page},
-    {"Key map", nullptr},
-    {"Files and recovery", draw_files_page},
-    {"Performance", draw_performance_page},
-    {"Accessibility", draw_accessibility_page},
-    {"About", draw_about_page},
-}};
 
 void draw_page_names(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
 {
@@ -53,8 +44,8 @@ void draw_page_names(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
     for (int i = 0; i < std::ssize(pages); ++i) {
         const ui::Rect row = place(i);
         ImGui::SetCursorScreenPos({row.lo.x, row.lo.y});
-        const bool clicked = ImGui::InvisibleButton(pages[static_cast<std::size_t>(i)].name,
-                                                    {row.width(), row.height()});
+        const bool clicked =
+            ImGui::InvisibleButton(preferences_page_name(i), {row.width(), row.height()});
         if (ImGui::IsItemHovered()) hovered = i;
         if (clicked) turn(i);
     }
@@ -65,7 +56,7 @@ void draw_page_names(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
             ui::paint_box(row, on ? c.row_selected : c.row_hover, theme.size.rounding);
         ui::paint_text(on ? theme.font.strong : theme.font.body,
                        {row.lo + glm::vec2(theme.px(12), 0), row.hi}, on ? c.text : c.text_2,
-                       pages[static_cast<std::size_t>(i)].name);
+                       preferences_page_name(i));
     }
     ui::paint_box({{r.hi.x - theme.size.hairline, r.lo.y}, r.hi}, c.line_soft);
 }
@@ -74,24 +65,19 @@ void draw_page_names(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
 void draw_rows_of_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
 {
     auto& dialog = editor.preferences_dialog;
-    const PageOf& page = pages[static_cast<std::size_t>(dialog.page)];
-    if (!page.draw) return draw_key_map(editor, theme, r);
+    const DrawPage draw = pages[static_cast<std::size_t>(dialog.page)];
+    if (!draw) return draw_key_map(editor, theme, r);
     ui::Theme roomy = theme; // for longer labels than the inspector's
     roomy.size.label = theme.px(140);
     ImGui::SetCursorScreenPos({r.lo.x, r.lo.y + theme.px(12)});
-    ImGui::BeginChild(page.name, {r.width(), r.height() - theme.px(12)});
+    ImGui::BeginChild(preferences_page_name(dialog.page), {r.width(), r.height() - theme.px(12)});
     if (dialog.resetting) ui::reset_rows();
-    page.draw(editor, roomy, r);
+    draw(editor, roomy, r);
     dialog.resetting = false;
     ImGui::EndChild();
 }
 
 } // namespace
-
-const char* preferences_page_name(int page)
-{
-    return pages[static_cast<std::size_t>(page)].name;
-}
 
 void reset_preferences_page(Editor& editor)
 {
