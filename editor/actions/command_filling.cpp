@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/actions/command_filling.h"
+
 #include "core/base/rejected.h"
-#include "editor/commands/command_palette.h"
 #include "editor/editor.h"
 
 namespace trivar {

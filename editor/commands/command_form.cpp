@@ -3,9 +3,9 @@
 
 #include "core/base/expression.h"
 #include "core/base/text.h"
-#include "editor/commands/command_palette.h"
 #include "editor/commands/typed_command.h"
 #include "editor/words/field_words.h"
+#include "editor/words/ranked.h"
 
 #include <algorithm>
 #include <array>

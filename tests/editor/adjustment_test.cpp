@@ -3,6 +3,7 @@
 
 #include "editor/actions/actions.h"
 #include "editor/actions/key_presets.h"
+#include "editor/actions/palette_entries.h"
 #include "editor/actions/use_keys.h"
 #include "tests/editor/rig.h"
 #include "tests/editor/shared_keys.h"

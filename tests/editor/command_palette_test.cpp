@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/commands/command_palette.h"
+#include "editor/actions/palette_entries.h"
 
 #include "editor/actions/actions.h"
 #include "editor/editor.h"
 #include "editor/words/letters_in_order.h"
+#include "editor/words/ranked.h"
 #include "tests/editor/rig.h"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/actions.h"
+#include "editor/actions/command_filling.h"
 #include "tests/editor/rig.h"
 #include "tests/editor/scenes.h"
 

@@ -3,6 +3,7 @@
 #include "editor/panels/dialogs/preferences_pages.h"
 
 #include "editor/actions/actions.h"
+#include "editor/actions/palette_entries.h"
 #include "editor/help/about.h"
 #include "tests/editor/rig.h"
 #include "tests/support/fixtures.h"

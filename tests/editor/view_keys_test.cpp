@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What keys change of the window's picture alone.
 #include "editor/actions/actions.h"
-#include "editor/commands/command_palette.h"
+#include "editor/actions/palette_entries.h"
 #include "tests/editor/boxes.h"
 #include "tests/support/fixtures.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/actions/command_filling.h"
+#include "editor/actions/palette_entries.h"
 #include "editor/actions/use_keys.h"
-#include "editor/commands/command_palette.h"
 #include "editor/panels/lists/palette_rows.h"
 #include "editor/panels/panels.h"
 #include "ui/dialog.h"

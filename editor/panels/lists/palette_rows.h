@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "editor/commands/command_palette.h"
+#include "editor/actions/palette_entries.h"
+#include "editor/words/ranked.h"
 #include "ui/paint.h"
 #include "ui/theme.h"
 
