@@ -2,7 +2,7 @@
 #include "editor/editor.h"
 
 #include "editor/actions/actions.h"
-#include "editor/help/hints.h"
+#include "editor/actions/hint_steps.h"
 #include "editor/panels/inspector/inspect.h"
 #include "editor/panels/panels.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/help_actions.h"
 
-#include "editor/help/hints.h"
+#include "editor/actions/hint_steps.h"
 #include "editor/panels/panels.h"
 #include "editor/session/samples.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/help/hints.h"
+#include "editor/actions/hint_steps.h"
 
 #include "editor/actions/actions.h"
 #include "editor/editor.h"
