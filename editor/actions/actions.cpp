@@ -7,6 +7,7 @@
 #include "editor/actions/key_actions.h"
 #include "editor/actions/reset_actions.h"
 #include "editor/actions/selection_actions.h"
+#include "editor/actions/start_card.h"
 #include "editor/actions/time_actions.h"
 #include "editor/actions/view_actions.h"
 #include "editor/commands/new_material.h"

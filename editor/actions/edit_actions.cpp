@@ -2,9 +2,9 @@
 #include "editor/actions/edit_actions.h"
 
 #include "editor/actions/chords.h"
+#include "editor/actions/log_lines.h"
 #include "editor/commands/clipboard.h"
 #include "editor/editor.h"
-#include "editor/panels/panels.h"
 #include "editor/session/scene_facts.h"
 
 #include <algorithm>

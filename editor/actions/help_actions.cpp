@@ -2,7 +2,8 @@
 #include "editor/actions/help_actions.h"
 
 #include "editor/actions/hint_steps.h"
-#include "editor/panels/panels.h"
+#include "editor/actions/show_manual.h"
+#include "editor/editor.h"
 #include "editor/session/samples.h"
 
 #include <algorithm>

@@ -39,7 +39,6 @@ void draw_log(Editor& editor, const ui::Theme& theme, const Layout& layout);
 std::vector<std::string> inputs_now(const Editor& editor, const Hint& hint);
 void draw_status_line(Editor& editor, const ui::Theme& theme, const Layout& layout);
 void draw_manual(Editor& editor, const ui::Theme& theme);
-void show_manual(Editor& editor, const std::string& page, std::size_t block = 0);
 void draw_command_palette(Editor& editor, const ui::Theme& theme);
 void draw_filling(Editor& editor, const ui::Theme& theme); // of a command's values, in its place
 void draw_preferences(Editor& editor, const ui::Theme& theme);
@@ -56,9 +55,6 @@ class FootCards;
 std::optional<ui::Rect> draw_legend(const Document& document, const ui::Theme& theme,
                                     const FootCards& foot);
 void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
-bool log_lines_chosen(const Editor& editor); // in the log, which is shown
-bool copy_log_lines(Editor& editor);         // to the clipboard, as they stand; whether there were
-bool shows_welcome(const Editor& editor);
 void draw_welcome(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
 void draw_adjustment(Editor& editor, const ui::Theme& theme, const FootCards& foot);
 std::optional<ui::Rect> draw_hint_card(Editor& editor, const ui::Theme& theme,

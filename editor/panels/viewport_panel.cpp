@@ -3,6 +3,7 @@
 
 #include "core/base/memory.h"
 #include "core/base/text.h"
+#include "editor/actions/start_card.h"
 #include "editor/panels/foot_cards.h"
 #include "editor/picture/captions.h"
 #include "editor/picture/volume_picture.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/actions.h"
 #include "editor/actions/command_filling.h"
+#include "editor/actions/show_manual.h"
 #include "tests/editor/rig.h"
 #include "tests/editor/scenes.h"
 

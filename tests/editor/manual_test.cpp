@@ -2,6 +2,7 @@
 #include "editor/help/manual.h"
 
 #include "core/base/text.h"
+#include "editor/actions/show_manual.h"
 #include "editor/actions/words_with_keys.h"
 #include "editor/picture/stored_pictures.h"
 #include "tests/editor/rig.h"

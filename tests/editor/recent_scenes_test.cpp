@@ -4,6 +4,7 @@
 
 #include "core/document/log.h"
 #include "editor/actions/help_actions.h"
+#include "editor/actions/start_card.h"
 #include "editor/panels/help/welcome.h"
 #include "editor/session/scene_names.h"
 #include "tests/editor/rig.h"

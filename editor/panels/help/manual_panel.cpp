@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/help/manual.h"
 
+#include "editor/actions/show_manual.h"
 #include "editor/actions/words_with_keys.h"
 #include "editor/panels/help/key_lines.h"
 #include "editor/panels/panels.h"
@@ -243,16 +244,6 @@ void paint_picture(Editor& editor, const ui::Theme& theme, const ui::Rect& r,
     ImGui::GetWindowDrawList()->AddImageRounded(
         reinterpret_cast<ImTextureID>(name), {r.lo.x, r.lo.y}, {r.hi.x, r.hi.y}, {cut.x, cut.y},
         {1 - cut.x, 1 - cut.y}, 0xFFFFFFFFu, theme.size.rounding);
-}
-
-void show_manual(Editor& editor, const std::string& page, std::size_t block)
-{
-    Editor::ManualDialog& dialog = editor.manual_dialog;
-    if (editor.manual.empty()) editor.manual = manual_in(editor.manual_folder);
-    if (editor.manual.empty()) editor.manual = {{keys_page, "Keys and mouse", {}}};
-    dialog.open = true;
-    dialog.page = page_of(editor.manual, page) ? page : editor.manual.back().name;
-    dialog.show_block = block;
 }
 
 void draw_manual(Editor& editor, const ui::Theme& theme)

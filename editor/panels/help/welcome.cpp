@@ -172,15 +172,6 @@ void draw_drop_target(const ui::Theme& theme, const ui::Rect& r)
 
 } // namespace
 
-bool shows_welcome(const Editor& editor)
-{
-    const Session& session = editor.session;
-    if (editor.start_card.asked == session.scenes()) return true;
-    if (editor.preferences.at_start == "empty") return false;
-    return session.document().objects.empty() && session.scene().as_opened() &&
-           editor.start_card.left != session.scenes() && !session.jobs().status();
-}
-
 void draw_welcome(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
 {
     const float pad = theme.px(30), drop = theme.px(56), below = theme.px(16);

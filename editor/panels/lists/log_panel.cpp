@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/commands/clipboard.h"
+#include "editor/actions/log_lines.h"
 #include "editor/commands/run_lines.h"
 #include "editor/commands/typed_command.h"
 #include "editor/panels/panels.h"
@@ -14,29 +14,6 @@
 
 namespace trivar {
 namespace {
-
-// A line of the file, or a command that was refused and is in no file.
-struct Entry {
-    std::size_t number = 0; // in the file; 0: refused
-    std::string_view line, why;
-};
-
-// In the order in which they came.
-std::vector<Entry> entries_of(const Session& session)
-{
-    const std::vector<std::string>& lines = session.scene().lines();
-    std::vector<Entry> entries;
-    entries.reserve(lines.size() + session.refused().size());
-    auto refused = session.refused().begin();
-    const auto end = session.refused().end();
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        for (; refused != end && refused->after <= i; ++refused)
-            entries.push_back({0, refused->line, refused->why});
-        entries.push_back({i + 1, lines[i], {}});
-    }
-    for (; refused != end; ++refused) entries.push_back({0, refused->line, refused->why});
-    return entries;
-}
 
 // The next text in quotes, which is taken off the front; empty: none.
 std::string_view take_quoted(std::string_view& line)
@@ -72,14 +49,14 @@ float room_in(const ui::Theme& theme, float width)
 }
 
 // Why it was refused, whole.
-std::vector<std::string> reasons(const ui::Theme& theme, const Entry& entry, float width)
+std::vector<std::string> reasons(const ui::Theme& theme, const LogEntry& entry, float width)
 {
     return ui::wrapped(theme.font.mono, ui::sentence(std::string(entry.why)),
                        room_in(theme, width));
 }
 
 // Of every line of the file in every frame: a long one is not read to its end.
-float height_of(const ui::Theme& theme, const Entry& entry, float width)
+float height_of(const ui::Theme& theme, const LogEntry& entry, float width)
 {
     if (entry.number == 0)
         return theme.px(25) +
@@ -90,7 +67,7 @@ float height_of(const ui::Theme& theme, const Entry& entry, float width)
     return parts_of(entry.line).rest.empty() ? theme.px(26) : theme.px(42);
 }
 
-void draw_entry(const ui::Theme& theme, const Entry& entry, const ui::Rect& row, bool selected)
+void draw_entry(const ui::Theme& theme, const LogEntry& entry, const ui::Rect& row, bool selected)
 {
     const ui::Palette& c = theme.color;
     const bool refused = entry.number == 0;
@@ -134,7 +111,7 @@ void draw_entry(const ui::Theme& theme, const Entry& entry, const ui::Rect& row,
 }
 
 // A press takes a line, a drag those between.
-void select_lines(Editor& editor, const std::vector<Entry>& entries, std::size_t under)
+void select_lines(Editor& editor, const std::vector<LogEntry>& entries, std::size_t under)
 {
     Editor::LogLines& lines = editor.log_lines;
     const bool over = under < entries.size() && ImGui::IsWindowHovered();
@@ -151,7 +128,7 @@ void draw_entries(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     ImGui::SetCursorScreenPos({r.lo.x, r.lo.y});
     ImGui::BeginChild("lines", {r.width(), std::max(1.0f, r.height())});
-    const std::vector<Entry> entries = entries_of(session);
+    const std::vector<LogEntry> entries = log_entries(session);
     const ImVec2 top = ImGui::GetCursorScreenPos();
     float y = top.y;
     std::size_t under = entries.size();
@@ -299,29 +276,6 @@ void draw_field(Editor& editor, const ui::Theme& theme, const ui::Rect& r,
 }
 
 } // namespace
-
-bool log_lines_chosen(const Editor& editor)
-{
-    return editor.log_lines.from && editor.tab == Editor::Tab::log &&
-           editor.preferences.show_dock && !editor.only_view;
-}
-
-bool copy_log_lines(Editor& editor)
-{
-    if (!log_lines_chosen(editor)) return false;
-    const std::vector<Entry> entries = entries_of(editor.session);
-    const auto [first, last] = std::minmax(*editor.log_lines.from, editor.log_lines.to);
-    std::string text;
-    std::size_t count = 0;
-    for (std::size_t i = first; i <= last && i < entries.size(); ++i, ++count)
-        text += std::string(entries[i].line) + "\n";
-    ImGui::SetClipboardText(text.c_str());
-    editor.session.notices.say(ui::NoticeKind::good,
-                               count == 1 ? "A line was copied"
-                                          : std::to_string(count) + " lines were copied",
-                               {}, of_clipboard);
-    return true;
-}
 
 void draw_log(Editor& editor, const ui::Theme& theme, const Layout& layout)
 {
