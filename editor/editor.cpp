@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/editor.h"
 
-#include "editor/actions/actions.h"
+#include "editor/actions/all_actions.h"
 #include "editor/actions/hint_steps.h"
+#include "editor/actions/run_keys.h"
 #include "editor/panels/inspector/inspect.h"
 #include "editor/panels/panels.h"
 

@@ -18,15 +18,10 @@ inline constexpr const char* isolate_action = "Isolate";
 inline constexpr const char* mend_action = "Mend the volume";
 inline constexpr const char* preferences_action = "Preferences...";
 
-std::vector<Action> all_actions(const Editor& editor);
-
 const Action& action(const Editor& editor, const std::string& name);
 bool is_enabled(const Editor& editor, const Action& action);
 std::string key_text(const Action& action); // "" without a key
 // What its button says: the sentence, and why it cannot be pressed.
 ui::Tip tip_of(const Editor& editor, const Action& action, std::string sentence = {});
-
-// Runs the actions whose keys were struck in this frame.
-void run_keys(Editor& editor);
 
 } // namespace trivar
