@@ -34,7 +34,8 @@ namespace trivar {
 
 // The whole editor between two frames. Panels read and change it; nothing else holds state.
 struct Editor {
-    explicit Editor(std::function<void()> wake, std::string unnamed_folder = {});
+    Editor(std::function<void()> wake, std::vector<Action> table_of_actions,
+           std::string unnamed_folder = {});
     Editor(const Editor&) = delete;
     Editor& operator=(const Editor&) = delete;
 
@@ -121,8 +122,5 @@ struct Editor {
     const Tool& active_tool() const { return *tools[tool]; }
     void choose_tool(std::size_t index);
 };
-
-// Draws the whole window: takes input, runs keys, shows every panel.
-void draw_editor(Editor& editor, ui::Frame& frame);
 
 } // namespace trivar

@@ -36,8 +36,9 @@ template <class Add> Action add_action(const std::string& name)
 
 } // namespace
 
-std::vector<Action> all_actions(const Editor& editor)
+std::vector<Action> all_actions()
 {
+    const std::vector<std::unique_ptr<Tool>> tools = all_tools(); // as the editor has them
     std::vector<Action> a;
     add_file_actions(a);
     add_edit_actions(a);
@@ -58,8 +59,8 @@ std::vector<Action> all_actions(const Editor& editor)
     add_window_actions(a);
     add_time_actions(a);
     add_key_actions(a);
-    for (std::size_t i = 0; i < editor.tools.size(); ++i)
-        a.push_back({"Tools", editor.tools[i]->name(), editor.tools[i]->keys(), [i](Editor& e) {
+    for (std::size_t i = 0; i < tools.size(); ++i)
+        a.push_back({"Tools", tools[i]->name(), tools[i]->keys(), [i](Editor& e) {
                          if (e.tools[i]->moves() && e.active_tool().grab(e.session)) return;
                          e.choose_tool(i);
                          e.active_tool().begin(e.session);

@@ -7,6 +7,6 @@
 
 namespace trivar {
 
-std::vector<Action> all_actions(const Editor& editor);
+std::vector<Action> all_actions();
 
 } // namespace trivar

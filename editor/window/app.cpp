@@ -3,10 +3,12 @@
 
 #include "core/base/rejected.h"
 #include "editor/actions/actions.h"
+#include "editor/actions/all_actions.h"
 #include "editor/actions/help_actions.h"
 #include "editor/actions/use_keys.h"
 #include "editor/editor.h"
 #include "editor/session/scene_names.h"
+#include "editor/window/draw_editor.h"
 #include "ui/window.h"
 
 #include <cstdio>
@@ -35,7 +37,7 @@ int run_editor(const EditorOptions& options)
         std::optional<gpu::ShaderFolder> shaders;
         if (!options.shaders.empty()) shaders.emplace(options.shaders);
         ui::Window window({.scale = options.scale});
-        Editor editor(window.waker(), kept("unnamed"));
+        Editor editor(window.waker(), all_actions(), kept("unnamed"));
         PreferencesFile preferences(kept("preferences.json"));
         editor.preferences = preferences.read();
         editor.preferences_path = preferences.path();

@@ -2,6 +2,7 @@
 #include "editor/actions/palette_entries.h"
 
 #include "editor/actions/actions.h"
+#include "editor/actions/all_actions.h"
 #include "editor/editor.h"
 #include "editor/words/letters_in_order.h"
 #include "editor/words/ranked.h"
@@ -64,7 +65,7 @@ TEST(Ranked, PutsTheRecentOnesFirstWithoutLettersAndAmongEqualMatches)
 
 TEST(CommandPalette, HoldsEveryActionAndSaysWhyOneCannotRun)
 {
-    const Editor editor([] {});
+    const Editor editor([] {}, all_actions());
     const std::vector<PaletteEntry> entries = palette_commands(editor);
     std::set<std::string> names;
     for (const PaletteEntry& each : entries)

@@ -2,6 +2,7 @@
 #include "editor/actions/use_keys.h"
 
 #include "editor/actions/actions.h"
+#include "editor/actions/all_actions.h"
 #include "tests/editor/rig.h"
 #include "tests/editor/shared_keys.h"
 
@@ -15,13 +16,13 @@ using testing::Rig, ui::Chord;
 
 TEST(KeyMap, NoTwoActionsShareAKeyInOnePlace)
 {
-    const Editor editor([] {});
+    const Editor editor([] {}, all_actions());
     EXPECT_THAT(testing::shared_keys(editor.actions), IsEmpty());
 }
 
 TEST(KeyMap, ATutorialKeepsItsArrowsWhenFramesGetOthers)
 {
-    Editor editor([] {});
+    Editor editor([] {}, all_actions());
     EXPECT_THAT(give_key(editor.actions, "Next frame", {ui::key_left}),
                 ElementsAre("Previous frame"));
     EXPECT_EQ(key_text(action(editor, "Step back")), "Left");
@@ -41,7 +42,7 @@ TEST(KeyMap, EveryKeyComesBackFromItsText)
 
 TEST(KeyMap, AGivenKeyIsTakenFromTheActionThatHadIt)
 {
-    Editor editor([] {});
+    Editor editor([] {}, all_actions());
     const Chord undo = action(editor, "Undo").keys.front();
     EXPECT_THAT(give_key(editor.actions, "Delete", undo), ElementsAre("Undo"));
     EXPECT_THAT(action(editor, "Delete").keys, ElementsAre(undo));
@@ -52,13 +53,13 @@ TEST(KeyMap, AGivenKeyIsTakenFromTheActionThatHadIt)
 
 TEST(KeyMap, HoldsOnlyWhatWasChangedAndBringsItBack)
 {
-    Editor editor([] {});
+    Editor editor([] {}, all_actions());
     EXPECT_THAT(changed_keys(editor.actions), IsEmpty());
     give_key(editor.actions, "Undo", {.key = 'U', .alt = true});
     KeyMap map = changed_keys(editor.actions);
     EXPECT_EQ(map.size(), 1u);
     map["An action that is gone"] = {{'Y'}};
-    Editor other([] {});
+    Editor other([] {}, all_actions());
     use_keys(other.actions, map);
     EXPECT_EQ(key_text(action(other, "Undo")), "Alt+U");
     use_keys(other.actions, {});
@@ -67,7 +68,7 @@ TEST(KeyMap, HoldsOnlyWhatWasChangedAndBringsItBack)
 
 TEST(KeyMap, GivesAUsualKeyToNobodyWhereItWasGivenAway)
 {
-    Editor editor([] {});
+    Editor editor([] {}, all_actions());
     use_keys(editor.actions, {{"Undo", {{'G'}}}}); // Move's
     EXPECT_EQ(key_text(action(editor, "Undo")), "G");
     EXPECT_EQ(key_text(action(editor, "Move")), "");
@@ -75,7 +76,7 @@ TEST(KeyMap, GivesAUsualKeyToNobodyWhereItWasGivenAway)
 
 TEST(KeyMap, IsWhatHintsName)
 {
-    Editor editor([] {});
+    Editor editor([] {}, all_actions());
     const Hint hint{{"Shift", "@Move"}, "Move"};
     EXPECT_THAT(inputs_now(editor, hint), ElementsAre("Shift", "G"));
     give_key(editor.actions, "Move", {'J'});
@@ -86,7 +87,7 @@ TEST(KeyMap, IsWhatHintsName)
 
 TEST(KeyMap, HintsSayWhatATrackpadNeedsToZoom)
 {
-    Editor editor([] {});
+    Editor editor([] {}, all_actions());
     const Hint zoom{{"wheel"}, "Zoom"};
     EXPECT_THAT(inputs_now(editor, zoom), ElementsAre("wheel"));
     editor.preferences.mouse.device = "trackpad";

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "editor/actions/all_actions.h"
 #include "editor/editor.h"
 #include "editor/panels/panels.h"
+#include "editor/window/draw_editor.h"
 #include "ui/headless.h"
 
 #include <chrono>
@@ -20,7 +22,7 @@ struct Rig {
     }
     glm::ivec2 size_px;
     ui::HeadlessFrames screen;
-    Editor editor{[] {}};
+    Editor editor{[] {}, all_actions()};
 
     ui::DrawFrame body()
     {
