@@ -22,7 +22,7 @@
 #include "editor/timeline/key_target.h"
 #include "editor/timeline/playback.h"
 #include "editor/timeline/state.h"
-#include "editor/tools/tool.h"
+#include "editor/tools/all_tools.h"
 #include "editor/viewport/viewport.h"
 #include "ui/timing_overlay.h"
 

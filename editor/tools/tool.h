@@ -89,6 +89,4 @@ public:
     virtual std::vector<Hint> hints(const Session& session) const = 0;
 };
 
-std::vector<std::unique_ptr<Tool>> all_tools();
-
 } // namespace trivar

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/tools/tool.h"
+#include "editor/tools/all_tools.h"
 
 #include "editor/tools/lattice_points.h"
 #include "editor/tools/place.h"
