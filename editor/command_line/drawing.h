@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/rejected.h"
-#include "editor/command_line/command_line.h"
+#include "editor/command_line/status.h"
 #include "editor/picture/still.h"
 #include "gpu/context.h"
 
