@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/help/about.h"
 
-#include "editor/built_with.h"
+#include "editor/help/built_with.h"
 
 #include <fmt/format.h>
 #include <sstream>
