@@ -8,7 +8,7 @@
 namespace trivar {
 namespace {
 
-using ::testing::IsSupersetOf, ::testing::Key;
+using ::testing::IsSupersetOf;
 
 struct Hovering : testing::Rig {
     Hovering() : Rig({1024, 700}) { two_objects(); }
@@ -47,6 +47,7 @@ TEST(Tooltips, NameEveryToolWithItsKeyAndWhatItDoes)
 
 TEST(Tooltips, StandOverTheBarsAndTheDock)
 {
+    using ::testing::Key; // a key of the document elsewhere
     Hovering hand;
     const Layout l = hand.layout();
     hand.editor.choose_tool(1);
@@ -71,6 +72,7 @@ TEST(Tooltips, StandOverTheBarsAndTheDock)
 
 TEST(Tooltips, SayOfAFieldWhatItsCommandSays)
 {
+    using ::testing::Key; // a key of the document elsewhere
     Hovering hand;
     const ui::Rect r = hand.layout().inspector;
     for (const float x : {r.lo.x + 40, r.lo.x + 160}) { // over the label and over the field
