@@ -19,6 +19,7 @@
 #include "editor/record/record_plan.h"
 #include "editor/session/outline.h"
 #include "editor/session/recent_scenes.h"
+#include "editor/session/recovery.h"
 #include "editor/timeline/key_target.h"
 #include "editor/timeline/playback.h"
 #include "editor/timeline/state.h"
@@ -40,7 +41,8 @@ struct Editor {
     Editor& operator=(const Editor&) = delete;
 
     Session session;
-    Files files{session};
+    Recovery recovery{session};
+    Files files{session, recovery};
     Viewport viewport;
     std::vector<std::unique_ptr<Tool>> tools = all_tools();
     std::size_t tool = 0; // index of the active one

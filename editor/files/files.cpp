@@ -98,7 +98,7 @@ void Files::keep_or(std::function<void()> go_on)
                "It has " + what + " and no name yet. " +
                    (s.unnamed_folder().empty() ? "It is gone when you discard it. "
                                                : "Every step is safe in the recovery folder " +
-                                                     for_days(s.discarded_days) + ". ") +
+                                                     for_days(recovery_->discarded_days) + ". ") +
                    "Name it to keep it with your scenes.",
                {{"Discard", ui::ButtonKind::plain, true},
                 {"Cancel", ui::ButtonKind::plain},
@@ -124,7 +124,7 @@ void Files::new_scene(std::function<void()> then)
 
 void Files::recover()
 {
-    keep_or([this] { session_->take_up_left_scene(); });
+    keep_or([this] { recovery_->take_up_left_scene(); });
 }
 
 void Files::ask_for_file(Purpose purpose, ui::FileRequest request)
@@ -153,7 +153,7 @@ void Files::ask_discarded()
     if (SceneFile::set_aside_in(session_->unnamed_folder()).empty()) {
         session_->notices.say(ui::NoticeKind::good, "There is no discarded scene",
                               "What is discarded can be found here " +
-                                  for_days(session_->discarded_days) + ".");
+                                  for_days(recovery_->discarded_days) + ".");
         return;
     }
     ask_for_file(Purpose::take_up, {.title = "Discarded scenes",
@@ -349,7 +349,7 @@ void Files::use_file(const std::string& path)
 {
     switch (purpose_) {
     case Purpose::open: return open_scene(path);
-    case Purpose::take_up: session_->take_up(path); return;
+    case Purpose::take_up: recovery_->take_up(path); return;
     case Purpose::import:
         import_folder_ = fs::path(path).parent_path().string();
         return import(path);

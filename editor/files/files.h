@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "editor/session/session.h"
+#include "editor/session/recovery.h"
 #include "ui/dialog.h"
 #include "ui/file_dialog.h"
 
@@ -22,7 +22,7 @@ inline constexpr const char* scene_extension = ".trivar";
 // run as jobs; a file that is not understood changes nothing.
 class Files {
 public:
-    explicit Files(Session& session) : session_(&session) {}
+    Files(Session& session, Recovery& recovery) : session_(&session), recovery_(&recovery) {}
 
     void new_scene(std::function<void()> then = nullptr);
     void recover(); // the scene without a name that an ended program left
@@ -88,6 +88,7 @@ private:
     void keep_or(std::function<void()> go_on); // asks what becomes of a scene without a name
 
     Session* session_;
+    Recovery* recovery_;
     ui::FileDialog dialog_;
     std::string import_folder_; // of the last model that was imported by the dialog
     Purpose purpose_ = Purpose::open;

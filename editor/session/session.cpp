@@ -2,7 +2,6 @@
 #include "editor/session/session.h"
 
 #include "core/base/rejected.h"
-#include "core/document/kept_scenes.h"
 #include "core/document/keying.h"
 #include "core/document/parameters.h"
 #include "editor/picture/picture.h"
@@ -10,12 +9,9 @@
 #include "editor/session/scene_names.h"
 #include "editor/session/selection.h"
 #include "editor/session/topics.h"
-#include "editor/words/file_words.h"
 #include "ui/camera_control.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <sys/stat.h>
 #include <utility>
 
 namespace trivar {
@@ -270,7 +266,7 @@ void Session::replace_scene(SceneFile scene, std::vector<ui::Notices::Action> of
     const bool discarded = scene_.path().empty() && !scene_.as_opened();
     scene_ = std::move(scene);
     frame_ = scene_.document().time.first_frame;
-    if (discarded) tell_of_discarded();
+    if (discarded && when_discarded) when_discarded();
     ++scenes_;
     scene_.keep_in(unnamed_folder_);
     selected = 0;
@@ -292,66 +288,6 @@ void Session::replace_scene(SceneFile scene, std::vector<ui::Notices::Action> of
         notices.say(ui::NoticeKind::warning, said.front(), {}, {}, std::move(offers));
     if (said.size() > 1)
         notices.say_all(ui::NoticeKind::warning, title_of(scene_) + " is open", said);
-}
-
-void Session::forget_discarded() const
-{
-    if (!unnamed_folder_.empty())
-        forget_old_scenes(unnamed_folder_, std::chrono::days(discarded_days));
-}
-
-void Session::tell_of_discarded()
-{
-    forget_discarded();
-    const auto discarded = SceneFile::set_aside_in(unnamed_folder_);
-    if (discarded.empty()) return;
-    notices.say(ui::NoticeKind::good, "The scene was discarded",
-                "It stays in the recovery folder " + for_days(discarded_days) + ".", {},
-                {{"Bring it back", [this, path = discarded.front()] { take_up(path); }}});
-}
-
-bool Session::take_up(const std::string& path)
-{
-    try {
-        replace_scene(SceneFile::taken_up(path));
-        return true;
-    } catch (const Rejected& why) {
-        notices.say(ui::NoticeKind::error, file_name(path) + " was not opened",
-                    reason(why.what(), path));
-        return false;
-    }
-}
-
-void Session::take_up_left_scene()
-{
-    const std::optional<std::string> left = SceneFile::left_in(unnamed_folder_);
-    if (!left || !take_up(*left)) return;
-    notices.say(ui::NoticeKind::warning, "Your scene is back",
-                "Trivar ended before it had a name. Save it to keep it.");
-}
-
-const std::optional<LeftScene>& Session::left_scene() const
-{
-    if (std::exchange(left_looked_for_, scenes_) == scenes_) return left_scene_;
-    left_scene_.reset();
-    const std::optional<std::string> left = SceneFile::left_in(unnamed_folder_);
-    struct stat status {};
-    if (left && ::stat(left->c_str(), &status) == 0)
-        left_scene_ = LeftScene{*left, status.st_mtime};
-    return left_scene_;
-}
-
-void Session::tell_of_left_scene()
-{
-    const std::optional<std::string> left = SceneFile::left_in(unnamed_folder_);
-    if (!left) return;
-    notices.say(ui::NoticeKind::warning, "A scene without a name was left",
-                "Trivar ended before it was saved. It is safe in the recovery folder.", {},
-                {{"Recover", [this] { take_up_left_scene(); }}, {"Discard", [this, path = *left] {
-                                                                     SceneFile::set_aside(path);
-                                                                     left_looked_for_ = -1;
-                                                                     tell_of_discarded();
-                                                                 }}});
 }
 
 void Session::save_as(const std::string& path)

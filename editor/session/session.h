@@ -5,11 +5,10 @@
 #include "editor/jobs/background_evaluator.h"
 #include "editor/jobs/job.h"
 #include "editor/session/followed_view.h"
-#include "editor/session/left_scene.h"
 #include "editor/session/selection.h"
 #include "ui/notices.h"
 
-#include <ctime>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -74,17 +73,12 @@ public:
     // Another scene, with what its notices offer. Selection and effects start anew.
     void replace_scene(SceneFile scene, std::vector<ui::Notices::Action> offers = {});
     long scenes() const { return scenes_; } // there have been
-    // The scene without a name of a program that was killed: goes on with it, or tells of it.
-    void take_up_left_scene();
-    void tell_of_left_scene();
-    bool take_up(const std::string& path); // one that was set aside; tells why it cannot
+    // Where scenes without a name are kept; empty: in memory only.
     const std::string& unnamed_folder() const { return unnamed_folder_; }
-    // What is discarded stays so long; what is older goes when something is discarded, or at once.
-    int discarded_days = 30;
-    void forget_discarded() const;
-    const std::optional<LeftScene>& left_scene() const; // that one, looked for once a scene
-    void save_as(const std::string& path);              // may throw Rejected
-    void save_compact(const std::string& path);         // may throw Rejected
+    // Called when a scene without a name, that holds work, made room for another one.
+    std::function<void()> when_discarded;
+    void save_as(const std::string& path);      // may throw Rejected
+    void save_compact(const std::string& path); // may throw Rejected
     Ref<AssetStore> assets() const { return assets_; }
 
     void poll(); // takes in what other threads finished; once a frame
@@ -119,7 +113,6 @@ private:
     Command said(const Command& command) const; // as keys, where it changes what is animated
     void finish_check();
     void tell_what_is_missing();
-    void tell_of_discarded();
     void select_returned(const Document& before);
     void meet_document(); // the scene changed as a whole
     template <class Change> bool attempt(Change&& change, bool quietly = false);
@@ -135,8 +128,6 @@ private:
     std::unique_ptr<BackgroundEvaluator> evaluator_;
     Jobs jobs_;
     long scenes_ = 0;
-    mutable std::optional<LeftScene> left_scene_;
-    mutable long left_looked_for_ = -1; // in which of the scenes
     Evaluated evaluated_;
     Timings timings_;
     long evaluation_ = 0, evaluated_ticket_ = 0, asked_ticket_ = 0;

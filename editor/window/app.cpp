@@ -43,8 +43,8 @@ int run_editor(const EditorOptions& options)
         editor.preferences_path = preferences.path();
         if (!preferences.trouble().empty())
             editor.session.notices.say(ui::NoticeKind::warning, preferences.trouble());
-        editor.session.discarded_days = static_cast<int>(editor.preferences.discarded_days);
-        editor.session.forget_discarded();
+        editor.recovery.discarded_days = static_cast<int>(editor.preferences.discarded_days);
+        editor.recovery.forget_discarded();
         if (shaders) editor.viewport.follow(std::move(*shaders));
         editor.manual_folder = options.manual;
         editor.sample_pictures = options.sample_pictures;
@@ -54,9 +54,9 @@ int run_editor(const EditorOptions& options)
         add_samples(editor);
         use_keys(editor.actions, editor.preferences.keys);
         if (options.files.empty())
-            editor.session.take_up_left_scene();
+            editor.recovery.take_up_left_scene();
         else
-            editor.session.tell_of_left_scene();
+            editor.recovery.tell_of_left_scene();
         editor.files.take_dropped(options.files);
         const auto& recent = editor.preferences.recent_scenes;
         const bool nothing = options.files.empty() && editor.session.scene().as_opened();

@@ -38,7 +38,7 @@ void apply_preferences(Editor& editor)
     Preferences& p = editor.preferences;
     const auto most = static_cast<std::size_t>(p.most_recent);
     if (p.recent_scenes.size() > most) p.recent_scenes.resize(most);
-    editor.session.discarded_days = static_cast<int>(p.discarded_days);
+    editor.recovery.discarded_days = static_cast<int>(p.discarded_days);
     editor.files.ask_to_keep = p.ask_to_keep;
     editor.files.scenes_folder = p.scenes_folder;
     editor.files.models_folder = p.models_folder;

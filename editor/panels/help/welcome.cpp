@@ -95,7 +95,7 @@ void draw_beginnings(Editor& editor, const ui::Theme& theme, const ui::Rect& col
 {
     const ui::Palette& c = theme.color;
     float y = column.lo.y;
-    const auto left = editor.session.left_scene();
+    const auto left = editor.recovery.left_scene();
     const float foot = (left ? theme.px(28) : 0) + (tour ? theme.px(28) : 0);
     const ui::Rect upper = {column.lo, {column.hi.x, column.hi.y - foot}};
     ui::paint_text(theme.font.display, {{column.lo.x, y}, {column.hi.x, y + theme.px(36)}}, c.text,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What becomes of work that is let go, and what the window says of it.
+#include "editor/session/recovery.h"
 #include "editor/session/scene_facts.h"
 #include "tests/editor/rig.h"
 #include "tests/support/fixtures.h"
@@ -15,6 +16,7 @@ TEST(Keeping, ADiscardedSceneCanBeBroughtBackAtOnce)
 {
     const testing::TemporaryFolder folder;
     Session session([] {}, folder.path().string());
+    Recovery recovery(session);
     ASSERT_TRUE(session.run(AddBox{}));
     session.replace_scene(SceneFile());
     EXPECT_TRUE(session.document().objects.empty());

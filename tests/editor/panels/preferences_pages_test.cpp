@@ -201,18 +201,20 @@ TEST(PreferencesPages, AskNothingOfUnnamedScenesThatCanBeBroughtBack)
 {
     const testing::TemporaryFolder folder;
     Session session([] {}, folder.path().string());
-    Files files(session);
+    Recovery recovery(session);
+    Files files(session, recovery);
     ASSERT_TRUE(session.run(AddBox{}));
     files.new_scene();
     EXPECT_TRUE(files.asking());
-    Files hasty(session);
+    Files hasty(session, recovery);
     hasty.ask_to_keep = false;
     hasty.new_scene();
     EXPECT_FALSE(hasty.asking());
     EXPECT_EQ(SceneFile::set_aside_in(folder.path().string()).size(), 1u);
 
     Session in_memory([] {}, {});
-    Files careful(in_memory);
+    Recovery nowhere(in_memory);
+    Files careful(in_memory, nowhere);
     careful.ask_to_keep = false;
     ASSERT_TRUE(in_memory.run(AddBox{}));
     careful.new_scene();
