@@ -31,7 +31,7 @@ template <class Add> Action add_action(const std::string& name)
                 add.material = new_material;
                 if (!e.session.run(prepare(add, *e.session.assets()))) return;
                 e.session.selected = id;
-                if (first) e.session.frame_all_when_evaluated = true;
+                if (first) e.session.view.frame_all_when_evaluated = true;
             }};
 }
 

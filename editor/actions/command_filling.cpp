@@ -118,7 +118,7 @@ bool run_filled(Editor& editor)
     if (session.committed().next_id > first) session.select_new(first);
     if (const auto* place = std::get_if<Place>(&session.scene().history().steps().back().command))
         session.selected = place->object;
-    if (empty) session.frame_all_when_evaluated = true;
+    if (empty) session.view.frame_all_when_evaluated = true;
     editor.palette.filling.reset();
     return true;
 }

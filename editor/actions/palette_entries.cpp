@@ -53,11 +53,11 @@ Command about_selection(const Command& command, const Editor& editor)
     Command ready = as_it_is(command, session.selected, document).value_or(command);
     ready = about(ready, topmost(document, session.selected.ids()));
     if (auto* c = std::get_if<Place>(&ready)) { // in the present view
-        c->sketch.camera = session.camera;
+        c->sketch.camera = session.view.camera;
         c->object = model_to_place(session, 0);
         c->onto = bases_for_stroke(session, c->object);
     }
-    if (auto* c = std::get_if<SaveCamera>(&ready)) *c = {"View", session.camera};
+    if (auto* c = std::get_if<SaveCamera>(&ready)) *c = {"View", session.view.camera};
     if (auto* c = std::get_if<DeleteCamera>(&ready); c && !document.bookmarks.empty())
         c->name = document.bookmarks.begin()->first;
     return ready;

@@ -16,7 +16,7 @@ constexpr ui::Chord keypad(int digit)
 
 void look_from(Editor& e, const glm::dvec3& direction)
 {
-    e.session.camera = ui::seen_from(e.session.camera, direction);
+    e.session.view.camera = ui::seen_from(e.session.view.camera, direction);
 }
 
 void open_tab(Editor& e, Editor::Tab tab)
@@ -53,8 +53,8 @@ void add_view_actions(std::vector<Action>& a)
                  "Frame selection",
                  {{ui::key_period}, {'F'}},
                  [](Editor& e) {
-                     e.session.camera = ui::framed(e.session.camera,
-                                                   points_of(e.session, e.session.selected.ids()));
+                     e.session.view.camera = ui::framed(
+                         e.session.view.camera, points_of(e.session, e.session.selected.ids()));
                  },
                  something_there()});
     a.push_back({"View",
@@ -64,7 +64,8 @@ void add_view_actions(std::vector<Action>& a)
                      if (e.timeline.hovered)
                          e.timeline.shown.reset();
                      else
-                         e.session.camera = ui::framed(e.session.camera, points_of(e.session, {}));
+                         e.session.view.camera =
+                             ui::framed(e.session.view.camera, points_of(e.session, {}));
                  },
                  something_there()});
     a.push_back({"View",
@@ -80,15 +81,15 @@ void add_view_actions(std::vector<Action>& a)
                  }});
     a.push_back({"View", "Top", {alt('7'), keypad(7)}, [](Editor& e) { look_from(e, {0, 0, 1}); }});
     a.push_back({"View", "Perspective", {alt('5'), keypad(5)}, [](Editor& e) {
-                     Camera& camera = e.session.camera;
+                     Camera& camera = e.session.view.camera;
                      camera = ui::with_perspective(camera, !camera.perspective);
                  }});
-    a.back().on = [](const Editor& e) { return e.session.camera.perspective; };
+    a.back().on = [](const Editor& e) { return e.session.view.camera.perspective; };
     a.push_back(
         {"View",
          "View of pictures",
          {keypad(0)},
-         [](Editor& e) { e.session.follows = FollowedView{"picture"}; },
+         [](Editor& e) { e.session.view.follows = FollowedView{"picture"}; },
          {[](const Editor& e) { return e.session.document().bookmarks.contains("picture"); },
           "no view is kept for pictures"}});
     const auto shading = [&](const char* name, const ui::Chord& key, bool Shading::*part) {
@@ -128,7 +129,7 @@ void add_view_actions(std::vector<Action>& a)
                      int n = 1;
                      do name = "View " + std::to_string(n++);
                      while (e.session.document().bookmarks.contains(name));
-                     if (e.session.run(SaveCamera{name, e.session.camera}))
+                     if (e.session.run(SaveCamera{name, e.session.view.camera}))
                          e.session.notices.say(ui::NoticeKind::good, name + " is kept",
                                                "It is in the View menu.");
                  },

@@ -131,7 +131,7 @@ void paste_copies(Session& session, Paste paste)
     }
     if (!session.run(command)) return;
     session.select_new(before.next_id);
-    if (before.objects.empty()) session.frame_all_when_evaluated = true;
+    if (before.objects.empty()) session.view.frame_all_when_evaluated = true;
     const std::vector<Id>& ids = session.selected.ids();
     std::string words = placed_words(before, session.committed(), std::get<Paste>(command));
     if (words.empty() && aside) words = "Beside what stands in its place.";

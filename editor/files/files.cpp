@@ -116,8 +116,8 @@ void Files::new_scene(std::function<void()> then)
 {
     keep_or([this, then = std::move(then)] {
         session_->replace_scene(SceneFile());
-        session_->frame_all_when_evaluated = false;
-        session_->camera = Camera{.size_px = session_->camera.size_px};
+        session_->view.frame_all_when_evaluated = false;
+        session_->view.camera = Camera{.size_px = session_->view.camera.size_px};
         if (then) then();
     });
 }

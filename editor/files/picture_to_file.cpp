@@ -52,13 +52,13 @@ void PictureToFile::draw(const Session& session, const Ref<gpu::ShaderTexts>& sh
 {
     path_ = free_path(session); // something may have been written meanwhile
     const int width_px = std::exchange(wanted_px_, 0);
-    const glm::dvec2 view = session.camera.size_px;
+    const glm::dvec2 view = session.view.camera.size_px;
     const glm::ivec2 size_px(
         width_px,
         std::max(1, static_cast<int>(std::lround(width_px * view.y / std::max(1.0, view.x)))));
     still_ = std::make_unique<Still>();
     still_->begin(session.evaluated(), session.document(),
-                  ui::reshaped(session.camera, glm::dvec2(size_px)),
+                  ui::reshaped(session.view.camera, glm::dvec2(size_px)),
                   {.size_px = size_px, .level = gpu::Level::high, .shaders = shaders});
 }
 

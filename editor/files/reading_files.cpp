@@ -111,7 +111,7 @@ void Files::read_model_of(const std::string& path, bool frame_all,
                  session_->cancel();
                  if (!session_->run(command)) return;
                  session_->selected = id;
-                 if (first || frame_all) session_->frame_all_when_evaluated = true;
+                 if (first || frame_all) session_->view.frame_all_when_evaluated = true;
                  if (said.empty()) return;
                  session_->notices.say_all(ui::NoticeKind::warning,
                                            file_name(path) + " was imported", said);

@@ -118,10 +118,10 @@ void Tutorial::begin(Session& session, std::string title)
     scene_ = session.scenes();
     count_ = session.scene().history().steps().size();
     motion_.reset();
-    session.go_to.reset();
-    session.follows.reset();
+    session.view.go_to.reset();
+    session.view.follows.reset();
     show(session, std::min<std::size_t>(1, count_));
-    session.frame_all_when_evaluated = !session.go_to;
+    session.view.frame_all_when_evaluated = !session.view.go_to;
 }
 
 void Tutorial::close(Session& session)
@@ -153,7 +153,7 @@ void Tutorial::show(Session& session, std::size_t step)
 {
     session.look_at_step(step);
     if (const Camera* camera = last_camera(session.scene().history(), step))
-        session.go_to = *camera;
+        session.view.go_to = *camera;
     if (step > 0) select_what_was_done(session, step);
 }
 
@@ -163,7 +163,7 @@ void Tutorial::finish(Session& session)
     if (!motion) return;
     session.cancel();
     session.look_at_step(motion->to);
-    if (motion->goal) session.go_to = *motion->goal;
+    if (motion->goal) session.view.go_to = *motion->goal;
     select_what_was_done(session, motion->to);
 }
 
@@ -174,7 +174,7 @@ void Tutorial::next(Session& session, bool at_once)
     const std::size_t to = history.position() + 1;
     if (to > history.steps().size()) return;
     if (at_once) return show(session, to);
-    motion_ = Motion{.to = to, .began_s = {}, .from = session.camera, .set = {}, .goal = {}};
+    motion_ = Motion{.to = to, .began_s = {}, .from = session.view.camera, .set = {}, .goal = {}};
     if (const Camera* camera = camera_of(history.steps()[to - 1].command)) motion_->goal = *camera;
 }
 
@@ -196,15 +196,15 @@ bool Tutorial::advance(Session& session, double time_s, bool at_once)
     }
     if (!m.began_s) {
         m.began_s = time_s;
-        m.from = m.set = session.camera;
+        m.from = m.set = session.view.camera;
     }
-    if (session.camera != m.set) m.goal.reset(); // somebody looks round
+    if (session.view.camera != m.set) m.goal.reset(); // somebody looks round
     const double passed = time_s - *m.began_s;
     if (m.goal) {
-        const Camera goal = ui::reshaped(*m.goal, session.camera.size_px);
-        session.camera = mixed(m.from, goal, smooth(passed / flight_s));
-        session.camera.size_px = m.from.size_px;
-        m.set = session.camera;
+        const Camera goal = ui::reshaped(*m.goal, session.view.camera.size_px);
+        session.view.camera = mixed(m.from, goal, smooth(passed / flight_s));
+        session.view.camera.size_px = m.from.size_px;
+        m.set = session.view.camera;
         if (passed < flight_s) return true;
     }
     const Command& command = history.steps()[m.to - 1].command;
@@ -230,7 +230,8 @@ std::vector<glm::dvec2> Tutorial::stroke(const Session& session) const
     std::vector<glm::dvec2> path;
     for (const StrokeSample& sample : begun(*sketch, motion_->done).samples)
         path.push_back(
-            project(session.camera, ui::point_at_target_depth(sketch->camera, sample.p_px)).p_px);
+            project(session.view.camera, ui::point_at_target_depth(sketch->camera, sample.p_px))
+                .p_px);
     return path;
 }
 

@@ -50,7 +50,7 @@ void bookmarks(Editor& editor)
     std::string forget;
     for (const auto& [name, camera] : editor.session.document().bookmarks) {
         if (!ImGui::BeginMenu(name.c_str())) continue;
-        if (ImGui::MenuItem("Go there")) editor.session.follows = FollowedView{name};
+        if (ImGui::MenuItem("Go there")) editor.session.view.follows = FollowedView{name};
         if (ImGui::MenuItem("Forget")) forget = name;
         ImGui::EndMenu();
     }

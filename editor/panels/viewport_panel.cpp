@@ -71,10 +71,11 @@ void labels(Editor& editor, const ui::Theme& theme, ui::Frame& frame, const ui::
 {
     const Session& session = editor.session;
     const std::string name = name_of(session.document(), session.selected);
-    std::string label = session.camera.perspective ? "Perspective" : "Orthographic";
+    std::string label = session.view.camera.perspective ? "Perspective" : "Orthographic";
     const auto add = [&](const std::string& words) { label += "  ·  " + words; };
-    if (session.follows && session.follows->shown)
-        add(session.follows->name == "picture" ? "View of pictures" : session.follows->name);
+    if (session.view.follows && session.view.follows->shown)
+        add(session.view.follows->name == "picture" ? "View of pictures"
+                                                    : session.view.follows->name);
     if (editor.shading.wireframe)
         add("Wireframe");
     else if (editor.shading.see_through)
@@ -251,7 +252,7 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
         aside.insert(aside.end(), session.aside.begin(), session.aside.end());
         std::ranges::sort(aside);
         paint_captions(captions_of(session.evaluated(), session.shown(), aside), view,
-                       session.camera, over);
+                       session.view.camera, over);
     }
     tool.overlay(session, over, input);
     if (ImGui::IsMouseReleased(ImGuiMouseButton_Right)) {

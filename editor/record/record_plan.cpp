@@ -78,8 +78,8 @@ RecordingWish wish_of(const RecordPlan& plan, const Session& session)
     sequence.settings =
         "quality=" + std::string(gpu::level_names[static_cast<std::size_t>(plan.level)]);
     if (!wish.document.bookmarks.contains("picture")) {
-        wish.camera = session.camera;
-        sequence.settings += view_words(session.camera);
+        wish.camera = session.view.camera;
+        sequence.settings += view_words(session.view.camera);
     }
     if (!plan.video) return wish;
     wish.video = video_of(plan, session);

@@ -279,10 +279,10 @@ void Session::replace_scene(SceneFile scene, std::vector<ui::Notices::Action> of
     meet_document();
     const auto& bookmarks = document().bookmarks;
     const auto picture = bookmarks.find("picture");
-    frame_all_when_evaluated = picture == bookmarks.end();
-    go_to.reset();
-    follows.reset();
-    if (picture != bookmarks.end()) follows = FollowedView{"picture"};
+    view.frame_all_when_evaluated = picture == bookmarks.end();
+    view.go_to.reset();
+    view.follows.reset();
+    if (picture != bookmarks.end()) view.follows = FollowedView{"picture"};
     const std::vector<std::string>& said = scene_.notices();
     if (said.size() == 1)
         notices.say(ui::NoticeKind::warning, said.front(), {}, {}, std::move(offers));
@@ -366,9 +366,9 @@ void Session::poll()
                             result->problem);
         }
         if (up_to_date()) tell_what_is_missing();
-        if (frame_all_when_evaluated && up_to_date() && !evaluated_.objects.empty()) {
-            frame_all_when_evaluated = false;
-            camera = ui::framed(camera, points_of(evaluated_, aside));
+        if (view.frame_all_when_evaluated && up_to_date() && !evaluated_.objects.empty()) {
+            view.frame_all_when_evaluated = false;
+            view.camera = ui::framed(view.camera, points_of(evaluated_, aside));
         }
     }
     finish_check();

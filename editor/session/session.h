@@ -4,7 +4,7 @@
 #include "core/document/scene_file.h"
 #include "editor/jobs/background_evaluator.h"
 #include "editor/jobs/job.h"
-#include "editor/session/followed_view.h"
+#include "editor/session/scene_view.h"
 #include "editor/session/selection.h"
 #include "ui/notices.h"
 
@@ -94,12 +94,9 @@ public:
     Selection selected;
     std::vector<Id> aside;     // ascending: left out of the picture while others are worked on
     void select_new(Id first); // all from that id up, but not what is in groups among them
-    Camera camera;
+    SceneView view;
     bool deform_on_processor = true; // else who draws does it: parts are left to be asked for
-    bool frame_all_when_evaluated = false;
-    bool auto_key = false;       // every change of a number that can have keys is one
-    std::optional<Camera> go_to; // a view, taken up by the next frame, which knows its size
-    std::optional<FollowedView> follows;
+    bool auto_key = false;           // every change of a number that can have keys is one
     ui::Notices notices;
 
 private:

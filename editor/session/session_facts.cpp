@@ -37,11 +37,11 @@ std::vector<glm::dvec3> points_of(const Session& session, const std::vector<Id>&
 Camera camera_for_pictures(const Session& session)
 {
     const auto kept = session.document().bookmarks.find("picture");
-    if (kept == session.document().bookmarks.end()) return session.camera;
-    if (session.follows && session.follows->name == "picture" &&
-        session.follows->shown == session.camera)
+    if (kept == session.document().bookmarks.end()) return session.view.camera;
+    if (session.view.follows && session.view.follows->name == "picture" &&
+        session.view.follows->shown == session.view.camera)
         return kept->second;
-    return ui::reshaped(session.camera, kept->second.size_px);
+    return ui::reshaped(session.view.camera, kept->second.size_px);
 }
 
 } // namespace trivar

@@ -22,11 +22,11 @@ void RefinedView::follow(Session& session, double tolerance_px, bool moving, dou
         wanted_ = {};
     }
     if (changed) merge(session);
-    const Wanted now{&session.evaluator(), session.evaluation(), session.camera, tolerance_px};
+    const Wanted now{&session.evaluator(), session.evaluation(), session.view.camera, tolerance_px};
     if (tolerance_px > 0 && !moving && now != wanted_) {
         wanted_ = now;
         asked_s_ = time_s;
-        session.evaluator().submit_view({session.evaluated(), session.camera, tolerance_px,
+        session.evaluator().submit_view({session.evaluated(), session.view.camera, tolerance_px,
                                          session.deform_on_processor, time_s});
     }
     current_ = now == wanted_;

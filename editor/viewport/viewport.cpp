@@ -44,7 +44,7 @@ gpu::Picture picture_of(const Session& session, const Evaluated& seen, gpu::Leve
                         const ViewportStyle& style, ShownValues& values)
 {
     gpu::Picture picture =
-        picture_of(seen, session.document(), session.camera, values, style.deform_by);
+        picture_of(seen, session.document(), session.view.camera, values, style.deform_by);
     gpu::set_level(picture, level);
     std::erase_if(picture.instances, [&](const gpu::Instance& instance) {
         return std::ranges::binary_search(session.aside, instance.id);
@@ -82,11 +82,13 @@ ViewportInput Viewport::take_input(Session& session, const ui::Frame& frame, con
     const glm::dvec2 drag = input.mouse - last_mouse_;
     last_mouse_ = input.mouse;
     const glm::dvec2 size_px(rect.size());
-    if (session.go_to) {
-        session.camera = ui::reshaped(*std::exchange(session.go_to, std::nullopt), size_px);
-        session.follows.reset();
+    if (session.view.go_to) {
+        session.view.camera =
+            ui::reshaped(*std::exchange(session.view.go_to, std::nullopt), size_px);
+        session.view.follows.reset();
     }
-    session.camera = followed(session.follows, session.document(), session.camera, size_px);
+    session.view.camera =
+        followed(session.view.follows, session.document(), session.view.camera, size_px);
 
     const bool moves_camera = emulates_middle() && !tool.busy();
     if (ImGui::IsItemActive() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !moves_camera) {
@@ -143,7 +145,7 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
         shaders_ = shader_folder_->texts(frame.time_s);
         frame.again_in(gpu::ShaderFolder::look_every_s);
     }
-    Shown wanted{session.camera,
+    Shown wanted{session.view.camera,
                  refined_.number(),
                  session.selected,
                  session.aside,

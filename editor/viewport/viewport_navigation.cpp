@@ -61,12 +61,13 @@ std::optional<glm::dvec3> Viewport::anchor_under(const Session& session, glm::dv
     if (!renderer_ || !shown_) return std::nullopt;
     const auto found = session.evaluated().objects.find(renderer_->pick(glm::ivec2(p_px)));
     if (found == session.evaluated().objects.end()) return std::nullopt;
-    return first_hit(*found->second, ray_through(session.camera, p_px));
+    return first_hit(*found->second, ray_through(session.view.camera, p_px));
 }
 
 glm::dvec3 Viewport::point_under(const Session& session, glm::dvec2 p_px)
 {
-    return anchor_under(session, p_px).value_or(ui::point_at_target_depth(session.camera, p_px));
+    return anchor_under(session, p_px)
+        .value_or(ui::point_at_target_depth(session.view.camera, p_px));
 }
 
 glm::dvec3 Viewport::orbit_center(const Session& session, glm::dvec2 mouse_px)
@@ -88,7 +89,7 @@ bool Viewport::emulates_middle() const
 
 void Viewport::zoom(Session& session, glm::dvec2 mouse_px, double factor)
 {
-    Camera& camera = session.camera;
+    Camera& camera = session.view.camera;
     const glm::dvec3 anchor =
         point_under(session, manners_.zoom_to_cursor ? mouse_px : camera.size_px / 2.0);
     camera = ui::zoomed(camera, anchor, factor);
@@ -102,7 +103,7 @@ void Viewport::zoom(Session& session, glm::dvec2 mouse_px, double factor)
 void Viewport::navigate(Session& session, const ViewportInput& input, glm::dvec2 drag_px)
 {
     const ImGuiIO& io = ImGui::GetIO();
-    Camera& camera = session.camera;
+    Camera& camera = session.view.camera;
     const bool middle = ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Middle);
     const bool emulated = emulates_middle() && ImGui::IsItemActive() &&
                           ImGui::IsMouseDown(ImGuiMouseButton_Left) && !left_down_;
@@ -134,7 +135,7 @@ void Viewport::scroll(Session& session, const ui::Frame& frame, const ViewportIn
     const bool fingers =
         manners_.device == "trackpad" ||
         (manners_.device == "automatic" && frame.time_s - fine_scroll_s_ < memory_s);
-    Camera& camera = session.camera;
+    Camera& camera = session.view.camera;
     if (!fingers || io.KeyCtrl) {
         const double way = manners_.reversed_zoom ? -manners_.zoom : manners_.zoom;
         zoom(session, input.mouse, std::pow(wheel_factor, way * steps.y));

@@ -60,10 +60,10 @@ TEST(MenuBar, EnterRunsTheFirstEntryAtOnce)
 {
     Rig rig({1024, 700});
     rig.frames();
-    rig.editor.session.camera.eye = {9, 9, 9};
+    rig.editor.session.view.camera.eye = {9, 9, 9};
     rig.key({.key = 'F', .alt = true});
     rig.key({ui::key_enter}); // New scene
-    EXPECT_EQ(rig.editor.session.camera.eye, Camera{}.eye);
+    EXPECT_EQ(rig.editor.session.view.camera.eye, Camera{}.eye);
 }
 
 TEST(MenuBar, EscapeClosesItAndLeavesTheToolInTheHand)

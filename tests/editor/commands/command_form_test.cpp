@@ -203,7 +203,7 @@ TEST(FillingValues, LaysAModelAlongAStrokeThatIsTyped)
     rig.two_objects();
     rig.editor.session.selected = 0;
     const std::size_t before = rig.steps();
-    const glm::dvec2 c = rig.editor.session.camera.size_px / 2.0;
+    const glm::dvec2 c = rig.editor.session.view.camera.size_px / 2.0;
     fill(rig, "place");
     ASSERT_EQ(rig.editor.palette.filling->form.title, "Place");
     EXPECT_EQ(rig.editor.palette.filling->form.fields[0].present, "Box");

@@ -71,10 +71,10 @@ TEST(Keeping, ANewSceneIsSeenFromHomeWithTheSelectingTool)
 {
     Rig rig;
     rig.frames();
-    rig.editor.session.camera.eye = {9, 9, 9};
+    rig.editor.session.view.camera.eye = {9, 9, 9};
     rig.editor.choose_tool(1);
     rig.key({.key = 'N', .ctrl = true});
-    EXPECT_EQ(rig.editor.session.camera.eye, Camera{}.eye);
+    EXPECT_EQ(rig.editor.session.view.camera.eye, Camera{}.eye);
     EXPECT_EQ(rig.editor.tool, 0u);
 }
 

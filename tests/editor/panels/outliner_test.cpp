@@ -85,8 +85,8 @@ struct Room : Rig {
             editor.session.run(box);
         }
         editor.session.run(Group{.objects = {3}, .name = "G"});
-        editor.session.camera.eye = {0, -12, 2};
-        editor.session.camera.target = {0, 0, 0};
+        editor.session.view.camera.eye = {0, -12, 2};
+        editor.session.view.camera.target = {0, 0, 0};
         wait();
     }
     glm::vec2 row(float i) const { return layout().outliner.lo + glm::vec2(90, 72 + 24 * i); }

@@ -22,10 +22,10 @@ struct Looking : Rig {
     {
         two_objects();
         move(layout().view.center() + glm::vec2(60, 30));
-        before = editor.session.camera;
+        before = editor.session.view.camera;
     }
     Camera before;
-    const Camera& camera() const { return editor.session.camera; }
+    const Camera& camera() const { return editor.session.view.camera; }
     double distance() const { return glm::length(camera().eye); }
     void wheel(glm::vec2 steps)
     {
@@ -126,7 +126,7 @@ TEST(Mouse, ZoomsTheOtherWayWhereItIsSaidSo)
     rig.wheel({0, 1});
     const double nearer = rig.distance();
     EXPECT_LT(nearer, glm::length(rig.before.eye));
-    rig.editor.session.camera = rig.before;
+    rig.editor.session.view.camera = rig.before;
     rig.editor.preferences.mouse.reversed_zoom = true;
     rig.frames(1);
     rig.wheel({0, 1});

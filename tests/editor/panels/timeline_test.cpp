@@ -92,13 +92,13 @@ TEST(Timeline, IsZoomedByTheWheelAboutTheFrameUnderTheMouseAndFitByHome)
     rig.frames(3);
     EXPECT_EQ(rig.scale().first, zoomed.first);
     const ui::Rect view = rig.layout().view;
-    const Camera camera = rig.editor.session.camera;
+    const Camera camera = rig.editor.session.view.camera;
     rig.key({ui::key_home});
     EXPECT_EQ(rig.scale().last, all.last);
-    EXPECT_EQ(rig.editor.session.camera.eye, camera.eye);
+    EXPECT_EQ(rig.editor.session.view.camera.eye, camera.eye);
     rig.move(view.center());
     rig.key({ui::key_home});
-    EXPECT_NE(rig.editor.session.camera.eye, camera.eye);
+    EXPECT_NE(rig.editor.session.view.camera.eye, camera.eye);
 }
 
 TEST(Timeline, ShowsTenFramesAtLeastAndNoneBeyondTheEnds)
@@ -290,7 +290,7 @@ TEST(Playing, SpaceMayTurnTheViewAndThenPlaysWhereItIsOnlyTapped)
     rig.two_objects();
     rig.editor.preferences.mouse.emulation = "space";
     rig.frames();
-    const auto eye = [&] { return rig.editor.session.camera.eye; };
+    const auto eye = [&] { return rig.editor.session.view.camera.eye; };
     const glm::dvec3 before = eye();
     const glm::vec2 c = rig.layout().view.center();
     rig.hold(ui::key_space);

@@ -38,7 +38,7 @@ TEST(Stretch, IsShownWhereTheSceneSaysSo)
     const Session& session = rig.editor.session;
     ShownValues values;
     const auto picture = [&] {
-        return picture_of(session.evaluated(), session.document(), session.camera, values);
+        return picture_of(session.evaluated(), session.document(), session.view.camera, values);
     };
     EXPECT_FALSE(picture().value_colors);
     RenderSettings settings;
@@ -104,7 +104,7 @@ TEST(Error, IsShownWhereTheSceneSaysSoFromDarkToLight)
     ASSERT_TRUE(rig.editor.session.run(SetRender{{.color_by = ColorBy::error}}));
     ShownValues values;
     const gpu::Picture picture =
-        picture_of(session.evaluated(), session.document(), session.camera, values);
+        picture_of(session.evaluated(), session.document(), session.view.camera, values);
     ASSERT_TRUE(picture.value_colors);
     EXPECT_FALSE(picture.value_colors->diverging);
 }

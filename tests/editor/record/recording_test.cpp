@@ -30,7 +30,7 @@ struct Recorded : testing::Boxes {
         track.keys[1].frame = 6;
         track.keys[1].value = 1.5;
         EXPECT_TRUE(editor.session.run(Animate{{{1, {track}}}}));
-        Camera camera = editor.session.camera;
+        Camera camera = editor.session.view.camera;
         EXPECT_TRUE(editor.session.run(SaveCamera{"picture", camera}));
         editor.session.save_as(disk.file("a.trivar"));
         wait();
@@ -119,7 +119,7 @@ TEST(Recordings, FromAnotherViewAreNotContinued)
     rig.begin();
     rig.finish();
     const auto before = rig.files("a_frames");
-    rig.editor.session.camera.eye.x += 2;
+    rig.editor.session.view.camera.eye.x += 2;
     rig.begin();
     rig.finish();
     EXPECT_TRUE(rig.files("a_frames") != before);

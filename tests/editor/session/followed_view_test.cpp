@@ -15,7 +15,7 @@ struct Filmed : Rig {
     Filmed()
     {
         two_objects();
-        editor.session.run(SaveCamera{"picture", editor.session.camera});
+        editor.session.run(SaveCamera{"picture", editor.session.view.camera});
         editor.session.run(Animate{{{0,
                                      {{"camera.picture.eye.x",
                                        {{.frame = 1, .value = 0, .tween = Tween::linear},
@@ -23,7 +23,7 @@ struct Filmed : Rig {
         action(editor, "View of pictures").run(editor);
         wait();
     }
-    double x() const { return editor.session.camera.eye.x; }
+    double x() const { return editor.session.view.camera.eye.x; }
     void show(int frame)
     {
         editor.session.show_frame(frame);
@@ -44,9 +44,9 @@ TEST(FollowedView, GoesWithTheFrames)
 TEST(FollowedView, StaysWhereAHandPutsTheCamera)
 {
     Filmed rig;
-    rig.editor.session.camera.eye.y -= 1;
+    rig.editor.session.view.camera.eye.y -= 1;
     rig.frames(2);
-    EXPECT_FALSE(rig.editor.session.follows);
+    EXPECT_FALSE(rig.editor.session.view.follows);
     rig.show(51);
     EXPECT_EQ(rig.x(), 0);
     action(rig.editor, "View of pictures").run(rig.editor);
@@ -59,7 +59,7 @@ TEST(FollowedView, AKeyOfItIsWhatTheWindowShows)
     Filmed rig;
     rig.editor.session.selected = 0;
     rig.show(51);
-    rig.editor.session.camera.eye = {1, -7, 4};
+    rig.editor.session.view.camera.eye = {1, -7, 4};
     rig.move(rig.layout().view.center());
     rig.key({'I'});
     const Track* x = track_of(rig.editor.session.document(), 0, "camera.picture.eye.x");

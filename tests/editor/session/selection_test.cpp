@@ -49,8 +49,8 @@ struct Row : Rig {
             box.transform.translation = {2 * i - 2, 0, 0};
             editor.session.run(box);
         }
-        editor.session.camera.eye = {0, -12, 2};
-        editor.session.camera.target = {0, 0, 0};
+        editor.session.view.camera.eye = {0, -12, 2};
+        editor.session.view.camera.target = {0, 0, 0};
         wait();
     }
     const std::vector<Id>& ids() const { return editor.session.selected.ids(); }

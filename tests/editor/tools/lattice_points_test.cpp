@@ -19,7 +19,7 @@ struct LatticeRig : Rig {
         PlacementParameters p = object(editor.session.document(), 2).placement->parameters;
         p.grid = {9, 4, 3};
         EXPECT_TRUE(editor.session.run(EditPlacement{2, p, {}, {}}));
-        editor.session.camera.eye = {0.5, -4, 1.4};
+        editor.session.view.camera.eye = {0.5, -4, 1.4};
         key({'V'});
         wait();
     }

@@ -35,7 +35,7 @@ struct PlacedRig : Rig {
     }
     glm::vec2 handle(const HoldPoint& point) const
     {
-        const glm::dvec2 at = *trivar::seen_at(point, editor.session.camera, 1);
+        const glm::dvec2 at = *trivar::seen_at(point, editor.session.view.camera, 1);
         return layout().view.lo + glm::vec2(at);
     }
     // A drag of a handle by some pixels.
@@ -63,12 +63,12 @@ TEST(PlacementHandles, ARimSetsTheWidthAndTheRoofTheHeightAStepEach)
     const HoldPoint roof = rig.hold(HoldKind::height);
     // From where the stroke was drawn the height is seen end on: its handle is on a stalk.
     EXPECT_GT(glm::distance(rig.handle(roof), rig.seen_at(roof.p_world)), 20);
-    const Camera& camera = rig.editor.session.camera;
+    const Camera& camera = rig.editor.session.view.camera;
     const double px = pixel_size_world(camera, project(camera, roof.base_world).depth_world);
     rig.pull(roof, {0, -40});
     EXPECT_EQ(rig.steps(), before + 2);
     EXPECT_NEAR(rig.step().parameters.height, height + 40 * px, 0.03 * height);
-    rig.editor.session.camera.eye = {-4, -5, 2};
+    rig.editor.session.view.camera.eye = {-4, -5, 2};
     rig.frames(4);
     const HoldPoint aside = rig.hold(HoldKind::height);
     const double now = rig.step().parameters.height;
@@ -102,7 +102,7 @@ TEST(PlacementHandles, ARimOfAProfileMovesItsPointOnly)
 TEST(PlacementHandles, TheFloorIsPulledIntoTheSceneAndTheRiseUpAndDown)
 {
     PlacedRig rig;
-    rig.editor.session.camera.eye = {-4, -5, 2};
+    rig.editor.session.view.camera.eye = {-4, -5, 2};
     rig.frames(4);
     const HoldPoint floor = rig.hold(HoldKind::sunk);
     const double height = rig.laid().report.height_world;
@@ -135,7 +135,7 @@ TEST(PlacementHandles, APointOfTheHeightMapIsRaisedOverTheRoof)
     PlacementParameters p = rig.step().parameters;
     p.height_map = {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}};
     ASSERT_TRUE(rig.editor.session.run(EditPlacement{2, p, {}, {}}));
-    rig.editor.session.camera.eye = {-4, -5, 2};
+    rig.editor.session.view.camera.eye = {-4, -5, 2};
     rig.wait();
     const HoldPoint inner = rig.hold(HoldKind::map, 1 * 3 + 1);
     EXPECT_LT(glm::distance(inner.p_world, evaluate(rig.laid().volume, {inner.u, 0.5, 1}).value),
@@ -172,7 +172,7 @@ TEST(PlacementHandles, APlaceOfTheStrokeIsPulledWhereTheMouseGoes)
     const Sketch before = rig.step().sketch;
     rig.pull(middle, {0, 40});
     const NearestLine now =
-        nearest_on_line(rig.laid(), rig.editor.session.camera, goal - rig.layout().view.lo);
+        nearest_on_line(rig.laid(), rig.editor.session.view.camera, goal - rig.layout().view.lo);
     EXPECT_LT(now.distance_px, 4);
     EXPECT_EQ(rig.step().sketch.samples.front().p_px, before.samples.front().p_px);
     EXPECT_EQ(rig.step().sketch.samples.back().p_px, before.samples.back().p_px);
@@ -181,13 +181,13 @@ TEST(PlacementHandles, APlaceOfTheStrokeIsPulledWhereTheMouseGoes)
 TEST(PlacementHandles, AlsoFromAnotherSideThanItWasDrawnFrom)
 {
     PlacedRig rig;
-    rig.editor.session.camera.eye = {-4, -4, 5};
+    rig.editor.session.view.camera.eye = {-4, -4, 5};
     rig.frames(4);
     const HoldPoint end = rig.hold(HoldKind::stroke, 2);
     const glm::vec2 goal = rig.seen_at(end.p_world) + glm::vec2(25, 30);
     rig.pull(end, {25, 30});
     const NearestLine now =
-        nearest_on_line(rig.laid(), rig.editor.session.camera, goal - rig.layout().view.lo);
+        nearest_on_line(rig.laid(), rig.editor.session.view.camera, goal - rig.layout().view.lo);
     EXPECT_LT(now.distance_px, 4);
 }
 
@@ -239,7 +239,7 @@ TEST(PlaceTool, TheWheelSetsTheWidthWhileAStrokeIsDrawn)
     Rig rig;
     rig.two_objects();
     rig.key({'D'});
-    const Camera before = rig.editor.session.camera;
+    const Camera before = rig.editor.session.view.camera;
     rig.draw(rig.stroke(), false);
     rig.wait();
     const double width =
@@ -249,7 +249,7 @@ TEST(PlaceTool, TheWheelSetsTheWidthWhileAStrokeIsDrawn)
     rig.wait();
     rig.screen.input().push(ui::press(ui::Button::left, false));
     rig.wait();
-    EXPECT_EQ(rig.editor.session.camera, before);
+    EXPECT_EQ(rig.editor.session.view.camera, before);
     EXPECT_NEAR(object(rig.editor.session.document(), 2).placement->parameters.width, 1.21 * width,
                 0.01 * width);
 }

@@ -15,7 +15,7 @@ struct PressRig : Rig {
         key({'D'});
         draw(stroke());
         wait();
-        editor.session.camera.eye = {0.5, -5, 2};
+        editor.session.view.camera.eye = {0.5, -5, 2};
         key({'P'});
         wait();
     }

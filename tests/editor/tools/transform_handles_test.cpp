@@ -13,7 +13,7 @@ using testing::Boxes;
 glm::vec2 handle_of(const Boxes& rig, MotionKind kind, Handle wanted)
 {
     const auto stands = stands_of(rig.editor.session.document(), rig.editor.session.selected.ids());
-    const Camera& camera = rig.editor.session.camera;
+    const Camera& camera = rig.editor.session.view.camera;
     const MotionFrame frame{pivot_of(stands, rig.editor.session.selected, Pivot::origin, {}),
                             glm::dmat3(1)};
     for (const HandleShape& shape : gizmo_shapes(kind, camera, frame, 1))
@@ -110,7 +110,7 @@ TEST(Camera, IsTurnedBetweenTwoClicksWhereThatIsPreferred)
         rig.screen.input().push(ui::press(ui::Button::middle, false));
         rig.frames(4);
     };
-    const auto eye = [&] { return rig.editor.session.camera.eye; };
+    const auto eye = [&] { return rig.editor.session.view.camera.eye; };
     const glm::dvec3 before = eye();
     middle_click();
     rig.move(rig.away() + glm::vec2(50, 0));

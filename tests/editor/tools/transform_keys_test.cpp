@@ -119,7 +119,7 @@ TEST(TransformByKey, TheCameraMovesMeanwhileAndWhatWasDoneStays)
     const double moved = rig.of(1).translation.x;
     rig.screen.input().push(ui::turn_wheel(3));
     rig.wait();
-    EXPECT_LT(glm::distance(rig.editor.session.camera.eye, glm::dvec3(0)), 12);
+    EXPECT_LT(glm::distance(rig.editor.session.view.camera.eye, glm::dvec3(0)), 12);
     EXPECT_NEAR(rig.of(1).translation.x, moved, 1e-9);
     rig.move(rig.away() + glm::vec2(80, 0));
     rig.wait();

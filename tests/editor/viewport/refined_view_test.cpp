@@ -76,7 +76,8 @@ TEST_F(RefinedViews, FollowEditsAndTheCamera)
     EXPECT_NE(edited, first);
     EXPECT_TRUE(edited->refined);
     const std::size_t before = drawn_vertices();
-    session().camera.eye = glm::mix(session().camera.eye, session().camera.target, 0.7);
+    session().view.camera.eye =
+        glm::mix(session().view.camera.eye, session().view.camera.target, 0.7);
     settle();
     EXPECT_GT(drawn_vertices(), before);
 }

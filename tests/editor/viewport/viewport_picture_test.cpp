@@ -46,7 +46,7 @@ TEST(ViewportPicture, IsBitForBitTheOneThatReplayDraws)
         rig.editor.preferences.backdrop_as_in_pictures = true;
         in_window = shown(rig, size_px);
         EXPECT_NE(with_grid, in_window);
-        ASSERT_TRUE(rig.editor.session.run(SaveCamera{"picture", rig.editor.session.camera}));
+        ASSERT_TRUE(rig.editor.session.run(SaveCamera{"picture", rig.editor.session.view.camera}));
         rig.editor.session.save_as(folder.file("scene.trivar"));
     }
     ReplayOptions options;
@@ -129,7 +129,7 @@ TEST(ViewportPicture, StaysAsItWasWhereTheDeviceHasNoRoomForMoreAndOneNoticeSays
     EXPECT_EQ(said(), 1);
     EXPECT_EQ(rig.steps(), 3u) << "nothing is lost";
     traffic.room = 1 << 30;
-    rig.editor.session.camera.eye.x += 1;
+    rig.editor.session.view.camera.eye.x += 1;
     EXPECT_NE(shown(rig, size_px), before);
     EXPECT_EQ(said(), 0);
 }

@@ -38,7 +38,7 @@ TEST(TimingCard, LetsNoClickThroughToTheScene)
     rig.editor.timing.open = true;
     rig.frames();
     const glm::vec2 on_card = rig.layout().view.lo + glm::vec2(200, 150);
-    Camera& camera = rig.editor.session.camera; // the plane is everywhere
+    Camera& camera = rig.editor.session.view.camera; // the plane is everywhere
     camera.eye = {0, 0, 2.5};
     camera.up = {0, 1, 0};
     rig.wait();

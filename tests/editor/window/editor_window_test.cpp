@@ -284,9 +284,9 @@ TEST(EditorWindow, AKeptViewShowsAllOfItsPicture)
     rig.two_objects();
     Camera wide;
     wide.size_px = {2000, 500};
-    rig.editor.session.go_to = wide;
+    rig.editor.session.view.go_to = wide;
     rig.frames();
-    const Camera& now = rig.editor.session.camera;
+    const Camera& now = rig.editor.session.view.camera;
     EXPECT_EQ(now.size_px, glm::dvec2(rig.layout().view.size()));
     EXPECT_GT(now.fov_y, wide.fov_y);
     EXPECT_EQ(now.eye, wide.eye);
@@ -302,7 +302,7 @@ TEST(EditorWindow, WhatCarriesALaidModelIsNotLaidByItself)
     rig.wait();
     rig.editor.session.selected = 0;
     EXPECT_EQ(model_to_place(rig.editor.session, 0), 3) << "the newest that is not placed";
-    const Camera& camera = rig.editor.session.camera;
+    const Camera& camera = rig.editor.session.view.camera;
     const auto at = [&](double x) { return project(camera, glm::dvec3(x, 0, 0.1)).p_px; };
     Sketch over{camera, {}};
     for (int i = 0; i <= 20; ++i) over.samples.push_back({at(-0.4 + 0.04 * i), 0.02 * i});
