@@ -8,6 +8,13 @@
 namespace trivar {
 namespace {
 
+// The frames that are meant still, of those that the scene has now.
+void keep_frames_of(const Time& time, int& first, int& last)
+{
+    first = std::clamp(first, time.first_frame, time.last_frame);
+    last = std::clamp(last, first, time.last_frame);
+}
+
 void render_picture(Editor& e)
 {
     constexpr int width_px = 1920;
@@ -78,6 +85,39 @@ void add_file_actions(std::vector<Action>& a)
                  [](Editor& e) { ask_record(e); },
                  something_there()});
     a.push_back({"File", "Quit", {ctrl('Q')}, [](Editor& e) { e.files.ask_close(); }, {}, true});
+}
+
+void ask_export_frames(Editor& editor)
+{
+    const Session& session = editor.session;
+    auto& dialog = editor.export_dialog;
+    const std::string& scene = session.scene().path();
+    if (dialog.of != scene || dialog.plan == ExportPlan())
+        dialog.plan = usual_export(session, editor.files.models_folder);
+    dialog.of = scene;
+    keep_frames_of(session.document().time, dialog.plan.first, dialog.plan.last);
+    dialog.open = true;
+}
+
+void ask_record(Editor& editor)
+{
+    Session& session = editor.session;
+    auto& dialog = editor.record_dialog;
+    if (editor.recording.running()) {
+        dialog.card_hidden = !dialog.card_hidden;
+        return;
+    }
+    if (session.scene().path().empty()) {
+        session.notices.say(ui::NoticeKind::warning, "The scene has no file yet",
+                            "Frames are written beside it: save it first.", "picture",
+                            {{"Save as...", [&editor] { editor.files.ask_save_as(); }}});
+        return;
+    }
+    if (dialog.of != session.scene().path()) dialog.plan = usual_plan(session);
+    dialog.of = session.scene().path();
+    dialog.there.reset();
+    keep_frames_of(session.document().time, dialog.plan.first, dialog.plan.last);
+    dialog.open = true;
 }
 
 } // namespace trivar

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/actions/file_actions.h"
 #include "editor/panels/dialogs/plan_dialog.h"
 #include "editor/panels/panels.h"
 #include "editor/words/file_words.h"
@@ -58,18 +57,6 @@ bool draw_plan(const ui::Theme& theme, ExportPlan& plan, const Time& time)
 }
 
 } // namespace
-
-void ask_export_frames(Editor& editor)
-{
-    const Session& session = editor.session;
-    auto& dialog = editor.export_dialog;
-    const std::string& scene = session.scene().path();
-    if (dialog.of != scene || dialog.plan == ExportPlan())
-        dialog.plan = usual_export(session, editor.files.models_folder);
-    dialog.of = scene;
-    keep_frames_of(session.document().time, dialog.plan.first, dialog.plan.last);
-    dialog.open = true;
-}
 
 void draw_export_dialog(Editor& editor, const ui::Theme& theme)
 {

@@ -104,10 +104,4 @@ void draw_frames_row(const ui::Theme& theme, const Time& time, int& first, int& 
     if (step) field(2, "step", *step, {.lo = 1, .hi = 1000}, "every");
 }
 
-void keep_frames_of(const Time& time, int& first, int& last)
-{
-    first = std::clamp(first, time.first_frame, time.last_frame);
-    last = std::clamp(last, first, time.last_frame);
-}
-
 } // namespace trivar

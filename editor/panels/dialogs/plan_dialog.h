@@ -29,7 +29,5 @@ bool draw_path_row(const ui::Theme& theme, const std::string& label, std::string
 // A row of the first and the last frame, within the scene's, and every how many; null: no such
 // field.
 void draw_frames_row(const ui::Theme& theme, const Time& time, int& first, int& last, int* step);
-// The frames that are meant still, of those that the scene has now.
-void keep_frames_of(const Time& time, int& first, int& last);
 
 } // namespace trivar

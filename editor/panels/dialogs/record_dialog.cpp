@@ -109,27 +109,6 @@ std::string words_of(RecordDialog& dialog, const RecordingWish& wish)
 
 } // namespace
 
-void ask_record(Editor& editor)
-{
-    Session& session = editor.session;
-    auto& dialog = editor.record_dialog;
-    if (editor.recording.running()) {
-        dialog.card_hidden = !dialog.card_hidden;
-        return;
-    }
-    if (session.scene().path().empty()) {
-        session.notices.say(ui::NoticeKind::warning, "The scene has no file yet",
-                            "Frames are written beside it: save it first.", "picture",
-                            {{"Save as...", [&editor] { editor.files.ask_save_as(); }}});
-        return;
-    }
-    if (dialog.of != session.scene().path()) dialog.plan = usual_plan(session);
-    dialog.of = session.scene().path();
-    dialog.there.reset();
-    keep_frames_of(session.document().time, dialog.plan.first, dialog.plan.last);
-    dialog.open = true;
-}
-
 void draw_record_dialog(Editor& editor, const ui::Theme& theme)
 {
     auto& dialog = editor.record_dialog;
