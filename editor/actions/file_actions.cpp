@@ -90,7 +90,7 @@ void add_file_actions(std::vector<Action>& a)
 void ask_export_frames(Editor& editor)
 {
     const Session& session = editor.session;
-    auto& dialog = editor.export_dialog;
+    auto& dialog = editor.memory.of<ExportDialog>();
     const std::string& scene = session.scene().path();
     if (dialog.of != scene || dialog.plan == ExportPlan())
         dialog.plan = usual_export(session, editor.files.models_folder);
@@ -102,7 +102,7 @@ void ask_export_frames(Editor& editor)
 void ask_record(Editor& editor)
 {
     Session& session = editor.session;
-    auto& dialog = editor.record_dialog;
+    auto& dialog = editor.memory.of<RecordDialog>();
     if (editor.recording.running()) {
         dialog.card_hidden = !dialog.card_hidden;
         return;

@@ -4,6 +4,7 @@
 #include "editor/actions/hint_steps.h"
 #include "editor/actions/show_manual.h"
 #include "editor/editor.h"
+#include "editor/session/recent_scenes.h"
 #include "editor/session/samples.h"
 
 #include <algorithm>

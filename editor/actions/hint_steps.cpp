@@ -11,6 +11,12 @@ namespace {
 
 constexpr const char *draw_hint = "draw", *let_go_hint = "let go", *widen_hint = "widen";
 
+// The steps that are known: of which scene, and how many.
+struct FollowedSteps {
+    long scene = -1;
+    std::size_t count = 0;
+};
+
 bool closed(const Editor& editor, const std::string& name)
 {
     const auto& names = editor.preferences.closed_hints;
@@ -93,7 +99,7 @@ void close_hint(Editor& editor, const std::string& name)
 void follow_hints(Editor& editor)
 {
     const History& history = editor.session.scene().history();
-    FollowedSteps& followed = editor.followed_by_hints;
+    auto& followed = editor.memory.of<FollowedSteps>();
     const std::size_t now = history.position();
     const bool made = followed.scene == editor.session.scenes() && now == followed.count + 1 &&
                       now == history.steps().size() && !editor.tutorial.runs(editor.session);

@@ -27,7 +27,7 @@ std::vector<LogEntry> log_entries(const Session& session)
 
 bool log_lines_chosen(const Editor& editor)
 {
-    return editor.log_lines.from && editor.tab == Editor::Tab::log &&
+    return editor.memory.of<LogLines>().from && editor.tab == Editor::Tab::log &&
            editor.preferences.show_dock && !editor.only_view;
 }
 
@@ -35,7 +35,8 @@ bool copy_log_lines(Editor& editor)
 {
     if (!log_lines_chosen(editor)) return false;
     const std::vector<LogEntry> entries = log_entries(editor.session);
-    const auto [first, last] = std::minmax(*editor.log_lines.from, editor.log_lines.to);
+    const auto& lines = editor.memory.of<LogLines>();
+    const auto [first, last] = std::minmax(*lines.from, lines.to);
     std::string text;
     std::size_t count = 0;
     for (std::size_t i = first; i <= last && i < entries.size(); ++i, ++count)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -18,6 +19,11 @@ struct LogEntry {
 // In the order in which they came.
 std::vector<LogEntry> log_entries(const Session& session);
 
+struct LogLines { // those that are selected
+    std::optional<std::size_t> from;
+    std::size_t to = 0;
+    bool dragging = false;
+};
 bool log_lines_chosen(const Editor& editor); // in the log, which is shown
 bool copy_log_lines(Editor& editor);         // to the clipboard, as they stand; whether there were
 

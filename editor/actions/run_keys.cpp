@@ -14,10 +14,16 @@ namespace trivar {
 
 namespace {
 
+struct LentTool { // by a key that is held
+    int key = 0;
+    std::size_t before = 0; // the tool that comes back
+    bool used = false;      // by the mouse
+};
+
 // A tool with which something was done while its key was held goes with the key.
 void return_lent_tool(Editor& editor)
 {
-    LentTool& lent = editor.lent_tool;
+    auto& lent = editor.memory.of<LentTool>();
     const bool busy = editor.active_tool().busy();
     if (lent.key == 0) return;
     if (ui::is_down(lent.key)) {
@@ -32,7 +38,7 @@ void return_lent_tool(Editor& editor)
 // whether it was, and nothing else happened meanwhile.
 bool space_was_tapped(Editor& editor)
 {
-    HeldSpace& space = editor.held_space;
+    auto& space = editor.memory.of<HeldSpace>();
     if (ui::struck({ui::key_space})) space = {.down = true};
     if (!space.down) return false;
     const ImGuiIO& io = ImGui::GetIO();
@@ -97,8 +103,9 @@ void run_keys(Editor& editor)
         const std::size_t tool_before = editor.tool;
         const int key = chord->key; // the action may give it to another
         each.run(editor);
-        editor.lent_tool = {};
-        if (editor.tool != tool_before) editor.lent_tool = {key, tool_before};
+        auto& lent = editor.memory.of<LentTool>();
+        lent = {};
+        if (editor.tool != tool_before) lent = {key, tool_before};
         return; // one press, one action
     }
 }

@@ -5,6 +5,11 @@ namespace trivar {
 
 struct Editor;
 
+struct HeldSpace {
+    bool down = false;
+    bool used = false; // for something else than what it does alone
+};
+
 // Runs the actions whose keys were struck in this frame.
 void run_keys(Editor& editor);
 

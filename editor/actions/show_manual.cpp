@@ -7,11 +7,12 @@ namespace trivar {
 
 void show_manual(Editor& editor, const std::string& page, std::size_t block)
 {
-    Editor::ManualDialog& dialog = editor.manual_dialog;
-    if (editor.manual.empty()) editor.manual = manual_in(editor.manual_folder);
-    if (editor.manual.empty()) editor.manual = {{keys_page, "Keys and mouse", {}}};
+    auto& dialog = editor.memory.of<ManualDialog>();
+    auto& [folder, pages] = editor.memory.of<ManualPages>();
+    if (pages.empty()) pages = manual_in(folder);
+    if (pages.empty()) pages = {{keys_page, "Keys and mouse", {}}};
     dialog.open = true;
-    dialog.page = page_of(editor.manual, page) ? page : editor.manual.back().name;
+    dialog.page = page_of(pages, page) ? page : pages.back().name;
     dialog.show_block = block;
 }
 

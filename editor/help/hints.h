@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
 #include <string>
 
 namespace trivar {
@@ -13,10 +12,4 @@ struct HintCard {
     int number = 0;   // of the three; 0: the scene lacks what a stroke needs
     std::string title, body;
 };
-// The steps that are known: of which scene, and how many.
-struct FollowedSteps {
-    long scene = -1;
-    std::size_t count = 0;
-};
-
 } // namespace trivar

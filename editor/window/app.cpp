@@ -5,8 +5,10 @@
 #include "editor/actions/actions.h"
 #include "editor/actions/all_actions.h"
 #include "editor/actions/help_actions.h"
+#include "editor/actions/show_manual.h"
 #include "editor/actions/use_keys.h"
 #include "editor/editor.h"
+#include "editor/panels/help/welcome.h"
 #include "editor/session/scene_names.h"
 #include "editor/window/draw_editor.h"
 #include "ui/window.h"
@@ -46,8 +48,8 @@ int run_editor(const EditorOptions& options)
         editor.recovery.discarded_days = static_cast<int>(editor.preferences.discarded_days);
         editor.recovery.forget_discarded();
         if (shaders) editor.viewport.follow(std::move(*shaders));
-        editor.manual_folder = options.manual;
-        editor.sample_pictures = options.sample_pictures;
+        editor.memory.of<ManualPages>().folder = options.manual;
+        editor.memory.of<SamplePictures>().folder = options.sample_pictures;
         editor.start_card.lacks_samples = options.samples.empty();
         add_tutorials(editor, options.tutorials);
         editor.files.samples = options.samples;

@@ -6,6 +6,7 @@
 #include "editor/editor.h"
 #include "editor/panels/inspector/inspect.h"
 #include "editor/panels/panels.h"
+#include "editor/session/recent_scenes.h"
 
 #include <filesystem>
 #include <imgui.h>
@@ -44,15 +45,21 @@ void apply_preferences(Editor& editor)
     editor.files.models_folder = p.models_folder;
     editor.viewport.set_manners(p.mouse);
     const int threads = static_cast<int>(p.threads);
-    if (threads == editor.in_force.threads) return;
-    editor.in_force = {threads, threads > 0 ? std::make_unique<ThreadLimit>(threads) : nullptr};
+    auto& in_force = editor.memory.of<PreferencesInForce>();
+    if (threads == in_force.threads) return;
+    in_force = {threads, threads > 0 ? std::make_unique<ThreadLimit>(threads) : nullptr};
 }
+
+struct SceneMet { // the session's scene that the tools know
+    long number = 0;
+};
 
 // What was under way belongs to a scene that is gone.
 void meet_scene(Editor& editor)
 {
-    if (editor.scene == editor.session.scenes()) return;
-    editor.scene = editor.session.scenes();
+    long& met = editor.memory.of<SceneMet>().number;
+    if (met == editor.session.scenes()) return;
+    met = editor.session.scenes();
     editor.active_tool().cancel(editor.session);
     editor.outliner = {};
     const bool open = editor.adjustment.open;
@@ -114,7 +121,7 @@ void draw_editor(Editor& editor, ui::Frame& frame)
         // Somewhere else has the keyboard now: a gesture would go on without its end.
         if (event.kind != ui::Event::Kind::focus || event.down) continue;
         editor.active_tool().cancel(editor.session);
-        editor.held_space = {};
+        editor.memory.of<HeldSpace>() = {};
     }
     if (frame.close_asked) editor.files.ask_close();
     // Its Enter is not the outliner's.

@@ -32,7 +32,7 @@ const std::vector<std::vector<std::string>> floors{
     {"core/export"},
     {"gpu"},
     {"ui"},
-    {"editor/words", "editor/jobs", "editor/action"},
+    {"editor/words", "editor/jobs", "editor/action", "editor/memory"},
     {"editor/preferences", "editor/picture"},
     {"editor/session"},
     {"editor/files", "editor/help", "editor/timeline", "editor/tools"},

@@ -60,7 +60,7 @@ bool draw_plan(const ui::Theme& theme, ExportPlan& plan, const Time& time)
 
 void draw_export_dialog(Editor& editor, const ui::Theme& theme)
 {
-    auto& dialog = editor.export_dialog;
+    auto& dialog = editor.memory.of<ExportDialog>();
     if (!dialog.open) return;
     if (dialog.browser.is_open()) {
         if (const auto file = dialog.browser.draw(theme)) dialog.plan.file = with_short_home(*file);

@@ -111,7 +111,7 @@ std::string words_of(RecordDialog& dialog, const RecordingWish& wish)
 
 void draw_record_dialog(Editor& editor, const ui::Theme& theme)
 {
-    auto& dialog = editor.record_dialog;
+    auto& dialog = editor.memory.of<RecordDialog>();
     if (!dialog.open) return;
     if (dialog.browser.is_open()) {
         if (const auto folder = dialog.browser.draw(theme))
@@ -141,7 +141,7 @@ void draw_record_dialog(Editor& editor, const ui::Theme& theme)
 std::optional<ui::Rect> draw_recording(Editor& editor, const ui::Theme& theme,
                                        const FootCards& foot)
 {
-    if (!editor.recording.running() || editor.record_dialog.card_hidden) return {};
+    if (!editor.recording.running() || editor.memory.of<RecordDialog>().card_hidden) return {};
     const ui::Palette& c = theme.color;
     const Recording::Status status = editor.recording.status();
     const glm::vec2 size(theme.px(440), theme.px(88));

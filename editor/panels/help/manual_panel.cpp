@@ -146,7 +146,7 @@ struct PageView {
 
 void draw_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r, const ManualPage& page)
 {
-    Editor::ManualDialog& dialog = editor.manual_dialog;
+    auto& dialog = editor.memory.of<ManualDialog>();
     ImGui::SetCursorScreenPos({r.lo.x, r.lo.y});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     ImGui::BeginChild(page.name.c_str(), {r.width(), r.height()});
@@ -172,7 +172,7 @@ void draw_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r, const 
     ImGui::EndChild();
     ImGui::PopStyleVar();
     const std::string to = linked_page(view.clicked);
-    if (!page_of(editor.manual, to)) return;
+    if (!page_of(editor.memory.of<ManualPages>().pages, to)) return;
     dialog.before.push_back(page.name);
     show_manual(editor, to);
 }
@@ -198,18 +198,19 @@ bool list_row(const ui::Theme& theme, const ui::Rect& row, const std::string& ti
 
 void draw_list(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
 {
-    Editor::ManualDialog& dialog = editor.manual_dialog;
+    auto& dialog = editor.memory.of<ManualDialog>();
     ImGui::SetCursorScreenPos({r.lo.x + theme.px(12), r.lo.y + theme.px(12)});
     ui::text_field(theme, "search", dialog.search, "Search the manual", r.width() - theme.px(24),
                    ui::icon::search);
     float y = r.lo.y + theme.px(46);
     std::vector<Found> rows;
     if (dialog.search.find_first_not_of(' ') != std::string::npos)
-        rows = found_in(editor.manual, dialog.search);
+        rows = found_in(editor.memory.of<ManualPages>().pages, dialog.search);
     else
-        for (const ManualPage& page : editor.manual) rows.push_back({page.name, {}, 0});
+        for (const ManualPage& page : editor.memory.of<ManualPages>().pages)
+            rows.push_back({page.name, {}, 0});
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const ManualPage& page = *page_of(editor.manual, rows[i].page);
+        const ManualPage& page = *page_of(editor.memory.of<ManualPages>().pages, rows[i].page);
         const bool words = !rows[i].words.empty() && rows[i].words != page.title;
         const ui::Rect row = {{r.lo.x + theme.px(12), y},
                               {r.hi.x - theme.px(12), y + theme.px(words ? 44 : 30)}};
@@ -248,7 +249,7 @@ void paint_picture(Editor& editor, const ui::Theme& theme, const ui::Rect& r,
 
 void draw_manual(Editor& editor, const ui::Theme& theme)
 {
-    Editor::ManualDialog& dialog = editor.manual_dialog;
+    auto& dialog = editor.memory.of<ManualDialog>();
     if (!dialog.open) return;
     const ui::Palette& c = theme.color;
     const ui::Rect r = ui::begin_dialog(theme, "manual", {theme.px(920), theme.px(680)});
@@ -275,7 +276,7 @@ void draw_manual(Editor& editor, const ui::Theme& theme)
     ui::paint_box({{r.lo.x + left - theme.size.hairline, y0}, {r.lo.x + left, r.hi.y}},
                   c.line_soft);
     draw_page(editor, theme, {{r.lo.x + left, y0}, r.hi - glm::vec2(theme.px(8), theme.px(8))},
-              *page_of(editor.manual, std::string(dialog.page)));
+              *page_of(editor.memory.of<ManualPages>().pages, std::string(dialog.page)));
     if (close || ImGui::IsKeyPressed(ui::key_escape, false)) {
         dialog = {};
         ImGui::CloseCurrentPopup();

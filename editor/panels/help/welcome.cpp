@@ -2,6 +2,7 @@
 #include "editor/panels/help/welcome.h"
 #include "editor/actions/help_actions.h"
 #include "editor/panels/panels.h"
+#include "editor/session/recent_scenes.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
 
@@ -50,7 +51,7 @@ bool recent_row(Editor& editor, const ui::Theme& theme, const ui::Rect& row,
 // What was worked on last, as many as there is room for; returns where it ends.
 float draw_recent(Editor& editor, const ui::Theme& theme, const ui::Rect& column, float y)
 {
-    const auto& recent = editor.recent_scenes.of(editor.preferences.recent_scenes);
+    const auto& recent = editor.memory.of<RecentScenes>().of(editor.preferences.recent_scenes);
     const float row = theme.px(row_height);
     if (recent.empty() || y + theme.px(28) + row > column.hi.y) return y;
     y = draw_caption(theme, column, y, "RECENT");

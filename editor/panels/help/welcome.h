@@ -12,6 +12,10 @@
 
 namespace trivar {
 
+struct SamplePictures { // of the samples, each called as its scene
+    std::string folder;
+};
+
 // Two in a row, with the way to the tour above them.
 void draw_samples(Editor& editor, const ui::Theme& theme, const ui::Rect& column,
                   const std::vector<Sample>& samples);

@@ -16,7 +16,8 @@ namespace {
 std::string picture_of_sample(const Editor& editor, const std::string& path)
 {
     const std::filesystem::path name = std::filesystem::path(path).stem();
-    return (std::filesystem::path(editor.sample_pictures) / name).string() + ".png";
+    return (std::filesystem::path(editor.memory.of<SamplePictures>().folder) / name).string() +
+           ".png";
 }
 
 void draw_sample(Editor& editor, const ui::Theme& theme, const ui::Rect& r, float high,

@@ -60,21 +60,22 @@ void volume_rows(ValueRows& rows, PlacementParameters& p, bool round, const Plac
         rows.take(draw_profile(rows.theme, {label, help_of(field), present, color, kind, rows.keys},
                                points, chosen));
     };
+    auto& chosen_points = editor.memory.of<ChosenPoints>();
     const ui::Palette& c = rows.theme.color;
     const double width = report ? report->width_world : 0;
     const double height = report ? report->height_world : 0;
     rows.size("Width", p.width, width, help_of("width"));
     profile("Width profile", "width_profile", width, c.stroke, ProfileKind::along, p.width_profile,
-            editor.width_point);
+            chosen_points.width);
     rows.size("Height", p.height, height, help_of("height"));
     profile("Height profile", "height_profile", height, c.lattice, ProfileKind::along,
-            p.height_profile, editor.height_point);
+            p.height_profile, chosen_points.height);
     profile("Height across", "height_across", height, c.lattice, ProfileKind::across,
-            p.height_across, editor.across_point);
+            p.height_across, chosen_points.across);
     rows.take(draw_height_map(rows.theme, {help_of("height_map"), height, rows.keys}, p.height_map,
-                              editor.map_point));
+                              chosen_points.map));
     profile("Rise", "rise_profile", height, c.contact, ProfileKind::rise, p.rise_profile,
-            editor.rise_point);
+            chosen_points.rise);
     rows.number("Sunk", p.contact_level, rest.contact_level, {.lo = 0, .hi = 1, .bar_hi = 1},
                 help_of("contact_level"));
     if (!round) // there is no camera to extrude toward

@@ -49,14 +49,19 @@ ui::Edit letters_field(const ui::Theme& theme, std::string& text)
     return changed && !waits ? ui::Edit::changed : ui::Edit::none;
 }
 
+struct FontTitles { // looked for when a text is first shown
+    std::vector<std::string> titles;
+};
+
 void font_row(Editor& editor, ValueRows& rows, TextShape& s)
 {
-    if (editor.fonts.empty())
+    std::vector<std::string>& fonts = editor.memory.of<FontTitles>().titles;
+    if (fonts.empty())
         for (const InstalledFont& font : installed_fonts()) {
             const std::string title = font.title();
-            if (editor.fonts.empty() || editor.fonts.back() != title) editor.fonts.push_back(title);
+            if (fonts.empty() || fonts.back() != title) fonts.push_back(title);
         }
-    std::vector<std::string> words = editor.fonts;
+    std::vector<std::string> words = fonts;
     auto at = std::ranges::find(words, s.font);
     if (at == words.end()) at = words.insert(words.begin(), s.font); // a family, a file, a lost one
     int chosen = static_cast<int>(at - words.begin());

@@ -8,6 +8,11 @@
 
 namespace trivar {
 
+// The points that a hand chose on the curves of a placement and on its height map; -1: none.
+struct ChosenPoints {
+    int width = -1, height = -1, across = -1, rise = -1, map = -1;
+};
+
 // What a curve of a placement says: how a size changes along the stroke or across it, or how the
 // height is shared out between floor and roof.
 enum class ProfileKind { along, across, rise };

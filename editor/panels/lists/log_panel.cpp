@@ -113,7 +113,7 @@ void draw_entry(const ui::Theme& theme, const LogEntry& entry, const ui::Rect& r
 // A press takes a line, a drag those between.
 void select_lines(Editor& editor, const std::vector<LogEntry>& entries, std::size_t under)
 {
-    Editor::LogLines& lines = editor.log_lines;
+    auto& lines = editor.memory.of<LogLines>();
     const bool over = under < entries.size() && ImGui::IsWindowHovered();
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && over)
         lines = {.from = under, .to = under, .dragging = true};
@@ -124,7 +124,7 @@ void select_lines(Editor& editor, const std::vector<LogEntry>& entries, std::siz
 void draw_entries(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
 {
     const Session& session = editor.session;
-    const Editor::LogLines& chosen = editor.log_lines;
+    const auto& chosen = editor.memory.of<LogLines>();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     ImGui::SetCursorScreenPos({r.lo.x, r.lo.y});
     ImGui::BeginChild("lines", {r.width(), std::max(1.0f, r.height())});
@@ -286,7 +286,7 @@ void draw_log(Editor& editor, const ui::Theme& theme, const Layout& layout)
         layout.view.contains({mouse.x, mouse.y}) || layout.outliner.contains({mouse.x, mouse.y});
     if (elsewhere && ImGui::IsMouseClicked(ImGuiMouseButton_Left) &&
         !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId))
-        editor.log_lines = {};
+        editor.memory.of<LogLines>() = {};
     begin_panel("log", r, theme.color.panel);
     const auto told = told_by_field(editor, theme, r.width() - 2 * theme.size.padding);
     const float foot = theme.px(40) + (told.empty() ? 0 : theme.px(4)) +

@@ -3,6 +3,7 @@
 
 #include "editor/actions/actions.h"
 #include "editor/actions/all_actions.h"
+#include "editor/actions/show_manual.h"
 #include "editor/editor.h"
 #include "editor/words/letters_in_order.h"
 #include "editor/words/ranked.h"
@@ -102,7 +103,7 @@ TEST(CommandPalette, FindsByTheMenuWhatHasNoSuchName)
     rig.key({.key = 'P', .ctrl = true});
     rig.type("help");
     rig.key({.key = ui::key_enter});
-    EXPECT_TRUE(rig.editor.manual_dialog.open);
+    EXPECT_TRUE(rig.editor.memory.of<ManualDialog>().open);
 }
 
 TEST(CommandPalette, ChangesAPreferenceAfterAColon)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/actions.h"
 #include "editor/actions/menu_letters.h"
+#include "editor/panels/menu_bar.h"
 #include "tests/editor/rig.h"
 #include "tests/support/fixtures.h"
 
@@ -25,18 +26,18 @@ TEST(MenuBar, OpensByALetterAndShowsWhichEntryHasTheKeyboard)
     Rig rig({1024, 700});
     rig.frames();
     rig.key({.key = 'F', .alt = true});
-    EXPECT_EQ(rig.editor.menu.open, "File");
+    EXPECT_EQ(rig.editor.memory.of<MenuBar>().open, "File");
     EXPECT_NE(GImGui->NavId, 0u);
     EXPECT_FALSE(GImGui->NavDisableHighlight);
     rig.key({.key = 'E', .alt = true});
-    EXPECT_EQ(rig.editor.menu.open, "Edit");
+    EXPECT_EQ(rig.editor.memory.of<MenuBar>().open, "Edit");
     rig.key({ui::key_right});
-    EXPECT_EQ(rig.editor.menu.open, "Select");
+    EXPECT_EQ(rig.editor.memory.of<MenuBar>().open, "Select");
     EXPECT_NE(GImGui->NavId, 0u);
     rig.key({ui::key_left});
-    EXPECT_EQ(rig.editor.menu.open, "Edit");
+    EXPECT_EQ(rig.editor.memory.of<MenuBar>().open, "Edit");
     rig.key({ui::key_escape});
-    EXPECT_EQ(rig.editor.menu.open, "");
+    EXPECT_EQ(rig.editor.memory.of<MenuBar>().open, "");
 }
 
 TEST(MenuBar, AnEntryRunsByItsLetter)
@@ -45,7 +46,7 @@ TEST(MenuBar, AnEntryRunsByItsLetter)
     rig.frames();
     const bool shown = rig.editor.preferences.show_dock;
     rig.key({.key = 'V', .alt = true});
-    ASSERT_EQ(rig.editor.menu.open, "View");
+    ASSERT_EQ(rig.editor.memory.of<MenuBar>().open, "View");
     std::vector<std::string> entries;
     for (const Action& each : rig.editor.actions)
         if (each.menu == "View") entries.push_back(each.name);
@@ -53,7 +54,7 @@ TEST(MenuBar, AnEntryRunsByItsLetter)
     const auto at = std::ranges::find(entries, "Side panels") - entries.begin();
     rig.key({letters[static_cast<std::size_t>(at)]});
     EXPECT_NE(rig.editor.preferences.show_dock, shown);
-    EXPECT_EQ(rig.editor.menu.open, "");
+    EXPECT_EQ(rig.editor.memory.of<MenuBar>().open, "");
 }
 
 TEST(MenuBar, EnterRunsTheFirstEntryAtOnce)
@@ -75,7 +76,7 @@ TEST(MenuBar, EscapeClosesItAndLeavesTheToolInTheHand)
     ASSERT_EQ(tool, "Place");
     rig.key({.key = 'E', .alt = true});
     rig.key({ui::key_escape});
-    EXPECT_EQ(rig.editor.menu.open, "");
+    EXPECT_EQ(rig.editor.memory.of<MenuBar>().open, "");
     EXPECT_EQ(rig.editor.active_tool().name(), tool);
 }
 
@@ -84,7 +85,7 @@ TEST(MenuBar, LeavesKeysWithAltToTheActionsThatHaveThem)
     Rig rig({1024, 700});
     rig.two_objects();
     rig.key({.key = 'A', .alt = true}); // nothing selected, not the menu Add
-    EXPECT_EQ(rig.editor.menu.open, "");
+    EXPECT_EQ(rig.editor.memory.of<MenuBar>().open, "");
     EXPECT_EQ(rig.editor.session.selected, 0u);
 }
 
@@ -110,7 +111,7 @@ TEST(MenuBar, TheRightKeyOpensAMenuBesideAtItsFirstEntryAndTheLeftClosesIt)
     rig.key({ui::key_left});
     EXPECT_EQ(GImGui->OpenPopupStack.Size, 1);
     EXPECT_EQ(GImGui->NavId, entry);
-    EXPECT_EQ(rig.editor.menu.open, "File");
+    EXPECT_EQ(rig.editor.memory.of<MenuBar>().open, "File");
     rig.key({ui::key_right});
     rig.key({ui::key_enter});
     EXPECT_EQ(GImGui->OpenPopupStack.Size, 0) << "the first entry was chosen";

@@ -3,6 +3,7 @@
 
 #include "core/document/log.h"
 #include "editor/actions/actions.h"
+#include "editor/actions/log_lines.h"
 #include "editor/session/scene_facts.h"
 #include "tests/editor/boxes.h"
 #include "tests/editor/scenes.h"
@@ -151,7 +152,7 @@ TEST(Clipboard, LeavesSelectedLinesOfTheLogToTheLog)
     Boxes rig;
     rig.editor.tab = Editor::Tab::log;
     rig.frames();
-    rig.editor.log_lines = {.from = 1, .to = 1};
+    rig.editor.memory.of<LogLines>() = {.from = 1, .to = 1};
     rig.key(copy_key);
     EXPECT_THAT(ImGui::GetClipboardText(), StartsWith("{\"do\":\"add_box\""));
 }
@@ -175,7 +176,7 @@ TEST(Clipboard, LinesOfTheLogAreCopiedByTheMenuAsByTheKey)
     rig.editor.tab = Editor::Tab::log;
     rig.editor.session.selected = 0;
     rig.frames();
-    rig.editor.log_lines = {.from = 1, .to = 2};
+    rig.editor.memory.of<LogLines>() = {.from = 1, .to = 2};
     ASSERT_TRUE(is_enabled(rig.editor, action(rig.editor, "Copy")));
     rig.key({.key = 'E', .alt = true}); // as a menu does, which is opened by a click as well
     rig.key({ui::key_escape});

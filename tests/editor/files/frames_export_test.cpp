@@ -19,7 +19,7 @@ using ::testing::HasSubstr;
 // Two boxes, one of which rises from frame 1 to 6, saved, with the dialog over them.
 struct Exported : testing::Boxes {
     testing::TemporaryFolder disk;
-    ExportPlan& plan = editor.export_dialog.plan;
+    ExportPlan& plan = editor.memory.of<ExportDialog>().plan;
     Exported()
     {
         Track track;
@@ -73,7 +73,7 @@ TEST(FramesExports, AreTheFilesOfTheCommandLineWhileWorkOnTheSceneGoesOn)
     rig.plan.tolerance = 0.002;
     rig.frames(2);
     rig.agree();
-    EXPECT_FALSE(rig.editor.export_dialog.open);
+    EXPECT_FALSE(rig.editor.memory.of<ExportDialog>().open);
     rig.editor.session.selected = 2;
     rig.key({'X'}); // as it was when this began: both boxes
     rig.finish();
@@ -113,7 +113,7 @@ TEST(FramesExports, SayThatTheyWereStoppedAndLeaveNothing)
 TEST(FramesExports, TellWhatIsNotCertifiedAndGiveAllOfItToRead)
 {
     Exported rig;
-    rig.editor.export_dialog.open = false;
+    rig.editor.memory.of<ExportDialog>().open = false;
     const auto with_keys = [](Id object, const char* parameter, double from, double to) {
         Track track;
         track.parameter = parameter;
@@ -134,7 +134,7 @@ TEST(FramesExports, TellWhatIsNotCertifiedAndGiveAllOfItToRead)
     EXPECT_EQ(rig.plan.file, rig.disk.file("pot.glb"));
     rig.plan.last = 2;
     rig.plan.tolerance = 0.02;
-    rig.editor.export_dialog.open = false;
+    rig.editor.memory.of<ExportDialog>().open = false;
     rig.editor.frames_export.begin(wish_of(rig.plan, rig.editor.session));
     rig.finish();
     EXPECT_EQ(rig.told().title, "Exported 2 frames to pot.glb, not all of it certified");
@@ -206,7 +206,7 @@ TEST(ExportDialog, IsOfTheScenesFileAndReplacesOneThatIsThere)
     testing::write_file(rig.disk.file("a.Box.pc2"), "old");
     EXPECT_TRUE(outlook_of(rig.plan, wish_of(rig.plan, rig.editor.session)).replaces);
     rig.key({ui::key_escape});
-    EXPECT_FALSE(rig.editor.export_dialog.open);
+    EXPECT_FALSE(rig.editor.memory.of<ExportDialog>().open);
     EXPECT_EQ(read_text_file(rig.disk.file("a.glb")), "old");
 }
 

@@ -73,26 +73,26 @@ TEST(Manual, FindsWordsWhateverTheirCaseAndTheTitleFirst)
 TEST(Manual, OpensAtTheToolAtHandFollowsALinkAndGoesBack)
 {
     Rig rig;
-    rig.editor.manual_folder = pages_folder;
+    rig.editor.memory.of<ManualPages>().folder = pages_folder;
     rig.frames();
     rig.key({'D'});
     rig.key({ui::key_f1});
-    EXPECT_EQ(rig.editor.manual_dialog.page, "place");
-    for (const ManualPage& page : rig.editor.manual) { // each is drawn
+    EXPECT_EQ(rig.editor.memory.of<ManualDialog>().page, "place");
+    for (const ManualPage& page : rig.editor.memory.of<ManualPages>().pages) { // each is drawn
         show_manual(rig.editor, page.name);
         rig.frames();
     }
     rig.key({ui::key_escape});
-    EXPECT_FALSE(rig.editor.manual_dialog.open);
+    EXPECT_FALSE(rig.editor.memory.of<ManualDialog>().open);
 }
 
 TEST(Manual, WithoutItsFilesStillHasTheKeys)
 {
     Rig rig;
-    rig.editor.manual_folder = "/nowhere";
+    rig.editor.memory.of<ManualPages>().folder = "/nowhere";
     rig.frames();
     rig.key({ui::key_f1});
-    EXPECT_EQ(rig.editor.manual_dialog.page, keys_page);
+    EXPECT_EQ(rig.editor.memory.of<ManualDialog>().page, keys_page);
 }
 
 TEST(Markdown, GivesTheBlocksOfAPage)

@@ -7,6 +7,7 @@
 #include "editor/actions/help_actions.h"
 #include "editor/actions/use_keys.h"
 #include "editor/actions/words_with_keys.h"
+#include "editor/session/recent_scenes.h"
 #include "editor/words/markdown.h"
 #include "tests/editor/rig.h"
 #include "tests/support/fixtures.h"

@@ -130,15 +130,15 @@ TEST_P(EveryPanel, IsDrawnAndCutsNoText)
         look(rig, "preferences, page " + std::to_string(page));
     }
     rig.editor.preferences_dialog.open = false;
-    rig.editor.record_dialog.open = true;
+    rig.editor.memory.of<RecordDialog>().open = true;
     look(rig, "record");
-    rig.editor.record_dialog.open = false;
+    rig.editor.memory.of<RecordDialog>().open = false;
     for (const char* file : {"", "a.glb", "a.mdd"}) {
-        rig.editor.export_dialog.open = true;
-        rig.editor.export_dialog.plan.file = file;
+        rig.editor.memory.of<ExportDialog>().open = true;
+        rig.editor.memory.of<ExportDialog>().plan.file = file;
         look(rig, "export frames to " + std::string(file));
     }
-    rig.editor.export_dialog.open = false;
+    rig.editor.memory.of<ExportDialog>().open = false;
     rig.editor.frames_export.reading = {"a.glb", std::vector<std::string>(40, "part 1 is bent")};
     look(rig, "what is not certified");
     rig.editor.frames_export.reading.reset();

@@ -191,10 +191,10 @@ TEST(PreferencesPages, CutWhatIsRememberedAndLimitThreads)
     rig.editor.preferences.threads = 1;
     rig.frames(1);
     EXPECT_THAT(rig.editor.preferences.recent_scenes, ::testing::ElementsAre("a", "b"));
-    EXPECT_TRUE(rig.editor.in_force.limit);
+    EXPECT_TRUE(rig.editor.memory.of<PreferencesInForce>().limit);
     rig.editor.preferences.threads = 0;
     rig.frames(1);
-    EXPECT_FALSE(rig.editor.in_force.limit);
+    EXPECT_FALSE(rig.editor.memory.of<PreferencesInForce>().limit);
 }
 
 TEST(PreferencesPages, AskNothingOfUnnamedScenesThatCanBeBroughtBack)

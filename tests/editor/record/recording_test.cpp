@@ -177,18 +177,18 @@ TEST(RecordDialog, IsOpenedByItsKeyAndBeginsARecording)
 {
     Recorded rig;
     rig.key({.key = ui::key_f1 + 11, .ctrl = true});
-    ASSERT_TRUE(rig.editor.record_dialog.open);
+    ASSERT_TRUE(rig.editor.memory.of<RecordDialog>().open);
     rig.key({ui::key_escape});
-    EXPECT_FALSE(rig.editor.record_dialog.open);
+    EXPECT_FALSE(rig.editor.memory.of<RecordDialog>().open);
     ask_record(rig.editor);
-    rig.editor.record_dialog.plan = rig.plan;
+    rig.editor.memory.of<RecordDialog>().plan = rig.plan;
     rig.frames(4);
     const glm::vec2 middle = glm::vec2(rig.size_px) / 2.0f, half(300, 202); // the card
     rig.click(glm::round(middle) + half - glm::vec2(24 + 48, 30));
-    EXPECT_FALSE(rig.editor.record_dialog.open);
+    EXPECT_FALSE(rig.editor.memory.of<RecordDialog>().open);
     ASSERT_TRUE(rig.editor.recording.running());
     action(rig.editor, record_action).run(rig.editor);
-    EXPECT_TRUE(rig.editor.record_dialog.card_hidden);
+    EXPECT_TRUE(rig.editor.memory.of<RecordDialog>().card_hidden);
     rig.finish();
     EXPECT_EQ(rig.files("a_frames").size(), 6u);
 }
@@ -197,7 +197,7 @@ TEST(RecordDialog, WantsTheScenesFile)
 {
     testing::Boxes rig;
     rig.key({.key = ui::key_f1 + 11, .ctrl = true});
-    EXPECT_FALSE(rig.editor.record_dialog.open);
+    EXPECT_FALSE(rig.editor.memory.of<RecordDialog>().open);
     EXPECT_EQ(rig.editor.session.notices.all().back().title, "The scene has no file yet");
 }
 
