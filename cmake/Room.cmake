@@ -50,10 +50,12 @@ function(trivar_room name)
   endif()
 endfunction()
 
-# trivar_tests(NAME LIBRARIES lib...): every tests/NAME/*_test.cpp becomes one program, found by ctest test by test.
+# trivar_tests(NAME LIBRARIES lib...): every .cpp of tests/NAME and of its folders becomes one
+# program, found by ctest test by test.
 function(trivar_tests name)
   cmake_parse_arguments(ROOM "" "" "LIBRARIES;HEADERS" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp
+       ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*/*.cpp)
   if(NOT sources)
     return()
   endif()

@@ -1,106 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/editor.h"
 
-#include "editor/actions.h"
-#include "editor/hints.h"
-#include "editor/panels/inspect.h"
-#include "editor/panels/panels.h"
-
-#include <filesystem>
-#include <imgui.h>
-
 namespace trivar {
-namespace {
 
-// Behind all panels, so that the gaps between them are lines.
-void paint_ground(const ui::Theme& theme, glm::vec2 size_px)
-{
-    ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, {size_px.x, size_px.y}, theme.color.gap);
-}
-
-// For the list of what was worked on; a scene without a name is in no list.
-void remember_scene(Editor& editor)
-{
-    const std::string& named = editor.session.scene().path();
-    if (named.empty()) return;
-    const std::string path = std::filesystem::absolute(named).lexically_normal().string();
-    std::vector<std::string>& recent = editor.preferences.recent_scenes;
-    const auto most = static_cast<std::size_t>(editor.preferences.most_recent);
-    if (most == 0 || (!recent.empty() && recent.front() == path)) return;
-    remember(recent, path, most);
-    forget_moved(recent, path);
-}
-
-// What others hold of the preferences.
-void apply_preferences(Editor& editor)
-{
-    Preferences& p = editor.preferences;
-    const auto most = static_cast<std::size_t>(p.most_recent);
-    if (p.recent_scenes.size() > most) p.recent_scenes.resize(most);
-    editor.session.discarded_days = static_cast<int>(p.discarded_days);
-    editor.files.ask_to_keep = p.ask_to_keep;
-    editor.files.scenes_folder = p.scenes_folder;
-    editor.files.models_folder = p.models_folder;
-    editor.viewport.set_manners(p.mouse);
-    const int threads = static_cast<int>(p.threads);
-    if (threads == editor.in_force.threads) return;
-    editor.in_force = {threads, threads > 0 ? std::make_unique<ThreadLimit>(threads) : nullptr};
-}
-
-// What was under way belongs to a scene that is gone.
-void meet_scene(Editor& editor)
-{
-    if (editor.scene == editor.session.scenes()) return;
-    editor.scene = editor.session.scenes();
-    editor.active_tool().cancel(editor.session);
-    editor.outliner = {};
-    const bool open = editor.adjustment.open;
-    editor.adjustment = {};
-    editor.adjustment.open = open;
-    editor.inspecting = false;
-    editor.playback.pause();
-    editor.timeline = {};
-}
-
-// The keyboard is where the mouse was pressed last.
-void follow_click(Editor& editor, const Layout& layout)
-{
-    using Panel = Editor::Panel;
-    if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return;
-    const ImVec2 p = ImGui::GetIO().MousePos;
-    const glm::vec2 at{p.x, p.y};
-    editor.show_focus = false;
-    editor.panel = !layout.dock                    ? Panel::view
-                   : layout.outliner.contains(at)  ? Panel::outliner
-                   : layout.inspector.contains(at) ? Panel::dock
-                                                   : Panel::view;
-}
-
-// Where the keyboard is, once it went there by a key.
-void paint_focus(const Editor& editor, const ui::Theme& theme, const Layout& layout)
-{
-    using Panel = Editor::Panel;
-    if (!editor.show_focus || editor.only_view) return;
-    const ui::Rect dock = {layout.tabs.lo, layout.inspector.hi};
-    const ui::Rect& r = editor.panel == Panel::view       ? layout.view
-                        : editor.panel == Panel::outliner ? layout.outliner
-                                                          : dock;
-    if (editor.panel != Panel::view && !layout.dock) return;
-    const float half = 0.75f * theme.scale;
-    ImGui::GetForegroundDrawList()->AddRect({r.lo.x + half, r.lo.y + half},
-                                            {r.hi.x - half, r.hi.y - half}, theme.color.focus, 0, 0,
-                                            2 * half);
-}
-
-} // namespace
-
-Editor::Editor(std::function<void()> wake, std::string unnamed_folder)
+Editor::Editor(std::function<void()> wake, std::vector<Action> table_of_actions,
+               std::string unnamed_folder)
     : session(wake, std::move(unnamed_folder)),
+      actions(std::move(table_of_actions)),
       recording(wake, session.notices),
       frames_export(wake, session.notices),
       stored_pictures(wake)
 {
-    actions = all_actions(*this);
 }
 
 void Editor::lose_context()
@@ -118,81 +28,6 @@ void Editor::choose_tool(std::size_t index)
     if (index == tool) return;
     active_tool().cancel(session);
     tool = index;
-}
-
-void draw_editor(Editor& editor, ui::Frame& frame)
-{
-    const ui::Theme& theme = frame.theme;
-    apply_preferences(editor);
-    editor.session.poll();
-    editor.stored_pictures.poll();
-    editor.frames_export.poll();
-    editor.playback.advance(editor.session, frame, editor.preferences.loop);
-    editor.session.try_to_write(frame.time_s);
-    editor.session.follow_file(frame.time_s);
-    if (editor.session.scene().look_only()) frame.again_in(1);
-    if (!editor.session.scene().trouble().empty()) frame.again_in(5);
-    remember_scene(editor);
-    const long change = editor.session.change();
-    for (const ui::Event& event : frame.events) {
-        if (event.kind == ui::Event::Kind::drop) editor.files.take_dropped(event.paths);
-        // Somewhere else has the keyboard now: a gesture would go on without its end.
-        if (event.kind != ui::Event::Kind::focus || event.down) continue;
-        editor.active_tool().cancel(editor.session);
-        editor.held_space = {};
-    }
-    if (frame.close_asked) editor.files.ask_close();
-    // Its Enter is not the outliner's.
-    if (editor.active_tool().busy()) editor.panel = Editor::Panel::view;
-    run_keys(editor);
-    meet_scene(editor);
-
-    const auto arranged = [&] {
-        return layout_of(theme, frame.size_px, editor.preferences, editor.only_view);
-    };
-    drag_splitters(editor, frame, arranged());
-    const Layout layout = arranged();
-    follow_click(editor, layout);
-    paint_ground(theme, frame.size_px);
-    editor.timeline.hovered = false;
-    editor.keys_under_mouse = {};
-    if (!editor.only_view) {
-        draw_top_bar(editor, theme, layout);
-        draw_tool_strip(editor, theme, layout);
-        draw_options_bar(editor, theme, layout);
-        draw_timeline(editor, theme, layout);
-    }
-    const bool history = layout.dock && editor.tab == Editor::Tab::history;
-    if (!history) editor.session.preview(nullptr);
-    if (layout.dock) {
-        draw_outliner(editor, theme, layout);
-        draw_tabs(editor, theme, layout);
-        if (editor.tab == Editor::Tab::inspector)
-            draw_inspector(editor, theme, layout);
-        else if (editor.tab == Editor::Tab::history)
-            draw_history(editor, theme, layout);
-        else
-            draw_log(editor, theme, layout);
-    }
-    finish_edit(editor);
-    follow_steps(editor.adjustment, editor.session);
-    follow_hints(editor);
-    draw_viewport(editor, frame, layout); // last of the panels: it shows what they changed
-    draw_status_line(editor, theme, layout);
-    paint_focus(editor, theme, layout);
-    editor.files.draw(theme);
-    draw_manual(editor, theme);
-    draw_preferences(editor, theme);
-    draw_record_dialog(editor, theme);
-    draw_export_dialog(editor, theme);
-    draw_not_certified(editor, theme);
-    draw_command_palette(editor, theme);
-    // Panels drawn before the change still show what was there.
-    if (editor.session.change() != change || editor.outliner.scrolling) frame.again_in(0);
-    frame.close = editor.files.close_agreed();
-    frame.interface_scale = editor.preferences.scale;
-    frame.look = editor.preferences.look;
-    frame.full_screen = editor.full_screen;
 }
 
 } // namespace trivar

@@ -1,28 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/parallel.h"
-#include "editor/adjustment.h"
-#include "editor/command_field.h"
-#include "editor/command_palette.h"
-#include "editor/export_plan.h"
-#include "editor/files.h"
-#include "editor/held_keys.h"
-#include "editor/hints.h"
-#include "editor/manual.h"
-#include "editor/outline.h"
-#include "editor/picture_to_file.h"
-#include "editor/playback.h"
-#include "editor/preferences.h"
-#include "editor/preferences_dialog.h"
-#include "editor/recent_scenes.h"
-#include "editor/record_plan.h"
-#include "editor/stored_pictures.h"
+#include "editor/action.h"
+#include "editor/commands/adjustment.h"
+#include "editor/commands/command_field.h"
+#include "editor/commands/command_palette.h"
+#include "editor/files/export_plan.h"
+#include "editor/files/files.h"
+#include "editor/files/picture_to_file.h"
+#include "editor/help/tutorial.h"
+#include "editor/memory.h"
+#include "editor/picture/stored_pictures.h"
+#include "editor/preferences/preferences.h"
+#include "editor/preferences/preferences_dialog.h"
+#include "editor/record/record_plan.h"
+#include "editor/session/outline.h"
+#include "editor/session/recovery.h"
 #include "editor/timeline/key_target.h"
+#include "editor/timeline/playback.h"
 #include "editor/timeline/state.h"
-#include "editor/tools/tool.h"
-#include "editor/tutorial.h"
-#include "editor/viewport.h"
+#include "editor/tools/all_tools.h"
+#include "editor/viewport/viewport.h"
 #include "ui/timing_overlay.h"
 
 #include <functional>
@@ -31,63 +29,42 @@
 
 namespace trivar {
 
-struct Action;
-
-// The whole editor between two frames. Panels read and change it; nothing else holds state.
+// The whole editor between two frames. Panels and actions read and change it; nothing else holds
+// state.
 struct Editor {
-    explicit Editor(std::function<void()> wake, std::string unnamed_folder = {});
+    Editor(std::function<void()> wake, std::vector<Action> table_of_actions,
+           std::string unnamed_folder = {});
     Editor(const Editor&) = delete;
     Editor& operator=(const Editor&) = delete;
 
     Session session;
-    Files files{session};
+    Recovery recovery{session};
+    Files files{session, recovery};
     Viewport viewport;
     std::vector<std::unique_ptr<Tool>> tools = all_tools();
     std::size_t tool = 0; // index of the active one
     std::vector<Action> actions;
 
-    // Layout, and what panels remember.
+    // Layout, and what several panels or actions know.
     Preferences preferences;
     bool only_view = false, full_screen = false;
     Shading shading;
     PictureToFile picture_to_file;
     Recording recording;
-    RecordDialog record_dialog;
     FramesExport frames_export;
-    ExportDialog export_dialog;
     ui::TimingView timing;
     enum class Tab { inspector, history, log } tab = Tab::inspector;
     OutlinerState outliner;
-    std::vector<std::string> fonts; // by title; looked for when a text is first shown
     Playback playback;
     using Timeline = TimelineState;
     Timeline timeline;
     enum class Panel { view, outliner, dock } panel = Panel::view; // the keyboard's
     bool show_focus = false;                                       // it came there by a key
-    struct Menu {
-        std::string open, next; // of the menu bar; and in the next frame
-        bool by_letter = false; // it was opened by its letter
-        bool beside = false;    // another one is open beside it
-    } menu;
     Adjustment adjustment;
-    FollowedSteps followed_by_hints;
-    long scene = 0;               // number of the session's scene that the tools know
     bool add_menu_asked = false;  // it opens at the mouse in the next frame
     bool right_cancelled = false; // the right button, which is held, ended a gesture
     bool inspecting = false;      // a proposal of the inspector is pending
     KeyTarget keys_under_mouse;   // the numbers of the field that it is over
-    std::string manual_folder;    // its pages are read when the first is shown
-    std::string sample_pictures;  // a folder
-    std::vector<ManualPage> manual;
-    struct ManualDialog {
-        bool open = false;
-        std::string page, search;
-        std::vector<std::string> before;       // the pages whose links were followed
-        std::optional<std::size_t> show_block; // scroll to it
-    } manual_dialog;
-    int width_point = -1, height_point = -1, across_point = -1, rise_point = -1,
-        map_point = -1; // -1: none
-    RecentScenes recent_scenes;
     struct StartCard {   // numbers of the session's scenes, for each of which it begins anew
         long asked = -1; // over whatever is there, by Help
         long left = -1;  // it was left by New scene
@@ -97,24 +74,11 @@ struct Editor {
     } start_card;
     StoredPictures stored_pictures;
     Tutorial tutorial;
-    LentTool lent_tool;
-    HeldSpace held_space;
     PreferencesDialog preferences_dialog;
     std::string preferences_path; // of the file they are kept in; empty: in memory
     CommandPalette palette;
     CommandField command_field;
-
-    struct LogLines { // those that are selected in the log
-        std::optional<std::size_t> from;
-        std::size_t to = 0;
-        bool dragging = false;
-    } log_lines;
-
-    // Of the preferences what does not act by being read.
-    struct InForce {
-        int threads = 0;
-        std::unique_ptr<ThreadLimit> limit;
-    } in_force;
+    Memory memory; // what one panel or action alone knows
 
     // The graphics card was reset: drops what was made in the context that is lost, and says so.
     void lose_context();
@@ -122,8 +86,5 @@ struct Editor {
     const Tool& active_tool() const { return *tools[tool]; }
     void choose_tool(std::size_t index);
 };
-
-// Draws the whole window: takes input, runs keys, shows every panel.
-void draw_editor(Editor& editor, ui::Frame& frame);
 
 } // namespace trivar

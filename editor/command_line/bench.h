@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "editor/command_line/command_line.h"
+#include "editor/command_line/status.h"
+
+#include <string>
 
 namespace trivar {
 

@@ -4,16 +4,16 @@
 #include "core/base/rejected.h"
 #include "core/base/this_program.h"
 #include "core/document/command.h"
-#include "editor/about.h"
-#include "editor/app.h"
 #include "editor/command_line/bench.h"
 #include "editor/command_line/export.h"
 #include "editor/command_line/info.h"
 #include "editor/command_line/render.h"
 #include "editor/command_line/replay.h"
 #include "editor/command_line/verify.h"
-#include "editor/places.h"
-#include "editor/tutorial.h"
+#include "editor/files/places.h"
+#include "editor/help/about.h"
+#include "editor/help/tutorial.h"
+#include "editor/window/app.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "editor/command_line/drawing.h"
 
 #include "core/base/whole_numbers.h"
-#include "editor/picture.h"
+#include "editor/picture/picture.h"
 #include "gpu/shader_folder.h"
 #include "ui/camera_control.h"
 

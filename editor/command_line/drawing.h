@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/rejected.h"
-#include "editor/command_line/command_line.h"
-#include "editor/still.h"
+#include "editor/command_line/status.h"
+#include "editor/picture/still.h"
 #include "gpu/context.h"
 
 #include <optional>

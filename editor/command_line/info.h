@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "editor/command_line/command_line.h"
+#include "editor/command_line/status.h"
+
+#include <string>
+#include <vector>
 
 namespace trivar {
 

@@ -4,9 +4,9 @@
 #include "core/base/parallel.h"
 #include "core/document/parameters.h"
 #include "core/files/image.h"
-#include "editor/contact_sheet.h"
-#include "editor/sequence.h"
-#include "editor/video.h"
+#include "editor/record/contact_sheet.h"
+#include "editor/record/sequence.h"
+#include "editor/record/video.h"
 
 #include <algorithm>
 #include <chrono>

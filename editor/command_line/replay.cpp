@@ -9,8 +9,8 @@
 #include "core/files/file_bytes.h"
 #include "core/files/image.h"
 #include "core/files/write_model.h"
-#include "editor/volume_facts.h"
-#include "editor/volume_words.h"
+#include "editor/picture/volume_facts.h"
+#include "editor/words/volume_words.h"
 
 #include <algorithm>
 #include <cmath>

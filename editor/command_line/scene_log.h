@@ -6,8 +6,8 @@
 #include "core/document/files_read.h"
 #include "core/document/lacking.h"
 #include "core/document/log.h"
-#include "editor/command_line/command_line.h"
 #include "editor/command_line/interrupts.h"
+#include "editor/command_line/status.h"
 
 #include <map>
 

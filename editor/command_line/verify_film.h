@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "editor/command_line/verify.h"
+#include "editor/command_line/status.h"
+#include "editor/command_line/verify_options.h"
 
 namespace trivar {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/foot_cards.h"
 #include "editor/panels/panels.h"
-#include "editor/shown_values.h"
+#include "editor/picture/shown_values.h"
 #include "gpu/color_map.h"
 #include "ui/widgets.h"
 

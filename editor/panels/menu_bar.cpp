@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/menu_letters.h"
+#include "editor/panels/menu_bar.h"
+
+#include "editor/actions/menu_letters.h"
 #include "editor/panels/panels.h"
+#include "editor/session/recent_scenes.h"
 
 #include <algorithm>
 #include <cctype>
@@ -50,7 +53,7 @@ void bookmarks(Editor& editor)
     std::string forget;
     for (const auto& [name, camera] : editor.session.document().bookmarks) {
         if (!ImGui::BeginMenu(name.c_str())) continue;
-        if (ImGui::MenuItem("Go there")) editor.session.follows = FollowedView{name};
+        if (ImGui::MenuItem("Go there")) editor.session.view.follows = FollowedView{name};
         if (ImGui::MenuItem("Forget")) forget = name;
         ImGui::EndMenu();
     }
@@ -59,7 +62,7 @@ void bookmarks(Editor& editor)
 
 void recent_scenes(Editor& editor)
 {
-    const auto& recent = editor.recent_scenes.of(editor.preferences.recent_scenes);
+    const auto& recent = editor.memory.of<RecentScenes>().of(editor.preferences.recent_scenes);
     if (recent.empty() || !ImGui::BeginMenu("Open recent")) return;
     for (std::size_t i = 0; i < recent.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
@@ -102,7 +105,7 @@ void menu_items(Editor& editor, const ui::Theme& theme, const std::string& menu)
         if (each.group_begins) ImGui::Separator();
         const ImVec2 at = ImGui::GetCursorScreenPos();
         menu_item(editor, each);
-        if (editor.menu.by_letter)
+        if (editor.memory.of<MenuBar>().by_letter)
             underline(*ImGui::GetWindowDrawList(), theme, at, names[i], letters[i]);
         const bool pressed = letters[i] && ui::struck({letters[i]});
         if (listens && pressed && is_enabled(editor, each)) chosen = items[i];
@@ -119,9 +122,10 @@ void go_to_neighbour(Editor& editor, std::size_t menu)
     const ImGuiContext& g = *GImGui;
     const bool right = ImGui::IsKeyPressed(ui::key_right, false);
     if (!right && !ImGui::IsKeyPressed(ui::key_left, false)) return;
-    if (g.OpenPopupStack.Size != g.BeginPopupStack.Size || editor.menu.beside) return;
+    if (g.OpenPopupStack.Size != g.BeginPopupStack.Size || editor.memory.of<MenuBar>().beside)
+        return;
     const std::size_t count = menu_names().size();
-    editor.menu.next = menu_names()[(menu + (right ? 1 : count - 1)) % count];
+    editor.memory.of<MenuBar>().next = menu_names()[(menu + (right ? 1 : count - 1)) % count];
     ImGui::NavMoveRequestCancel();
 }
 
@@ -131,7 +135,7 @@ std::string asked_menu(const Editor& editor, const std::vector<char>& letters)
     if (editor.active_tool().busy() || editor.files.asking()) return {};
     const bool other =
         ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-    if (other && editor.menu.open.empty()) return {};
+    if (other && editor.memory.of<MenuBar>().open.empty()) return {};
     for (std::size_t i = 0; i < letters.size(); ++i)
         if (letters[i] && ui::struck({.key = letters[i], .alt = true})) return menu_names()[i];
     return {};
@@ -141,10 +145,11 @@ void menus(Editor& editor, const ui::Theme& theme)
 {
     const std::vector<std::string>& names = menu_names();
     const std::vector<char> letters = menu_letters(names, taken_with_alt(editor));
+    auto& bar = editor.memory.of<MenuBar>();
     std::string asked = asked_menu(editor, letters);
-    if (!asked.empty()) editor.menu.by_letter = true;
-    if (asked.empty()) asked = editor.menu.next;
-    editor.menu.next.clear();
+    if (!asked.empty()) bar.by_letter = true;
+    if (asked.empty()) asked = bar.next;
+    bar.next.clear();
     std::string open;
     for (std::size_t i = 0; i < names.size(); ++i) {
         const std::string& menu = names[i];
@@ -164,13 +169,13 @@ void menus(Editor& editor, const ui::Theme& theme)
             if (menu == "Help")
                 for (const char* each : {"Samples", "Tutorials"}) menu_beside(editor, theme, each);
             go_to_neighbour(editor, i);
-            editor.menu.beside = GImGui->OpenPopupStack.Size > GImGui->BeginPopupStack.Size;
+            bar.beside = GImGui->OpenPopupStack.Size > GImGui->BeginPopupStack.Size;
             ImGui::EndMenu();
         }
         ImGui::PopStyleVar(2);
     }
-    if (open.empty() && asked.empty()) editor.menu.by_letter = false;
-    editor.menu.open = open;
+    if (open.empty() && asked.empty()) bar.by_letter = false;
+    bar.open = open;
 }
 
 } // namespace

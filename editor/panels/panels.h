@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "editor/actions.h"
+#include "editor/actions/actions.h"
 #include "editor/editor.h"
 #include "ui/paint.h"
 
@@ -39,7 +39,6 @@ void draw_log(Editor& editor, const ui::Theme& theme, const Layout& layout);
 std::vector<std::string> inputs_now(const Editor& editor, const Hint& hint);
 void draw_status_line(Editor& editor, const ui::Theme& theme, const Layout& layout);
 void draw_manual(Editor& editor, const ui::Theme& theme);
-void show_manual(Editor& editor, const std::string& page, std::size_t block = 0);
 void draw_command_palette(Editor& editor, const ui::Theme& theme);
 void draw_filling(Editor& editor, const ui::Theme& theme); // of a command's values, in its place
 void draw_preferences(Editor& editor, const ui::Theme& theme);
@@ -56,9 +55,6 @@ class FootCards;
 std::optional<ui::Rect> draw_legend(const Document& document, const ui::Theme& theme,
                                     const FootCards& foot);
 void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
-bool log_lines_chosen(const Editor& editor); // in the log, which is shown
-bool copy_log_lines(Editor& editor);         // to the clipboard, as they stand; whether there were
-bool shows_welcome(const Editor& editor);
 void draw_welcome(Editor& editor, const ui::Theme& theme, const ui::Rect& view);
 void draw_adjustment(Editor& editor, const ui::Theme& theme, const FootCards& foot);
 std::optional<ui::Rect> draw_hint_card(Editor& editor, const ui::Theme& theme,
@@ -90,15 +86,12 @@ void draw_other_numbers(Editor& editor, const ui::Theme& theme, Id id);
 
 // The page of the preferences that shows every key and changes it.
 void draw_key_map(Editor& editor, const ui::Theme& theme, const ui::Rect& page);
-void ask_for_key(Editor& editor, const std::string& action); // opens that page
 
 // An action as an item of the menu that is open.
 void menu_item(Editor& editor, const Action& each);
 // What can be done with the selection, as a popup of that name.
 void draw_object_menu(Editor& editor, const ui::Theme& theme, const char* name);
 void draw_add_menu(Editor& editor, const ui::Theme& theme); // at the mouse, when it is asked for
-
-const char* icon_of(const Object& object);
 
 // A row of the outliner; whether its menu is asked for.
 bool draw_outline_row(Editor& editor, const ui::Theme& theme, const std::vector<OutlineRow>& rows,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/help_actions.h"
+#include "editor/actions/help_actions.h"
+#include "editor/actions/key_actions.h"
+#include "editor/actions/time_actions.h"
 #include "editor/panels/panels.h"
-#include "editor/time_actions.h"
-#include "editor/timeline/key_actions.h"
 
 #include <cmath>
 #include <fmt/format.h>

@@ -2,6 +2,7 @@
 #include "core/document/step_title.h"
 #include "editor/panels/panels.h"
 
+#include "editor/session/scene_names.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
 

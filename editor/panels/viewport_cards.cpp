@@ -25,7 +25,7 @@ struct Axis {
 void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& view)
 {
     const ui::Palette& c = theme.color;
-    Camera& camera = editor.session.camera;
+    Camera& camera = editor.session.view.camera;
     const glm::vec2 middle{view.hi.x - theme.px(56), view.lo.y + theme.px(56)};
     const float reach = theme.px(32);
     ui::paint_dot(middle, theme.px(44), ui::rgb(0x0E0F11, 0.22f));

@@ -3,10 +3,12 @@
 
 #include "core/base/memory.h"
 #include "core/base/text.h"
-#include "editor/captions.h"
-#include "editor/file_words.h"
+#include "editor/actions/start_card.h"
 #include "editor/panels/foot_cards.h"
-#include "editor/volume_picture.h"
+#include "editor/picture/captions.h"
+#include "editor/picture/volume_picture.h"
+#include "editor/session/scene_facts.h"
+#include "editor/words/file_words.h"
 #include "ui/icons.h"
 #include "ui/timing_overlay.h"
 #include "ui/widgets.h"
@@ -69,10 +71,11 @@ void labels(Editor& editor, const ui::Theme& theme, ui::Frame& frame, const ui::
 {
     const Session& session = editor.session;
     const std::string name = name_of(session.document(), session.selected);
-    std::string label = session.camera.perspective ? "Perspective" : "Orthographic";
+    std::string label = session.view.camera.perspective ? "Perspective" : "Orthographic";
     const auto add = [&](const std::string& words) { label += "  ·  " + words; };
-    if (session.follows && session.follows->shown)
-        add(session.follows->name == "picture" ? "View of pictures" : session.follows->name);
+    if (session.view.follows && session.view.follows->shown)
+        add(session.view.follows->name == "picture" ? "View of pictures"
+                                                    : session.view.follows->name);
     if (editor.shading.wireframe)
         add("Wireframe");
     else if (editor.shading.see_through)
@@ -249,7 +252,7 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
         aside.insert(aside.end(), session.aside.begin(), session.aside.end());
         std::ranges::sort(aside);
         paint_captions(captions_of(session.evaluated(), session.shown(), aside), view,
-                       session.camera, over);
+                       session.view.camera, over);
     }
     tool.overlay(session, over, input);
     if (ImGui::IsMouseReleased(ImGuiMouseButton_Right)) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/timeline/key_target.h"
 
-#include "editor/session.h"
+#include "editor/session/session.h"
 
 #include <algorithm>
 

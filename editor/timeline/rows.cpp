@@ -3,7 +3,7 @@
 
 #include "core/document/number_words.h"
 #include "core/document/parameters.h"
-#include "editor/session_facts.h"
+#include "editor/session/scene_facts.h"
 
 #include <algorithm>
 #include <map>

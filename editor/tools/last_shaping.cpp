@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/last_shaping.h"
 
+#include "editor/session/topics.h"
 #include "ui/widgets.h"
 
 #include <cmath>

@@ -100,7 +100,7 @@ std::optional<glm::ivec3> LatticePointsTool::point_at(const Session& session,
 {
     std::optional<glm::ivec3> nearest;
     double distance = point_reach_px * input.scale;
-    each_point(selected_placement(session)->placement->volume, session.camera,
+    each_point(selected_placement(session)->placement->volume, session.view.camera,
                [&](const glm::ivec3& p, glm::dvec2 at) {
                    const double far = glm::distance(at, input.mouse);
                    if (far >= distance) return;
@@ -152,9 +152,9 @@ void LatticePointsTool::use(Session& session, const ViewportInput& input)
     }
     if (!input.hovered && !input.pressed) return;
     if (!chosen_.empty())
-        hovered_handle_ = handle_at(
-            gizmo_shapes(MotionKind::move, session.camera, frame_of(volume, chosen_), input.scale),
-            glm::vec2(input.mouse), input.scale);
+        hovered_handle_ = handle_at(gizmo_shapes(MotionKind::move, session.view.camera,
+                                                 frame_of(volume, chosen_), input.scale),
+                                    glm::vec2(input.mouse), input.scale);
     // The middle of the handles covers a single chosen point: both move it.
     if (hovered_handle_.grip == Grip::none) hovered_ = point_at(session, input);
     if (hovered_ || hovered_handle_.grip != Grip::none)
@@ -185,7 +185,7 @@ void LatticePointsTool::choose_in_box(const Session& session, const ViewportInpu
     if (!ImGui::GetIO().KeyCtrl) chosen_.clear();
     const Lattice& volume = selected_placement(session)->placement->volume;
     const std::vector<char> before = flags_of(volume, chosen_);
-    each_point(volume, session.camera, [&](const glm::ivec3& p, glm::dvec2 at) {
+    each_point(volume, session.view.camera, [&](const glm::ivec3& p, glm::dvec2 at) {
         const bool inside =
             glm::all(glm::greaterThanEqual(at, lo)) && glm::all(glm::lessThanEqual(at, hi));
         if (inside && before[volume.displacement.index(p.x, p.y, p.z)] == 0) chosen_.push_back(p);
@@ -206,14 +206,15 @@ void LatticePointsTool::begin(const Session& session, const ViewportInput& input
                       glm::dmat4(1)};
     gesture_.emplace(MotionKind::move, std::vector<Stand>{stand}, object_,
                      TransformChoices{.orientation = Orientation::local, .step_m = 0.01},
-                     session.camera, Grasp{frame.pivot, handle, input.mouse, input.scale});
+                     session.view.camera, Grasp{frame.pivot, handle, input.mouse, input.scale});
     shown_ = glm::dvec3(0);
 }
 
 void LatticePointsTool::go_on(Session& session, const ViewportInput& input)
 {
     const ImGuiIO& io = ImGui::GetIO();
-    gesture_->move_hand(session.camera, input.mouse, {.snap = io.KeyCtrl, .fine = io.KeyShift});
+    gesture_->move_hand(session.view.camera, input.mouse,
+                        {.snap = io.KeyCtrl, .fine = io.KeyShift});
     if (by_key_ ? input.pressed : input.released || !input.down) return finish(session);
     if (!by_key_ && !gesture_->typed().open() && gesture_->travelled_px() < click_slip_px) return;
     const glm::dvec3 wanted = gesture_->motion().offset;
@@ -307,7 +308,7 @@ void LatticePointsTool::overlay(const Session& session, const ui::Theme& theme,
     const double reach_px = all_are_shown(volume) ? std::numeric_limits<double>::infinity()
                                                   : shown_reach_px * input.scale;
     std::size_t shown = 0;
-    each_point(volume, session.camera, [&](const glm::ivec3& p, glm::dvec2 at) {
+    each_point(volume, session.view.camera, [&](const glm::ivec3& p, glm::dvec2 at) {
         const bool chosen = flags[volume.displacement.index(p.x, p.y, p.z)] != 0,
                    lit = hovered_ && *hovered_ == p;
         if (!lit && !chosen && glm::distance(at, input.mouse) > reach_px) return;
@@ -324,7 +325,7 @@ void LatticePointsTool::overlay(const Session& session, const ui::Theme& theme,
     if (chosen_.empty() || box_px_) return;
     paint_gizmo(
         theme, input.rect.lo,
-        gizmo_shapes(MotionKind::move, session.camera, frame_of(volume, chosen_), input.scale),
+        gizmo_shapes(MotionKind::move, session.view.camera, frame_of(volume, chosen_), input.scale),
         gesture_ ? gesture_->constraint() : hovered_handle_);
     const Shaping* step =
         gesture_ && session.proposing() ? last_shaping(session, object_) : nullptr;

@@ -2,7 +2,7 @@
 #include "editor/tools/motion.h"
 
 #include "core/document/commands/apply.h"
-#include "editor/selection.h"
+#include "editor/session/selection.h"
 
 #include <cmath>
 

@@ -4,6 +4,9 @@
 #include "core/base/rounded.h"
 #include "core/placement/embed.h"
 #include "core/placement/redraw.h"
+#include "editor/session/scene_facts.h"
+#include "editor/session/session_facts.h"
+#include "editor/session/topics.h"
 #include "editor/tools/strip_paint.h"
 #include "ui/icons.h"
 #include "ui/option_bar.h"
@@ -173,7 +176,7 @@ void PlaceTool::begin(Session& session, const ViewportInput& input)
     width_ = 0;
     typed_ = {};
     pressure_ = 0.5;
-    stroke_.begin(session.camera, input.moves.empty() ? 0 : input.moves.front().time_s);
+    stroke_.begin(session.view.camera, input.moves.empty() ? 0 : input.moves.front().time_s);
 }
 
 void PlaceTool::use(Session& session, const ViewportInput& input)
@@ -186,7 +189,7 @@ void PlaceTool::use(Session& session, const ViewportInput& input)
         const EvaluatedObject* laid =
             handles_.shown(session) ? selected_placement(session) : nullptr;
         on_line_ = laid && (input.hovered || input.pressed) &&
-                   nearest_on_line(*laid->placement, session.camera, input.mouse).distance_px <
+                   nearest_on_line(*laid->placement, session.view.camera, input.mouse).distance_px <
                        near_line_px * input.scale;
         const Id model = on_line_ ? 0 : model_to_place(session, chosen_);
         why_not_.clear();
@@ -285,7 +288,7 @@ void PlaceTool::overlay(const Session& session, const ui::Theme& theme,
     if (drawing_) return paint_stroke(session, theme, input);
     if (const EvaluatedObject* laid = selected_placement(session);
         laid && handles_.shown(session)) {
-        paint_nodes(theme, input, session.camera, *laid->placement, Nodes::trouble);
+        paint_nodes(theme, input, session.view.camera, *laid->placement, Nodes::trouble);
         paint_strip_legend(theme, input.rect, *laid->placement);
     }
     handles_.overlay(session, theme, input);
@@ -308,16 +311,16 @@ void PlaceTool::paint_stroke(const Session& session, const ui::Theme& theme,
     double radius_px = theme.px(6);
     // A band of the strip's width shows at once where the model will lie.
     if (placement && path.size() > 1) {
-        const glm::dvec3 end = placement->strip.front().empty() ? session.camera.target
+        const glm::dvec3 end = placement->strip.front().empty() ? session.view.camera.target
                                                                 : placement->strip.front().back();
-        const double depth = std::max(1e-6, project(session.camera, end).depth_world);
+        const double depth = std::max(1e-6, project(session.view.camera, end).depth_world);
         const double width = width_ > 0 ? width_ : placement->report.width_world;
-        const double width_px = width / pixel_size_world(session.camera, depth);
+        const double width_px = width / pixel_size_world(session.view.camera, depth);
         ui::paint_path(path, ui::faded(theme.color.stroke, 0.16f),
                        static_cast<float>(std::clamp(width_px, 2.0, 400.0)));
         const double share = brush_ == Brush::pressure ? 2 * pressure_ : 1;
         radius_px = std::clamp(width_px / 2 * share, radius_px, 200.0);
-        paint_nodes(theme, input, session.camera, *placement, Nodes::all);
+        paint_nodes(theme, input, session.view.camera, *placement, Nodes::all);
         paint_strip_legend(theme, input.rect, *placement);
     }
     ui::paint_path(path, theme.color.halo, theme.line(5));

@@ -100,7 +100,7 @@ bool PlacementHandles::use(Session& session, const ViewportInput& input)
     if (!drag_) {
         hovered_ = {};
         if (!input.hovered && !input.pressed) return false;
-        const auto over = hold_at(points(session), session.camera, input.mouse, input.scale);
+        const auto over = hold_at(points(session), session.view.camera, input.mouse, input.scale);
         if (!over || session.committing()) return false;
         hovered_ = over->hold;
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
@@ -111,12 +111,12 @@ bool PlacementHandles::use(Session& session, const ViewportInput& input)
                          laid->placement,
                          laid->lies_on,
                          *over,
-                         session.camera,
+                         session.view.camera,
                          input.mouse};
         moved_ = false;
         return true;
     }
-    drag_->camera.size_px = session.camera.size_px;
+    drag_->camera.size_px = session.view.camera.size_px;
     moved_ = moved_ || glm::distance(input.mouse, drag_->from_px) > click_slip_px;
     const bool snap = ImGui::GetIO().KeyCtrl;
     if (input.released || !input.down) {
@@ -147,10 +147,10 @@ void PlacementHandles::overlay(const Session& session, const ui::Theme& theme,
     if (!laid || *choice_ == HandleChoice::none) return;
     const Hold lit = drag_ ? drag_->held.hold : hovered_;
     const auto at = [&](const glm::dvec3& p) {
-        return input.rect.lo + glm::vec2(project(session.camera, p).p_px);
+        return input.rect.lo + glm::vec2(project(session.view.camera, p).p_px);
     };
     for (const HoldPoint& point : points(session)) {
-        const auto seen = seen_at(point, session.camera, input.scale);
+        const auto seen = seen_at(point, session.view.camera, input.scale);
         if (!seen) continue;
         const bool on = point.hold == lit;
         const HoldKind kind = point.hold.kind;

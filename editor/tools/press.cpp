@@ -3,10 +3,11 @@
 
 #include "core/base/rounded.h"
 #include "core/ffd/resolution.h"
+#include "editor/picture/volume_picture.h"
+#include "editor/session/topics.h"
 #include "editor/tools/last_shaping.h"
 #include "editor/tools/placement_handles.h"
 #include "editor/tools/select.h"
-#include "editor/volume_picture.h"
 #include "ui/icons.h"
 #include "ui/option_bar.h"
 #include "ui/widgets.h"
@@ -125,7 +126,7 @@ void PressTool::begin(Session& session, const ViewportInput& input)
                .into_scene = into_scene_};
     const glm::dvec3 up = volume_directions(laid.volume, at_->uvw).up;
     const bool lifts = at_scene(laid.volume, laid.ground, at_->uvw);
-    g.into_px = metres_by_pixel(session.camera, at_->p_world, lifts ? up : -up);
+    g.into_px = metres_by_pixel(session.view.camera, at_->p_world, lifts ? up : -up);
     g.pull = ImGui::GetIO().KeyCtrl;
     if (g.by == By::brush)
         g.press.samples.back().w = (g.pull ? -1 : 1) * brush_step * strength(laid);
@@ -149,7 +150,7 @@ void PressTool::use(Session& session, const ViewportInput& input)
     }
     if (!laid) placement_ = nullptr;
     if (placement_ && (input.hovered || input.pressed))
-        at_ = on_volume(surface_, ray_through(session.camera, input.mouse));
+        at_ = on_volume(surface_, ray_through(session.view.camera, input.mouse));
     if (at_) {
         last_at_ = at_->uvw;
         last_of_ = laid->id;
@@ -172,7 +173,7 @@ void PressTool::go_on(Session& session, const ViewportInput& input)
     if (g.by == By::drag) {
         if (g.moved) g.press.samples.back().w = glm::dot(drag, g.into_px);
         if (const auto typed = typed_.value(0, Measure::length)) g.press.samples.back().w = *typed;
-    } else if (const auto at = on_volume(surface_, ray_through(session.camera, input.mouse))) {
+    } else if (const auto at = on_volume(surface_, ray_through(session.view.camera, input.mouse))) {
         const glm::dvec3 last = evaluate(g.volume, glm::dvec3(g.press.samples.back())).value;
         constexpr std::size_t most_samples = 4000;
         if (glm::distance(last, at->p_world) >= brush_step * g.press.radius &&
@@ -298,11 +299,12 @@ void PressTool::overlay(const Session& session, const ui::Theme& theme,
     std::vector<glm::dvec3> centers;
     for (const glm::dvec3& place : places(press, uvw)) {
         centers.push_back(evaluate(start, place).value);
-        if (!gesture_) paint_held_ball(theme, input, session.camera, centers.back(), press.radius);
+        if (!gesture_)
+            paint_held_ball(theme, input, session.view.camera, centers.back(), press.radius);
     }
     // The control points that the ball holds, as large as it moves them.
     const int inside = held_by(press, start, centers, [&](const glm::ivec3& at, double weight) {
-        const Projected p = project(session.camera, control_point(now, at.x, at.y, at.z));
+        const Projected p = project(session.view.camera, control_point(now, at.x, at.y, at.z));
         if (p.depth_world <= 0) return;
         ui::paint_dot(input.rect.lo + glm::vec2(p.p_px),
                       static_cast<float>(1.5 + 3 * weight) * theme.scale, theme.color.lattice,

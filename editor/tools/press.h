@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/document/commands/shape.h"
+#include "editor/picture/volume_surface.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/typed_amounts.h"
-#include "editor/volume_surface.h"
 
 namespace trivar {
 

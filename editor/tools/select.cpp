@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/select.h"
 
+#include "editor/session/scene_facts.h"
 #include "editor/tools/motion.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "editor/session.h"
+#include "editor/session/session.h"
 #include "gpu/picture.h"
 #include "ui/frame.h"
 #include "ui/keys.h"
@@ -88,7 +88,5 @@ public:
     virtual void options(Session&, const ui::Theme&, float width) { (void)width; }
     virtual std::vector<Hint> hints(const Session& session) const = 0;
 };
-
-std::vector<std::unique_ptr<Tool>> all_tools();
 
 } // namespace trivar

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/transform.h"
 
+#include "editor/session/scene_facts.h"
+#include "editor/session/session_facts.h"
 #include "editor/tools/gesture_keys.h"
 #include "editor/tools/select.h"
 #include "ui/icons.h"
@@ -41,7 +43,7 @@ std::optional<MotionFrame> TransformTool::handles_at(const Session& session) con
     const Box seen =
         choices_->pivot == Pivot::center ? bounds_of(session, session.selected.ids()) : Box{};
     return MotionFrame{pivot_of(stands, active, choices_->pivot, seen),
-                       shared_axes(stands, active, choices_->orientation, session.camera)};
+                       shared_axes(stands, active, choices_->orientation, session.view.camera)};
 }
 
 bool TransformTool::awaits(const ui::Chord& chord) const
@@ -79,7 +81,7 @@ void TransformTool::begin(Session& session)
 void TransformTool::start(const Session& session, const Grasp& grasp)
 {
     gesture_.emplace(kind_, stands_of(session.document(), session.selected.ids()),
-                     session.selected.active(), *choices_, session.camera, grasp);
+                     session.selected.active(), *choices_, session.view.camera, grasp);
     shown_.clear();
 }
 
@@ -93,7 +95,7 @@ void TransformTool::use(Session& session, const ViewportInput& input)
         hovered_ = {};
         const double scale = input.scale;
         if (frame && (input.hovered || input.pressed))
-            hovered_ = handle_at(gizmo_shapes(kind_, session.camera, *frame, scale),
+            hovered_ = handle_at(gizmo_shapes(kind_, session.view.camera, *frame, scale),
                                  glm::vec2(input.mouse), scale);
         if (hovered_.grip != Grip::none) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
         if (!input.pressed || session.committing()) return;
@@ -106,7 +108,8 @@ void TransformTool::use(Session& session, const ViewportInput& input)
         return;
     }
     const ImGuiIO& io = ImGui::GetIO();
-    gesture_->move_hand(session.camera, input.mouse, {.snap = io.KeyCtrl, .fine = io.KeyShift});
+    gesture_->move_hand(session.view.camera, input.mouse,
+                        {.snap = io.KeyCtrl, .fine = io.KeyShift});
     if (by_key_ ? input.pressed : input.released)
         finish(session);
     else if (by_key_ || gesture_->typed().open() || gesture_->travelled_px() >= click_slip_px)

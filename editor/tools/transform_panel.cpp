@@ -34,9 +34,10 @@ void TransformTool::overlay(const Session& session, const ui::Theme& theme,
     const glm::vec2 at = input.rect.lo;
     ImGui::PushClipRect({at.x, at.y}, {input.rect.hi.x, input.rect.hi.y}, true);
     if (gesture_)
-        gesture_overlay(session.camera, theme, input);
+        gesture_overlay(session.view.camera, theme, input);
     else if (const auto frame = handles_at(session))
-        paint_gizmo(theme, at, gizmo_shapes(kind_, session.camera, *frame, theme.scale), hovered_);
+        paint_gizmo(theme, at, gizmo_shapes(kind_, session.view.camera, *frame, theme.scale),
+                    hovered_);
     ImGui::PopClipRect();
 }
 
@@ -139,10 +140,10 @@ std::vector<Hint> TransformTool::hints_at_rest(const Session& session) const
                         : kind_ == MotionKind::rotate ? "@Reset rotation"
                                                       : "@Reset scale";
     if (const auto frame = handles_at(session)) {
-        const Projected middle = project(session.camera, frame->pivot);
+        const Projected middle = project(session.view.camera, frame->pivot);
         const bool seen = middle.depth_world > 0 &&
                           glm::all(glm::greaterThan(middle.p_px, {0, 0})) &&
-                          glm::all(glm::lessThan(middle.p_px, session.camera.size_px));
+                          glm::all(glm::lessThan(middle.p_px, session.view.camera.size_px));
         if (seen) hints.push_back(hint({"left"}, "Drag a handle"));
         hints.push_back(hint({"@" + name()}, name() + " freely"));
         hints.push_back(hint({reset}, "Reset"));

@@ -16,8 +16,8 @@ struct Boxes : Rig {
             editor.session.run(box);
         }
         editor.session.selected = 1;
-        editor.session.camera.eye = {0, -12, 3};
-        editor.session.camera.target = {0, 0, 0};
+        editor.session.view.camera.eye = {0, -12, 3};
+        editor.session.view.camera.target = {0, 0, 0};
         wait();
         move(layout().view.center() + glm::vec2(60, 90));
     }

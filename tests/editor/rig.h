@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "editor/actions/all_actions.h"
 #include "editor/editor.h"
 #include "editor/panels/panels.h"
+#include "editor/window/draw_editor.h"
 #include "ui/headless.h"
 
 #include <chrono>
@@ -20,7 +22,7 @@ struct Rig {
     }
     glm::ivec2 size_px;
     ui::HeadlessFrames screen;
-    Editor editor{[] {}};
+    Editor editor{[] {}, all_actions()};
 
     ui::DrawFrame body()
     {
@@ -77,7 +79,7 @@ struct Rig {
     // Where a point of the scene stands in the window.
     glm::vec2 seen_at(const glm::dvec3& p_world) const
     {
-        return layout().view.lo + glm::vec2(project(editor.session.camera, p_world).p_px);
+        return layout().view.lo + glm::vec2(project(editor.session.view.camera, p_world).p_px);
     }
     void draw(const std::vector<glm::vec2>& path, bool let_go = true)
     {
@@ -111,8 +113,8 @@ struct Rig {
         box.transform.translation = {0, 0, 1};
         ASSERT_TRUE(editor.session.run(box));
         editor.session.selected = 2;
-        editor.session.camera.eye = {0.5, -6, 4};
-        editor.session.camera.target = {0, 0, 0};
+        editor.session.view.camera.eye = {0.5, -6, 4};
+        editor.session.view.camera.target = {0, 0, 0};
         wait();
     }
     std::vector<glm::vec2> stroke() const

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "editor/actions.h"
+#include "editor/actions/actions.h"
 
 #include <map>
 

@@ -3,7 +3,9 @@
 // the page speaks of. Without arguments all of them, else those that are named.
 
 #include "core/files/image.h"
-#include "editor/help_actions.h"
+#include "editor/actions/help_actions.h"
+#include "editor/panels/help/welcome.h"
+#include "editor/panels/inspector/profile_rows.h"
 #include "tests/editor/rig.h"
 
 #include <algorithm>
@@ -26,7 +28,7 @@ struct Window : testing::Rig {
         for (const auto& each : std::filesystem::directory_iterator(checkout + "/assets/scenes"))
             editor.files.samples.push_back(each.path());
         std::ranges::sort(editor.files.samples);
-        editor.sample_pictures = checkout + "/docs/gallery";
+        editor.memory.of<SamplePictures>().folder = checkout + "/docs/gallery";
         add_tutorials(editor, {checkout + "/assets/tutorials/first_stroke.trivar"});
         frames();
     }
@@ -189,7 +191,7 @@ Image heights()
     edit.parameters.height_map = {
         {0.7, 0.7, 0.7}, {0.7, 1.6, 0.7}, {0.7, 2.2, 0.7}, {0.7, 1.6, 0.7}, {0.7, 0.7, 0.7}};
     window.run(edit);
-    window.editor.map_point = 7;
+    window.editor.memory.of<ChosenPoints>().map = 7;
     return window.taken();
 }
 

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/actions/edit_actions.h"
+
+#include "editor/actions/chords.h"
+#include "editor/actions/log_lines.h"
+#include "editor/commands/clipboard.h"
+#include "editor/editor.h"
+#include "editor/session/scene_facts.h"
+
+#include <algorithm>
+#include <imgui.h>
+
+namespace trivar {
+namespace {
+
+// A group's members go where it goes.
+std::vector<Id> chosen(const Editor& e)
+{
+    return topmost(e.session.document(), e.session.selected.ids());
+}
+
+// The chosen ones that are not locked; a notice where there is none.
+std::vector<Id> deletable(Editor& e, const char* title)
+{
+    std::vector<Id> ids = chosen(e);
+    std::erase_if(ids, [&](Id id) { return locked(e.session.document(), id); });
+    if (ids.empty())
+        e.session.notices.say(ui::NoticeKind::warning, title,
+                              "What is selected is locked. Unlock it first.");
+    return ids;
+}
+
+void copy_objects(Editor& e, const std::vector<Id>& ids, const char* verb)
+{
+    ImGui::SetClipboardText(clipboard_text(e.session, ids).c_str());
+    e.session.notices.say(ui::NoticeKind::good,
+                          said_of(e.session.document(), ids) +
+                              (ids.size() == 1 ? " was " : " were ") + verb,
+                          {}, of_clipboard);
+}
+
+void cut_objects(Editor& e)
+{
+    const std::vector<Id> ids = deletable(e, "Nothing was cut");
+    if (ids.empty()) return;
+    copy_objects(e, ids, "cut");
+    e.session.run(Delete{ids});
+}
+
+void add_clipboard_actions(std::vector<Action>& a)
+{
+    a.push_back({"Edit", "Cut", {ctrl('X')}, cut_objects, something_selected(), true});
+    a.push_back({"Edit",
+                 "Copy",
+                 {ctrl('C')},
+                 [](Editor& e) {
+                     if (!copy_log_lines(e)) copy_objects(e, chosen(e), "copied");
+                 },
+                 {[](const Editor& e) { return e.session.selected != 0 || log_lines_chosen(e); },
+                  "select an object first"}});
+    a.push_back({"Edit", "Paste", {ctrl('V')}, [](Editor& e) {
+                     const char* text = ImGui::GetClipboardText();
+                     paste_text(e.session, text ? text : "");
+                 }});
+}
+
+} // namespace
+
+void add_edit_actions(std::vector<Action>& a)
+{
+    a.push_back({"Edit",
+                 "Undo",
+                 {ctrl('Z')},
+                 [](Editor& e) { e.session.undo(); },
+                 {[](const Editor& e) { return e.session.scene().history().position() > 0; },
+                  "nothing was done yet"}});
+    a.push_back({"Edit",
+                 "Redo",
+                 {ctrl('Z', true), ctrl('Y')},
+                 [](Editor& e) { e.session.redo(); },
+                 {[](const Editor& e) {
+                      const History& h = e.session.scene().history();
+                      return h.position() < h.steps().size();
+                  },
+                  "nothing was undone"}});
+    add_clipboard_actions(a);
+    a.push_back({"Edit",
+                 "Duplicate",
+                 {{.key = 'D', .shift = true}, {.key = 'D', .ctrl = true}},
+                 [](Editor& e) {
+                     const Id first = e.session.committed().next_id;
+                     if (!e.session.run(Duplicate{chosen(e), {0, 0, 0}})) return;
+                     e.session.select_new(first);
+                     action(e, "Move").run(e); // else the copies hide in what they are copies of
+                 },
+                 something_selected(),
+                 true});
+    a.push_back({"Edit",
+                 "Rename",
+                 {{ui::key_f1 + 1}},
+                 [](Editor& e) {
+                     const Id id = e.session.selected;
+                     e.outliner.renaming = id;
+                     e.outliner.new_name = name_of(e.session.document(), id);
+                     e.preferences.show_dock = true;
+                     e.only_view = false;
+                 },
+                 something_selected()});
+    a.push_back({"Edit",
+                 "Group",
+                 {ctrl('G')},
+                 [](Editor& e) {
+                     const Id group = e.session.committed().next_id;
+                     if (e.session.run(Group{chosen(e)})) e.session.selected = group;
+                 },
+                 something_selected()});
+    a.push_back({"Edit",
+                 "Ungroup",
+                 {ctrl('G', true)},
+                 [](Editor& e) { e.session.run(Ungroup{e.session.selected}); },
+                 {[](const Editor& e) {
+                      const auto& objects = e.session.document().objects;
+                      const auto found = objects.find(e.session.selected);
+                      return found != objects.end() &&
+                             std::holds_alternative<GroupShape>(found->second->source);
+                  },
+                  "select a group first"}});
+    a.push_back({"Edit",
+                 "Take off the stroke",
+                 {},
+                 [](Editor& e) { e.session.run(Unplace{e.session.selected}); },
+                 {[](const Editor& e) {
+                      const auto& objects = e.session.document().objects;
+                      const auto found = objects.find(e.session.selected);
+                      return found != objects.end() && found->second->placement.has_value();
+                  },
+                  "select a placed object first"}});
+    a.push_back({"Edit",
+                 "Hide or show",
+                 {{'H'}},
+                 [](Editor& e) {
+                     const auto hidden = [&](Id id) {
+                         return object(e.session.document(), id).hidden;
+                     };
+                     const std::vector<Id> ids = chosen(e);
+                     if (std::all_of(ids.begin(), ids.end(), hidden))
+                         e.session.run(Show{ids});
+                     else
+                         e.session.run(Hide{ids});
+                 },
+                 something_selected()});
+    a.push_back({"Edit",
+                 "Lock or unlock",
+                 {},
+                 [](Editor& e) {
+                     const auto is_locked = [&](Id id) {
+                         return object(e.session.document(), id).locked;
+                     };
+                     const std::vector<Id> ids = chosen(e);
+                     if (std::all_of(ids.begin(), ids.end(), is_locked))
+                         e.session.run(Unlock{ids});
+                     else
+                         e.session.run(Lock{ids});
+                 },
+                 something_selected()});
+    a.push_back({"Edit",
+                 "Delete",
+                 {{ui::key_delete}, {'X'}},
+                 [](Editor& e) {
+                     const std::vector<Id> ids = deletable(e, "Nothing was deleted");
+                     if (!ids.empty()) e.session.run(Delete{ids});
+                 },
+                 something_selected()});
+    a.push_back({"Edit",
+                 "Find in the outliner",
+                 {ctrl('F')},
+                 [](Editor& e) {
+                     e.preferences.show_dock = true;
+                     e.only_view = false;
+                     e.outliner.focus_filter = true;
+                 },
+                 something_there()});
+    a.push_back({"Edit",
+                 "Repeat last",
+                 {{.key = 'R', .shift = true}},
+                 [](Editor& e) {
+                     const auto command = repeated(e.session);
+                     if (!command) return;
+                     const Id first = e.session.committed().next_id;
+                     if (e.session.run(*command)) e.session.select_new(first);
+                 },
+                 {[](const Editor& e) { return repeated(e.session).has_value(); },
+                  "the last step cannot be repeated on what is selected"}});
+    a.push_back(
+        {"Edit",
+         "Adjust last",
+         {{ui::key_f1 + 8}},
+         [](Editor& e) { e.adjustment.open = !e.adjustment.open; },
+         {[](const Editor& e) { return e.adjustment.step != 0; }, "the last step has no numbers"}});
+    a.push_back({"Edit",
+                 preferences_action,
+                 {ctrl(ui::key_comma)},
+                 [](Editor& e) { e.preferences_dialog.open = true; },
+                 {},
+                 true});
+}
+
+} // namespace trivar

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/actions/hint_steps.h"
+
+#include "editor/actions/actions.h"
+#include "editor/editor.h"
+
+#include <algorithm>
+
+namespace trivar {
+namespace {
+
+constexpr const char *draw_hint = "draw", *let_go_hint = "let go", *widen_hint = "widen";
+
+// The steps that are known: of which scene, and how many.
+struct FollowedSteps {
+    long scene = -1;
+    std::size_t count = 0;
+};
+
+bool closed(const Editor& editor, const std::string& name)
+{
+    const auto& names = editor.preferences.closed_hints;
+    return std::ranges::find(names, name) != names.end();
+}
+
+bool draws(const Editor& editor)
+{
+    const auto& proposal = editor.session.scene().history().proposal();
+    return proposal && !editor.palette.open && std::holds_alternative<Place>(proposal->command);
+}
+
+HintCard card_before_a_stroke(const Editor& editor, std::size_t shapes, std::size_t texts)
+{
+    if (shapes < 2)
+        return {draw_hint, 0,
+                shapes == 0  ? "Drop a scene here"
+                : texts == 0 ? "Now drop the model to lay on it"
+                             : "Now drop a scene to lay the text on",
+                "Or add one from the Add menu."};
+    if (editor.tools[editor.tool]->name() == "Place")
+        return {draw_hint, 1, "Draw across the scene",
+                editor.preferences.look.click_holds
+                    ? "A click begins the stroke, another one places the model."
+                    : "Keep the left button down; let go to place the model."};
+    const std::string key = key_text(action(editor, "Place"));
+    return {draw_hint, 1,
+            (key.empty() ? "Choose Place" : "Press " + key) + ", then draw across the scene",
+            "The model will lie along the stroke."};
+}
+
+bool widens(const Command& command, const Document& before)
+{
+    const auto* edit = std::get_if<EditPlacement>(&command);
+    if (!edit) return false;
+    const auto found = before.objects.find(edit->object);
+    if (found == before.objects.end() || !found->second->placement) return false;
+    const PlacementParameters& was = found->second->placement->parameters;
+    return edit->parameters.width != was.width ||
+           edit->parameters.width_profile != was.width_profile;
+}
+
+} // namespace
+
+std::optional<HintCard> hint_card(const Editor& editor)
+{
+    const Session& session = editor.session;
+    if (!editor.preferences.hints || session.jobs().status() || session.scene().look_only())
+        return {};
+    if (draws(editor)) {
+        if (closed(editor, let_go_hint)) return {};
+        return HintCard{let_go_hint, 2, "Keep going, then let go",
+                        "The strip follows the scene. Where its points are white, springs bridge a "
+                        "gap."};
+    }
+    if (editor.tools[editor.tool]->busy()) return {};
+    const BackgroundEvaluator::Status work = session.evaluator().status();
+    if (work.busy && work.seconds > progress_shown_s) return {}; // its bar is there
+    std::size_t shapes = 0, texts = 0, placed = 0;
+    for (const auto& [id, each] : session.document().objects) {
+        shapes += std::holds_alternative<GroupShape>(each->source) ? 0 : 1;
+        texts += std::holds_alternative<TextShape>(each->source) ? 1 : 0;
+        placed += each->placement ? 1 : 0;
+    }
+    if (placed == 0 && !closed(editor, draw_hint))
+        return card_before_a_stroke(editor, shapes, texts);
+    const auto selected = session.document().objects.find(session.selected);
+    const bool handles = selected != session.document().objects.end() &&
+                         selected->second->placement && !selected->second->placement->round;
+    if (!handles || closed(editor, widen_hint) || !closed(editor, let_go_hint)) return {};
+    return HintCard{widen_hint, 3, "Drag a white point to widen it",
+                    "The blue one lifts its back, the amber ones pull the stroke."};
+}
+
+void close_hint(Editor& editor, const std::string& name)
+{
+    if (!closed(editor, name)) editor.preferences.closed_hints.push_back(name);
+}
+
+void follow_hints(Editor& editor)
+{
+    const History& history = editor.session.scene().history();
+    auto& followed = editor.memory.of<FollowedSteps>();
+    const std::size_t now = history.position();
+    const bool made = followed.scene == editor.session.scenes() && now == followed.count + 1 &&
+                      now == history.steps().size() && !editor.tutorial.runs(editor.session);
+    followed = {editor.session.scenes(), now};
+    if (!made) return;
+    const Command& command = history.steps().back().command;
+    if (std::holds_alternative<Place>(command)) {
+        close_hint(editor, draw_hint);
+        close_hint(editor, let_go_hint);
+    } else if (widens(command, now == 1 ? history.start() : history.steps()[now - 2].result)) {
+        close_hint(editor, widen_hint);
+    }
+}
+
+void show_hints_again(Editor& editor)
+{
+    editor.preferences.hints = true;
+    editor.preferences.closed_hints.clear();
+    if (!hint_card(editor))
+        editor.session.notices.say(ui::NoticeKind::good, "Hints are shown again",
+                                   "The next one comes with the next stroke.");
+}
+
+} // namespace trivar

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "editor/actions/actions.h"
+#include "editor/timeline/key_target.h"
+
+namespace trivar {
+
+inline constexpr const char *insert_key_action = "Insert key", *remove_key_action = "Remove key",
+                            *next_key_action = "Next key", *previous_key_action = "Previous key",
+                            *auto_key_action = "Auto-key";
+
+// What the menu Animate holds about keys.
+void add_key_actions(std::vector<Action>& actions);
+// With the mouse over the open timeline what chooses, deletes, copies, moves, scales and frames
+// does so with keys, by whichever keys it has.
+void let_keys_take(std::vector<Action>& actions);
+
+// What of a kept view changes in time: where from, where to, and how wide.
+std::vector<std::string> names_of_view(const std::string& view);
+
+// Opens the timeline with these tracks chosen.
+void show_tracks(Editor& editor, const KeyTarget& target);
+
+} // namespace trivar

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/command.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace trivar {
+
+struct Editor;
+
+// The palette lists entries: each is an action, a command, an object or a preference.
+struct PaletteEntry {
+    std::string name, note; // the note says where it belongs or what it is for
+    const char* icon = nullptr;
+    std::vector<std::string> key_caps;
+    std::string why_not; // empty: it can run
+    std::function<void(Editor&)> run;
+    std::string action = {};          // whose key can be changed; empty: it is none
+    std::optional<Command> fill = {}; // whose values can be filled in first
+    bool needs_values = false;        // and have to be
+};
+// Every action and every command of the document; after ">" the objects, after ":" what can be
+// preferred.
+std::vector<PaletteEntry> palette_commands(const Editor& editor);
+std::vector<PaletteEntry> palette_objects(const Editor& editor);
+std::vector<PaletteEntry> palette_preferences(const Editor& editor);
+
+} // namespace trivar

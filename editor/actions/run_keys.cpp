@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/actions/run_keys.h"
+
+#include "editor/actions/actions.h"
+#include "editor/actions/start_card.h"
+#include "editor/editor.h"
+#include "ui/input.h"
+
+#include <algorithm>
+#include <imgui.h>
+#include <imgui_internal.h>
+
+namespace trivar {
+
+namespace {
+
+struct LentTool { // by a key that is held
+    int key = 0;
+    std::size_t before = 0; // the tool that comes back
+    bool used = false;      // by the mouse
+};
+
+// A tool with which something was done while its key was held goes with the key.
+void return_lent_tool(Editor& editor)
+{
+    auto& lent = editor.memory.of<LentTool>();
+    const bool busy = editor.active_tool().busy();
+    if (lent.key == 0) return;
+    if (ui::is_down(lent.key)) {
+        lent.used = lent.used || (busy && ImGui::IsMouseDown(ImGuiMouseButton_Left));
+    } else if (!busy) {
+        if (lent.used) editor.choose_tool(lent.before);
+        lent = {};
+    }
+}
+
+// Where Space makes the left button the middle one, what else it does waits till it is let go:
+// whether it was, and nothing else happened meanwhile.
+bool space_was_tapped(Editor& editor)
+{
+    auto& space = editor.memory.of<HeldSpace>();
+    if (ui::struck({ui::key_space})) space = {.down = true};
+    if (!space.down) return false;
+    const ImGuiIO& io = ImGui::GetIO();
+    space.used = space.used || editor.active_tool().busy() || editor.files.asking() ||
+                 std::ranges::count(io.MouseDown, true) > 0 || ImGui::IsAnyItemActive() ||
+                 ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId);
+    space.down = ui::is_down(ui::key_space);
+    return !space.down && !space.used;
+}
+
+} // namespace
+
+void run_keys(Editor& editor)
+{
+    const bool space_waits = editor.preferences.mouse.emulation == "space";
+    const bool space_tapped = space_was_tapped(editor);
+    return_lent_tool(editor);
+    const auto escape = [] { return ui::struck({ui::key_escape}); };
+    Tool& tool = editor.active_tool();
+    if (tool.busy()) { // a gesture has the keyboard: only it and the camera go on
+        const bool right = ImGui::IsMouseClicked(ImGuiMouseButton_Right);
+        editor.right_cancelled = editor.right_cancelled || right;
+        if (escape() || right)
+            tool.cancel(editor.session);
+        else
+            tool.take_keys(editor.session);
+        ui::swallow_keys();
+        return;
+    }
+    if (editor.timeline.keys.gesture.by_key) return; // the timeline takes them
+    if (editor.files.asking()) return;
+    if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId)) {
+        if (escape()) ImGui::ClosePopupToLevel(0, true);
+        return;
+    }
+    // A menu may have closed itself by this very Esc, as the frame began.
+    if (escape() && (ImGui::GetIO().ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0) return;
+    if (ImGui::IsAnyItemActive()) return; // a field is being dragged
+    if (escape()) {
+        if (editor.session.committing())
+            editor.session.cancel();
+        else if (editor.show_focus && editor.panel != Editor::Panel::view)
+            editor.panel = Editor::Panel::view;
+        else if (editor.start_card.asked == editor.session.scenes())
+            editor.start_card.asked = -1;
+        else
+            editor.choose_tool(0);
+        editor.session.notices.clear(); // read
+    }
+    const bool in_list = editor.panel == Editor::Panel::outliner;
+    const KeysIn here = editor.tutorial.runs(editor.session) ? KeysIn::tutorial
+                        : in_list || shows_welcome(editor)   ? KeysIn::anywhere
+                                                             : KeysIn::picture;
+    for (const Action& each : editor.actions) {
+        if (each.keys_in != KeysIn::anywhere && each.keys_in != here) continue;
+        const auto chord = std::ranges::find_if(each.keys, [&](const ui::Chord& one) {
+            if (space_waits && one == ui::Chord{ui::key_space}) return space_tapped;
+            return ui::struck(one, each.repeats) && !tool.awaits(one) &&
+                   !ui::hands().keeps(one.key);
+        });
+        if (chord == each.keys.end() || !is_enabled(editor, each)) continue;
+        const std::size_t tool_before = editor.tool;
+        const int key = chord->key; // the action may give it to another
+        each.run(editor);
+        auto& lent = editor.memory.of<LentTool>();
+        lent = {};
+        if (editor.tool != tool_before) lent = {key, tool_before};
+        return; // one press, one action
+    }
+}
+
+} // namespace trivar

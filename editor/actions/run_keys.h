@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace trivar {
+
+struct Editor;
+
+struct HeldSpace {
+    bool down = false;
+    bool used = false; // for something else than what it does alone
+};
+
+// Runs the actions whose keys were struck in this frame.
+void run_keys(Editor& editor);
+
+} // namespace trivar

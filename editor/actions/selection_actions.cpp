@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/actions/selection_actions.h"
+
+#include "editor/editor.h"
+#include "editor/session/scene_facts.h"
+#include "editor/tools/select.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace trivar {
+namespace {
+
+std::vector<Id> objects_that(const Editor& e, const std::function<bool(Id)>& fits)
+{
+    std::vector<Id> ids;
+    for (const auto& [id, each] : e.session.document().objects)
+        if (fits(id)) ids.push_back(id);
+    return ids;
+}
+
+// What a click on it would select.
+bool in_reach(const Session& session, Id id)
+{
+    const Document& document = session.document();
+    return visible(document, id) && !locked(document, id) &&
+           !std::ranges::binary_search(session.aside, id);
+}
+
+std::vector<Id> visible_ones(const Editor& e)
+{
+    return objects_that(e, [&](Id id) { return in_reach(e.session, id); });
+}
+
+// Neither among the selected ones, nor in them, nor round them.
+std::vector<Id> others(const Editor& e)
+{
+    const Document& document = e.session.document();
+    const std::vector<Id>& ids = e.session.selected.ids();
+    const Members chosen(document, ids);
+    return objects_that(e, [&](Id id) {
+        if (!visible(document, id) || chosen.contain(id) ||
+            std::ranges::binary_search(e.session.aside, id))
+            return false;
+        for (const Id each : ids)
+            if (belongs_to(document, each, id)) return false;
+        return true;
+    });
+}
+
+std::vector<Id> of_the_same_type(const Editor& e)
+{
+    const Document& document = e.session.document();
+    const Object& active = object(document, e.session.selected);
+    return objects_that(e, [&](Id id) {
+        const Object& each = object(document, id);
+        return in_reach(e.session, id) && each.source.index() == active.source.index() &&
+               each.placement.has_value() == active.placement.has_value();
+    });
+}
+
+// The active object stays the active one.
+void select_keeping_active(Editor& e, const std::vector<Id>& ids)
+{
+    const Id active = e.session.selected;
+    e.session.selected.set(ids);
+    if (e.session.selected.contains(active)) e.session.selected.add({active});
+}
+
+// Only what is selected is shown, or everything again.
+void isolate(Editor& e)
+{
+    std::vector<Id>& aside = e.session.aside;
+    if (aside.empty())
+        aside = others(e);
+    else
+        aside.clear();
+}
+
+} // namespace
+
+void add_selection_actions(std::vector<Action>& a)
+{
+    a.push_back({"Select",
+                 "Select all",
+                 {{'A'}},
+                 [](Editor& e) { select_keeping_active(e, visible_ones(e)); },
+                 something_there()});
+    a.push_back({"Select",
+                 "Select nothing",
+                 {{.key = 'A', .alt = true}},
+                 [](Editor& e) { e.session.selected = 0; },
+                 something_selected()});
+    a.push_back({"Select",
+                 "Select the others",
+                 {{.key = 'I', .ctrl = true}},
+                 [](Editor& e) {
+                     std::vector<Id> ids = topmost(e.session.document(), others(e));
+                     std::erase_if(ids, [&](Id id) { return locked(e.session.document(), id); });
+                     e.session.selected.set(ids);
+                 },
+                 something_there()});
+    a.push_back({"Select",
+                 "Select the same type",
+                 {{.key = 'G', .shift = true}},
+                 [](Editor& e) { select_keeping_active(e, of_the_same_type(e)); },
+                 something_selected()});
+    a.push_back({"Select",
+                 "Select in a box",
+                 {{'B'}},
+                 [](Editor& e) {
+                     e.choose_tool(0);
+                     static_cast<SelectTool&>(e.active_tool()).begin_box();
+                 },
+                 something_there()});
+    a.push_back(
+        {"Select",
+         isolate_action,
+         {{ui::key_slash}, {ui::key_keypad_divide}},
+         isolate,
+         {[](const Editor& e) { return e.session.selected != 0 || !e.session.aside.empty(); },
+          "select an object first"},
+         true});
+    a.push_back({"Select",
+                 "Hide the others",
+                 {{.key = 'H', .shift = true}},
+                 [](Editor& e) {
+                     if (const auto ids = topmost(e.session.document(), others(e)); !ids.empty())
+                         e.session.run(Hide{ids});
+                 },
+                 something_selected()});
+    a.push_back({"Select",
+                 "Show all",
+                 {{.key = 'H', .alt = true}},
+                 [](Editor& e) {
+                     const auto ids = objects_that(
+                         e, [&](Id id) { return object(e.session.document(), id).hidden; });
+                     if (!ids.empty()) e.session.run(Show{ids});
+                 },
+                 something_there()});
+}
+
+} // namespace trivar

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "editor/actions/actions.h"
+
+namespace trivar {
+
+// What changes the selection and what is seen of it: all, none, the others, of one type.
+void add_selection_actions(std::vector<Action>& actions);
+
+} // namespace trivar

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/actions/time_actions.h"
+
+#include "editor/editor.h"
+#include "editor/timeline/travel_time.h"
+
+namespace trivar {
+namespace {
+
+// An action that shows another frame, which it finds from the present one.
+Action frame_action(const char* name, const ui::Chord& key, int (*found)(const Session&))
+{
+    Action action{"Animate", name, {key}, [found](Editor& e) {
+                      e.playback.pause();
+                      e.session.show_frame(found(e.session));
+                  }};
+    action.keys_in = KeysIn::picture;
+    return action;
+}
+
+} // namespace
+
+void add_time_actions(std::vector<Action>& a)
+{
+    a.push_back({"Animate", play_action, {{ui::key_space}}, [](Editor& e) {
+                     if (e.playback.playing())
+                         e.playback.pause();
+                     else
+                         e.playback.play(e.session);
+                 }});
+    a.push_back(
+        {"Animate", loop_action, {}, [](Editor& e) { e.preferences.loop = !e.preferences.loop; }});
+    a.back().on = [](const Editor& e) { return e.preferences.loop; };
+    a.push_back(frame_action(next_frame_action, {ui::key_right},
+                             [](const Session& s) { return s.frame() + 1; }));
+    a.back().group_begins = true;
+    a.back().repeats = true;
+    a.push_back(frame_action(previous_frame_action, {ui::key_left},
+                             [](const Session& s) { return s.frame() - 1; }));
+    a.back().repeats = true;
+    a.push_back(frame_action(first_frame_action, {.key = ui::key_left, .shift = true},
+                             [](const Session& s) { return s.document().time.first_frame; }));
+    a.push_back(frame_action(last_frame_action, {.key = ui::key_right, .shift = true},
+                             [](const Session& s) { return s.document().time.last_frame; }));
+    a.push_back({"Animate",
+                 make_room_action,
+                 {},
+                 [](Editor& e) {
+                     if (const auto time = time_with_room(e.session)) e.session.run(SetTime{*time});
+                 },
+                 {[](const Editor& e) { return time_with_room(e.session).has_value(); },
+                  "nothing is on its way in the last frame"},
+                 true});
+    a.push_back({"Animate",
+                 timeline_action,
+                 {{.key = 'T', .shift = true}},
+                 [](Editor& e) {
+                     e.preferences.timeline_open = !e.preferences.timeline_open || e.only_view;
+                     e.only_view = false;
+                 },
+                 {},
+                 true});
+    a.back().on = [](const Editor& e) { return e.preferences.timeline_open; };
+}
+
+} // namespace trivar

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "editor/actions/actions.h"
+
+namespace trivar {
+
+inline constexpr const char *play_action = "Play or pause", *next_frame_action = "Next frame",
+                            *previous_frame_action = "Previous frame",
+                            *first_frame_action = "First frame", *last_frame_action = "Last frame",
+                            *loop_action = "Play in a loop", *timeline_action = "Timeline",
+                            *make_room_action = "Make room for what travels";
+
+// What the menu Animate holds.
+void add_time_actions(std::vector<Action>& actions);
+
+} // namespace trivar

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/actions/view_actions.h"
+
+#include "editor/actions/chords.h"
+#include "editor/editor.h"
+#include "editor/session/session_facts.h"
+#include "ui/camera_control.h"
+
+namespace trivar {
+namespace {
+
+constexpr ui::Chord keypad(int digit)
+{
+    return {.key = ui::key_keypad_0 + digit};
+}
+
+void look_from(Editor& e, const glm::dvec3& direction)
+{
+    e.session.view.camera = ui::seen_from(e.session.view.camera, direction);
+}
+
+void open_tab(Editor& e, Editor::Tab tab)
+{
+    e.tab = tab;
+    e.preferences.show_dock = true;
+    e.only_view = false;
+}
+
+// How finely the window shows what is placed; the scene and its pictures know nothing of it.
+void add_view_tolerances(std::vector<Action>& a)
+{
+    const auto tolerance = [&](const char* name, const char* value) {
+        a.push_back({"View",
+                     name,
+                     {},
+                     [value](Editor& e) { e.preferences.view_tolerance = value; },
+                     {[value](const Editor& e) { return e.preferences.view_tolerance != value; },
+                      "it is so"}});
+        a.back().on = [value](const Editor& e) { return e.preferences.view_tolerance == value; };
+    };
+    tolerance("Triangles as they are", "off");
+    a.back().group_begins = true;
+    tolerance("Triangles within 2 px", "2");
+    tolerance("Triangles within 1 px", "1");
+    tolerance("Triangles within 0.5 px", "0.5");
+}
+
+} // namespace
+
+void add_view_actions(std::vector<Action>& a)
+{
+    a.push_back({"View",
+                 "Frame selection",
+                 {{ui::key_period}, {'F'}},
+                 [](Editor& e) {
+                     e.session.view.camera = ui::framed(
+                         e.session.view.camera, points_of(e.session, e.session.selected.ids()));
+                 },
+                 something_there()});
+    a.push_back({"View",
+                 "Frame all",
+                 {{ui::key_home}},
+                 [](Editor& e) {
+                     if (e.timeline.hovered)
+                         e.timeline.shown.reset();
+                     else
+                         e.session.view.camera =
+                             ui::framed(e.session.view.camera, points_of(e.session, {}));
+                 },
+                 something_there()});
+    a.push_back({"View",
+                 "Front",
+                 {alt('1'), keypad(1)},
+                 [](Editor& e) {
+                     look_from(e, {0, -1, 0});
+                 },
+                 {},
+                 true});
+    a.push_back({"View", "Right", {alt('3'), keypad(3)}, [](Editor& e) {
+                     look_from(e, {1, 0, 0});
+                 }});
+    a.push_back({"View", "Top", {alt('7'), keypad(7)}, [](Editor& e) { look_from(e, {0, 0, 1}); }});
+    a.push_back({"View", "Perspective", {alt('5'), keypad(5)}, [](Editor& e) {
+                     Camera& camera = e.session.view.camera;
+                     camera = ui::with_perspective(camera, !camera.perspective);
+                 }});
+    a.back().on = [](const Editor& e) { return e.session.view.camera.perspective; };
+    a.push_back(
+        {"View",
+         "View of pictures",
+         {keypad(0)},
+         [](Editor& e) { e.session.view.follows = FollowedView{"picture"}; },
+         {[](const Editor& e) { return e.session.document().bookmarks.contains("picture"); },
+          "no view is kept for pictures"}});
+    const auto shading = [&](const char* name, const ui::Chord& key, bool Shading::*part) {
+        a.push_back(
+            {"View", name, {key}, [part](Editor& e) { e.shading.*part = !(e.shading.*part); }});
+        a.back().on = [part](const Editor& e) { return e.shading.*part; };
+    };
+    shading("Wireframe", {'Z'}, &Shading::wireframe);
+    a.back().group_begins = true;
+    shading("See through", alt('Z'), &Shading::see_through);
+    shading("Edges over surfaces", {.key = 'Z', .shift = true}, &Shading::edges);
+    const auto colored_by = [&](const char* name, ColorBy by) {
+        const auto so = [by](const Editor& e) {
+            return e.session.document().render->color_by == by;
+        };
+        a.push_back({"View",
+                     name,
+                     {},
+                     [by](Editor& e) {
+                         RenderSettings settings = *e.session.document().render;
+                         settings.color_by = by;
+                         e.session.run(SetRender{settings});
+                     },
+                     {[so](const Editor& e) { return !so(e); }, "it is so"}});
+        a.back().on = so;
+    };
+    colored_by("Colour by material", ColorBy::material);
+    a.back().group_begins = true;
+    colored_by("Colour by stretch", ColorBy::stretch);
+    colored_by("Colour by error", ColorBy::error);
+    add_view_tolerances(a);
+    a.push_back({"View",
+                 "Keep this view",
+                 {},
+                 [](Editor& e) {
+                     std::string name;
+                     int n = 1;
+                     do name = "View " + std::to_string(n++);
+                     while (e.session.document().bookmarks.contains(name));
+                     if (e.session.run(SaveCamera{name, e.session.view.camera}))
+                         e.session.notices.say(ui::NoticeKind::good, name + " is kept",
+                                               "It is in the View menu.");
+                 },
+                 {},
+                 true});
+    a.push_back({"View", "Use this view for pictures", {}, [](Editor& e) {
+                     if (e.session.run(SaveCamera{"picture", camera_for_pictures(e.session)}))
+                         e.session.notices.say(ui::NoticeKind::good, "This view is kept",
+                                               "Replayed pictures and this scene open in it.");
+                 }});
+    a.push_back({"View",
+                 "Timing",
+                 {{ui::key_f1 + 9}},
+                 [](Editor& e) { e.timing.open = !e.timing.open; },
+                 {},
+                 true});
+    a.back().on = [](const Editor& e) { return e.timing.open; };
+}
+
+void add_window_actions(std::vector<Action>& a)
+{
+    a.push_back({"View",
+                 "Side panels",
+                 {{'N'}},
+                 [](Editor& e) { e.preferences.show_dock = !e.preferences.show_dock; },
+                 {},
+                 true});
+    a.back().on = [](const Editor& e) { return e.preferences.show_dock; };
+    a.push_back({"View", "History", {}, [](Editor& e) { open_tab(e, Editor::Tab::history); }});
+    a.push_back({"View", "Log", {}, [](Editor& e) { open_tab(e, Editor::Tab::log); }});
+    a.push_back({"View", "Next panel", {{ui::key_f1 + 5}}, [](Editor& e) {
+                     using Panel = Editor::Panel;
+                     e.show_focus = true;
+                     e.preferences.show_dock = true;
+                     e.only_view = false;
+                     e.panel = e.panel == Panel::view       ? Panel::outliner
+                               : e.panel == Panel::outliner ? Panel::dock
+                                                            : Panel::view;
+                 }});
+    a.push_back({"View", "Viewport only", {{.key = ui::key_space, .ctrl = true}}, [](Editor& e) {
+                     e.only_view = !e.only_view;
+                 }});
+    a.back().on = [](const Editor& e) { return e.only_view; };
+    a.push_back({"View", "Full screen", {{ui::key_f1 + 10}}, [](Editor& e) {
+                     e.full_screen = !e.full_screen;
+                 }});
+    a.back().on = [](const Editor& e) { return e.full_screen; };
+    const auto scaled = [](int direction) {
+        return [direction](Editor& e) {
+            double& scale = e.preferences.scale;
+            scale = direction == 0 ? 1 : next_scale(scale, direction);
+        };
+    };
+    a.push_back({"View",
+                 "Larger interface",
+                 {ctrl(ui::key_plus), ctrl(ui::key_equal), ctrl(ui::key_equal, true),
+                  ctrl(ui::key_plus, true), ctrl(ui::key_keypad_plus)},
+                 scaled(1),
+                 {[](const Editor& e) { return e.preferences.scale < interface_scales.back(); },
+                  "it is the largest"},
+                 true});
+    a.push_back({"View",
+                 "Smaller interface",
+                 {ctrl(ui::key_minus), ctrl(ui::key_keypad_minus)},
+                 scaled(-1),
+                 {[](const Editor& e) { return e.preferences.scale > interface_scales.front(); },
+                  "it is the smallest"}});
+    a.push_back({"View",
+                 "Usual size of the interface",
+                 {ctrl(ui::key_0)},
+                 scaled(0),
+                 {[](const Editor& e) { return e.preferences.scale != 1; }, "it is at 100 %"}});
+}
+
+} // namespace trivar

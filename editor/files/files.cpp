@@ -1,0 +1,377 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/files/files.h"
+
+#include "core/base/rejected.h"
+#include "core/document/certificate.h"
+#include "core/document/collect.h"
+#include "core/document/files_read.h"
+#include "core/files/file_bytes.h"
+#include "core/files/write_model.h"
+#include "editor/files/relink.h"
+#include "editor/session/scene_facts.h"
+#include "editor/session/scene_names.h"
+#include "editor/words/file_words.h"
+
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace trivar {
+namespace fs = std::filesystem;
+namespace {
+
+// Where an imported model's file is looked for, if there is such a folder.
+std::optional<fs::path> folder_of(const Session& session, Id id)
+{
+    const auto* file = std::get_if<ImportedFile>(&object(session.committed(), id).source);
+    if (!file) return {};
+    const fs::path folder = fs::path(session.assets()->resolve(file->path)).parent_path();
+    std::error_code ignored;
+    if (!fs::is_directory(folder, ignored)) return {};
+    return folder;
+}
+
+struct ExportWords {
+    ui::NoticeKind kind;
+    std::string title, body;
+};
+
+// What was written, and how near it is certified to be to the true surfaces.
+ExportWords words_of_export(const std::string& path, const std::string& scene,
+                            const std::optional<Certificate>& certificate)
+{
+    const std::string name = file_name(path);
+    if (!certificate) return {ui::NoticeKind::good, "Exported " + name, {}};
+    const std::vector<std::string> open = not_certified(*certificate);
+    if (!open.empty())
+        return {ui::NoticeKind::warning, "Exported " + name + ", not all of it certified",
+                open.size() == 1 ? open.front() + "."
+                                 : fmt::format("{}, and {} more.", open.front(), open.size() - 1)};
+    std::string body = "Certified to be within " + bound_text(certificate->bound) + ".";
+    if (extension_of(path) != ".glb")
+        body += " Only glTF says so in the file.";
+    else if (scene.empty())
+        body += " Give the scene a name: trivar verify looks for it beside the file.";
+    return {ui::NoticeKind::good, "Exported " + name, body};
+}
+
+} // namespace
+
+std::string numbered_name(const std::string& path)
+{
+    const fs::path file(path);
+    std::string stem = file.stem().string();
+    const std::size_t bar = stem.rfind('_');
+    if (bar != stem.npos && bar > 0 && bar + 1 < stem.size() &&
+        stem.find_first_not_of("0123456789", bar + 1) == stem.npos)
+        stem.resize(bar);
+    std::error_code ignored;
+    for (int n = 1;; ++n) {
+        std::string digits = std::to_string(n);
+        if (digits.size() < 3) digits.insert(0, 3 - digits.size(), '0');
+        const fs::path copy =
+            file.parent_path() / (stem + "_" + digits + file.extension().string());
+        if (!fs::exists(copy, ignored)) return copy.string();
+    }
+}
+
+const std::vector<std::string>& model_extensions()
+{
+    static const std::vector<std::string> extensions{".glb", ".gltf", ".obj",
+                                                     ".ply", ".stl",  ".off"};
+    return extensions;
+}
+
+const std::vector<std::string>& export_extensions()
+{
+    static const std::vector<std::string> extensions{".glb", ".obj", ".ply", ".stl", ".off"};
+    return extensions;
+}
+
+void Files::keep_or(std::function<void()> go_on)
+{
+    const Session& s = *session_;
+    if (!s.scene().path().empty() || s.scene().as_opened()) return go_on();
+    if (!ask_to_keep && !s.unnamed_folder().empty()) return go_on();
+    const std::size_t steps = s.scene().history().steps().size();
+    const std::string what = std::to_string(steps) + (steps == 1 ? " step" : " steps");
+    question_ =
+        Asked{{"Keep this scene?",
+               "It has " + what + " and no name yet. " +
+                   (s.unnamed_folder().empty() ? "It is gone when you discard it. "
+                                               : "Every step is safe in the recovery folder " +
+                                                     for_days(recovery_->discarded_days) + ". ") +
+                   "Name it to keep it with your scenes.",
+               {{"Discard", ui::ButtonKind::plain, true},
+                {"Cancel", ui::ButtonKind::plain},
+                {"Name it...", ui::ButtonKind::primary}},
+               2},
+              [this, go_on = std::move(go_on)](int answer) {
+                  if (answer == 0) go_on();
+                  if (answer != 2) return;
+                  ask_save_as();
+                  after_save_ = go_on;
+              }};
+}
+
+void Files::new_scene(std::function<void()> then)
+{
+    keep_or([this, then = std::move(then)] {
+        session_->replace_scene(SceneFile());
+        session_->view.frame_all_when_evaluated = false;
+        session_->view.camera = Camera{.size_px = session_->view.camera.size_px};
+        if (then) then();
+    });
+}
+
+void Files::recover()
+{
+    keep_or([this] { recovery_->take_up_left_scene(); });
+}
+
+void Files::ask_for_file(Purpose purpose, ui::FileRequest request)
+{
+    purpose_ = purpose;
+    after_save_ = nullptr;
+    fs::path start = with_long_home(purpose == Purpose::import || purpose == Purpose::write_model
+                                        ? models_folder
+                                        : scenes_folder);
+    if (!session_->scene().path().empty()) start = session_->scene().folder();
+    if (purpose == Purpose::import && !import_folder_.empty()) start = import_folder_;
+    if (purpose == Purpose::take_up) start = session_->unnamed_folder();
+    if (purpose == Purpose::relink) start = folder_of(*session_, relinked_).value_or(start);
+    dialog_.open(std::move(request), start);
+}
+
+void Files::ask_open()
+{
+    ask_for_file(
+        Purpose::open,
+        {.title = "Open a scene", .action = "Open", .extensions = {scene_extension}, .name = {}});
+}
+
+void Files::ask_discarded()
+{
+    if (SceneFile::set_aside_in(session_->unnamed_folder()).empty()) {
+        session_->notices.say(ui::NoticeKind::good, "There is no discarded scene",
+                              "What is discarded can be found here " +
+                                  for_days(recovery_->discarded_days) + ".");
+        return;
+    }
+    ask_for_file(Purpose::take_up, {.title = "Discarded scenes",
+                                    .action = "Bring back",
+                                    .extensions = {scene_extension},
+                                    .name = {}});
+}
+
+void Files::ask_import()
+{
+    ask_for_file(Purpose::import, {.title = "Import a model",
+                                   .action = "Import",
+                                   .extensions = model_extensions(),
+                                   .name = {}});
+}
+
+void Files::ask_relink(Id object)
+{
+    relinked_ = object;
+    ask_for_file(Purpose::relink, {.title = "The file of " + name_of(session_->committed(), object),
+                                   .action = "Take it",
+                                   .extensions = model_extensions(),
+                                   .name = {}});
+}
+
+void Files::ask_missing()
+{
+    const std::vector<Id> missing = missing_files(*session_);
+    if (!missing.empty()) return ask_relink(missing.front());
+    session_->notices.say(ui::NoticeKind::good, "No file is missing",
+                          "Every imported model's file is where the scene looks for it.");
+}
+
+void Files::ask_export()
+{
+    ask_for_file(Purpose::write_model,
+                 {.title = "Export what is visible",
+                  .action = "Export",
+                  .extensions = export_extensions(),
+                  .saving = true,
+                  .name = stem_of(session_->scene()) + export_extensions().front()});
+}
+
+void Files::save()
+{
+    if (session_->scene().path().empty()) return ask_save_as();
+    if (session_->scene().trouble().empty()) {
+        session_->notices.say(ui::NoticeKind::good, "Everything is on disk",
+                              "A scene with a name is written as you work.");
+        return;
+    }
+    const std::string path = session_->scene().path();
+    write_scene(path, false); // tries again with all that is missing
+}
+
+void Files::ask_save_as()
+{
+    ask_for_file(Purpose::save_as, {.title = "Save the scene as",
+                                    .action = "Save",
+                                    .extensions = {scene_extension},
+                                    .saving = true,
+                                    .name = stem_of(session_->scene()) + scene_extension});
+}
+
+void Files::ask_save_compact()
+{
+    question_ =
+        Asked{{"Forget the undone steps?",
+               "A compact scene holds only the steps that are in force. It is smaller, "
+               "and what was undone cannot be redone from it.",
+               {{"Cancel", ui::ButtonKind::plain}, {"Save compact...", ui::ButtonKind::primary}},
+               0},
+              [this](int answer) {
+                  if (answer != 1) return;
+                  ask_for_file(Purpose::save_compact,
+                               {.title = "Save a compact scene as",
+                                .action = "Save",
+                                .extensions = {scene_extension},
+                                .saving = true,
+                                .name = stem_of(session_->scene()) + "_compact" + scene_extension});
+              }};
+}
+
+void Files::save_numbered_copy()
+{
+    const std::string& path = session_->scene().path();
+    if (path.empty()) return ask_save_as();
+    const std::string copy = numbered_name(path);
+    try {
+        session_->scene().save_copy(copy);
+    } catch (const Rejected& why) {
+        session_->notices.say(ui::NoticeKind::error, file_name(copy) + " was not saved",
+                              reason(why.what(), copy));
+        return;
+    }
+    session_->notices.say(ui::NoticeKind::good, "Saved a copy as " + file_name(copy),
+                          "You go on in " + file_name(path) + ".");
+}
+
+void Files::collect()
+{
+    if (session_->scene().path().empty()) {
+        ask_save_as();
+        after_save_ = [this] { collect(); };
+        return;
+    }
+    const fs::path scene = fs::absolute(session_->scene().path());
+    const std::string folder = (scene.parent_path() / (scene.stem().string() + ".assets")).string();
+    session_->jobs().start(
+        {"Collecting files",
+         [this, folder, document = session_->committed(),
+          store = session_->assets()](const Progress& progress) -> Jobs::Finish {
+             const Collected done = collect_files(document, *store, folder, progress);
+             return [this, done, folder, store] {
+                 if (session_->assets() != store) return; // another scene
+                 if (!done.command) {
+                     session_->notices.say(ui::NoticeKind::good, "Nothing to collect",
+                                           "Every model's file lies in " + file_name(folder) +
+                                               " already, or the scene uses none.");
+                     return;
+                 }
+                 session_->cancel();
+                 if (!session_->run(*done.command)) return;
+                 const std::size_t count = done.copied + done.reused;
+                 std::string words = std::to_string(count) + (count == 1 ? " file" : " files");
+                 if (done.reused > 0)
+                     words += ", " + std::to_string(done.reused) + " of them there already";
+                 session_->notices.say(ui::NoticeKind::good, "Collected in " + file_name(folder),
+                                       words + ".");
+             };
+         },
+         [this](const std::string& why) {
+             session_->notices.say(ui::NoticeKind::error, "The files were not collected", why);
+         }});
+}
+
+void Files::ask_close()
+{
+    keep_or([this] { close_agreed_ = true; });
+}
+
+void Files::write_scene(const std::string& path, bool compact)
+{
+    try {
+        if (compact)
+            session_->save_compact(path);
+        else
+            session_->save_as(path);
+    } catch (const Rejected& why) {
+        session_->notices.say(ui::NoticeKind::error, file_name(path) + " was not saved",
+                              reason(why.what(), path));
+        return;
+    }
+    session_->notices.say(ui::NoticeKind::good, "Saved as " + file_name(path),
+                          "From now on it is written as you work.");
+    if (const auto go_on = std::exchange(after_save_, nullptr)) go_on();
+}
+
+void Files::write_model_to(const std::string& path)
+{
+    const SceneFile& scene = session_->scene();
+    const ExportedScene exported{
+        .document = session_->committed(),
+        .frame = static_cast<double>(session_->frame()),
+        .log = scene.path().empty() ? scene.original() : scene.path(),
+        .lines = static_cast<int>(scene.lines().size()),
+    };
+    // What is seen, if that is what the file of the scene says.
+    std::optional<Evaluated> seen;
+    if (session_->up_to_date() && !session_->proposing() && !session_->previewing())
+        seen = session_->evaluated();
+    session_->jobs().start(
+        {"Writing " + file_name(path),
+         [this, path, exported, seen,
+          assets = session_->assets()](const Progress& progress) -> Jobs::Finish {
+             report(progress, 0.1, "gathering");
+             const Evaluated evaluated =
+                 seen ? *seen : Evaluator(assets)(exported.document, exported.frame, progress);
+             const Export result = export_of(evaluated, exported);
+             report(progress, 0.3, "writing");
+             write_model(result.model, path,
+                         source_files(exported.document, *assets, exported.log));
+             return [this, path, words = words_of_export(path, exported.log, result.certificate)] {
+                 session_->notices.say(words.kind, words.title, words.body);
+             };
+         },
+         [this, path](const std::string& why) {
+             session_->notices.say(ui::NoticeKind::error, file_name(path) + " was not written",
+                                   reason(why, path));
+         }});
+}
+
+void Files::use_file(const std::string& path)
+{
+    switch (purpose_) {
+    case Purpose::open: return open_scene(path);
+    case Purpose::take_up: recovery_->take_up(path); return;
+    case Purpose::import:
+        import_folder_ = fs::path(path).parent_path().string();
+        return import(path);
+    case Purpose::relink: return relink(*session_, relinked_, path);
+    case Purpose::write_model: return write_model_to(path);
+    case Purpose::save_as: return write_scene(path, false);
+    case Purpose::save_compact: return write_scene(path, true);
+    }
+}
+
+void Files::draw(const ui::Theme& theme)
+{
+    if (question_) {
+        const std::optional<int> answer = ui::ask(theme, question_->question);
+        if (!answer) return;
+        const auto reply = std::exchange(question_, std::nullopt)->answer;
+        reply(*answer); // may ask the next thing
+        return;
+    }
+    if (const std::optional<std::string> path = dialog_.draw(theme)) use_file(*path);
+}
+
+} // namespace trivar

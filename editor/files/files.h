@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "editor/session/recovery.h"
+#include "ui/dialog.h"
+#include "ui/file_dialog.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace trivar {
+
+const std::vector<std::string>& model_extensions(); // that can be imported
+const std::vector<std::string>& export_extensions();
+// The first free name beside a file: a_001.trivar, then a_002.trivar.
+std::string numbered_name(const std::string& path);
+inline constexpr const char* scene_extension = ".trivar";
+
+// Everything that goes in and out of files by hand: dialogs, drops, questions. Reading and writing
+// run as jobs; a file that is not understood changes nothing.
+class Files {
+public:
+    Files(Session& session, Recovery& recovery) : session_(&session), recovery_(&recovery) {}
+
+    void new_scene(std::function<void()> then = nullptr);
+    void recover(); // the scene without a name that an ended program left
+    void ask_open();
+    void ask_discarded(); // which of them comes back
+    void ask_import();
+    void ask_relink(Id object); // another file for an imported model
+    void ask_missing();         // for the first whose file is not there
+    void ask_export();
+    void save(); // a scene with a name is on disk already: says so; else asks for one
+    void ask_save_as();
+    void ask_save_compact();
+    void save_numbered_copy(); // beside the scene, which stays what is worked on
+    void collect();            // every model's file into NAME.assets beside the scene
+    void open_scene(const std::string& path); // asks first if the present one has no name
+    // The same, but the file stays as it is; `then` is called when the copy is the scene.
+    void open_copy(const std::string& path, std::function<void()> then);
+    // The first model of a scene is framed, and with `frame_all` everything with this one.
+    void import(const std::string& path, bool frame_all = false)
+    {
+        read_model_of(path, frame_all, std::make_shared<Batch>(Batch{1, {}}));
+    }
+    // What is visible, as committed; with a certificate where something is refined.
+    void write_model_to(const std::string& path);
+    void take_dropped(const std::vector<std::string>& paths); // scenes open, models are imported
+    void ask_close();
+
+    void draw(const ui::Theme& theme); // whatever is asked at present
+    // A scene is being read that takes the place of the present one: no key belongs to that.
+    bool opening() const { return !opening_.expired(); }
+    bool asking() const { return dialog_.is_open() || question_.has_value() || opening(); }
+    bool close_agreed() const { return close_agreed_; }
+
+    // Scenes to try, offered over an empty viewport: what opens is a copy, they stay as they are.
+    std::vector<std::string> samples;
+    // As the preferences say: where dialogs begin that have no better place, and whether it is
+    // asked what becomes of a scene without a name.
+    std::string scenes_folder, models_folder;
+    bool ask_to_keep = true;
+
+private:
+    enum class Purpose { open, take_up, import, relink, write_model, save_as, save_compact };
+    // Files that came together: what cannot be read of them is told once, at the end.
+    struct Batch {
+        std::size_t coming = 0;
+        struct Lost {
+            std::string name, why;
+        };
+        std::vector<Lost> lost;
+    };
+    struct Asked {
+        ui::Question question;
+        std::function<void(int)> answer;
+    };
+    struct Present { // how far the present scene is
+        long scene = 0;
+        std::size_t lines = 0;
+        bool operator==(const Present&) const = default;
+    };
+    Present present() const { return {session_->scenes(), session_->scene().lines().size()}; }
+    void open(const std::string& path, bool copy, std::function<void()> then);
+    // It was read; asks once more if something was done since it was asked for.
+    void take_opened(const Present& since, const std::shared_ptr<SceneFile>& scene,
+                     const std::function<void()>& then);
+    void show(SceneFile scene); // where it is a copy, its notice offers to save it
+    void
+    ask_how_to_open(const std::shared_ptr<SceneFile>& copy); // of a file that is open elsewhere
+    void ask_for_file(Purpose purpose, ui::FileRequest request);
+    void use_file(const std::string& path);
+    void read_model_of(const std::string& path, bool frame_all,
+                       const std::shared_ptr<Batch>& batch);
+    void tell_lost(Batch& batch); // when the last of them is there
+    void write_scene(const std::string& path, bool compact);
+    void keep_or(std::function<void()> go_on); // asks what becomes of a scene without a name
+
+    Session* session_;
+    Recovery* recovery_;
+    std::weak_ptr<const Present> opening_; // its job has it
+    ui::FileDialog dialog_;
+    std::string import_folder_; // of the last model that was imported by the dialog
+    Purpose purpose_ = Purpose::open;
+    Id relinked_ = 0;
+    std::optional<Asked> question_;
+    std::function<void()> after_save_;
+    bool close_agreed_ = false;
+};
+
+} // namespace trivar

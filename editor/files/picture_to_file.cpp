@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/files/picture_to_file.h"
+
+#include "core/base/rejected.h"
+#include "core/files/image.h"
+#include "editor/files/files.h"
+#include "editor/words/file_words.h"
+#include "ui/camera_control.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+namespace trivar {
+
+namespace {
+
+std::string free_path(const Session& session)
+{
+    return numbered_name(
+        std::filesystem::absolute(session.scene().path()).replace_extension(".png").string());
+}
+
+void tell_failed(Session& session, const std::string& path, const std::string& why)
+{
+    session.notices.say(ui::NoticeKind::error, file_name(path) + " was not written",
+                        reason(why, path), "picture");
+}
+
+} // namespace
+
+void PictureToFile::begin(const Session& session, int width_px)
+{
+    path_ = free_path(session);
+    wanted_px_ = width_px_ = width_px;
+}
+
+void PictureToFile::forget_gpu()
+{
+    if (still_) wanted_px_ = width_px_;
+    still_.reset();
+}
+
+void PictureToFile::stop()
+{
+    still_.reset();
+    wanted_px_ = 0;
+}
+
+void PictureToFile::draw(const Session& session, const Ref<gpu::ShaderTexts>& shaders)
+{
+    path_ = free_path(session); // something may have been written meanwhile
+    const int width_px = std::exchange(wanted_px_, 0);
+    const glm::dvec2 view = session.view.camera.size_px;
+    const glm::ivec2 size_px(
+        width_px,
+        std::max(1, static_cast<int>(std::lround(width_px * view.y / std::max(1.0, view.x)))));
+    still_ = std::make_unique<Still>();
+    still_->begin(session.evaluated(), session.document(),
+                  ui::reshaped(session.view.camera, glm::dvec2(size_px)),
+                  {.size_px = size_px, .level = gpu::Level::high, .shaders = shaders});
+}
+
+bool PictureToFile::is_whole(const Session& session, ui::Frame& frame,
+                             const Ref<gpu::ShaderTexts>& shaders)
+{
+    constexpr double budget_ms = 40; // as for the window's own picture
+    if (wanted_px_ > 0) {
+        frame.again_in(0.05);
+        if (!session.up_to_date() || session.jobs().status()) return false;
+        draw(session, shaders);
+    }
+    if (!still_) return false;
+    frame.again_in(0);
+    return still_->advance(budget_ms);
+}
+
+void PictureToFile::advance(Session& session, ui::Frame& frame,
+                            const Ref<gpu::ShaderTexts>& shaders)
+{
+    Ref<Image> image;
+    try {
+        if (!is_whole(session, frame, shaders)) return;
+        image = make_ref(still_->image());
+    } catch (const Rejected& error) {
+        stop();
+        tell_failed(session, path_, error.what());
+        return;
+    }
+    still_.reset();
+    session.jobs().start(
+        {"Writing " + file_name(path_),
+         [&session, image, path = path_](const Progress&) -> Jobs::Finish {
+             write_image(*image, path);
+             return [&session, path] {
+                 session.notices.say(ui::NoticeKind::good, file_name(path) + " was written",
+                                     "It lies beside the scene.", "picture");
+             };
+         },
+         [&session, path = path_](const std::string& why) { tell_failed(session, path, why); }});
+}
+
+} // namespace trivar

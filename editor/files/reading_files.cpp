@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What comes in: scenes that are opened, models that are imported, files that are dropped.
+#include "core/base/rejected.h"
+#include "core/files/file_bytes.h"
+#include "editor/files/files.h"
+#include "editor/words/file_words.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace trivar {
+namespace fs = std::filesystem;
+namespace {
+
+bool is_model(const std::string& path)
+{
+    const auto& known = model_extensions();
+    return std::find(known.begin(), known.end(), extension_of(path)) != known.end();
+}
+
+} // namespace
+
+void Files::open_scene(const std::string& path)
+{
+    std::error_code ignored;
+    const bool sample = std::ranges::any_of(
+        samples, [&](const std::string& each) { return fs::equivalent(each, path, ignored); });
+    open(path, sample, nullptr);
+}
+
+void Files::open_copy(const std::string& path, std::function<void()> then)
+{
+    open(path, true, std::move(then));
+}
+
+void Files::open(const std::string& path, bool copy, std::function<void()> then)
+{
+    keep_or([this, path, copy, then = std::move(then)] {
+        const auto since = std::make_shared<const Present>(present());
+        opening_ = since;
+        session_->jobs().start(
+            {"Opening " + file_name(path),
+             [this, since, path, copy, then](const Progress&) -> Jobs::Finish {
+                 // Shared, for a function that is copied cannot hold what is
+                 // only moved.
+                 auto scene =
+                     std::make_shared<SceneFile>(copy ? SceneFile::copy_of(path) : SceneFile(path));
+                 return [this, since, scene, then] {
+                     if (opening_.lock() == since) opening_.reset();
+                     take_opened(*since, scene, then);
+                 };
+             },
+             [this, path](const std::string& why) {
+                 opening_.reset();
+                 session_->notices.say(ui::NoticeKind::error, file_name(path) + " was not opened",
+                                       reason(why, path));
+             }});
+    });
+}
+
+void Files::take_opened(const Present& since, const std::shared_ptr<SceneFile>& scene,
+                        const std::function<void()>& then)
+{
+    const auto go_on = [this, scene, then] {
+        if (scene->in_use()) return ask_how_to_open(scene);
+        show(std::move(*scene));
+        if (then) then();
+    };
+    if (since == present())
+        go_on();
+    else
+        keep_or(go_on); // a model that was being read may have come
+}
+
+void Files::show(SceneFile scene)
+{
+    const bool copy = scene.path().empty() && !scene.original().empty();
+    std::vector<ui::Notices::Action> offers;
+    if (copy) offers.push_back({"Save as...", [this] { ask_save_as(); }});
+    session_->replace_scene(std::move(scene), std::move(offers));
+}
+
+void Files::ask_how_to_open(const std::shared_ptr<SceneFile>& copy)
+{
+    const std::string path = copy->original();
+    question_ = Asked{{file_name(path) + " is open in another window",
+                       "Look at it here, and see what is done there as it is done. Or go on in a "
+                       "copy of your own, which has no name yet.",
+                       {{"Cancel", ui::ButtonKind::plain},
+                        {"Open a copy", ui::ButtonKind::plain},
+                        {"Look only", ui::ButtonKind::primary}},
+                       2},
+                      [this, copy, path](int answer) {
+                          if (answer == 1) show(std::move(*copy));
+                          if (answer != 2) return;
+                          try {
+                              session_->replace_scene(SceneFile::looked_at(path));
+                          } catch (const Rejected& why) {
+                              session_->notices.say(ui::NoticeKind::error,
+                                                    file_name(path) + " was not opened",
+                                                    reason(why.what(), path));
+                          }
+                      }};
+}
+
+void Files::read_model_of(const std::string& path, bool frame_all,
+                          const std::shared_ptr<Batch>& batch)
+{
+    session_->jobs().start(
+        {"Reading " + file_name(path),
+         [this, path, frame_all, batch,
+          store = session_->assets()](const Progress& progress) -> Jobs::Finish {
+             ImportModel import;
+             import.file.path = fs::absolute(path).string();
+             const Command command = prepare(import, *store, progress);
+             const auto& ready = std::get<ImportModel>(command);
+             const AssetStore::Loaded loaded = store->load(ready.file, progress);
+             if (!loaded.model)
+                 throw Rejected(loaded.notices.empty() ? "It cannot be read."
+                                                       : loaded.notices.front());
+             return [this, command, frame_all, store, path, batch, said = loaded.notices] {
+                 // Paths are told from the folder of the scene there is now.
+                 if (session_->assets() != store) return read_model_of(path, frame_all, batch);
+                 tell_lost(*batch);
+                 const Id id = session_->committed().next_id;
+                 const bool first = session_->committed().objects.empty();
+                 session_->cancel();
+                 if (!session_->run(command)) return;
+                 session_->selected = id;
+                 if (first || frame_all) session_->view.frame_all_when_evaluated = true;
+                 if (said.empty()) return;
+                 session_->notices.say_all(ui::NoticeKind::warning,
+                                           file_name(path) + " was imported", said);
+             };
+         },
+         [this, path, batch](const std::string& why) {
+             batch->lost.push_back({file_name(path), reason(why, path)});
+             tell_lost(*batch);
+         }});
+}
+
+void Files::tell_lost(Batch& batch)
+{
+    if (batch.coming > 0) --batch.coming;
+    if (batch.coming > 0 || batch.lost.empty()) return;
+    constexpr std::size_t most = 4;
+    const std::size_t count = batch.lost.size();
+    if (count == 1) {
+        session_->notices.say(ui::NoticeKind::error, batch.lost[0].name + " was not imported",
+                              batch.lost[0].why);
+        return;
+    }
+    std::string words;
+    for (std::size_t i = 0; i < std::min(most, count); ++i)
+        words += (i == 0 ? "" : "\n") + batch.lost[i].name + ": " + batch.lost[i].why;
+    if (count > most) words += "\nand " + std::to_string(count - most) + " more";
+    session_->notices.say(ui::NoticeKind::error, std::to_string(count) + " files were not imported",
+                          words);
+}
+
+void Files::take_dropped(const std::vector<std::string>& paths)
+{
+    std::vector<std::string> scenes, models;
+    const auto batch = std::make_shared<Batch>();
+    std::error_code ignored;
+    for (const std::string& path : paths)
+        if (fs::is_directory(path, ignored))
+            batch->lost.push_back(
+                {file_name(path) + "/", "this is a folder, drop the files in it"});
+        else if (extension_of(path) == scene_extension)
+            scenes.push_back(path);
+        else if (is_model(path))
+            models.push_back(path);
+        else
+            batch->lost.push_back({file_name(path), "Trivar reads scenes (.trivar) and models: "
+                                                    "glTF, OBJ, PLY, STL, OFF"});
+    for (std::size_t i = 0; i + 1 < scenes.size(); ++i)
+        batch->lost.push_back({file_name(scenes[i]), "only one scene is open at a time"});
+    batch->coming = models.size();
+    const bool fresh = session_->committed().objects.empty();
+    for (const std::string& path : models) read_model_of(path, fresh, batch);
+    if (models.empty()) tell_lost(*batch);
+    if (!scenes.empty()) open_scene(scenes.back());
+}
+
+} // namespace trivar

@@ -1,0 +1,411 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/panels/inspector/inspect.h"
+
+#include "core/document/log.h"
+#include "core/document/parameters.h"
+#include "editor/commands/clipboard.h"
+#include "editor/commands/new_material.h"
+#include "editor/panels/inspector/key_gutter.h"
+#include "editor/panels/panels.h"
+#include "editor/session/scene_facts.h"
+#include "editor/session/session_facts.h"
+#include "editor/words/field_words.h"
+#include "ui/icons.h"
+#include "ui/sentence.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <imgui.h>
+
+namespace trivar {
+namespace {
+
+ui::Edit vector_row(const ui::Theme& theme, const KeyGutter& keys, const std::string& label,
+                    glm::dvec3& value, const glm::dvec3& rest, const ui::NumberStyle& style,
+                    const RowWords& words)
+{
+    const ui::Row row = ui::label_row(theme, label, value != rest, words.help);
+    keys.mark(theme, row, axes_of(words.parameters.front()), true);
+    if (row.reset) {
+        value = rest;
+        return ui::Edit::changed;
+    }
+    return axis_fields(
+        theme, row.width, style, [&](int axis, const ui::NumberStyle& own, float width) {
+            return ui::number_field(theme, label + own.axis, value[axis], own, width);
+        });
+}
+
+void object_card(const ui::Theme& theme, const Object& each)
+{
+    const ui::Palette& c = theme.color;
+    ui::gap(theme, 4);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float left = ImGui::GetWindowPos().x + theme.size.padding;
+    const float width = ImGui::GetWindowWidth() - 2 * theme.size.padding;
+    const ui::Rect r = ui::rect_at({left, at.y}, {width, theme.px(32)});
+    ui::paint_box(r, c.field, theme.size.rounding);
+    const ui::Rect in = {r.lo + glm::vec2(theme.px(10), 0), r.hi - glm::vec2(theme.px(10), 0)};
+    ui::paint_text(theme.font.body, in, c.accent_text, icon_of(each));
+    const float type = ui::text_width(theme.font.small, type_of(each));
+    ui::name_text(theme.font.strong,
+                  {in.lo + glm::vec2(theme.px(24), 0), in.hi - glm::vec2(type + theme.px(12), 0)},
+                  c.text, each.name);
+    ui::paint_text(theme.font.small, in, c.text_2, type_of(each), ui::Align::right);
+    ImGui::SetCursorScreenPos(at);
+    ImGui::Dummy({1, theme.px(32)});
+    ui::gap(theme, 8);
+}
+
+// At the foot of the panel, where they do not move the fields that the hand is on. Returns the
+// height that they take.
+float draw_notices(const ui::Theme& theme, const ui::Rect& panel,
+                   const std::vector<std::string>& notices)
+{
+    const float pad = theme.size.padding, line = theme.px(20), between = theme.px(4);
+    const float indent = theme.px(24), width = panel.width() - 2 * pad - indent;
+    std::vector<std::vector<std::string>> texts;
+    float height = 2 * theme.px(8) - between;
+    for (const std::string& notice : notices) {
+        texts.push_back(ui::wrapped(theme.font.body, ui::sentence(notice), width));
+        height += line * static_cast<float>(texts.back().size()) + between;
+    }
+    if (texts.empty()) return 0;
+    const float most = std::round(panel.height() * 0.4f);
+    const float shown = std::min(height, most);
+    const ui::Rect r = {{panel.lo.x, panel.hi.y - shown}, panel.hi};
+    begin_panel("inspector notices", r, theme.color.panel, height > most);
+    ui::paint_box({r.lo, {r.hi.x, r.lo.y + theme.size.hairline}}, theme.color.line);
+    float y = ImGui::GetCursorScreenPos().y + theme.px(8);
+    for (const auto& text : texts) {
+        ui::paint_text(theme.font.body, ui::rect_at({r.lo.x + pad, y}, {indent, line}),
+                       theme.color.warn, ui::icon::warning);
+        for (const std::string& words : text) {
+            ui::paint_text(theme.font.body, ui::rect_at({r.lo.x + pad + indent, y}, {width, line}),
+                           theme.color.text_2, words);
+            y += line;
+        }
+        y += between;
+    }
+    ImGui::Dummy({1, height});
+    ImGui::End();
+    return shown;
+}
+
+// Where an imported model comes from, and how smooth its cage is drawn.
+void draw_file(Editor& editor, const ui::Theme& theme, const ImportedFile& file, Id id)
+{
+    const float width = ui::label_row(theme, "File").width;
+    const std::string name = std::filesystem::path(file.path).filename().string();
+    const std::string shown = ui::elided(theme.font.body, name, width - theme.px(84));
+    if (ui::button(theme, shown, ui::ButtonKind::plain, {width, theme.size.row}, nullptr, "Other"))
+        editor.files.ask_relink(id);
+    ui::tooltip({file.path, {}, "Click to take another file."});
+    EditImport edit{id, file};
+    const ui::Row row = ui::label_row(theme, "Subdivide", file.subdivisions != 0,
+                                      help_of_field("edit_import", "subdivisions"));
+    KeyGutter(editor, {id}).mark(theme, row, {"shape.subdivisions"});
+    ui::Edit one = ui::integer_field(theme, "subdivisions", edit.file.subdivisions,
+                                     {.lo = 0, .hi = 6, .bar_hi = 6}, row.width);
+    if (row.reset) {
+        edit.file.subdivisions = 0;
+        one = ui::Edit::changed;
+    }
+    propose_edit(editor, one, [&] { return edit; });
+}
+
+void facts(Editor& editor, const ui::Theme& theme, const Object& each, Id id)
+{
+    if (!ui::section(theme, "Shape")) return;
+    if (const auto* file = std::get_if<ImportedFile>(&each.source))
+        draw_file(editor, theme, *file, id);
+    const Session& session = editor.session;
+    const glm::dvec3 size = bounds_of(session, id).size();
+    std::size_t faces = 0, vertices = 0, members = 0;
+    for (const auto& [each_id, effects] : session.evaluated().objects) {
+        if (!belongs_to(session.document(), each_id, id)) continue;
+        for (const Part& part : effects->parts) {
+            faces += part.rest->face_count();
+            vertices += part.rest->vertex_count();
+        }
+    }
+    if (std::holds_alternative<GroupShape>(each.source)) {
+        for (const auto& [each_id, ref] : session.document().objects)
+            members += each_id != id && belongs_to(session.document(), each_id, id) ? 1 : 0;
+        ui::fact_row(theme, "Objects", ui::with_commas(members));
+    }
+    if (vertices == 0) {
+        ui::fact_row(theme, "Size",
+                     !visible(session.document(), id)                  ? "hidden"
+                     : std::holds_alternative<GroupShape>(each.source) ? "nothing to see"
+                                                                       : "not there yet");
+        ui::gap(theme, 8);
+        return;
+    }
+    ui::fact_row(theme, "Size",
+                 fmt::format("{} x {} x {} m", ui::short_number(size.x), ui::short_number(size.y),
+                             ui::short_number(size.z)));
+    ui::fact_row(theme, "Faces", ui::with_commas(faces));
+    ui::fact_row(theme, "Vertices", ui::with_commas(vertices));
+    ui::gap(theme, 8);
+}
+
+} // namespace
+
+ui::Edit axis_fields(const ui::Theme& theme, float width, ui::NumberStyle style,
+                     const AxisField& field)
+{
+    const float gap = theme.px(4), each = std::floor((width - 2 * gap) / 3);
+    const ui::Palette& c = theme.color;
+    const std::array<ui::Color, 3> colors{c.letter_x, c.letter_y, c.letter_z};
+    const std::array<const char*, 3> names{"X", "Y", "Z"};
+    ui::Edit edit = ui::Edit::none;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto k = static_cast<std::size_t>(axis);
+        ImGui::SetCursorScreenPos({at.x + static_cast<float>(axis) * (each + gap), at.y});
+        style.axis = names.at(k);
+        style.axis_color = colors.at(k);
+        const ui::Edit one = field(axis, style, each);
+        if (one != ui::Edit::none) edit = one;
+    }
+    return edit;
+}
+
+void copy_command(Editor& editor, const Command& command)
+{
+    ImGui::SetClipboardText(command_line(command).c_str());
+    editor.session.notices.say(ui::NoticeKind::good, "The command was copied",
+                               "Paste it into the field of the log to run it.", of_clipboard);
+}
+
+void propose_edit(Editor& editor, ui::Edit edit, const std::function<Command()>& command)
+{
+    if (edit == ui::Edit::copied) return copy_command(editor, command());
+    if (edit == ui::Edit::none || editor.session.committing()) return;
+    if (edit == ui::Edit::cancelled) {
+        editor.session.cancel();
+        editor.inspecting = false;
+    } else if (editor.session.propose(command())) {
+        editor.inspecting = true;
+    }
+}
+
+void finish_edit(Editor& editor)
+{
+    if (!editor.inspecting || ImGui::IsAnyItemActive()) return;
+    editor.inspecting = false;
+    const auto& now = editor.session.document();
+    const Document before = document_at(editor.session.committed(), editor.session.frame());
+    // A drag that came back to where it began is no step.
+    bool changed = *now.render != *before.render || now.time != before.time ||
+                   now.bookmarks != before.bookmarks || *now.tracks != *before.tracks ||
+                   now.objects.size() != before.objects.size();
+    for (const auto& [id, each] : now.objects) {
+        if (changed) break;
+        const auto found = before.objects.find(id);
+        changed =
+            found == before.objects.end() || (each != found->second && !(*each == *found->second));
+    }
+    if (changed)
+        editor.session.commit();
+    else
+        editor.session.cancel();
+}
+
+void draw_transform(Editor& editor, const ui::Theme& theme, Id id)
+{
+    const Object& each = object(editor.session.document(), id);
+    if (!ui::section(theme, "Transform", !each.placement)) return;
+    Transform t = each.transform;
+    const Transform rest;
+    ui::Edit edit = ui::Edit::none;
+    const auto take = [&edit](ui::Edit one) {
+        if (one != ui::Edit::none) edit = one;
+    };
+    const KeyGutter keys(editor, {id});
+    const auto words = [](const std::string& field) {
+        return RowWords(help_of_field("transform", field), "transform." + field);
+    };
+    if (!each.placement) { // the stroke says where a placed object is
+        take(vector_row(theme, keys, "Position", t.translation, rest.translation, {.unit = "m"},
+                        words("translation")));
+        take(vector_row(theme, keys, "Rotation", t.rotation_deg, rest.rotation_deg,
+                        {.lo = -36000, .hi = 36000, .step = 1, .unit = "deg"},
+                        words("rotation_deg")));
+    }
+    take(vector_row(theme, keys, "Scale", t.scale, rest.scale, {.lo = -1e6, .hi = 1e6},
+                    words("scale")));
+    const ui::Row row = ui::label_row(theme, "All alike", false, "one factor along X, Y and Z");
+    double uniform = t.scale.x;
+    const ui::Edit one =
+        ui::number_field(theme, "uniform", uniform, {.lo = 1e-6, .hi = 1e6}, row.width);
+    if (one == ui::Edit::changed) t.scale = glm::dvec3(uniform);
+    take(one);
+    ui::gap(theme, 8);
+    propose_edit(editor, edit, [&] { return SetTransform{id, t}; });
+}
+
+void draw_material(Editor& editor, const ui::Theme& theme, Id id)
+{
+    const Object& each = object(editor.session.document(), id);
+    if (std::holds_alternative<GroupShape>(each.source)) return;
+    if (!ui::section(theme, "Material")) return;
+    bool own = !each.surfacing.has_value();
+    ui::label_row(theme, "Use", false, material_help);
+    const ui::Edit use = ui::check_box(theme, "own", own, "the model's own");
+    if (use == ui::Edit::copied && own) copy_command(editor, ClearMaterial{{id}});
+    if (use == ui::Edit::copied && !own) copy_command(editor, SetMaterial{{id}, *each.surfacing});
+    if (use == ui::Edit::changed) {
+        if (own)
+            editor.session.run(ClearMaterial{{id}});
+        else
+            editor.session.run(SetMaterial{{id}, new_material});
+        return;
+    }
+    if (own) {
+        ui::gap(theme, 8);
+        return;
+    }
+    Surfacing s = *each.surfacing;
+    const auto help = [](const std::string& field) { return help_of_field("set_material", field); };
+    const KeyGutter keys(editor, {id});
+    const ui::Row color = ui::label_row(theme, "Colour", false, help("base_color"));
+    keys.mark(theme, color, axes_of("material.base_color"));
+    ui::Edit edit = ui::color_field(theme, "color", s.base_color, color.width);
+    const auto share = [&](const char* label, const std::string& field, float& value) {
+        double number = value;
+        const ui::Row row = ui::label_row(theme, label, false, help(field));
+        keys.mark(theme, row, {"material." + field});
+        const ui::Edit one =
+            ui::number_field(theme, label, number, {.lo = 0, .hi = 1, .bar_hi = 1}, row.width);
+        value = static_cast<float>(number);
+        if (one != ui::Edit::none) edit = one;
+    };
+    int solid = static_cast<int>(s.solid);
+    const ui::Row filling = ui::label_row(theme, "Filling", false, help("solid"));
+    keys.mark(theme, filling, {"material.solid"});
+    const ui::Edit filled =
+        ui::segments(theme, "filling", solid, {"None", "Wood", "Flesh"}, filling.width);
+    if (filled != ui::Edit::none) edit = filled;
+    s.solid = static_cast<Solid>(solid);
+    if (s.solid == Solid::none) { // the others have their own
+        share("Metallic", "metallic", s.metallic);
+        share("Roughness", "roughness", s.roughness);
+    }
+    ui::gap(theme, 8);
+    propose_edit(editor, edit, [&] { return SetMaterial{{id}, s}; });
+}
+
+void draw_picture_settings(Editor& editor, const ui::Theme& theme)
+{
+    constexpr double degrees = 57.29577951308232;
+    RenderSettings s = *editor.session.document().render;
+    const std::vector<std::string> looks{"studio", "clay", "dark"};
+    ui::Edit edit = ui::Edit::none;
+    const auto take = [&edit](ui::Edit one) {
+        if (one != ui::Edit::none) edit = one;
+    };
+    if (!ui::section(theme, "Picture")) return;
+    const KeyGutter keys(editor, {0});
+    const auto row_of = [&](const char* label, const std::string& field) {
+        const ui::Row row = ui::label_row(theme, label, false, help_of_field("set_render", field));
+        keys.mark(theme, row, {"render." + field});
+        return row.width;
+    };
+    int look = 0;
+    for (std::size_t i = 0; i < looks.size(); ++i)
+        if (looks[i] == s.look) look = static_cast<int>(i);
+    take(ui::segments(theme, "look", look, {"Studio", "Clay", "Dark"}, row_of("Look", "look")));
+    s.look = looks[static_cast<std::size_t>(look)];
+    const auto number = [&](const char* label, const char* field, double& value, double factor,
+                            const ui::NumberStyle& style) {
+        double shown = value * factor;
+        const ui::Edit one = ui::number_field(theme, label, shown, style, row_of(label, field));
+        if (one == ui::Edit::changed) value = shown / factor;
+        take(one);
+    };
+    int color_by = static_cast<int>(s.color_by);
+    take(ui::segments(theme, "color by", color_by, {"Material", "Stretch", "Error"},
+                      row_of("Colour by", "color_by")));
+    s.color_by = static_cast<ColorBy>(color_by);
+    number("Exposure", "exposure", s.exposure, 1, {.lo = -4, .hi = 4, .bar_hi = 4});
+    number("Sun round", "sun_azimuth", s.sun_azimuth, degrees,
+           {.lo = -360, .hi = 360, .step = 1, .unit = "deg"});
+    number("Sun height", "sun_elevation", s.sun_elevation, degrees,
+           {.lo = 0, .hi = 90, .bar_hi = 90, .unit = "deg"});
+    row_of("Shadows", "shadows");
+    take(ui::check_box(theme, "shadows", s.shadows, "cast by the sun"));
+    row_of("Corners", "ambient_occlusion");
+    take(ui::check_box(theme, "corners", s.ambient_occlusion, "darker"));
+    row_of("Edges", "wire");
+    take(ui::check_box(theme, "edges", s.wire, "drawn over faces"));
+    row_of("Volumes", "volumes");
+    take(ui::check_box(theme, "volumes", s.volumes, "drawn in cyan"));
+    row_of("Captions", "captions");
+    take(ui::check_box(theme, "captions", s.captions, "under what is refined"));
+    row_of("Ground", "ground");
+    take(ui::check_box(theme, "ground", s.ground, "catches shadows"));
+    ui::gap(theme, 8);
+    propose_edit(editor, edit, [&] { return SetRender{s}; });
+}
+
+void draw_inspector(Editor& editor, const ui::Theme& theme, const Layout& layout)
+{
+    const Id id = editor.session.selected;
+    ui::Rect fields = layout.inspector;
+    const auto effects = editor.session.evaluated().objects.find(id);
+    if (effects != editor.session.evaluated().objects.end())
+        fields.hi.y -= draw_notices(theme, layout.inspector, effects->second->notices);
+    begin_panel("inspector", fields, theme.color.panel, true);
+    ui::offer_commands();
+    if (editor.panel == Editor::Panel::dock && editor.show_focus && !ImGui::IsAnyItemActive() &&
+        ImGui::IsKeyPressed(ui::key_tab, false))
+        ui::type_next_number();
+    const auto& objects = editor.session.document().objects;
+    const auto found = objects.find(id);
+    if (found == objects.end()) {
+        const ui::Rect& r = layout.inspector;
+        const bool nothing = objects.empty();
+        if (!nothing) draw_picture_settings(editor, theme);
+        if (!nothing) draw_kept_view(editor, theme);
+        const float top = nothing ? r.lo.y : ImGui::GetCursorScreenPos().y;
+        const float end = nothing ? std::min(r.hi.y, top + theme.px(220)) : top + theme.px(200);
+        ui::empty_state(theme, {{r.lo.x, top}, {r.hi.x, end}}, ui::icon::sliders,
+                        nothing ? "Nothing to change yet" : "Nothing selected",
+                        nothing ? "Drop a model into the window, or add an object with " +
+                                      key_text(action(editor, add_action_name)) + "."
+                                : "Click an object, or a row of the outliner, to see what can be "
+                                  "changed.");
+        if (!nothing) ImGui::Dummy({1, theme.px(200)});
+        ImGui::End();
+        return;
+    }
+    if (editor.session.selected.size() > 1) {
+        draw_several(editor, theme);
+        ImGui::End();
+        return;
+    }
+    const Ref<Object> each = found->second; // edits replace it while we read
+    ImGui::PushID(id);
+    object_card(theme, *each);
+    const auto part = [&](void (*draw)(Editor&, const ui::Theme&, Id)) {
+        if (editor.session.document().objects.contains(id)) draw(editor, theme, id);
+    };
+    if (each->placement) part(draw_placement);
+    if (each->placement) part(draw_shaping);
+    if (std::holds_alternative<ImportedFile>(each->source))
+        part([](Editor& e, const ui::Theme& t, Id one) { draw_clip(e, t, {one}); });
+    if (std::holds_alternative<TextShape>(each->source)) part(draw_text);
+    part(draw_transform);
+    part(draw_material);
+    part(draw_other_numbers);
+    facts(editor, theme, *each, id);
+    ImGui::PopID();
+    ImGui::End();
+}
+
+} // namespace trivar

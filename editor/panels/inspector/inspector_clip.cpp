@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/panels/inspector/inspect.h"
+#include "editor/panels/inspector/value_rows.h"
+#include "editor/panels/panels.h"
+#include "editor/words/field_words.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <optional>
+
+namespace trivar {
+namespace {
+
+std::string help_of_clip(const char* field)
+{
+    return help_of_field("play_clip", field);
+}
+
+// What every one of them can play, in the order of the active one's file.
+std::vector<std::string> common_clips(const Evaluated& evaluated, const std::vector<Id>& ids)
+{
+    const auto clips_of = [&](Id id) {
+        const auto found = evaluated.objects.find(id);
+        return found == evaluated.objects.end() ? std::vector<std::string>{} : found->second->clips;
+    };
+    std::vector<std::string> out = clips_of(ids.back());
+    std::erase_if(out, [&](const std::string& clip) {
+        return std::ranges::any_of(ids, [&](Id id) {
+            const std::vector<std::string> its = clips_of(id);
+            return std::ranges::find(its, clip) == its.end();
+        });
+    });
+    return out;
+}
+
+// The clip that a hand took, if one did; empty: none, it stands.
+std::optional<std::string> clip_row(ValueRows& rows, const std::string& now,
+                                    std::vector<std::string> clips, bool mixed)
+{
+    if (!now.empty() && std::ranges::find(clips, now) == clips.end())
+        clips.insert(clips.begin(), now); // of a file that is not there
+    std::vector<std::string> words{"None"};
+    words.insert(words.end(), clips.begin(), clips.end());
+    clips.insert(clips.begin(), "");
+    if (mixed) { // is shown; to take it changes nothing
+        words.insert(words.begin(), "Mixed");
+        clips.insert(clips.begin(), now);
+    }
+    const int none = mixed ? 1 : 0;
+    const auto shown = static_cast<int>(mixed ? 0 : std::ranges::find(clips, now) - clips.begin());
+    int chosen = shown;
+    rows.row("Clip", chosen, none, help_of_clip("clip"),
+             [&](float width) { return ui::choice(rows.theme, "clip", chosen, words, width); });
+    if (chosen == shown) return std::nullopt;
+    return clips[static_cast<std::size_t>(chosen)];
+}
+
+void repeat_row(ValueRows& rows, Repeat& repeat)
+{
+    int chosen = static_cast<int>(repeat);
+    rows.row("Repeat", chosen, static_cast<int>(Playing{}.repeat), help_of_clip("repeat"),
+             [&](float width) {
+                 return ui::choice(rows.theme, "repeat", chosen, {"Once", "Loop", "Back and forth"},
+                                   width);
+             });
+    repeat = static_cast<Repeat>(chosen);
+}
+
+Ref<Walk> walk_of(const Evaluated& evaluated, Id id)
+{
+    const auto found = evaluated.objects.find(id);
+    return found == evaluated.objects.end() ? nullptr : found->second->walk;
+}
+
+std::string of_stride(double share)
+{
+    return fmt::format("{:.2f} % of a stride", 100 * share);
+}
+
+} // namespace
+
+void draw_clip(Editor& editor, const ui::Theme& theme, const std::vector<Id>& ids)
+{
+    const Document& document = editor.session.document();
+    std::vector<Playing> all;
+    for (const Id id : ids) all.push_back(object(document, id).playing);
+    const Playing rest, before = all.back(); // the active one's, from which a drag begins
+    const std::vector<std::string> clips = common_clips(editor.session.evaluated(), ids);
+    if (clips.empty() && before.clip.empty()) return;
+    if (!ui::section(theme, "Clip")) return;
+    const auto style = [&](auto Playing::*part, const ui::NumberStyle& own) {
+        return mixed_style(all, before, part, own);
+    };
+    Playing p = before;
+    const KeyGutter keys(editor, ids);
+    ValueRows rows{theme, &keys};
+    const std::optional<std::string> taken =
+        clip_row(rows, before.clip, clips, differs(all, before, &Playing::clip));
+    if (taken) p.clip = *taken;
+    if (!p.clip.empty()) {
+        const bool laid = std::ranges::all_of(
+            ids, [&](Id id) { return object(document, id).placement.has_value(); });
+        if (laid || p.foot_lock)
+            rows.check("Foot lock", p.foot_lock, rest.foot_lock, "in step with its travel",
+                       help_of_clip("foot_lock"));
+        const Ref<Walk> walk =
+            ids.size() == 1 ? walk_of(editor.session.evaluated(), ids.back()) : nullptr;
+        if (walk && walk->trouble.empty()) {
+            ui::fact_row(theme, "Feet slide", of_stride(*walk->slide));
+            ui::fact_row(theme, "Feet moved", of_stride(walk->correction));
+            ui::fact_row(theme, "Own speed", ui::short_number(walk->natural_speed) + " m/s");
+        }
+        if (!p.foot_lock)
+            rows.number("Speed", p.speed, rest.speed,
+                        style(&Playing::speed, {.lo = -1e3, .hi = 1e3, .unit = "x"}),
+                        help_of_clip("speed"));
+        if (!p.foot_lock) repeat_row(rows, p.repeat);
+        rows.number("Offset", p.offset, rest.offset,
+                    style(&Playing::offset, {.lo = -1e6, .hi = 1e6, .unit = "s"}),
+                    {help_of_clip("offset"), "playing.offset"});
+        if (!p.foot_lock)
+            rows.integer(
+                "Begins", p.start_frame, document.time.first_frame,
+                style(&Playing::start_frame, {.lo = -999999, .hi = 999999, .unit = "frame"}),
+                help_of_clip("start_frame"));
+    }
+    ui::gap(theme, 8);
+    propose_edit(editor, rows.edit, [&] {
+        if (ids.size() == 1) return PlayClip{ids, p};
+        for (Playing& each : all) { // what a hand changed of one, in each of them
+            const auto take = [&](auto Playing::*part) {
+                if (before.*part != p.*part) each.*part = p.*part;
+            };
+            if (taken) each.clip = *taken; // also where it is the active one's
+            take(&Playing::speed);
+            take(&Playing::repeat);
+            take(&Playing::offset);
+            take(&Playing::start_frame);
+            take(&Playing::foot_lock);
+        }
+        return PlayClip{ids, {}, all};
+    });
+}
+
+} // namespace trivar

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "editor/panels/inspector/key_gutter.h"
+#include "ui/widgets.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <imgui.h>
+
+namespace trivar {
+
+// Whether a part of several values is not everywhere as in the active one, and a number's style
+// that says so.
+template <class T, class Part>
+bool differs(const std::vector<T>& all, const T& active, Part T::*part)
+{
+    return std::ranges::any_of(all, [&](const T& each) { return each.*part != active.*part; });
+}
+template <class T, class Part>
+ui::NumberStyle mixed_style(const std::vector<T>& all, const T& active, Part T::*part,
+                            ui::NumberStyle own)
+{
+    if (differs(all, active, part)) own.words = "mixed";
+    return own;
+}
+
+// Rows that change one value each and remember whether any did.
+struct ValueRows {
+    const ui::Theme& theme;
+    const KeyGutter* keys = nullptr; // without it no row has a mark
+    ui::Edit edit = ui::Edit::none;
+
+    void take(ui::Edit one)
+    {
+        if (one != ui::Edit::none) edit = one;
+    }
+    // The row's field, unless its dot was pressed, which resets the value. `apart`: each of the
+    // numbers has one of its own.
+    template <class T, class Field>
+    void row(const std::string& label, T& value, const T& rest, const RowWords& words,
+             Field&& field, bool apart = false)
+    {
+        const ui::Row at = ui::label_row(theme, label, value != rest, words.help);
+        if (keys && !words.parameters.empty()) keys->mark(theme, at, words.parameters, apart);
+        if (at.reset) {
+            value = rest;
+            take(ui::Edit::changed);
+            return;
+        }
+        take(field(at.width));
+    }
+    void number(const std::string& label, double& value, double rest, const ui::NumberStyle& style,
+                const RowWords& words)
+    {
+        row(label, value, rest, words,
+            [&](float width) { return ui::number_field(theme, label, value, style, width); });
+    }
+    // A length that at zero is what stands there already: a drag from "auto" begins at that.
+    void size(const std::string& label, double& value, double present, const RowWords& words)
+    {
+        const std::string zero = present > 0 ? "auto, " + ui::short_number(present) : "auto";
+        const ui::NumberStyle style{
+            .lo = 0, .hi = 1e6, .unit = "m", .zero = zero, .words = value == 0 ? zero : ""};
+        row(label, value, 0.0, words, [&](float width) {
+            double shown = value > 0 ? value : present;
+            const ui::Edit one = ui::number_field(theme, label, shown, style, width);
+            if (one == ui::Edit::changed) value = shown;
+            return one;
+        });
+    }
+    void integer(const std::string& label, int& value, int rest, const ui::NumberStyle& style,
+                 const RowWords& words)
+    {
+        row(label, value, rest, words,
+            [&](float width) { return ui::integer_field(theme, label, value, style, width); });
+    }
+    void check(const std::string& label, bool& value, bool rest, const std::string& effect,
+               const RowWords& words)
+    {
+        row(label, value, rest, words,
+            [&](float) { return ui::check_box(theme, label, value, effect); });
+    }
+    void choice(const std::string& label, int value, int rest,
+                const std::vector<std::string>& names, const RowWords& words, auto&& use)
+    {
+        row(label, value, rest, words,
+            [&](float width) { return ui::segments(theme, label, value, names, width); });
+        use(value);
+    }
+    void triple(const std::string& label, glm::ivec3& value, const glm::ivec3& rest,
+                const ui::NumberStyle& style, const RowWords& words)
+    {
+        const RowWords each_axis = words.parameters.empty()
+                                       ? words
+                                       : RowWords(words.help, axes_of(words.parameters.front()));
+        row(
+            label, value, rest, each_axis,
+            [&](float width) {
+                constexpr std::array<const char*, 3> names{"U", "V", "W"};
+                const float gap = theme.px(4), each = std::floor((width - 2 * gap) / 3);
+                const ImVec2 at = ImGui::GetCursorScreenPos();
+                ui::Edit any = ui::Edit::none;
+                for (int i = 0; i < 3; ++i) {
+                    ui::NumberStyle one = style;
+                    one.axis = names[static_cast<std::size_t>(i)];
+                    ImGui::SetCursorScreenPos({at.x + static_cast<float>(i) * (each + gap), at.y});
+                    const ui::Edit e =
+                        ui::integer_field(theme, label + one.axis, value[i], one, each);
+                    if (e != ui::Edit::none) any = e;
+                }
+                return any;
+            },
+            keys != nullptr);
+    }
+};
+
+} // namespace trivar

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/picture/picture.h"
+
+#include "editor/picture/volume_picture.h"
+#include "ui/camera_control.h"
+
+#include <algorithm>
+
+namespace trivar {
+
+namespace {
+
+std::optional<gpu::ValueColors> colors_of(ColorBy by)
+{
+    if (by == ColorBy::material) return std::nullopt;
+    if (by == ColorBy::stretch) return gpu::ValueColors{};
+    return gpu::ValueColors{.diverging = false, .range = shown_errors};
+}
+
+Ref<std::vector<float>> values_of(const EvaluatedObject& object, std::size_t part,
+                                  const Document& document, ShownValues& values)
+{
+    const ColorBy by = document.render->color_by;
+    if (by == ColorBy::material) return nullptr;
+    if (by == ColorBy::stretch) return values.stretch_of(object.parts[part]);
+    const auto cause = document.objects.find(object.id);
+    if (cause == document.objects.end()) return nullptr; // deleted since it was evaluated
+    return values.error_of(object, part, cause->second->refining.value_or(Refining{}));
+}
+
+} // namespace
+
+gpu::Picture picture_of(const Evaluated& evaluated, const Document& document, const Camera& camera,
+                        ShownValues& values, gpu::DeformBy by)
+{
+    gpu::Picture picture;
+    picture.camera = camera;
+    picture.settings = *document.render;
+    picture.deform_by = by;
+    picture.value_colors = colors_of(document.render->color_by);
+    for (const auto& [id, ref] : evaluated.objects)
+        for (std::size_t p = 0; p < ref->parts.size(); ++p) {
+            const Part& part = ref->parts[p];
+            gpu::Instance instance;
+            instance.to_world = part.to_world;
+            instance.materials = ref->materials;
+            instance.id = id;
+            if (by != gpu::DeformBy::processor) {
+                instance.mesh = part.rest;
+                instance.posed = part.posed;
+                if (part.bent) instance.stages = {{part.bent->volume, part.bent->embedding}};
+            } else {
+                instance.mesh = part.mesh();
+                if (part.bent || part.posed) instance.rest = part.rest;
+            }
+            instance.values = values_of(*ref, p, document, values);
+            picture.instances.push_back(std::move(instance));
+        }
+    if (document.render->volumes) {
+        constexpr double usual_height_px = 720;
+        const ui::Palette color = ui::palette_of({.light = document.render->look != "dark"});
+        const double wider = std::max(1.0, camera.size_px.y / usual_height_px);
+        add_volumes(picture, evaluated, document, color, static_cast<float>(wider));
+    }
+    return picture;
+}
+
+void add_points(std::vector<glm::dvec3>& points, const EvaluatedObject& object)
+{
+    for (const Part& part : object.parts)
+        for (const glm::vec3& p : part.mesh()->positions)
+            points.emplace_back(part.to_world * glm::dvec4(p, 1));
+}
+
+std::vector<glm::dvec3> points_of(const Evaluated& evaluated, const std::vector<Id>& aside)
+{
+    std::vector<glm::dvec3> points;
+    for (const auto& [id, object] : evaluated.objects)
+        if (!std::ranges::binary_search(aside, id)) add_points(points, *object);
+    return points;
+}
+
+Camera picture_camera(const Evaluated& evaluated, const Document& document, glm::ivec2 size_px)
+{
+    const auto bookmark = document.bookmarks.find("picture");
+    if (bookmark != document.bookmarks.end()) return ui::reshaped(bookmark->second, size_px);
+    Camera camera;
+    camera.size_px = size_px;
+    std::vector<glm::dvec3> all;
+    for (const auto& [id, ref] : evaluated.objects) add_points(all, *ref);
+    return ui::framed(ui::seen_from(camera, glm::normalize(glm::dvec3(0.45, -1, 0.55))), all);
+}
+
+} // namespace trivar

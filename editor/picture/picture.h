@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/evaluate.h"
+#include "editor/picture/shown_values.h"
+#include "gpu/picture.h"
+
+namespace trivar {
+
+// What the renderer draws of an evaluated document, seen from a camera. Objects can be picked by
+// their id. What colours show besides materials is kept in `values`. Placed objects are drawn as
+// they were evaluated, by the processor, or deformed by the renderer from what they were before.
+gpu::Picture picture_of(const Evaluated& evaluated, const Document& document, const Camera& camera,
+                        ShownValues& values, gpu::DeformBy by = gpu::DeformBy::processor);
+
+// Adds the vertices of an object, in world space.
+void add_points(std::vector<glm::dvec3>& points, const EvaluatedObject& object);
+// Those of all objects but the ones that are left aside, ascending ids.
+std::vector<glm::dvec3> points_of(const Evaluated& evaluated, const std::vector<Id>& aside);
+
+// The bookmark "picture" if there is one, else a view of everything from the front, somewhat from
+// the right and above. An empty scene gives the camera that a new document starts with.
+Camera picture_camera(const Evaluated& evaluated, const Document& document, glm::ivec2 size_px);
+
+} // namespace trivar

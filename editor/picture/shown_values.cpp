@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/picture/shown_values.h"
+
+#include "core/base/rejected.h"
+#include "core/ffd/volume_change.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trivar {
+namespace {
+
+std::vector<float> bounds_at_vertices(const EvaluatedObject& object, std::size_t part,
+                                      const Refining& refining)
+{
+    if (object.refined) return object.refined->parts.at(part).bound_at;
+    const Part& as_it_is = object.parts[part];
+    try {
+        return bounded({{as_it_is.before_volume(), as_it_is.bent->embedding}},
+                       *as_it_is.bent->volume,
+                       {.tolerance_world = refining.tolerance, .method = refining.method})
+            .parts.at(0)
+            .bound_at;
+    } catch (const Rejected&) {
+        return {}; // finer than single precision
+    }
+}
+
+} // namespace
+
+Ref<std::vector<float>> ShownValues::kept(const Part& part, const By& by, auto&& work_out)
+{
+    if (!part.bent) return nullptr;
+    const std::pair key(part.bent.get(), by);
+    if (const auto found = known_.find(key);
+        found != known_.end() && found->second.alive.lock() == part.bent)
+        return found->second.values;
+    std::erase_if(known_, [](const auto& known) { return known.second.alive.expired(); });
+    std::vector<float> values = work_out();
+    const auto out = values.empty() ? nullptr : make_ref(std::move(values));
+    known_[key] = {part.bent, out};
+    return out;
+}
+
+Ref<std::vector<float>> ShownValues::stretch_of(const Part& part)
+{
+    return kept(part, {}, [&] {
+        std::vector<float> factors =
+            volume_change(*part.before_volume(), part.bent->embedding, *part.bent->volume);
+        std::vector<float> sizes(factors.size());
+        std::ranges::transform(factors, sizes.begin(), [](float f) { return std::abs(f); });
+        const auto middle = sizes.begin() + std::ssize(sizes) / 2;
+        std::ranges::nth_element(sizes, middle);
+        if (middle != sizes.end() && *middle > 0)
+            for (float& f : factors) f /= *middle;
+        return factors;
+    });
+}
+
+Ref<std::vector<float>> ShownValues::error_of(const EvaluatedObject& object, std::size_t part,
+                                              const Refining& refining)
+{
+    const By by(refining.tolerance, refining.method, refining.rule);
+    return kept(object.parts.at(part), by, [&] {
+        std::vector<float> values = bounds_at_vertices(object, part, refining);
+        // Between a vertex and one of which nothing is known, colours are to be numbers, too; and
+        // what is nothing at all is not folded.
+        constexpr float least = 1e-3f, most = 1e6f;
+        const auto tolerance = static_cast<float>(refining.tolerance);
+        for (float& v : values) v = std::clamp(v / tolerance, least, most);
+        return values;
+    });
+}
+
+std::optional<double> shown_tolerance(const Document& document)
+{
+    std::optional<double> common;
+    for (const auto& [id, object] : document.objects) {
+        if (!object->placement || !visible(document, id)) continue;
+        const double its = object->refining.value_or(Refining{}).tolerance;
+        if (common && *common != its) return std::nullopt;
+        common = its;
+    }
+    return common.value_or(Refining{}.tolerance);
+}
+
+} // namespace trivar

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "editor/picture/captions.h"
+#include "editor/picture/shown_values.h"
+#include "gpu/level.h"
+#include "gpu/renderer.h"
+
+namespace trivar {
+
+// How a picture for a file is drawn.
+struct StillOptions {
+    glm::ivec2 size_px{1280, 720};
+    gpu::Level level = gpu::Level::standard;
+    gpu::DeformBy deform = gpu::DeformBy::processor;
+    bool deep = false; // 16 bits a channel
+    Ref<gpu::ShaderTexts> shaders = {};
+};
+
+// A picture of a scene as it goes into a file, with what stands written over it, and the next one
+// after it. In the current OpenGL context. It may be drawn in pieces: see gpu::Renderer.
+class Still {
+public:
+    // Throws Rejected.
+    void begin(const Evaluated& evaluated, const Document& document, const Camera& camera,
+               const StillOptions& options);
+    bool advance(double budget_ms) { return renderer_.advance(budget_ms); }
+    void draw(const Evaluated& evaluated, const Document& document, const Camera& camera,
+              const StillOptions& options); // all of it
+    Image image() const;                    // when it is whole
+    DeepImage deep_image() const;
+    const gpu::Renderer& renderer() const { return renderer_; }
+
+private:
+    gpu::Renderer renderer_;
+    ShownValues values_;
+    std::vector<Caption> captions_; // to be written over it
+    Camera camera_;
+    Ref<RenderSettings> settings_;
+};
+
+} // namespace trivar

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/picture/volume_picture.h"
+
+#include "core/mesh/primitives.h"
+#include "editor/picture/volume_facts.h"
+#include "editor/picture/volume_surface.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace trivar {
+
+std::vector<gpu::Line> placement_lines(const Placement& placement, const ui::Palette& color,
+                                       float line_px)
+{
+    std::vector<gpu::Line> lines;
+    // Along the twelve edges of the volume, and every tenth of the way round it.
+    const auto add = [&](glm::dvec3 from, glm::dvec3 to, int steps, float alpha, float width) {
+        gpu::Line line{{}, ui::linear_light(ui::faded(color.lattice, alpha)), width * line_px};
+        for (int i = 0; i <= steps; ++i) {
+            const glm::dvec3 uvw = glm::mix(from, to, static_cast<double>(i) / steps);
+            line.points.emplace_back(evaluate(placement.volume, uvw).value);
+        }
+        lines.push_back(std::move(line));
+    };
+    for (const glm::dvec2 vw : {glm::dvec2(0, 0), {1, 0}, {0, 1}, {1, 1}})
+        add({0, vw.x, vw.y}, {1, vw.x, vw.y}, 96, 0.95f, 1.6f);
+    constexpr int ribs = 10;
+    for (int i = 0; i <= ribs; ++i) {
+        const double u = static_cast<double>(i) / ribs;
+        const bool end = i == 0 || i == ribs;
+        const float alpha = end ? 0.95f : 0.32f, width = end ? 1.6f : 1.0f;
+        add({u, 0, 0}, {u, 1, 0}, 12, alpha, width);
+        add({u, 0, 1}, {u, 1, 1}, 12, alpha, width);
+        add({u, 0, 0}, {u, 0, 1}, 8, alpha, width);
+        add({u, 1, 0}, {u, 1, 1}, 8, alpha, width);
+    }
+    if (placement.strip.empty()) return lines;
+    gpu::Line stroke{{}, ui::linear_light(color.stroke), 2 * line_px};
+    stroke.points.assign(placement.strip.front().begin(), placement.strip.front().end());
+    lines.push_back(std::move(stroke));
+    return lines;
+}
+
+gpu::Translucent placement_veil(const Placement& placement, const ui::Palette& color)
+{
+    return veil_of(volume_surface(placement.volume), color.lattice_fill);
+}
+
+gpu::Translucent ball_veil(const glm::dvec3& center, double radius, const ui::Palette& color)
+{
+    static const Mesh ball = sphere_mesh(1, 48, 24);
+    gpu::Translucent veil;
+    veil.colors = {ui::linear_light(ui::faded(color.sphere, 0.36f))};
+    veil.normals = ball.normals;
+    for (const glm::vec3& p : ball.positions)
+        veil.points.emplace_back(center + radius * glm::dvec3(p));
+    for (std::size_t f = 0; f + 1 < ball.face_begin.size(); ++f)
+        for (std::uint32_t c = ball.face_begin[f] + 2; c < ball.face_begin[f + 1]; ++c)
+            veil.triangles.insert(veil.triangles.end(), {ball.corners[ball.face_begin[f]],
+                                                         ball.corners[c - 1], ball.corners[c]});
+    return veil;
+}
+
+std::vector<gpu::Translucent> balls_of(const Press& press, const Lattice& volume,
+                                       const ui::Palette& color)
+{
+    const glm::dvec3 uvw(press.samples.back());
+    std::vector<gpu::Translucent> out{ball_veil(evaluate(volume, uvw).value, press.radius, color)};
+    if (press.mirror)
+        out.push_back(
+            ball_veil(evaluate(volume, {uvw.x, 1 - uvw.y, uvw.z}).value, press.radius, color));
+    return out;
+}
+
+void add_volumes(gpu::Picture& picture, const Evaluated& evaluated, const Document& document,
+                 const ui::Palette& color, float line_px)
+{
+    std::vector<const Lattice*> drawn;
+    for (const auto& [id, each] : evaluated.objects) {
+        if (!each->placement) continue;
+        const Lattice& volume = each->placement->volume;
+        // Those that lie in one behind the other show it once.
+        if (std::ranges::any_of(drawn, [&](const Lattice* other) { return *other == volume; }))
+            continue;
+        drawn.push_back(&volume);
+        std::ranges::move(placement_lines(*each->placement, color, line_px),
+                          std::back_inserter(picture.lines));
+        picture.translucent.push_back(placement_veil(*each->placement, color));
+        std::ranges::move(fold_veils(*each, color), std::back_inserter(picture.translucent));
+        const std::vector<Ref<VolumeEdit>>& steps = object(document, id).shaping;
+        if (!steps.empty() && steps.back()->press)
+            std::ranges::move(balls_of(*steps.back()->press, volume, color),
+                              std::back_inserter(picture.translucent));
+    }
+}
+
+} // namespace trivar

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/session/followed_view.h"
+
+#include "ui/camera_control.h"
+
+namespace trivar {
+
+Camera followed(std::optional<FollowedView>& view, const Document& document, Camera camera,
+                glm::dvec2 size_px)
+{
+    camera.size_px = glm::max(size_px, 1.0);
+    if (!view) return camera;
+    if (view->shown) view->shown->size_px = camera.size_px; // a window that grew is no hand
+    const auto kept = document.bookmarks.find(view->name);
+    if (kept == document.bookmarks.end() || (view->shown && *view->shown != camera)) {
+        view.reset();
+        return camera;
+    }
+    view->shown = ui::reshaped(kept->second, size_px);
+    return *view->shown;
+}
+
+} // namespace trivar

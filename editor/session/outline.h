@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/command.h"
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace trivar {
+
+// The scene as rows, groups above what is in them.
+struct OutlineRow {
+    Id id = 0;
+    int depth = 0;
+    bool group = false, open = false;
+    bool found = true; // false: only there because something in it matches the filter
+};
+
+// The rows of a document in their order, without what is in closed groups. The filter's letters
+// are found in names in order, "type:model" in types; what a match is in stays, and is open.
+std::vector<OutlineRow> outline(const Document& document, const std::string& filter,
+                                const std::set<Id>& closed);
+
+// Where rows that are dragged would go.
+struct RowDrop {
+    Reorder command;
+    int line = -1;       // it would be drawn above this row, or below the last
+    int onto = -1;       // or into this one
+    std::string refused; // why it cannot be
+};
+// `at` counts rows from the top: 2.5 is the middle of the third. Rows that come to where they
+// already are give a command without objects.
+RowDrop row_drop(const Document& document, const std::vector<OutlineRow>& rows,
+                 const std::vector<Id>& dragged, double at);
+
+// What the outliner remembers between two frames.
+struct OutlinerState {
+    std::string filter;
+    bool focus_filter = false; // the keyboard goes there in the next frame
+    std::set<Id> closed;       // groups
+    Id renaming = 0;
+    std::string new_name;    // of it, as typed so far
+    Id shown = 0;            // the active object that was scrolled to
+    std::vector<Id> dragged; // rows in the hand
+    bool scrolling = false;  // by itself, as the hand is near an edge of the list
+    // A hand goes down a column and gives all that it meets what the first one got.
+    enum class Column { none, eye, lock } painting = Column::none;
+    bool paint = false; // hidden, or locked
+    std::vector<Id> painted;
+};
+
+std::string type_of(const Object& object);
+const char* icon_of(const Object& object);
+
+} // namespace trivar

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/scene_file.h"
+
+#include <string>
+
+namespace trivar {
+
+// What the scene is called: its file's name, that of the file it is a copy of, or untitled; and
+// the same as the beginning of a new file's name.
+std::string title_of(const SceneFile& scene);
+std::string stem_of(const SceneFile& scene);
+
+} // namespace trivar

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "editor/session/followed_view.h"
+
+#include <optional>
+
+namespace trivar {
+
+// The person's view of the scene; not part of the document and of no undo step.
+struct SceneView {
+    Camera camera;
+    bool frame_all_when_evaluated = false;
+    std::optional<Camera> go_to; // taken up by the next frame, which knows its size
+    std::optional<FollowedView> follows;
+};
+
+} // namespace trivar

@@ -1,0 +1,377 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/session/session.h"
+
+#include "core/base/rejected.h"
+#include "core/document/keying.h"
+#include "core/document/parameters.h"
+#include "editor/picture/picture.h"
+#include "editor/session/scene_facts.h"
+#include "editor/session/scene_names.h"
+#include "editor/session/selection.h"
+#include "editor/session/topics.h"
+#include "ui/camera_control.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace trivar {
+
+constexpr const char* of_missing = "what cannot be shown"; // the topic of a notice
+
+Session::Session(std::function<void()> wake, std::string unnamed_folder)
+    : wake_(std::move(wake)),
+      unnamed_folder_(std::move(unnamed_folder)),
+      jobs_(wake_)
+{
+    scene_.keep_in(unnamed_folder_);
+    meet_document();
+}
+
+void Session::meet_document()
+{
+    evaluator_.reset(); // before the store it reads from
+    assets_ = std::make_shared<const AssetStore>(scene_.folder());
+    evaluator_ = std::make_unique<BackgroundEvaluator>(assets_, wake_);
+    check_.reset();
+    asked_ticket_ = evaluated_ticket_ = 0;
+    refresh();
+}
+
+void Session::refresh()
+{
+    previewed_.reset();
+    asked_ticket_ = submit(scene_.document());
+    look_at_frame();
+    selected.keep_those_in(scene_.document());
+    std::erase_if(aside, [&](Id id) { return !scene_.document().objects.contains(id); });
+    if (scene_.trouble() == told_trouble_) return;
+    told_trouble_ = scene_.trouble();
+    if (told_trouble_.empty())
+        notices.forget(of_saving); // it is on disk now
+    else
+        notices.say(ui::NoticeKind::error, "Not saved", told_trouble_, of_saving);
+}
+
+long Session::submit(const Document& document)
+{
+    frame_ = std::clamp(frame_, document.time.first_frame, document.time.last_frame);
+    return evaluator_->submit(document, frame_, deform_on_processor);
+}
+
+void Session::look_at_frame()
+{
+    now_ = document_at(scene_.document(), frame_);
+}
+
+Command Session::said(const Command& command) const
+{
+    return keyed(committed(), command, frame_, auto_key);
+}
+
+void Session::show_frame(int frame)
+{
+    const Document& document = previewed_ ? *previewed_ : scene_.document();
+    const int before = frame_;
+    frame_ = std::clamp(frame, document.time.first_frame, document.time.last_frame);
+    if (frame_ == before || !moves_in_time(document)) return;
+    asked_ticket_ = submit(document);
+    look_at_frame();
+}
+
+template <class Change> bool Session::attempt(Change&& change, bool quietly)
+{
+    try {
+        change();
+    } catch (const Rejected& why) {
+        if (!quietly) notices.say(ui::NoticeKind::warning, why.what(), {}, of_a_step);
+        return false;
+    }
+    refresh();
+    return true;
+}
+
+void Session::refuse(const Command& command, const std::string& why)
+{
+    const std::size_t after = scene_.lines().size();
+    std::string line = to_json_line(command);
+    // A hand that goes on moving asks for the same again and again.
+    if (!refused_.empty() && refused_.back().after == after && refused_.back().why == why)
+        refused_.back().line = std::move(line);
+    else
+        refused_.push_back({after, std::move(line), why});
+}
+
+bool Session::propose(Command command)
+{
+    check_.reset();
+    return attempt([&] {
+        try {
+            scene_.propose(said(command));
+        } catch (const Rejected& why) {
+            refuse(command, why.what());
+            throw;
+        }
+    });
+}
+
+bool Session::propose_quietly(Command command)
+{
+    check_.reset();
+    return attempt([&] { scene_.propose(said(command)); }, true);
+}
+
+bool Session::commit()
+{
+    check_.reset();
+    return attempt([&] { scene_.commit(); });
+}
+
+void Session::commit_if_placed(Id object)
+{
+    if (!proposing()) return;
+    check_ = Check{asked_ticket_, object};
+    finish_check();
+}
+
+void Session::finish_check()
+{
+    if (!check_ || evaluated_ticket_ < check_->ticket) return;
+    const Check check = *check_;
+    check_.reset();
+    const auto found = evaluated_.objects.find(check.object);
+    if (found == evaluated_.objects.end() || !found->second->placement) {
+        std::string why = "The stroke could not be used.";
+        if (found != evaluated_.objects.end() && !found->second->notices.empty())
+            why = found->second->notices.front();
+        if (scene_.history().proposal()) refuse(scene_.history().proposal()->command, why);
+        cancel();
+        notices.say(ui::NoticeKind::warning, "Nothing was placed", why, of_a_step);
+        return;
+    }
+    if (!commit()) return;
+    notices.forget(of_a_step);
+    const std::vector<std::string> lines = found->second->placement->report.all_notices();
+    if (!lines.empty())
+        notices.say_all(ui::NoticeKind::warning, name_of(document(), check.object) + " was placed",
+                        lines, of_a_step);
+}
+
+void Session::cancel()
+{
+    check_.reset();
+    if (!proposing()) return;
+    scene_.cancel();
+    refresh();
+}
+
+bool Session::run(const Command& command)
+{
+    const std::string why = try_run(command);
+    if (!why.empty()) notices.say(ui::NoticeKind::warning, why, {}, of_a_step);
+    return why.empty();
+}
+
+std::string Session::try_run(const Command& command, const std::string& note)
+{
+    check_.reset();
+    try {
+        scene_.run(said(command), note);
+    } catch (const Rejected& why) {
+        refuse(command, why.what());
+        return why.what();
+    }
+    refresh();
+    return {};
+}
+
+void Session::undo()
+{
+    check_.reset();
+    const Document before = committed();
+    attempt([&] { scene_.undo(); });
+    select_returned(before);
+}
+
+void Session::redo()
+{
+    check_.reset();
+    const Document before = committed();
+    attempt([&] { scene_.redo(); });
+    select_returned(before);
+}
+
+void Session::select_returned(const Document& before)
+{
+    std::vector<Id> ids;
+    for (const auto& [id, each] : document().objects)
+        if (!before.objects.contains(id)) ids.push_back(id);
+    if (!ids.empty()) selected.set(topmost(document(), ids));
+}
+
+void Session::select_new(Id first)
+{
+    std::vector<Id> ids;
+    for (const auto& [id, each] : document().objects)
+        if (id >= first) ids.push_back(id);
+    if (!ids.empty()) selected.set(topmost(document(), ids));
+}
+
+void Session::go_to_step(std::size_t position)
+{
+    check_.reset();
+    attempt([&] {
+        while (scene_.history().position() > position && scene_.undo()) {
+        }
+        while (scene_.history().position() < position && scene_.redo()) {
+        }
+    });
+}
+
+void Session::go_to_branch(std::size_t branch, std::size_t count)
+{
+    if (branch >= scene_.history().branches().size()) return;
+    const History::Branch wanted = scene_.history().branches()[branch];
+    go_to_step(wanted.from);
+    if (!run(wanted.steps.front().command)) return;
+    go_to_step(wanted.from + count);
+}
+
+void Session::preview(const Document* document)
+{
+    if (committing() || proposing()) return;
+    if (!document) {
+        if (previewed_) refresh();
+        return;
+    }
+    // Documents that share all objects and settings look alike.
+    if (previewed_ && previewed_->render == document->render &&
+        previewed_->time == document->time &&
+        std::ranges::equal(previewed_->objects, document->objects))
+        return;
+    previewed_ = *document;
+    asked_ticket_ = submit(*document);
+}
+
+void Session::look_at_step(std::size_t position)
+{
+    if (!scene_.as_opened()) return go_to_step(position);
+    check_.reset();
+    scene_.cancel();
+    scene_.look_at(position);
+    refresh();
+}
+
+void Session::replace_scene(SceneFile scene, std::vector<ui::Notices::Action> offers)
+{
+    const bool discarded = scene_.path().empty() && !scene_.as_opened();
+    scene_ = std::move(scene);
+    frame_ = scene_.document().time.first_frame;
+    if (discarded && when_discarded) when_discarded();
+    ++scenes_;
+    scene_.keep_in(unnamed_folder_);
+    selected = 0;
+    aside.clear();
+    refused_.clear();
+    evaluated_ = {};
+    ++evaluation_;
+    told_trouble_.clear();
+    opened_ = true;
+    meet_document();
+    const auto& bookmarks = document().bookmarks;
+    const auto picture = bookmarks.find("picture");
+    view.frame_all_when_evaluated = picture == bookmarks.end();
+    view.go_to.reset();
+    view.follows.reset();
+    if (picture != bookmarks.end()) view.follows = FollowedView{"picture"};
+    const std::vector<std::string>& said = scene_.notices();
+    if (said.size() == 1)
+        notices.say(ui::NoticeKind::warning, said.front(), {}, {}, std::move(offers));
+    if (said.size() > 1)
+        notices.say_all(ui::NoticeKind::warning, title_of(scene_) + " is open", said);
+}
+
+void Session::save_as(const std::string& path)
+{
+    scene_.cancel();
+    scene_.save_as(path);
+    meet_document(); // imports are read from the new folder now
+}
+
+void Session::save_compact(const std::string& path)
+{
+    scene_.cancel();
+    scene_.save_compact(path);
+    meet_document();
+}
+
+// A scene whose models are gone opens as an empty picture: say why, until they are found.
+void Session::tell_what_is_missing()
+{
+    std::vector<std::string> reasons;
+    for (const auto& [id, effects] : evaluated_.objects)
+        if (effects->parts.empty() && !effects->placement && !effects->notices.empty())
+            reasons.push_back(name_of(document(), id) + ": " + effects->notices.front());
+    const bool first = std::exchange(opened_, false); // else it was told
+    if (reasons.empty()) notices.forget(of_missing);
+    if (reasons.empty() || !first) return;
+    const std::size_t count = reasons.size();
+    notices.say(ui::NoticeKind::error,
+                count == 1 ? "An object cannot be shown"
+                           : std::to_string(count) + " objects cannot be shown",
+                reasons.front() + (count > 1 ? "; the inspector says why of each" : ""),
+                of_missing);
+}
+
+void Session::try_to_write(double time_s)
+{
+    constexpr double patience_s = 5; // between two tries
+    if (scene_.trouble().empty() || time_s < next_try_s_) return;
+    next_try_s_ = time_s + patience_s;
+    scene_.write_missing();
+    if (!scene_.trouble().empty()) return;
+    told_trouble_.clear();
+    notices.forget(of_saving);
+    notices.say(ui::NoticeKind::good, "Everything is on disk again");
+}
+
+void Session::follow_file(double time_s)
+{
+    constexpr double pace_s = 1;
+    if (!scene_.look_only() || time_s < next_look_s_) return;
+    next_look_s_ = time_s + pace_s;
+    try {
+        if (scene_.follow()) refresh();
+    } catch (const Rejected& why) {
+        notices.say(ui::NoticeKind::warning, why.what(), {}, of_saving);
+    }
+}
+
+void Session::poll()
+{
+    jobs_.poll();
+    if (auto result = evaluator_->poll()) {
+        evaluated_ticket_ = result->ticket;
+        if (result->problem.empty()) {
+            if (!result->evaluated.timings.stages.empty()) timings_ = result->evaluated.timings;
+            evaluated_ = std::move(result->evaluated);
+            ++evaluation_;
+        } else {
+            check_.reset();
+            if (result->stopped)
+                notices.say(
+                    ui::NoticeKind::warning, "Stopped", result->problem, of_a_step,
+                    {{"Take the step back", [this] { undo(); }}, {"Go on", [this] { refresh(); }}});
+            else
+                notices.say(ui::NoticeKind::error, "The scene could not be evaluated",
+                            result->problem);
+        }
+        if (up_to_date()) tell_what_is_missing();
+        if (view.frame_all_when_evaluated && up_to_date() && !evaluated_.objects.empty()) {
+            view.frame_all_when_evaluated = false;
+            view.camera = ui::framed(view.camera, points_of(evaluated_, aside));
+        }
+    }
+    finish_check();
+}
+
+} // namespace trivar

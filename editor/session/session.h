@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/scene_file.h"
+#include "editor/jobs/background_evaluator.h"
+#include "editor/jobs/job.h"
+#include "editor/session/scene_view.h"
+#include "editor/session/selection.h"
+#include "ui/notices.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace trivar {
+
+// What is open and what the person is doing with it: the scene with its proposal, what it looks
+// like by the latest evaluation, the selection and the point of view. Frame thread only.
+class Session {
+public:
+    // Scenes without a name are kept in `unnamed_folder`; empty: in memory only.
+    Session(std::function<void()> wake, std::string unnamed_folder);
+
+    const SceneFile& scene() const { return scene_; }
+    // The proposal's if there is one, with the values that its parameters have at the present
+    // frame.
+    const Document& document() const { return now_; }
+    const Document& committed() const { return scene_.history().committed(); } // as it was said
+    const Evaluated& evaluated() const { return evaluated_; } // may be a moment behind
+    // Counts up with every new evaluation; equal numbers mean equal effects.
+    long evaluation() const { return evaluation_; }
+    const Timings& timings() const { return timings_; } // of the last that had something to do
+    // Counts up with every change of the document, proposed or committed.
+    long change() const { return asked_ticket_; }
+    bool up_to_date() const { return evaluated_ticket_ == asked_ticket_; }
+
+    // The present frame, within the document's time. Not part of the document.
+    int frame() const { return frame_; }
+    void show_frame(int frame);
+
+    // Gestures. A command that is Rejected becomes a notice and the return value is false.
+    bool propose(Command command);
+    bool propose_quietly(Command command); // without the notice: more of the gesture is to come
+    bool commit();
+    // Commits when the proposal was evaluated and the object could be placed; else cancels it and
+    // says why. A stroke is checked this way, for only its evaluation knows what it hits.
+    void commit_if_placed(Id object);
+    void cancel();
+    bool run(const Command& command); // propose and commit
+    // Why it was refused, and no notice. The note stands beside it in the scene.
+    std::string try_run(const Command& command, const std::string& note = {});
+    void undo();
+    void redo();
+    void go_to_step(std::size_t position); // by undo and redo
+    // Goes to the branch of that number and `count` of its steps; what is in force from there on
+    // becomes a branch itself.
+    void go_to_branch(std::size_t branch, std::size_t count);
+    // Shows another document in the picture and nowhere else, till the next change; null: no more.
+    void preview(const Document* document);
+    bool previewing() const { return previewed_.has_value(); }
+    const Document& shown() const { return previewed_ ? *previewed_ : document(); }
+    // The same, but of a copy to which nothing was done: nor is anything done by this.
+    void look_at_step(std::size_t position);
+    bool proposing() const { return scene_.history().proposal().has_value(); }
+    bool committing() const { return check_.has_value(); }
+    // What was refused, of the present scene: for the log, not in the file.
+    struct Refused {
+        std::size_t after = 0; // lines of the file
+        std::string line, why;
+    };
+    const std::vector<Refused>& refused() const { return refused_; }
+
+    // Another scene, with what its notices offer. Selection and effects start anew.
+    void replace_scene(SceneFile scene, std::vector<ui::Notices::Action> offers = {});
+    long scenes() const { return scenes_; } // there have been
+    // Where scenes without a name are kept; empty: in memory only.
+    const std::string& unnamed_folder() const { return unnamed_folder_; }
+    // Called when a scene without a name, that holds work, made room for another one.
+    std::function<void()> when_discarded;
+    void save_as(const std::string& path);      // may throw Rejected
+    void save_compact(const std::string& path); // may throw Rejected
+    Ref<AssetStore> assets() const { return assets_; }
+
+    void poll(); // takes in what other threads finished; once a frame
+    // While steps are not on disk: tries again every few seconds.
+    void try_to_write(double time_s);
+    // While a file is only looked at: takes up, once a second, what was added to it.
+    void follow_file(double time_s);
+    Jobs& jobs() { return jobs_; }
+    const Jobs& jobs() const { return jobs_; }
+    BackgroundEvaluator& evaluator() { return *evaluator_; }
+    const BackgroundEvaluator& evaluator() const { return *evaluator_; }
+    // The person's own; not part of the document and of no undo step.
+    Selection selected;
+    std::vector<Id> aside;     // ascending: left out of the picture while others are worked on
+    void select_new(Id first); // all from that id up, but not what is in groups among them
+    SceneView view;
+    bool deform_on_processor = true; // else who draws does it: parts are left to be asked for
+    bool auto_key = false;           // every change of a number that can have keys is one
+    ui::Notices notices;
+
+private:
+    struct Check {
+        long ticket = 0;
+        Id object = 0;
+    };
+    void refresh();
+    long submit(const Document& document);
+    void look_at_frame();
+    Command said(const Command& command) const; // as keys, where it changes what is animated
+    void finish_check();
+    void tell_what_is_missing();
+    void select_returned(const Document& before);
+    void meet_document(); // the scene changed as a whole
+    template <class Change> bool attempt(Change&& change, bool quietly = false);
+    void refuse(const Command& command, const std::string& why);
+
+    std::function<void()> wake_;
+    std::string unnamed_folder_, told_trouble_;
+    SceneFile scene_;
+    double next_try_s_ = 0, next_look_s_ = 0;
+    std::vector<Refused> refused_;
+    bool opened_ = false; // and not evaluated yet
+    Ref<AssetStore> assets_;
+    std::unique_ptr<BackgroundEvaluator> evaluator_;
+    Jobs jobs_;
+    long scenes_ = 0;
+    Evaluated evaluated_;
+    Timings timings_;
+    long evaluation_ = 0, evaluated_ticket_ = 0, asked_ticket_ = 0;
+    std::optional<Check> check_;
+    std::optional<Document> previewed_;
+    int frame_ = Time{}.first_frame;
+    Document now_;
+};
+
+} // namespace trivar

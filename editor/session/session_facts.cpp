@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/session/session_facts.h"
+
+#include "editor/picture/picture.h"
+#include "editor/session/scene_facts.h"
+#include "ui/camera_control.h"
+
+namespace trivar {
+
+Box bounds_of(const Session& session, Id id)
+{
+    Box box;
+    for (const auto& [each, object] : session.evaluated().objects)
+        if (belongs_to(session.document(), each, id)) box.add(*object->bounds);
+    return box;
+}
+
+Box bounds_of(const Session& session, const std::vector<Id>& ids)
+{
+    const Members members(session.document(), ids);
+    Box box;
+    for (const auto& [id, object] : session.evaluated().objects)
+        if (members.contain(id)) box.add(*object->bounds);
+    return box;
+}
+
+std::vector<glm::dvec3> points_of(const Session& session, const std::vector<Id>& ids)
+{
+    if (ids.empty()) return points_of(session.evaluated(), session.aside);
+    const Members members(session.document(), ids);
+    std::vector<glm::dvec3> points;
+    for (const auto& [id, object] : session.evaluated().objects)
+        if (members.contain(id)) add_points(points, *object);
+    return points;
+}
+
+Camera camera_for_pictures(const Session& session)
+{
+    const auto kept = session.document().bookmarks.find("picture");
+    if (kept == session.document().bookmarks.end()) return session.view.camera;
+    if (session.view.follows && session.view.follows->name == "picture" &&
+        session.view.follows->shown == session.view.camera)
+        return kept->second;
+    return ui::reshaped(session.view.camera, kept->second.size_px);
+}
+
+} // namespace trivar

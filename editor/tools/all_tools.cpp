@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/tools/all_tools.h"
+
+#include "editor/tools/lattice_points.h"
+#include "editor/tools/place.h"
+#include "editor/tools/press.h"
+#include "editor/tools/select.h"
+#include "editor/tools/transform.h"
+
+namespace trivar {
+
+std::vector<std::unique_ptr<Tool>> all_tools()
+{
+    std::vector<std::unique_ptr<Tool>> tools;
+    const auto handles = std::make_shared<HandleChoice>(HandleChoice::all);
+    tools.push_back(std::make_unique<SelectTool>(handles));
+    const auto choices = std::make_shared<TransformChoices>();
+    for (const MotionKind kind : {MotionKind::move, MotionKind::rotate, MotionKind::scale})
+        tools.push_back(std::make_unique<TransformTool>(kind, choices));
+    tools.push_back(std::make_unique<PlaceTool>(handles));
+    tools.push_back(std::make_unique<PressTool>());
+    tools.push_back(std::make_unique<LatticePointsTool>());
+    return tools;
+}
+
+} // namespace trivar

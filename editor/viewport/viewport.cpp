@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/viewport/viewport.h"
+
+#include "core/base/rejected.h"
+#include "editor/picture/picture.h"
+#include "gpu/context.h"
+#include "ui/camera_control.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <imgui.h>
+#include <iterator>
+#include <utility>
+
+namespace trivar {
+namespace {
+
+glm::dvec2 mouse_in(const ui::Rect& rect)
+{
+    const ImVec2 p = ImGui::GetIO().MousePos;
+    return glm::dvec2(p.x, p.y) - glm::dvec2(rect.lo);
+}
+
+// The picture may be older than the document.
+bool can_be_picked(const Document& document, Id id)
+{
+    return document.objects.contains(id) && !locked(document, id);
+}
+
+void shade(gpu::Picture& picture, const ViewportStyle& style)
+{
+    constexpr float unseen = 0.003f; // picked, though less than what is drawn
+    constexpr float glassy = 0.35f;
+    const Shading& s = style.shading;
+    picture.settings.wire = picture.settings.wire || s.edges || s.wireframe;
+    if (s.wireframe) picture.edges = {style.edge_color, true};
+    if (s.wireframe || s.see_through)
+        for (gpu::Instance& instance : picture.instances)
+            instance.opacity = s.wireframe ? unseen : glassy;
+}
+
+gpu::Picture picture_of(const Session& session, const Evaluated& seen, gpu::Level level,
+                        const ViewportStyle& style, ShownValues& values)
+{
+    gpu::Picture picture =
+        picture_of(seen, session.document(), session.view.camera, values, style.deform_by);
+    gpu::set_level(picture, level);
+    std::erase_if(picture.instances, [&](const gpu::Instance& instance) {
+        return std::ranges::binary_search(session.aside, instance.id);
+    });
+    const Members selected(session.document(), session.selected.ids());
+    for (gpu::Instance& instance : picture.instances)
+        instance.highlighted = selected.contain(instance.id);
+    shade(picture, style);
+    return picture;
+}
+
+// What is to be said now, where something else was said before.
+std::optional<std::string> news(std::string& said, const std::string& now)
+{
+    if (std::exchange(said, now) == now) return std::nullopt;
+    return now;
+}
+
+DraftPace pace_of(double draft_ms)
+{
+    if (gpu::is_software()) return {draft_ms > 0 ? draft_ms : 60, gpu::Level::draft, 0.85};
+    return {draft_ms > 0 ? draft_ms : 16, gpu::Level::standard};
+}
+
+} // namespace
+
+ViewportInput Viewport::take_input(Session& session, const ui::Frame& frame, const ui::Rect& rect,
+                                   const Tool& tool)
+{
+    ViewportInput input;
+    input.rect = rect;
+    input.scale = frame.theme.scale;
+    input.mouse = mouse_in(rect);
+    input.hovered = ImGui::IsItemHovered();
+    const glm::dvec2 drag = input.mouse - last_mouse_;
+    last_mouse_ = input.mouse;
+    const glm::dvec2 size_px(rect.size());
+    if (session.view.go_to) {
+        session.view.camera =
+            ui::reshaped(*std::exchange(session.view.go_to, std::nullopt), size_px);
+        session.view.follows.reset();
+    }
+    session.view.camera =
+        followed(session.view.follows, session.document(), session.view.camera, size_px);
+
+    const bool moves_camera = emulates_middle() && !tool.busy();
+    if (ImGui::IsItemActive() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !moves_camera) {
+        left_down_ = input.pressed = true;
+        if (renderer_ && shown_) input.under = renderer_->pick(glm::ivec2(input.mouse));
+        if (!can_be_picked(session.document(), input.under)) input.under = 0;
+    }
+    input.seen_at = [this](glm::dvec2 p_px) {
+        return renderer_ && shown_ ? renderer_->pick(glm::ivec2(glm::floor(p_px))) : 0;
+    };
+    input.seen_in = [this, &session](glm::dvec2 lo, glm::dvec2 hi) {
+        if (!renderer_ || !shown_) return std::vector<Id>{};
+        const glm::ivec2 first(glm::floor(lo)), last(glm::floor(hi));
+        std::vector<Id> seen = renderer_->pick_in(first, last + 1);
+        std::erase_if(seen, [&](Id id) { return !can_be_picked(session.document(), id); });
+        return seen;
+    };
+    const bool was_down = left_down_;
+    if (left_down_ && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        left_down_ = false;
+        input.released = true;
+    }
+    input.down = left_down_;
+    input.double_clicked = input.pressed && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+    double time_s = frame.time_s;
+    for (const ui::Event& event : frame.events)
+        if (event.kind == ui::Event::Kind::move) {
+            time_s = event.time_s;
+            if (was_down && !input.pressed)
+                input.moves.push_back(
+                    {glm::dvec2(event.at) - glm::dvec2(rect.lo), event.time_s, 1});
+        }
+    if (input.pressed) input.moves.push_back({input.mouse, time_s, 1});
+    input.wheel = static_cast<double>(ImGui::GetIO().MouseWheel);
+    navigate(session, input, drag);
+    if (!tool.takes_wheel()) scroll(session, frame, input);
+    return input;
+}
+
+void Viewport::forget_gpu()
+{
+    renderer_.reset();
+    ways_.forget_gpu();
+    pace_.reset();
+    shown_.reset();
+    begun_.reset();
+}
+
+unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 size_px, bool moving,
+                        int state, const std::function<Helpers()>& helpers)
+{
+    constexpr double rest_s = 0.3; // so long nothing moves before a full picture is begun
+    if (shader_folder_) {
+        shaders_ = shader_folder_->texts(frame.time_s);
+        frame.again_in(gpu::ShaderFolder::look_every_s);
+    }
+    Shown wanted{session.view.camera,
+                 refined_.number(),
+                 session.selected,
+                 session.aside,
+                 size_px,
+                 state,
+                 false,
+                 session.shown().render.get(),
+                 style_,
+                 shaders_};
+    const bool held = moving; // what ends that makes a frame of its own
+    if (shown_) {             // what was drawn as a draft is compared without that
+        Shown before = *shown_;
+        before.draft = false;
+        if (before != wanted) moving = true;
+    }
+    if (moving || move_ != Move::none) moved_s_ = frame.time_s;
+    wanted.draft = !shown_ || frame.time_s - moved_s_ < rest_s;
+    if (wanted.draft && !held) frame.again_in(rest_s - (frame.time_s - moved_s_) + 0.01);
+    // A full picture of the same thing does for a draft.
+    Shown as_full = wanted;
+    as_full.draft = false;
+    if (shown_ && (*shown_ == wanted || *shown_ == as_full)) return texture();
+
+    try {
+        trouble_.clear();
+        draw_wanted(wanted, session, frame, helpers);
+    } catch (const Rejected& error) {
+        trouble_ = error.what();
+        begun_.reset();
+        shown_ = wanted; // it is not tried again till something is another
+    }
+    return texture();
+}
+
+void Viewport::draw_wanted(const Shown& wanted, const Session& session, ui::Frame& frame,
+                           const std::function<Helpers()>& helpers)
+{
+    constexpr double budget_ms = 40; // in one frame, of a full picture: the mouse must not wait
+    if (!renderer_) {
+        renderer_ = std::make_unique<gpu::Renderer>();
+        pace_.reset();
+    }
+    if (!pace_) pace_ = pace_of(style_.draft_ms);
+    if (wanted.draft || begun_ != wanted) {
+        gpu::Picture picture = picture_of(
+            session, refined_.seen(),
+            wanted.draft ? std::min(pace_->level(), style_.level) : style_.level, style_, values_);
+        picture.backdrop = style_.backdrop;
+        picture.grid = style_.backdrop.has_value() && style_.grid;
+        picture.outline = style_.outline;
+        picture.shaders = shaders_;
+        Helpers shown = helpers();
+        std::ranges::move(shown.lines, std::back_inserter(picture.lines));
+        std::ranges::move(shown.veils, std::back_inserter(picture.translucent));
+        ++pictures_;
+        begun_.reset();
+        if (wanted.draft) {
+            if (picture.draft) picture.scale = pace_->scale();
+            renderer_->draw(picture, wanted.size_px);
+            const bool first =
+                std::exchange(timed_evaluation_, session.evaluation()) != session.evaluation();
+            drafts_.add({first ? session.evaluated().timings : Timings{}, renderer_->timings()});
+            pace_->drew(ui::total_ms(renderer_->timings()), frame.time_s);
+            shown_ = wanted;
+            return;
+        }
+        renderer_->begin(picture, wanted.size_px);
+        begun_ = wanted;
+    }
+    if (renderer_->advance(budget_ms)) {
+        full_timings_ = renderer_->timings();
+        begun_.reset();
+        shown_ = wanted;
+    } else {
+        frame.again_in(0);
+    }
+}
+
+void Viewport::set_style(const ViewportStyle& style)
+{
+    if (style.draft_ms != style_.draft_ms) pace_.reset();
+    style_ = style;
+}
+
+std::string Viewport::new_notice()
+{
+    const std::string now = renderer_ ? renderer_->notice() : "";
+    return std::exchange(said_, now) == now ? "" : now;
+}
+
+std::optional<std::string> Viewport::new_trouble()
+{
+    return news(said_of_trouble_, trouble_);
+}
+
+std::optional<std::string> Viewport::new_shader_trouble()
+{
+    return news(said_of_shaders_, renderer_ ? renderer_->shader_trouble() : "");
+}
+
+ViewportStyle viewport_style(const ui::Theme& theme, bool as_in_pictures)
+{
+    const ui::Palette& c = theme.color;
+    ViewportStyle style;
+    style.outline.color = ui::linear_light(c.selected);
+    style.outline.halo = ui::linear_light(c.halo);
+    style.outline.width_px = theme.line(style.outline.width_px);
+    style.outline.halo_px *= theme.scale;
+    style.edge_color = ui::linear_light(c.chip_text);
+    style.look = theme.look;
+    if (as_in_pictures) return style;
+    constexpr float axis_share = 0.55f;
+    gpu::Backdrop backdrop;
+    backdrop.top = ui::linear_light(c.sky_top);
+    backdrop.bottom = ui::linear_light(c.sky_bottom);
+    backdrop.middle = glm::mix(backdrop.bottom, backdrop.top, 0.6f);
+    backdrop.corners = 0;
+    backdrop.line_px = theme.scale;
+    backdrop.grid = ui::linear_light(c.grid);
+    backdrop.grid_major = ui::linear_light(c.grid_major);
+    backdrop.axis_x = ui::linear_light(ui::faded(c.axis_x, axis_share));
+    backdrop.axis_y = ui::linear_light(ui::faded(c.axis_y, axis_share));
+    style.backdrop = backdrop;
+    return style;
+}
+
+ui::Theme theme_over_picture(const ui::Theme& theme, const RenderSettings& settings,
+                             bool as_in_pictures)
+{
+    ui::Look look = theme.look;
+    look.light = settings.look != "dark" && (as_in_pictures || theme.look.light);
+    if (look.light == theme.look.light) return theme;
+    ui::Theme over = theme;
+    over.color = ui::with_overlays(theme.color, look);
+    return over;
+}
+
+} // namespace trivar

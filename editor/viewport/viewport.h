@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "editor/picture/shown_values.h"
+#include "editor/picture/volume_facts.h"
+#include "editor/preferences/mouse_manners.h"
+#include "editor/tools/tool.h"
+#include "editor/viewport/draft_pace.h"
+#include "editor/viewport/refined_view.h"
+#include "editor/viewport/way_comparison.h"
+#include "gpu/renderer.h"
+#include "gpu/shader_folder.h"
+#include "ui/timing_history.h"
+
+#include <memory>
+#include <optional>
+
+namespace trivar {
+
+// What is drawn over the scene to work on it.
+struct Helpers {
+    std::vector<gpu::Line> lines;
+    std::vector<gpu::Translucent> veils;
+};
+
+// What the window shows of surfaces; the scene and its pictures know nothing of it.
+struct Shading {
+    bool wireframe = false;   // nothing but the edges of the faces, those behind too
+    bool see_through = false; // what is behind shows through
+    bool edges = false;       // over the surfaces
+    bool operator==(const Shading&) const = default;
+};
+
+// How the window shows the scene, beyond what the scene says of its pictures.
+struct ViewportStyle {
+    std::optional<gpu::Backdrop> backdrop; // with a grid; none: as in pictures
+    gpu::Outline outline;
+    gpu::Level level = gpu::Level::standard; // of what is at rest
+    gpu::DeformBy deform_by = gpu::DeformBy::processor;
+    bool grid = true;    // of a backdrop
+    double draft_ms = 0; // what a picture of what moves may take; 0: as fits the graphics card
+    Shading shading = {};
+    glm::vec3 edge_color{1}; // of a wireframe; linear
+    ui::Look look = {};      // of what is drawn over the scene
+    bool operator==(const ViewportStyle&) const = default;
+};
+// `as_in_pictures`: the backdrop of the scene's look, else the theme's own.
+ViewportStyle viewport_style(const ui::Theme& theme, bool as_in_pictures);
+
+// The theme with the backdrop and the overlays that go with the scene: the look "dark" stays dark.
+ui::Theme theme_over_picture(const ui::Theme& theme, const RenderSettings& settings,
+                             bool as_in_pictures);
+
+// The picture in the middle: moves the camera, draws the scene when something changed, and tells
+// what lies under the mouse. Needs the window's OpenGL context.
+class Viewport {
+public:
+    // Takes the mouse over `rect` (ImGui's last item is the area): the camera's share is used, the
+    // rest is returned for the tool.
+    ViewportInput take_input(Session& session, const ui::Frame& frame, const ui::Rect& rect,
+                             const Tool& tool);
+    void set_manners(const MouseManners& manners) { manners_ = manners; }
+    bool moves_camera() const { return move_ != Move::none; } // by a button that is held
+
+    // The scene's picture as a texture, drawn anew only if it would differ. While things move it
+    // is a draft; a moment after they rest it is drawn in full, a piece a frame, for which it asks
+    // for frames. The draft stays until all of it is there. What cannot be drawn leaves the picture
+    // as it was: see new_trouble(). 0: there has been none.
+    unsigned draw(const Session& session, ui::Frame& frame, glm::ivec2 size_px, bool moving,
+                  int state, const std::function<Helpers()>& helpers);
+    void forget_gpu(); // before the context goes; the next frame makes all of it again
+    void set_style(const ViewportStyle& style);
+    // A developer's shaders, drawn with from now on as their files are.
+    void follow(gpu::ShaderFolder folder) { shader_folder_ = std::move(folder); }
+    const Ref<gpu::ShaderTexts>& shaders() const { return shaders_; }
+    unsigned texture() const { return renderer_ ? renderer_->texture() : 0; } // what shows
+    WayComparison& ways() { return ways_; }
+    RefinedView& refined() { return refined_; }           // what is drawn of the session's effects
+    VolumeFacts& volume_facts() { return volume_facts_; } // of the volume that is shown
+    const ui::TimingHistory& drafts() const { return drafts_; }
+    double draft_scale() const { return pace_ ? pace_->scale() : 1; } // of the next draft's size
+    const Timings& full_timings() const { return full_timings_; }     // of the last one
+    std::size_t uploaded_bytes() const { return renderer_ ? renderer_->uploaded_bytes() : 0; }
+    long pictures() const { return pictures_; } // begun so far
+    // What the renderer could not do as it was asked, each time once; empty: nothing new.
+    std::string new_notice();
+    // Why there is no picture of what is there now, and the renderer's shader_trouble(): where they
+    // are others than when they were last asked; empty: none any more.
+    std::optional<std::string> new_trouble();
+    std::optional<std::string> new_shader_trouble();
+
+private:
+    struct Shown { // what the present picture was drawn from
+        Camera camera;
+        long effects = 0; // number of the refined view
+        Selection selected;
+        std::vector<Id> aside;
+        glm::ivec2 size_px{0};
+        int state = 0;
+        bool draft = false;
+        const RenderSettings* settings = nullptr;
+        ViewportStyle style;
+        Ref<gpu::ShaderTexts> shaders;
+        bool operator==(const Shown&) const = default;
+    };
+    void draw_wanted(const Shown& wanted, const Session& session, ui::Frame& frame,
+                     const std::function<Helpers()>& helpers);
+    enum class Move { none, orbit, pan, zoom };
+    void navigate(Session& session, const ViewportInput& input, glm::dvec2 drag_px);
+    void scroll(Session& session, const ui::Frame& frame, const ViewportInput& input);
+    void zoom(Session& session, glm::dvec2 mouse_px, double factor);
+    bool emulates_middle() const; // what makes the left button the middle one is held
+    std::optional<glm::dvec3> anchor_under(const Session& session, glm::dvec2 p_px);
+    glm::dvec3 point_under(const Session& session, glm::dvec2 p_px); // or at the target's depth
+    glm::dvec3 orbit_center(const Session& session, glm::dvec2 mouse_px);
+
+    ViewportStyle style_;
+    std::optional<gpu::ShaderFolder> shader_folder_;
+    Ref<gpu::ShaderTexts> shaders_;
+    ShownValues values_;
+    WayComparison ways_;
+    RefinedView refined_;
+    VolumeFacts volume_facts_;
+    std::unique_ptr<gpu::Renderer> renderer_; // made at the first picture
+    std::optional<DraftPace> pace_;           // as well
+    std::optional<Shown> shown_;
+    std::optional<Shown> begun_; // the full picture that is being drawn
+    ui::TimingHistory drafts_;
+    long timed_evaluation_ = 0; // the last one that is in the history
+    Timings full_timings_;
+    long pictures_ = 0;
+    std::string trouble_, said_, said_of_trouble_, said_of_shaders_;
+    double moved_s_ = -1e9;
+
+    MouseManners manners_;
+    double fine_scroll_s_ = -1e9; // when the wheel last turned as no wheel of a mouse does
+    Move move_ = Move::none;
+    glm::dvec3 anchor_{0};
+    glm::dvec2 last_mouse_{0};
+    bool left_down_ = false;
+};
+
+// Whether a turn of the wheel has fractional or sideways parts, as only fingers make them.
+bool is_fine_scroll(glm::dvec2 steps);
+
+// Where a ray first meets an object, by trying its triangles one after another: for one click.
+std::optional<glm::dvec3> first_hit(const EvaluatedObject& object, const Ray& ray);
+
+} // namespace trivar

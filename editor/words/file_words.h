@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace trivar {
+
+// The last part of a path: what a person calls the file.
+inline std::string file_name(const std::string& path)
+{
+    return std::filesystem::path(path).filename().string();
+}
+
+// The reason as the body of a notice whose title names the file already.
+std::string reason(const std::string& why, const std::string& path);
+
+// A folder as people write it, ~/scenes, and the other way round.
+std::string with_short_home(const std::string& folder);
+std::string with_long_home(const std::string& folder);
+
+// "for 30 days", "for a year".
+std::string for_days(int days);
+
+} // namespace trivar

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/words/ranked.h"
+
+#include "editor/words/letters_in_order.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace trivar {
+
+std::vector<Ranked> ranked(std::string_view letters, const std::vector<std::string>& names,
+                           const std::vector<std::string>& recent)
+{
+    struct Scored {
+        Ranked ranked;
+        int score = 0;
+        bool whole = false;   // nothing of the name is left over
+        std::size_t used = 0; // place among the recent ones
+    };
+    const bool all = letters.find_first_not_of(' ') == letters.npos;
+    std::vector<Scored> found;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        std::optional<LetterMatch> match = letters_in_order(letters, names[i]);
+        if (!match) continue;
+        const auto place = std::ranges::find(recent, names[i]);
+        const bool whole = match->at.size() == names[i].size();
+        found.push_back({{i, std::move(match->at), all && place != recent.end()},
+                         match->score,
+                         whole,
+                         static_cast<std::size_t>(place - recent.begin())});
+    }
+    std::ranges::stable_sort(found, [](const Scored& a, const Scored& b) {
+        if (a.score != b.score) return a.score > b.score;
+        return a.whole != b.whole ? a.whole : a.used < b.used;
+    });
+    std::vector<Ranked> result;
+    result.reserve(found.size());
+    for (Scored& each : found) result.push_back(std::move(each.ranked));
+    return result;
+}
+
+} // namespace trivar

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What keys change of the window's picture alone.
+#include "editor/actions/actions.h"
+#include "editor/actions/palette_entries.h"
+#include "tests/editor/boxes.h"
+#include "tests/support/fixtures.h"
+
+#include <gmock/gmock.h>
+
+namespace trivar {
+namespace {
+
+using testing::Boxes, testing::Rig, testing::TemporaryFolder;
+using ::testing::ElementsAre, ::testing::IsEmpty;
+
+// The window at rest.
+std::vector<std::uint8_t> picture(Rig& rig)
+{
+    rig.wait();
+    rig.screen.settle(rig.body(), 400);
+    return rig.screen.picture().rgba;
+}
+
+TEST(ViewKeys, ChangeWhatTheWindowShowsAndNothingOfTheScene)
+{
+    Boxes rig;
+    rig.editor.preferences.show_timing = false; // which differs every time
+    const std::size_t steps = rig.steps();
+    const auto before = picture(rig);
+    for (const ui::Chord& key : {ui::Chord{'Z'}, ui::Chord{.key = 'Z', .alt = true},
+                                 ui::Chord{.key = 'Z', .shift = true}}) {
+        rig.key(key);
+        EXPECT_NE(picture(rig), before) << ui::text_of(key);
+        rig.key(key);
+        EXPECT_EQ(picture(rig), before) << ui::text_of(key);
+    }
+    EXPECT_EQ(rig.steps(), steps);
+}
+
+TEST(ViewKeys, LeaveWhatIsSeenThroughToBePicked)
+{
+    Boxes rig;
+    rig.editor.session.selected = 0;
+    for (const ui::Chord& key : {ui::Chord{'Z'}, ui::Chord{.key = 'Z', .alt = true}}) {
+        rig.key(key);
+        rig.wait();
+        rig.click(rig.seen_at(rig.of(2).translation));
+        EXPECT_EQ(rig.editor.session.selected, 2) << ui::text_of(key);
+        rig.editor.session.selected = 0;
+    }
+}
+
+TEST(Isolate, ShowsOnlyWhatIsSelectedTillTheSameKeyIsPressed)
+{
+    Boxes rig;
+    const std::size_t steps = rig.steps();
+    rig.key({ui::key_slash});
+    rig.wait();
+    EXPECT_THAT(rig.editor.session.aside, ElementsAre(2));
+    rig.click(rig.seen_at(rig.of(2).translation));
+    EXPECT_EQ(rig.editor.session.selected, 0) << "nothing is there";
+    rig.key({'A'});
+    EXPECT_THAT(rig.editor.session.selected.ids(), ElementsAre(1));
+    action(rig.editor, "Torus").run(rig.editor); // what is new is shown
+    EXPECT_THAT(rig.editor.session.aside, ElementsAre(2));
+    rig.key({ui::key_slash});
+    EXPECT_THAT(rig.editor.session.aside, IsEmpty());
+    EXPECT_EQ(rig.steps(), steps + 1);
+}
+
+TEST(Isolate, LeavesWhatIsNotShownOutOfStrokes)
+{
+    Rig rig;
+    rig.two_objects();
+    AddPlane shelf; // over all of it
+    shelf.shape.size = {6, 6};
+    shelf.transform.translation = {0, 0, 2};
+    ASSERT_TRUE(rig.editor.session.run(shelf));
+    rig.editor.session.selected.set({1, 2});
+    rig.key({ui::key_slash});
+    rig.editor.session.selected = 2;
+    for (const PaletteEntry& each : palette_commands(rig.editor))
+        if (each.name == "Place") {
+            EXPECT_THAT(std::get<Place>(*each.fill).onto, ElementsAre(1));
+        }
+    rig.key({'D'});
+    rig.draw(rig.stroke());
+    rig.wait();
+    ASSERT_TRUE(object(rig.editor.session.document(), 2).placement);
+    EXPECT_THAT(object(rig.editor.session.document(), 2).placement->onto, ElementsAre(1));
+}
+
+TEST(DeleteKey, IsNotTheAxisOfAMoveThatWasRefused)
+{
+    Boxes rig;
+    rig.key({'X'});
+    EXPECT_EQ(rig.editor.session.document().objects.size(), 1u);
+}
+
+TEST(RenderPicture, IsWrittenBesideTheSceneUnderAFreeNumber)
+{
+    const TemporaryFolder disk;
+    Boxes rig;
+    rig.key({ui::key_f1 + 11});
+    EXPECT_FALSE(rig.editor.picture_to_file.running());
+    EXPECT_EQ(rig.editor.session.notices.all().back().title, "The scene has no file yet");
+    rig.editor.session.save_as(disk.file("a.trivar"));
+    rig.wait();
+    rig.editor.picture_to_file.begin(rig.editor.session, 64);
+    for (int i = 0; i < 1000 && rig.editor.picture_to_file.running(); ++i) rig.frames(1);
+    rig.wait();
+    EXPECT_TRUE(std::filesystem::exists(disk.file("a_001.png")));
+    EXPECT_EQ(rig.editor.session.notices.all().back().title, "a_001.png was written");
+}
+
+TEST(RenderPicture, IsDrawnAnewWhereTheGraphicsCardIsResetMeanwhile)
+{
+    const TemporaryFolder disk;
+    Boxes rig;
+    rig.editor.session.save_as(disk.file("a.trivar"));
+    rig.wait();
+    rig.editor.picture_to_file.begin(rig.editor.session, 64);
+    for (int i = 0; i < 3; ++i) rig.frames(1);
+    rig.screen.lose_context([&] { rig.editor.lose_context(); });
+    for (int i = 0; i < 1000 && rig.editor.picture_to_file.running(); ++i) rig.frames(1);
+    rig.wait();
+    EXPECT_TRUE(std::filesystem::exists(disk.file("a_001.png")));
+}
+
+} // namespace
+} // namespace trivar

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What becomes of work that is let go, and what the window says of it.
+#include "editor/session/recovery.h"
+#include "editor/session/scene_facts.h"
+#include "tests/editor/rig.h"
+#include "tests/support/fixtures.h"
+
+#include <future>
+#include <imgui.h>
+
+namespace trivar {
+namespace {
+
+using testing::Rig;
+
+TEST(Keeping, ADiscardedSceneCanBeBroughtBackAtOnce)
+{
+    const testing::TemporaryFolder folder;
+    Session session([] {}, folder.path().string());
+    Recovery recovery(session);
+    ASSERT_TRUE(session.run(AddBox{}));
+    session.replace_scene(SceneFile());
+    EXPECT_TRUE(session.document().objects.empty());
+    ASSERT_EQ(session.notices.all().size(), 1u);
+    ASSERT_EQ(session.notices.all().front().actions.size(), 1u);
+    const auto bring_back = session.notices.all().front().actions.front().act;
+    bring_back();
+    EXPECT_EQ(session.document().objects.size(), 1u);
+    EXPECT_TRUE(SceneFile::set_aside_in(folder.path().string()).empty());
+}
+
+TEST(Keeping, TheKeyboardReachesEveryButtonOfAQuestion)
+{
+    for (const int tabs : {0, 1, 2}) {
+        Rig rig;
+        ASSERT_TRUE(rig.editor.session.run(AddBox{}));
+        rig.editor.files.new_scene();
+        rig.frames();
+        ASSERT_TRUE(rig.editor.files.asking());
+        for (int i = 0; i < tabs; ++i) rig.key({ui::key_tab});
+        rig.key({ui::key_enter});
+        // Name it..., Discard, Cancel: the first goes on to ask for the name.
+        EXPECT_EQ(rig.editor.files.asking(), tabs == 0);
+        EXPECT_EQ(rig.editor.session.document().objects.empty(), tabs == 1);
+    }
+}
+
+TEST(Keeping, ACopyOfASceneThatIsOpenElsewhereOffersToBeSaved)
+{
+    const testing::TemporaryFolder folder;
+    SceneFile other;
+    other.run(AddBox{});
+    other.save_as(folder.file("a.trivar"));
+    Rig rig;
+    rig.editor.files.open_scene(folder.file("a.trivar"));
+    rig.wait();
+    ASSERT_TRUE(rig.editor.files.asking());
+    rig.key({ui::key_left}); // from Look only to Open a copy
+    rig.key({ui::key_enter});
+    rig.wait();
+    ASSERT_EQ(rig.editor.session.document().objects.size(), 1u);
+    const auto& notices = rig.editor.session.notices.all();
+    ASSERT_EQ(notices.size(), 1u);
+    ASSERT_EQ(notices.front().actions.size(), 1u);
+    const ui::Notices::Action save = notices.front().actions.front();
+    EXPECT_EQ(save.words, "Save as...");
+    save.act();
+    EXPECT_TRUE(rig.editor.files.asking());
+}
+
+// A scene that is asked for behind a job which goes on till it is let go.
+struct OpeningLate {
+    testing::TemporaryFolder folder;
+    std::string path = folder.file("a.trivar");
+    std::promise<void> gate;
+    Rig rig;
+    OpeningLate()
+    {
+        SceneFile scene;
+        scene.run(AddBox{});
+        scene.save_as(path);
+        scene = SceneFile();
+        rig.editor.session.jobs().start({"Waiting",
+                                         [this](const Progress&) -> Jobs::Finish {
+                                             gate.get_future().wait();
+                                             return [] {};
+                                         },
+                                         nullptr});
+        rig.editor.files.open_scene(path);
+    }
+    const SceneFile& opened()
+    {
+        gate.set_value();
+        rig.wait();
+        return rig.editor.session.scene();
+    }
+};
+
+TEST(Keeping, KeysMakeNoStepInASceneWhosePlaceAnotherIsAboutToTake)
+{
+    OpeningLate late;
+    late.rig.key({.key = 'A', .shift = true});
+    late.rig.type("b");
+    EXPECT_EQ(late.rig.steps(), 0u);
+    EXPECT_EQ(late.opened().path(), late.path);
+    late.rig.key({.key = 'A', .shift = true});
+    late.rig.type("b");
+    EXPECT_EQ(late.rig.steps(), 2u);
+}
+
+TEST(Keeping, AStepThatCameWhileAnotherSceneWasReadIsNotLetGoUnasked)
+{
+    OpeningLate late;
+    ASSERT_TRUE(late.rig.editor.session.run(AddSphere{})); // as a model does that was being read
+    EXPECT_EQ(late.opened().path(), "");
+    ASSERT_TRUE(late.rig.editor.files.asking());
+    late.rig.key({ui::key_tab}); // from Name it... to Discard
+    late.rig.key({ui::key_enter});
+    EXPECT_EQ(late.rig.editor.session.scene().path(), late.path);
+}
+
+TEST(Keeping, ANewSceneIsSeenFromHomeWithTheSelectingTool)
+{
+    Rig rig;
+    rig.frames();
+    rig.editor.session.view.camera.eye = {9, 9, 9};
+    rig.editor.choose_tool(1);
+    rig.key({.key = 'N', .ctrl = true});
+    EXPECT_EQ(rig.editor.session.view.camera.eye, Camera{}.eye);
+    EXPECT_EQ(rig.editor.tool, 0u);
+}
+
+TEST(Keeping, WhatUndoBringsBackIsSelected)
+{
+    Rig rig;
+    rig.two_objects();
+    Session& session = rig.editor.session;
+    session.selected = 2;
+    ASSERT_TRUE(session.run(Rename{1, "Ground"}));
+    session.undo();
+    EXPECT_EQ(session.selected, 2); // as it was
+    ASSERT_TRUE(session.run(Delete{{2}}));
+    EXPECT_EQ(session.selected, 0);
+    session.undo();
+    EXPECT_EQ(session.selected, 2);
+    session.undo();
+    session.undo();
+    session.redo();
+    EXPECT_EQ(session.selected, 1);
+}
+
+TEST(Menus, AreGoneThroughWithTheArrowsAndLetters)
+{
+    Rig rig;
+    rig.frames();
+    rig.key({.key = 'A', .shift = true});
+    rig.key({ui::key_down});
+    rig.key({ui::key_enter});
+    EXPECT_EQ(rig.editor.session.document().objects.size(), 1u);
+    EXPECT_FALSE(ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId));
+    rig.key({.key = 'A', .shift = true});
+    rig.type("b");
+    EXPECT_EQ(name_of(rig.editor.session.document(), 2), "Box");
+    rig.key({.key = 'A', .shift = true});
+    rig.key({ui::key_escape});
+    EXPECT_FALSE(ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId));
+    EXPECT_EQ(rig.steps(), 2u);
+}
+
+} // namespace
+} // namespace trivar

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/files/relink.h"
+
+#include "tests/editor/rig.h"
+#include "tests/support/fixtures.h"
+
+#include <filesystem>
+#include <fstream>
+#include <gmock/gmock.h>
+
+namespace trivar {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::ElementsAre, ::testing::IsEmpty;
+using testing::Rig, testing::TemporaryFolder;
+
+void write_triangle(const std::string& path, double width)
+{
+    std::ofstream(path) << "v 0 0 0\nv " << width << " 0 0\nv 0 1 0\nf 1 2 3\n";
+}
+
+// Two models, one of them twice.
+struct ThreeImports : Rig {
+    TemporaryFolder folder;
+    ThreeImports()
+    {
+        for (const char* name : {"a.obj", "b.obj"}) write_triangle(folder.file(name), 1);
+        for (const char* name : {"a.obj", "b.obj", "a.obj"}) {
+            editor.files.import(folder.file(name));
+            wait();
+        }
+    }
+    bool has_shape(Id id) { return !editor.session.evaluated().objects.at(id)->parts.empty(); }
+};
+
+TEST(Relink, FindsWhatIsMissingBesideTheFileThatWasShown)
+{
+    ThreeImports rig;
+    Session& session = rig.editor.session;
+    EXPECT_THAT(missing_files(session), IsEmpty());
+    fs::create_directory(rig.folder.file("moved"));
+    for (const char* name : {"a.obj", "b.obj"})
+        fs::rename(rig.folder.file(name), rig.folder.file(std::string("moved/") + name));
+    EXPECT_THAT(missing_files(session), ElementsAre(1, 2, 3));
+    relink(session, 1, rig.folder.file("moved/a.obj"));
+    rig.wait();
+    EXPECT_THAT(missing_files(session), IsEmpty());
+    EXPECT_EQ(rig.steps(), 6u);
+    for (const Id id : {1, 2, 3}) EXPECT_TRUE(rig.has_shape(id));
+}
+
+TEST(Relink, RefusesWhatCannotBeRead)
+{
+    ThreeImports rig;
+    std::ofstream(rig.folder.file("c.obj")) << "f 1 2 3\n";
+    relink(rig.editor.session, 2, rig.folder.file("c.obj"));
+    rig.wait();
+    EXPECT_EQ(rig.steps(), 3u);
+    ASSERT_FALSE(rig.editor.session.notices.all().empty());
+}
+
+TEST(Relink, TakesTheChosenFileWhereItsNeighbourCannotBeRead)
+{
+    ThreeImports rig;
+    fs::create_directory(rig.folder.file("moved"));
+    fs::rename(rig.folder.file("a.obj"), rig.folder.file("moved/a.obj"));
+    fs::remove(rig.folder.file("b.obj"));
+    std::ofstream(rig.folder.file("moved/b.obj")) << "f 1 2 3\n";
+    const std::size_t said = rig.editor.session.notices.all().size();
+    relink(rig.editor.session, 1, rig.folder.file("moved/a.obj"));
+    rig.wait();
+    EXPECT_THAT(missing_files(rig.editor.session), ElementsAre(2));
+    EXPECT_EQ(rig.editor.session.notices.all().size(), said + 1);
+}
+
+TEST(Relink, LeavesAnotherSceneAlone)
+{
+    ThreeImports rig;
+    read_anew(rig.editor.session, {1, 2, 3});
+    rig.editor.session.replace_scene(SceneFile());
+    rig.wait();
+    EXPECT_EQ(rig.steps(), 0u);
+}
+
+TEST(Relink, ReadsAFileAnewThatHasChanged)
+{
+    ThreeImports rig;
+    write_triangle(rig.folder.file("b.obj"), 5);
+    read_anew(rig.editor.session, {2});
+    rig.wait();
+    EXPECT_EQ(rig.steps(), 4u);
+    const EvaluatedObject& object = *rig.editor.session.evaluated().objects.at(2);
+    EXPECT_THAT(object.notices, IsEmpty());
+    EXPECT_EQ(object.parts.at(0).mesh()->positions.at(1).x, 5);
+}
+
+} // namespace
+} // namespace trivar
