@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/document/number_words.h"
+#include "core/commands/number_words.h"
 
 #include <string>
 #include <string_view>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/selection.h"
 
-#include "core/document/keying.h"
+#include "core/commands/keying.h"
 #include "editor/picture.h"
 #include "editor/recent_scenes.h"
 #include "editor/samples.h"

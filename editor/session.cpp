@@ -2,9 +2,9 @@
 #include "editor/session.h"
 
 #include "core/base/rejected.h"
-#include "core/document/kept_scenes.h"
-#include "core/document/keying.h"
+#include "core/commands/keying.h"
 #include "core/document/parameters.h"
+#include "core/scene/kept_scenes.h"
 #include "editor/file_words.h"
 #include "editor/preferences.h"
 #include "editor/selection.h"

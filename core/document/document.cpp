@@ -3,13 +3,13 @@
 
 #include "core/base/digest.h"
 #include "core/base/rejected.h"
-#include "core/document/commands/import.h"
-#include "core/document/commands/place.h"
-#include "core/document/commands/play.h"
-#include "core/document/commands/primitives.h"
-#include "core/document/commands/shape.h"
-#include "core/document/commands/text.h"
-#include "core/document/commands/view.h"
+#include "core/commands/import.h"
+#include "core/commands/place.h"
+#include "core/commands/play.h"
+#include "core/commands/primitives.h"
+#include "core/commands/shape.h"
+#include "core/commands/text.h"
+#include "core/commands/view.h"
 
 #include <algorithm>
 #include <array>

@@ -2,15 +2,15 @@
 #include "core/document/parameters.h"
 
 #include "core/base/rejected.h"
-#include "core/document/commands/check.h"
-#include "core/document/commands/import.h"
-#include "core/document/commands/place.h"
-#include "core/document/commands/primitives.h"
-#include "core/document/commands/refine.h"
-#include "core/document/commands/shape.h"
-#include "core/document/commands/text.h"
-#include "core/document/commands/travel.h"
-#include "core/document/commands/view.h"
+#include "core/commands/check.h"
+#include "core/commands/import.h"
+#include "core/commands/place.h"
+#include "core/commands/primitives.h"
+#include "core/commands/refine.h"
+#include "core/commands/shape.h"
+#include "core/commands/text.h"
+#include "core/commands/travel.h"
+#include "core/commands/view.h"
 
 #include <algorithm>
 #include <cmath>

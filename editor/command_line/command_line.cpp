@@ -2,7 +2,7 @@
 #include "editor/command_line/command_line.h"
 
 #include "core/base/rejected.h"
-#include "core/document/command.h"
+#include "core/commands/command.h"
 #include "editor/about.h"
 #include "editor/app.h"
 #include "editor/command_line/bench.h"

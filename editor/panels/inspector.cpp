@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/inspect.h"
 
-#include "core/document/log.h"
 #include "core/document/parameters.h"
+#include "core/scene/log.h"
 #include "editor/clipboard.h"
 #include "editor/field_words.h"
 #include "editor/new_material.h"

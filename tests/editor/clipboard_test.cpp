@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/clipboard.h"
 
-#include "core/document/log.h"
+#include "core/scene/log.h"
 #include "editor/actions.h"
 #include "tests/editor/boxes.h"
 #include "tests/editor/scenes.h"

@@ -2,7 +2,7 @@
 #include "editor/recent_scenes.h"
 #include "editor/samples.h"
 
-#include "core/document/log.h"
+#include "core/scene/log.h"
 #include "editor/help_actions.h"
 #include "editor/panels/welcome.h"
 #include "tests/editor/rig.h"

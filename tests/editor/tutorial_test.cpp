@@ -2,8 +2,8 @@
 #include "editor/tutorial.h"
 
 #include "core/base/text.h"
-#include "core/document/evaluate.h"
-#include "core/document/log.h"
+#include "core/evaluation/evaluate.h"
+#include "core/scene/log.h"
 #include "editor/help_actions.h"
 #include "editor/markdown.h"
 #include "editor/words_with_keys.h"

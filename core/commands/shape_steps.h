@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/field.h"
+
+namespace trivar {
+
+template <>
+inline constexpr std::array<std::string_view, 4> choice_names<Decay>{"gaussian", "hat", "box",
+                                                                     "smooth"};
+template <>
+inline constexpr std::array<std::string_view, 3> choice_names<VolumeAxis>{"along", "across", "up"};
+
+template <> struct FieldsOf<Press> {
+    static void fields(auto& p, auto&& field)
+    {
+        field("decay", p.decay,
+              "how the press falls off to the rim of the ball: bell-shaped, straight, not at all, "
+              "or smooth at the rim");
+        field("radius", p.radius, "of the ball, metres", positive);
+        field("samples", p.samples,
+              "where the ball presses and how far, [u, v, w, metres] each; u, v, w are the "
+              "volume's, 0 to 1; negative metres pull",
+              required);
+        field("mirror", p.mirror, "the same on the other side of the middle, at 1 - v");
+        field("guard", p.guard, "no more of it than is proven not to fold the volume");
+        field("into_scene", p.into_scene, "what lies on the scene may be drawn into it");
+    }
+};
+template <> struct FieldsOf<PointShift> {
+    static void fields(auto& s, auto&& field)
+    {
+        field("points", s.points,
+              "control points by their numbers along, across and up, from 0; the first says which "
+              "way along, across and up are",
+              required);
+        field("by", s.by, "metres along, across and up", required);
+        field("mirror", s.mirror, "those on the other side of the middle go the other way across");
+        field("guard", s.guard, "no further than is proven not to fold the volume");
+        field("of", s.of,
+              "how many control points the volume has along, across and up: where it has others, "
+              "the step is passed over; zeros: whichever there are",
+              later);
+    }
+};
+template <> struct FieldsOf<KnotInsertion> {
+    static void fields(auto& k, auto&& field)
+    {
+        field("along", k.along,
+              "where along the stroke, between 0 and 1; one control point more for each");
+        field("across", k.across, "the same across the stroke");
+        field("up", k.up, "the same up from the scene");
+    }
+};
+template <> struct FieldsOf<Coarsening> {
+    static void fields(auto& c, auto&& field)
+    {
+        field("axis", c.axis, "along the stroke, across it or up from the scene");
+        field("count", c.count, "control points that are left along it", between(2, 1024));
+    }
+};
+template <> struct FieldsOf<Mending> {
+    static void fields(auto&, auto&&) {}
+};
+template <> struct FieldsOf<VolumePart> {
+    static void fields(auto& b, auto&& field)
+    {
+        field("lo", b.lo, "u, v and w of its lower corner, 0 to 1", required);
+        field("hi", b.hi, "of its upper one, above that", required);
+    }
+};
+template <> struct FieldsOf<FoldAllowance> {
+    static void fields(auto& a, auto&& field)
+    {
+        field(
+            "boxes", a.boxes,
+            "parts of the volume's u, v and w, beside those of before; none: nothing may fold any "
+            "more");
+    }
+};
+template <> struct FieldsOf<VolumeEdit> {
+    static void fields(auto& e, auto&& field)
+    {
+        field("press", e.press, "a ball pressed into it");
+        field("shift", e.shift, "control points moved");
+        field("insertion", e.insertion, "control points more, in the same shape");
+        field("coarsening", e.coarsening, "fewer control points");
+        field("mending", e.mending, "the smallest change after which nothing folds");
+        field("allowance", e.allowance, "where it may fold from then on", later);
+    }
+};
+
+} // namespace trivar
