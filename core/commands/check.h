@@ -10,7 +10,4 @@ namespace trivar {
 // nothing of documents.
 void check(const Command& command);
 
-// Throws Rejected unless the camera looks somewhere.
-void check_view(const Camera& camera);
-
 } // namespace trivar

@@ -4,8 +4,8 @@
 #include "core/base/rejected.h"
 #include "core/commands/apply.h"
 #include "core/commands/numbering.h"
+#include "core/document/band.h"
 #include "core/document/parameters.h"
-#include "core/evaluation/shapes.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
 #include "core/commands/apply.h"
-#include "core/commands/check.h"
-#include "core/evaluation/shapes.h"
+#include "core/document/band.h"
+#include "core/document/check_view.h"
 #include "core/placement/height_map.h"
 #include "core/placement/profile.h"
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <fmt/format.h>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <span>
 #include <utility>

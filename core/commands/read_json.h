@@ -3,9 +3,9 @@
 
 #include "core/commands/command.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
-// For the sources that read lines of a log; brings in the JSON library.
+// For the sources that read lines of a log as JSON.
 
 namespace trivar {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/commands/shape_steps.h"
+#include "core/document/fields/shaping_fields.h"
 
 namespace trivar {
 

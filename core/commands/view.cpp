@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
 #include "core/commands/apply.h"
-#include "core/commands/check.h"
+#include "core/document/check_view.h"
 
 #include <fmt/format.h>
 

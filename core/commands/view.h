@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/document/field.h"
+#include "core/document/fields/view_fields.h"
 
 namespace trivar {
 
@@ -25,42 +25,6 @@ struct DeleteCamera {
     static void fields(auto& c, auto&& field)
     {
         field("name", c.name, "name of the bookmark", required);
-    }
-};
-template <> struct FieldsOf<RenderSettings> {
-    static void fields(auto& s, auto&& field)
-    {
-        field("look", s.look, "light and background", one_of("studio|clay|dark"));
-        field("exposure", s.exposure, "brightness, in stops", between(-20, 20));
-        field("sun_azimuth", s.sun_azimuth, "where the sun stands round Z, 0 along +X, in radians",
-              between(-100, 100));
-        field("sun_elevation", s.sun_elevation,
-              "how high the sun stands above the horizon, in radians", between(-1.6, 1.6));
-        field("shadows", s.shadows, "the sun casts shadows");
-        field("ambient_occlusion", s.ambient_occlusion, "corners are darker");
-        field("wire", s.wire, "the edges of the faces are drawn over them", later);
-        field("color_by", s.color_by,
-              "what colours show: materials, how what was placed is stretched and squeezed, or how "
-              "far its triangles may be from the true surface",
-              later);
-        field("volumes", s.volumes,
-              "the volumes of what was placed are shown, with the ball of a press that was the "
-              "last step of shaping",
-              later);
-        field("captions", s.captions,
-              "under what is refined stand its triangles, how they were split and what of their "
-              "error is certified",
-              later);
-        field("ground", s.ground, "a ground under the scene that catches shadows");
-    }
-};
-template <> struct FieldsOf<Time> {
-    static void fields(auto& t, auto&& field)
-    {
-        field("first_frame", t.first_frame, "where playing begins", between(-999999, 999999));
-        field("last_frame", t.last_frame, "where it ends, itself shown", between(-999999, 999999));
-        field("frames_per_second", t.frames_per_second, "how fast they follow each other",
-              between(0.1, 1000));
     }
 };
 struct SetTime {

@@ -3,13 +3,7 @@
 
 #include "core/base/digest.h"
 #include "core/base/rejected.h"
-#include "core/commands/import.h"
-#include "core/commands/place.h"
-#include "core/commands/play.h"
-#include "core/commands/primitives.h"
-#include "core/commands/shape.h"
-#include "core/commands/text.h"
-#include "core/commands/view.h"
+#include "core/document/fields/object_fields.h"
 
 #include <algorithm>
 #include <array>

@@ -2,15 +2,8 @@
 #include "core/document/parameters.h"
 
 #include "core/base/rejected.h"
-#include "core/commands/check.h"
-#include "core/commands/import.h"
-#include "core/commands/place.h"
-#include "core/commands/primitives.h"
-#include "core/commands/refine.h"
-#include "core/commands/shape.h"
-#include "core/commands/text.h"
-#include "core/commands/travel.h"
-#include "core/commands/view.h"
+#include "core/document/check_view.h"
+#include "core/document/fields/object_fields.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,7 @@
 
 #include "core/base/digest.h"
 #include "core/base/parallel.h"
+#include "core/document/band.h"
 #include "core/document/parameters.h"
 #include "core/evaluation/laying.h"
 #include "core/evaluation/posing.h"

@@ -18,7 +18,7 @@ struct Support {
     bool operator==(const Support&) const = default;
 };
 
-struct Walk; // core/document/walk.h
+struct Walk; // core/evaluation/walk.h
 
 // What an object is after it was laid along its stroke.
 struct Laid {

@@ -33,10 +33,6 @@ void stand(Shape& shape, const Stance& stance);
 // Puts its meshes where a clip of its model has them at that time, or as the model came.
 void stand(Shape& shape, const Clip* clip, double time_s);
 
-// The way round an object's axis, `level` metres from its widest circle; none for what is neither a
-// cylinder, a sphere, a torus nor a Moebius band.
-std::optional<Band> band_round(const Source& source, double level, const glm::dmat4& to_world);
-
 // Shapes by what they come from: two objects with equal sources share one.
 class Shapes {
 public:

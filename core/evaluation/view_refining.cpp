@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluation/view_refining.h"
 
+#include "core/base/finite.h"
 #include "core/base/rejected.h"
 #include "core/evaluation/refining.h"
 
@@ -47,7 +48,6 @@ EvaluatedObject with_split_parts(const EvaluatedObject& object, RefineOptions op
 
 double view_tolerance(const Camera& camera, const Box& bounds, double tolerance_px)
 {
-    constexpr double infinite = std::numeric_limits<double>::infinity();
     if (bounds.empty()) return infinite;
     const glm::dmat4 view = view_matrix(camera);
     const double pixel = pixel_size_world(camera, 1); // at depth 1, or everywhere

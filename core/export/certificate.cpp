@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/certificate.h"
 
+#include "core/base/finite.h"
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
 #include "core/base/rounded.h"
@@ -21,7 +22,6 @@ namespace {
 
 using CertificateJson = nlohmann::ordered_json;
 constexpr int certificate_version = 1;
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 template <class E> std::string chosen_name(E value)
 {

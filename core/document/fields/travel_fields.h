@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/field.h"
+
+namespace trivar {
+
+template <> struct FieldsOf<Travel> {
+    static void fields(auto& t, auto&& field)
+    {
+        field("speed", t.speed,
+              "metres a second along the middle of its volume, the way it looks; negative: "
+              "backwards; 0: it rests; a fill below 1 gives it room",
+              between(-1e6, 1e6));
+        field("ends", t.ends,
+              "what it does where its stroke ends: it stops, is not shown any more, goes straight "
+              "on, goes on from the other end, or turns back");
+        field("ease_in", t.ease_in, "seconds from rest to that speed", between(0, 1e6));
+        field("ease_out", t.ease_out, "seconds from that speed to rest, where it stops or turns",
+              between(0, 1e6));
+        field("start_frame", t.start_frame, "the frame in which it sets out",
+              between(-999999, 999999));
+        field("duration", t.duration, "seconds after which it stops wherever it is; 0: no limit",
+              between(0, 1e6));
+        field("followers", t.followers, "as many more of it go behind it, one after the other",
+              later_between(0, 999));
+        field("gap", t.gap,
+              "metres along the middle of the volume from one to the next; 0: evenly along a loop, "
+              "else as close as they are long",
+              later_between(0, 1e6));
+        field("phase", t.phase, "of its clip's period, by which each is ahead of the one before",
+              later_between(-1, 1));
+    }
+};
+
+} // namespace trivar
