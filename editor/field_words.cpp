@@ -40,15 +40,6 @@ std::string without_unit(std::string help)
 
 } // namespace
 
-std::string unit_of_field(std::string_view name, std::string_view help)
-{
-    if (name.ends_with("_deg")) return "deg";
-    if (help.starts_with("metres a second")) return "m/s";
-    if (help.starts_with("seconds")) return "s";
-    if (help.find("radians") != help.npos) return "rad";
-    return help.find("metres") != help.npos ? "m" : "";
-}
-
 std::string help_of_field(const std::string& verb, const std::string& name)
 {
     static const Helps helps = all_helps();

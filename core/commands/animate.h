@@ -11,6 +11,7 @@ struct ObjectTracks {
     bool operator==(const ObjectTracks&) const = default;
 };
 template <> struct FieldsOf<ObjectTracks> {
+    static constexpr std::string_view told_as = "[object's tracks](#objects-tracks)";
     static void fields(auto& t, auto&& field)
     {
         field("object", t.object, "id; 0: the scene, with its picture and kept views");

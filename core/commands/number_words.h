@@ -4,12 +4,8 @@
 #include "core/document/parameters.h"
 
 #include <string>
-#include <string_view>
 
 namespace trivar {
-
-// As a person reads a field's name: "rotation_deg" is the rotation.
-std::string label_of_field(std::string_view name);
 
 // How a parameter is said and shown, in the words of the panels: "Position Z", in metres. What is
 // shown is so many times the value: angles are in degrees.

@@ -152,8 +152,8 @@ CopiedObject copy_of(const Document& document, Id id, bool inside, const std::st
     copy.placement = {each.placement->sketch,
                       each.placement->parameters,
                       {},
-                      each.placement->round,
-                      each.placement->level};
+                      each.placement->round.has_value(),
+                      each.placement->round ? each.placement->round->level : 0};
     for (const Id base : each.placement->onto)
         copy.placement->onto.push_back({base, object(document, base).name});
     for (const Ref<VolumeEdit>& edit : each.shaping) copy.shaping.push_back(*edit);

@@ -60,6 +60,7 @@ struct CopiedObject {
 };
 
 template <> struct FieldsOf<KnownObject> {
+    static constexpr std::string_view told_as = "[base](#base)";
     static void fields(auto& k, auto&& field)
     {
         field("object", k.object, "its id", required);
@@ -67,6 +68,7 @@ template <> struct FieldsOf<KnownObject> {
     }
 };
 template <> struct FieldsOf<CopiedPlacement> {
+    static constexpr std::string_view told_as = "[placement](#placement)";
     static void fields(auto& p, auto&& field)
     {
         field("sketch", p.sketch, "the stroke; none where it lies round something");
@@ -77,6 +79,7 @@ template <> struct FieldsOf<CopiedPlacement> {
     }
 };
 template <> struct FieldsOf<CopiedObject> {
+    static constexpr std::string_view told_as = "[object](#object)";
     static void fields(auto& c, auto&& field)
     {
         field("object", c.object, "its id where it was copied, by which others name it", required);

@@ -158,8 +158,7 @@ Document applied(Document document, const PlaceRound& command)
     PlacementStep step{{},
                        command.parameters,
                        supports(document, command.object, {command.around}),
-                       true,
-                       command.level};
+                       RoundWay{command.level}};
     return with_changed(std::move(document), command.object, [&](Object& o) {
         o.placement = std::move(step);
         o.shaping.clear();
@@ -176,7 +175,7 @@ Document applied(Document document, const EditPlacement& command)
     if (command.sketch) {
         check_sketch(*command.sketch);
         step.sketch = *command.sketch;
-        step.round = false;
+        step.round.reset();
     }
     if (command.onto && step.round)
         throw Rejected(fmt::format("field \"onto\": {} goes round object {}; use place_round for "

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/text.h"
+#include "core/commands/field_words.h"
 #include "core/commands/json_text.h"
 
 #include <fmt/format.h>
@@ -23,52 +24,8 @@ template <class T> std::string type_name()
         return fmt::format("{}", fmt::join(choice_names<T>, ", "));
     else if constexpr (std::is_same_v<T, StrokeSample>)
         return "sample";
-    else if constexpr (std::is_same_v<T, Transform>)
-        return "[transform](#transform-1)";
-    else if constexpr (std::is_same_v<T, ImportedFile>)
-        return "[file](#file)";
-    else if constexpr (std::is_same_v<T, Camera>)
-        return "[camera](#camera)";
-    else if constexpr (std::is_same_v<T, PlacementParameters>)
-        return "[parameters](#parameters)";
-    else if constexpr (std::is_same_v<T, Sketch>)
-        return "[sketch](#sketch)";
-    else if constexpr (std::is_same_v<T, CopiedObject>)
-        return "[object](#object)";
-    else if constexpr (std::is_same_v<T, CopiedPlacement>)
-        return "[placement](#placement)";
-    else if constexpr (std::is_same_v<T, KnownObject>)
-        return "[base](#base)";
-    else if constexpr (std::is_same_v<T, Surfacing>)
-        return "values of [set_material](#set_material)";
-    else if constexpr (std::is_same_v<T, Travel>)
-        return "values of [set_travel](#set_travel)";
-    else if constexpr (std::is_same_v<T, Playing>)
-        return "values of [play_clip](#play_clip)";
-    else if constexpr (std::is_same_v<T, Refining>)
-        return "values of [refine](#refine)";
-    else if constexpr (std::is_same_v<T, VolumeEdit>)
-        return "[step](#step)";
-    else if constexpr (std::is_same_v<T, Press>)
-        return "values of [press](#press)";
-    else if constexpr (std::is_same_v<T, PointShift>)
-        return "values of [move_points](#move_points)";
-    else if constexpr (std::is_same_v<T, KnotInsertion>)
-        return "values of [insert_knots](#insert_knots)";
-    else if constexpr (std::is_same_v<T, Coarsening>)
-        return "values of [coarsen_volume](#coarsen_volume)";
-    else if constexpr (std::is_same_v<T, Mending>)
-        return "nothing inside: `{}`";
-    else if constexpr (std::is_same_v<T, FoldAllowance>)
-        return "values of [allow_folds](#allow_folds)";
-    else if constexpr (std::is_same_v<T, VolumePart>)
-        return "[part](#part)";
-    else if constexpr (std::is_same_v<T, ObjectTracks>)
-        return "[object's tracks](#objects-tracks)";
-    else if constexpr (std::is_same_v<T, Track>)
-        return "[track](#track)";
-    else if constexpr (std::is_same_v<T, Key>)
-        return "[key](#key)";
+    else if constexpr (requires { FieldsOf<T>::told_as; })
+        return std::string(FieldsOf<T>::told_as);
     else if constexpr (Nested<T>) // a shape
         return fmt::format("values of [{0}](#{0})", FieldsOf<T>::verb);
     else if constexpr (is_optional<T>)
@@ -162,6 +119,9 @@ std::string fields_list(const std::vector<Told>& fields)
         text += std::string(",\"required\":") + (each.rule.required ? "true" : "false");
         if (const std::string allowed = range(each.rule); !allowed.empty())
             text += ",\"range\":" + json_text(allowed);
+        if (const std::string unit = unit_text(each.rule.unit); !unit.empty())
+            text += ",\"unit\":" + json_text(unit);
+        text += ",\"label\":" + json_text(label_of(each.name, each.rule));
         text += ",\"help\":" + json_text(each.help) + "}";
     }
     return "[" + text + "]";

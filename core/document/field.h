@@ -22,15 +22,71 @@ template <class T> inline constexpr bool is_list = false;
 template <class T> inline constexpr bool is_list<std::vector<T>> = true;
 template <class T> inline constexpr bool is_optional = false;
 template <class T> inline constexpr bool is_optional<std::optional<T>> = true;
+template <class T> inline constexpr bool is_ref = false;
+template <class T> inline constexpr bool is_ref<Ref<T>> = true;
+template <class T> inline constexpr bool is_choice = false; // one of several types
+template <class... T> inline constexpr bool is_choice<std::variant<T...>> = true;
 
-// What a field accepts. Bounds are inclusive and hold for every component of a vector.
+// What a number measures, in what it is stored in.
+enum class Unit {
+    none,
+    metres,
+    degrees,
+    radians, // shown in degrees
+    seconds,
+    metres_per_second,
+    frames_per_second,
+    stops,
+    times,
+    at_frame
+};
+
+// How the digest of a document counts a field. Scenes were made before some fields existed, and
+// their digests stay.
+enum class Counted {
+    always,
+    named,  // not where it has its default; else its name and its value
+    marked, // the same, but of a switch the name alone, of a list its entries without their number
+            // and of a value that may be missing only the value
+    bare    // not where it has its default; else its value alone
+};
+
+// What is known of a field beside its name and its help. Bounds are inclusive and hold for every
+// component of a vector.
 struct Rule {
     bool required = false;      // in JSON; else what is left out has its default
     double lo = -1e9, hi = 1e9; // of numbers; no coordinate or size of a scene is beyond
     std::string_view choices{}; // of texts, separated by |; empty: any
-    bool later = false;         // there were scenes without it, whose digests stay: no part of one
-                                // where it is zero
+    Counted counted = Counted::always;
+    std::string_view label{}; // what panels and the history call it; empty: its name in words
+    Unit unit = Unit::none;
+    std::string_view axes = "X|Y|Z|W";       // what the components of a vector are called
+    std::string_view yes = "on", no = "off"; // what a switch says
+    std::string_view zero{};                 // what 0 or an empty list means; empty: just that
+    bool fixed = false;                      // it takes no keys
+    bool inlined = false;                    // names of parameters leave out this field's own
+
+    constexpr Rule called(std::string_view name) const { return with(&Rule::label, name); }
+    constexpr Rule in(Unit of) const { return with(&Rule::unit, of); }
+    constexpr Rule counts(Counted how) const { return with(&Rule::counted, how); }
+    constexpr Rule with_axes(std::string_view names) const { return with(&Rule::axes, names); }
+    constexpr Rule says(std::string_view on, std::string_view off) const
+    {
+        return with(&Rule::yes, on).with(&Rule::no, off);
+    }
+    constexpr Rule zero_is(std::string_view words) const { return with(&Rule::zero, words); }
+    constexpr Rule without_keys() const { return with(&Rule::fixed, true); }
+    constexpr Rule as_its_own() const { return with(&Rule::inlined, true); }
+
+private:
+    template <class T> constexpr Rule with(T Rule::*member, T value) const
+    {
+        Rule changed = *this;
+        changed.*member = value;
+        return changed;
+    }
 };
+constexpr Rule any_value{};
 constexpr Rule required{.required = true};
 constexpr Rule required_between(double lo, double hi)
 {
@@ -40,10 +96,10 @@ constexpr Rule between(double lo, double hi)
 {
     return {.lo = lo, .hi = hi};
 }
-constexpr Rule later{.later = true};
+constexpr Rule later{.counted = Counted::named};
 constexpr Rule later_between(double lo, double hi)
 {
-    return {.lo = lo, .hi = hi, .later = true};
+    return {.lo = lo, .hi = hi, .counted = Counted::named};
 }
 constexpr Rule positive{.lo = 1e-9};
 constexpr Rule not_negative{.lo = 0};
@@ -54,6 +110,11 @@ constexpr Rule one_of(std::string_view choices)
 
 // The texts of an enumeration's values, in their order.
 template <class E> constexpr std::array<std::string_view, 0> choice_names{};
+// The same as a person says them, where that is not the text with blanks.
+template <class E> constexpr std::array<std::string_view, 0> choice_words{};
+template <>
+inline constexpr std::array<std::string_view, 4> choice_words<Misses>{
+    "membrane", "drop to the ground", "nearest point", "shrink"};
 template <> inline constexpr std::array<std::string_view, 3> choice_names<UpAxis>{"auto", "y", "z"};
 template <>
 inline constexpr std::array<std::string_view, 4> choice_names<Misses>{"membrane", "ground",
@@ -73,25 +134,32 @@ inline constexpr std::array<std::string_view, 3> choice_names<ColorBy>{"material
 template <class T> struct FieldsOf;
 
 template <> struct FieldsOf<Transform> {
+    static constexpr std::string_view told_as = "[transform](#transform-1)";
     static void fields(auto& t, auto&& field)
     {
-        field("translation", t.translation, "where it is in its group or the scene, metres");
-        field("rotation_deg", t.rotation_deg, "about X, then Y, then Z, in degrees");
+        field("translation", t.translation, "where it is in its group or the scene, metres",
+              any_value.called("Position").in(Unit::metres));
+        field("rotation_deg", t.rotation_deg, "about X, then Y, then Z, in degrees",
+              any_value.called("Rotation").in(Unit::degrees));
         field("scale", t.scale, "along X, Y and Z; negative mirrors, 0 is refused");
     }
 };
 template <> struct FieldsOf<Camera> {
+    static constexpr std::string_view told_as = "[camera](#camera)";
     static void fields(auto& c, auto&& field)
     {
-        field("eye", c.eye, "where the camera is, metres", required);
-        field("target", c.target, "the point it looks at, metres", required);
+        field("eye", c.eye, "where the camera is, metres",
+              required.called("From").in(Unit::metres));
+        field("target", c.target, "the point it looks at, metres",
+              required.called("To").in(Unit::metres));
         field("up", c.up, "the direction that is up in the picture");
         field("perspective", c.perspective, "false: orthographic");
         field("fov_y", c.fov_y, "full vertical angle in radians, perspective only",
-              between(1e-3, 3.1));
+              between(1e-3, 3.1).called("Angle").in(Unit::radians));
         field("height_world", c.height_world, "height of the picture in metres, orthographic only",
-              positive);
-        field("size_px", c.size_px, "width and height of the picture in pixels", between(1, 65536));
+              positive.in(Unit::metres));
+        field("size_px", c.size_px, "width and height of the picture in pixels",
+              between(1, 65536).without_keys());
     }
 };
 

@@ -49,7 +49,7 @@ std::optional<Band> band_of(const Document& document, const PlacementStep& step)
     if (!step.round || step.onto.empty()) return {};
     const Object& base = object(document, step.onto.front());
     if (base.placement) return {};
-    return band_round(base.source, step.level, to_world(document, step.onto.front()));
+    return band_round(base.source, step.round->level, to_world(document, step.onto.front()));
 }
 
 // One plain material, as often as the shape has materials of its own.

@@ -10,7 +10,7 @@ template <> struct FieldsOf<PlaneShape> {
                                       name = "Plane";
     static void fields(auto& s, auto&& field)
     {
-        field("size", s.size, "along X and Y, metres", positive);
+        field("size", s.size, "along X and Y, metres", positive.in(Unit::metres));
         field("segments", s.segments, "along X and Y", between(1, 2000));
     }
 };
@@ -19,7 +19,7 @@ template <> struct FieldsOf<BoxShape> {
     static constexpr std::string_view verb = "add_box", summary = "Add a box.", name = "Box";
     static void fields(auto& s, auto&& field)
     {
-        field("size", s.size, "along X, Y and Z, metres", positive);
+        field("size", s.size, "along X, Y and Z, metres", positive.in(Unit::metres));
         field("segments", s.segments, "along X, Y and Z", between(1, 500));
     }
 };
@@ -29,7 +29,7 @@ template <> struct FieldsOf<SphereShape> {
                                       name = "Sphere";
     static void fields(auto& s, auto&& field)
     {
-        field("radius", s.radius, "metres", positive);
+        field("radius", s.radius, "metres", positive.in(Unit::metres));
         field("segments", s.segments, "around the axis", between(3, 2000));
         field("rings", s.rings, "from pole to pole", between(2, 1000));
     }
@@ -40,8 +40,8 @@ template <> struct FieldsOf<CylinderShape> {
                                       name = "Cylinder";
     static void fields(auto& s, auto&& field)
     {
-        field("radius", s.radius, "metres", positive);
-        field("height", s.height, "metres", positive);
+        field("radius", s.radius, "metres", positive.in(Unit::metres));
+        field("height", s.height, "metres", positive.in(Unit::metres));
         field("segments", s.segments, "around the axis", between(3, 2000));
         field("stacks", s.stacks, "along the axis", between(1, 2000));
     }
@@ -51,8 +51,8 @@ template <> struct FieldsOf<TorusShape> {
     static constexpr std::string_view verb = "add_torus", summary = "Add a torus.", name = "Torus";
     static void fields(auto& s, auto&& field)
     {
-        field("radius", s.radius, "of the middle circle, metres", positive);
-        field("tube", s.tube, "radius of the tube, metres", positive);
+        field("radius", s.radius, "of the middle circle, metres", positive.in(Unit::metres));
+        field("tube", s.tube, "radius of the tube, metres", positive.in(Unit::metres));
         field("segments", s.segments, "around the axis and round the tube", between(3, 2000));
     }
 };
@@ -62,8 +62,8 @@ template <> struct FieldsOf<MoebiusShape> {
                                       name = "Moebius band";
     static void fields(auto& s, auto&& field)
     {
-        field("radius", s.radius, "of the middle circle, metres", positive);
-        field("width", s.width, "metres", positive);
+        field("radius", s.radius, "of the middle circle, metres", positive.in(Unit::metres));
+        field("width", s.width, "metres", positive.in(Unit::metres));
         field("segments", s.segments, "around the axis and across", between(1, 2000));
     }
 };
@@ -73,7 +73,7 @@ template <> struct FieldsOf<TeapotShape> {
                                       name = "Teapot";
     static void fields(auto& s, auto&& field)
     {
-        field("height", s.height, "metres", positive);
+        field("height", s.height, "metres", positive.in(Unit::metres));
         field("resolution", s.resolution, "samples along each side of its 32 patches",
               between(1, 64));
     }

@@ -27,10 +27,12 @@ inline constexpr std::array<std::string_view, 10> choice_names<BoundMethod>{
     "composed_net_subdivided"};
 
 template <> struct FieldsOf<Refining> {
+    static constexpr std::string_view told_as = "values of [refine](#refine)";
     static void fields(auto& r, auto&& field)
     {
         field("tolerance", r.tolerance,
-              "metres that deformed flat triangles may be from the true surface", positive);
+              "metres that deformed flat triangles may be from the true surface",
+              positive.in(Unit::metres));
         field("split", r.split, "where on an edge");
         field("rule", r.rule,
               "which edges: the second is the thesis's, the third certifies nothing; both are for "

@@ -12,12 +12,13 @@ template <>
 inline constexpr std::array<std::string_view, 3> choice_names<VolumeAxis>{"along", "across", "up"};
 
 template <> struct FieldsOf<Press> {
+    static constexpr std::string_view told_as = "values of [press](#press)";
     static void fields(auto& p, auto&& field)
     {
         field("decay", p.decay,
               "how the press falls off to the rim of the ball: bell-shaped, straight, not at all, "
               "or smooth at the rim");
-        field("radius", p.radius, "of the ball, metres", positive);
+        field("radius", p.radius, "of the ball, metres", positive.in(Unit::metres));
         field("samples", p.samples,
               "where the ball presses and how far, [u, v, w, metres] each; u, v, w are the "
               "volume's, 0 to 1; negative metres pull",
@@ -28,22 +29,24 @@ template <> struct FieldsOf<Press> {
     }
 };
 template <> struct FieldsOf<PointShift> {
+    static constexpr std::string_view told_as = "values of [move_points](#move_points)";
     static void fields(auto& s, auto&& field)
     {
         field("points", s.points,
               "control points by their numbers along, across and up, from 0; the first says which "
               "way along, across and up are",
-              required);
-        field("by", s.by, "metres along, across and up", required);
+              required.without_keys());
+        field("by", s.by, "metres along, across and up", required.in(Unit::metres));
         field("mirror", s.mirror, "those on the other side of the middle go the other way across");
         field("guard", s.guard, "no further than is proven not to fold the volume");
         field("of", s.of,
               "how many control points the volume has along, across and up: where it has others, "
               "the step is passed over; zeros: whichever there are",
-              later);
+              later.without_keys());
     }
 };
 template <> struct FieldsOf<KnotInsertion> {
+    static constexpr std::string_view told_as = "values of [insert_knots](#insert_knots)";
     static void fields(auto& k, auto&& field)
     {
         field("along", k.along,
@@ -53,6 +56,7 @@ template <> struct FieldsOf<KnotInsertion> {
     }
 };
 template <> struct FieldsOf<Coarsening> {
+    static constexpr std::string_view told_as = "values of [coarsen_volume](#coarsen_volume)";
     static void fields(auto& c, auto&& field)
     {
         field("axis", c.axis, "along the stroke, across it or up from the scene");
@@ -60,9 +64,11 @@ template <> struct FieldsOf<Coarsening> {
     }
 };
 template <> struct FieldsOf<Mending> {
+    static constexpr std::string_view told_as = "nothing inside: `{}`";
     static void fields(auto&, auto&&) {}
 };
 template <> struct FieldsOf<VolumePart> {
+    static constexpr std::string_view told_as = "[part](#part)";
     static void fields(auto& b, auto&& field)
     {
         field("lo", b.lo, "u, v and w of its lower corner, 0 to 1", required);
@@ -70,6 +76,7 @@ template <> struct FieldsOf<VolumePart> {
     }
 };
 template <> struct FieldsOf<FoldAllowance> {
+    static constexpr std::string_view told_as = "values of [allow_folds](#allow_folds)";
     static void fields(auto& a, auto&& field)
     {
         field(
@@ -79,6 +86,7 @@ template <> struct FieldsOf<FoldAllowance> {
     }
 };
 template <> struct FieldsOf<VolumeEdit> {
+    static constexpr std::string_view told_as = "[step](#step)";
     static void fields(auto& e, auto&& field)
     {
         field("press", e.press, "a ball pressed into it");

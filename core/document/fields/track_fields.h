@@ -13,6 +13,7 @@ inline constexpr std::array<std::string_view, 3> choice_names<Repeat>{"once", "l
                                                                       "back_and_forth"};
 
 template <> struct FieldsOf<Key> {
+    static constexpr std::string_view told_as = "[key](#key)";
     static void fields(auto& k, auto&& field)
     {
         field("frame", k.frame, "when, between two frames too", required_between(-1e6, 1e6));
@@ -31,6 +32,7 @@ template <> struct FieldsOf<Key> {
 };
 
 template <> struct FieldsOf<Track> {
+    static constexpr std::string_view told_as = "[track](#track)";
     static void fields(auto& t, auto&& field)
     {
         field("parameter", t.parameter,
