@@ -55,6 +55,8 @@ Document applied(Document document, const MendVolume& command);
 Document applied(Document document, const AllowFolds& command);
 Document applied(Document document, const Unshape& command);
 Document applied(Document document, const Paste& command);
+Document applied(Document document, const AddLattice& command);
+Document applied(Document document, const SetLattice& command);
 
 // The ids of a list. Throws Rejected if it is empty, an object does not exist or is named twice.
 std::set<Id> distinct(const Document& document, const std::vector<Id>& ids);
@@ -77,6 +79,12 @@ Document with_all_changed(Document document, const std::vector<Id>& ids, auto&& 
 
 // Throws Rejected where the object lies on no stroke.
 void check_placed(const Object& object, Id id);
+// Throws Rejected where the object neither lies on a stroke nor is a lattice.
+void check_has_volume(const Object& object, Id id);
+// Throws Rejected for control points that no lattice can have.
+void check_lattice(const LatticeShape& shape);
+// The document with `holder` as the parent of those objects, which stay where they stand.
+Document with_parent_of(Document document, const std::vector<Id>& objects, Object holder);
 // Throws Rejected for what no step of shaping can be, whatever the volume.
 void check(const VolumeEdit& edit);
 void check(const Refining& refining);

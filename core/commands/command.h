@@ -4,6 +4,7 @@
 #include "core/commands/animate.h"
 #include "core/commands/arrange.h"
 #include "core/commands/import.h"
+#include "core/commands/lattice.h"
 #include "core/commands/material.h"
 #include "core/commands/paste.h"
 #include "core/commands/place.h"
@@ -36,7 +37,7 @@ using AnyCommand =
                  Group, Ungroup, Reorder, Place, PlaceRound, EditPlacement, Unplace, SetTravel,
                  PlayClip, Animate, Refine, ClearRefine, PressVolume, MovePoints, InsertKnots,
                  CoarsenVolume, MendVolume, AllowFolds, Unshape, Paste, SaveCamera, DeleteCamera,
-                 SetRender, SetTime>;
+                 SetRender, SetTime, AddLattice, SetLattice>;
 
 // Everything that a person can do to a document, by value. It is a variant, to be visited as one,
 // whose copying and comparing of 47 kinds is compiled once rather than wherever one is copied.

@@ -66,29 +66,34 @@ void check_depth(const Document& document, Id group)
     for (const Id id : with_contents(document, {group})) check_own_depth(document, id);
 }
 
-Document applied(Document document, const Group& command)
+Document with_parent_of(Document document, const std::vector<Id>& objects, Object holder)
 {
-    if (command.name.empty()) throw Rejected("field \"name\" is empty");
-    const std::vector<Id> members = outermost(document, command.objects);
-    Id parent = object(document, members.front()).parent;
+    if (holder.name.empty()) throw Rejected("field \"name\" is empty");
+    const std::vector<Id> members = outermost(document, objects);
+    holder.parent = object(document, members.front()).parent;
     for (const Id id : members)
-        if (object(document, id).parent != parent) parent = 0;
+        if (object(document, id).parent != holder.parent) holder.parent = 0;
     const Id group = document.next_id;
-    document = with_added(std::move(document), {.name = command.name,
-                                                .source = GroupShape{},
-                                                .transform = {},
-                                                .surfacing = {},
-                                                .parent = parent,
-                                                .placement = {}});
+    document = with_added(std::move(document), std::move(holder));
     for (const Id id : members) document = hung(std::move(document), id, group);
     check_depth(document, group);
     return document;
 }
 
+Document applied(Document document, const Group& command)
+{
+    return with_parent_of(std::move(document), command.objects,
+                          {.name = command.name,
+                           .source = GroupShape{},
+                           .transform = {},
+                           .surfacing = {},
+                           .placement = {}});
+}
+
 Document applied(Document document, const Ungroup& command)
 {
     const Object& group = object(document, command.object);
-    if (!std::holds_alternative<GroupShape>(group.source))
+    if (!holds_others(group.source))
         throw Rejected(fmt::format("object {} ({}) is no group", command.object, group.name));
     const Id parent = group.parent;
     std::vector<Id> members;
@@ -106,7 +111,7 @@ Document applied(Document document, const Reorder& command)
     const Id parent = command.parent, before = command.before;
     if (parent != 0) {
         const Object& group = object(document, parent);
-        if (!std::holds_alternative<GroupShape>(group.source))
+        if (!holds_others(group.source))
             throw Rejected(fmt::format("object {} ({}) is no group", parent, group.name));
         for (Id id = parent; id != 0; id = object(document, id).parent)
             if (moves(id))

@@ -11,7 +11,7 @@ Document with_surfacing(Document document, const std::vector<Id>& ids,
                         const std::optional<Surfacing>& surfacing)
 {
     for (const Id id : distinct(document, ids))
-        if (const Object& o = object(document, id); std::holds_alternative<GroupShape>(o.source))
+        if (const Object& o = object(document, id); holds_others(o.source))
             throw Rejected(fmt::format(
                 "object {} ({}) is a group; give materials to the objects in it", id, o.name));
     return with_all_changed(std::move(document), ids, [&](Object& o) { o.surfacing = surfacing; });

@@ -28,6 +28,7 @@ void each_shape(auto& copy, auto&& visit)
     visit(copy.moebius);
     visit(copy.teapot);
     visit(copy.text);
+    visit(copy.lattice);
 }
 
 Source source_of(const CopiedObject& copy)
@@ -45,7 +46,22 @@ Source source_of(const CopiedObject& copy)
     if (const auto* file = std::get_if<ImportedFile>(&source); file && file->path.empty())
         throw Rejected("field \"path\" names no file");
     if (const auto* text = std::get_if<TextShape>(&source)) check_text(*text);
+    if (const auto* lattice = std::get_if<LatticeShape>(&source)) check_lattice(*lattice);
     return source;
+}
+
+// What was done to its volume. Throws Rejected where that cannot be.
+std::vector<Ref<VolumeEdit>> as_refs(const CopiedObject& copy)
+{
+    if (copy.shaping.size() > most_shaping_steps)
+        throw Rejected(fmt::format("field \"shaping\": {} is shaped in {} steps; {} are the most",
+                                   copy.name, copy.shaping.size(), most_shaping_steps));
+    std::vector<Ref<VolumeEdit>> out;
+    for (const VolumeEdit& edit : copy.shaping) {
+        check(edit);
+        out.push_back(make_ref(edit));
+    }
+    return out;
 }
 
 Object object_of(const CopiedObject& copy, const Document& document, const CopiedIds& made)
@@ -56,8 +72,7 @@ Object object_of(const CopiedObject& copy, const Document& document, const Copie
     if (copy.parent != 0 && parent == made.end())
         throw Rejected(
             fmt::format("field \"parent\": no object {} comes before {}", copy.parent, copy.name));
-    if (copy.parent != 0 &&
-        !std::holds_alternative<GroupShape>(object(document, parent->second).source))
+    if (copy.parent != 0 && !holds_others(object(document, parent->second).source))
         throw Rejected(fmt::format("field \"parent\": object {} is no group", copy.parent));
     return {.name = copy.name,
             .source = source_of(copy),
@@ -67,6 +82,7 @@ Object object_of(const CopiedObject& copy, const Document& document, const Copie
             .hidden = copy.hidden,
             .locked = copy.locked,
             .placement = {},
+            .shaping = copy.lattice ? as_refs(copy) : std::vector<Ref<VolumeEdit>>{},
             .playing = copy.file && copy.playing ? *copy.playing : Playing{}};
 }
 
@@ -103,13 +119,9 @@ Document laid(Document document, Id id, const CopiedObject& copy, const std::vec
         document = applied(std::move(document), Place{id, p.sketch, p.parameters, bases});
     else
         return document;
-    for (const VolumeEdit& edit : copy.shaping) check(edit);
-    if (copy.shaping.size() > most_shaping_steps)
-        throw Rejected(fmt::format("field \"shaping\": {} is shaped in {} steps; {} are the most",
-                                   copy.name, copy.shaping.size(), most_shaping_steps));
     if (copy.refining) check(*copy.refining);
     document = with_changed(std::move(document), id, [&](Object& o) {
-        for (const VolumeEdit& edit : copy.shaping) o.shaping.push_back(make_ref(edit));
+        o.shaping = as_refs(copy);
         o.refining = copy.refining;
     });
     if (!copy.travel) return document;
@@ -148,6 +160,7 @@ CopiedObject copy_of(const Document& document, Id id, bool inside, const std::st
     copy.material = each.surfacing;
     if (copy.file && each.playing != Playing{}) copy.playing = each.playing;
     copy.tracks = each.tracks;
+    for (const Ref<VolumeEdit>& edit : each.shaping) copy.shaping.push_back(*edit);
     if (!each.placement) return copy;
     copy.placement = {each.placement->sketch,
                       each.placement->parameters,
@@ -156,7 +169,6 @@ CopiedObject copy_of(const Document& document, Id id, bool inside, const std::st
                       each.placement->round ? each.placement->round->level : 0};
     for (const Id base : each.placement->onto)
         copy.placement->onto.push_back({base, object(document, base).name});
-    for (const Ref<VolumeEdit>& edit : each.shaping) copy.shaping.push_back(*edit);
     copy.refining = each.refining;
     if (each.travel != Travel{}) copy.travel = each.travel;
     return copy;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/commands/import.h"
+#include "core/commands/lattice.h"
 #include "core/commands/material.h"
 #include "core/commands/place.h"
 #include "core/commands/play.h"
@@ -46,6 +47,7 @@ struct CopiedObject {
     std::optional<MoebiusShape> moebius;
     std::optional<TeapotShape> teapot;
     std::optional<TextShape> text = {};
+    std::optional<LatticeShape> lattice = {};
     Transform transform;
     Id parent = 0;
     bool hidden = false, locked = false;
@@ -93,6 +95,7 @@ template <> struct FieldsOf<CopiedObject> {
         field("moebius", c.moebius, "its shape, as of add_moebius");
         field("teapot", c.teapot, "its shape, as of add_teapot");
         field("text", c.text, "its shape, as of add_text");
+        field("lattice", c.lattice, "its box of control points, as of add_lattice");
         field("transform", c.transform, "where it stands, in its group if that is copied too");
         field("parent", c.parent,
               "id of the copied group it is in, which comes before it; 0: none");

@@ -32,7 +32,7 @@ std::set<Id> lying_on(const Document& document, Id id)
 
 bool is_group(const Object& o)
 {
-    return std::holds_alternative<GroupShape>(o.source);
+    return holds_others(o.source);
 }
 
 // More than any stroke meets; each placement remembers its whole list.
@@ -107,6 +107,14 @@ void check_parameters(const PlacementParameters& p)
 }
 
 } // namespace
+
+void check_has_volume(const Object& o, Id id)
+{
+    if (!o.placement && !std::holds_alternative<LatticeShape>(o.source))
+        throw Rejected(fmt::format("object {} ({}) has no volume; place it on a stroke, or put a "
+                                   "lattice round it",
+                                   id, o.name));
+}
 
 void check_placed(const Object& o, Id id)
 {

@@ -12,7 +12,7 @@ template <class Shape> struct AddShape {
                                       summary = FieldsOf<Shape>::summary;
     std::string name{FieldsOf<Shape>::name};
     Shape shape;
-    Transform transform;
+    Transform transform = {};
     std::optional<Surfacing> material = {};
     bool operator==(const AddShape&) const = default;
     static void fields(auto& c, auto&& field)

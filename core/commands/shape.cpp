@@ -13,7 +13,7 @@ namespace {
 Document shaped(Document document, Id id, VolumeEdit edit)
 {
     const Object& o = object(document, id);
-    check_placed(o, id);
+    check_has_volume(o, id);
     if (o.shaping.size() >= most_shaping_steps)
         throw Rejected(fmt::format("object {} ({}) is shaped in {} steps already; take some back",
                                    id, o.name, most_shaping_steps));
@@ -99,7 +99,7 @@ Document applied(Document document, const AllowFolds& command)
 Document applied(Document document, const Unshape& command)
 {
     const Object& o = object(document, command.object);
-    check_placed(o, command.object);
+    check_has_volume(o, command.object);
     std::vector<Ref<VolumeEdit>> left;
     for (const int step : command.steps)
         if (static_cast<std::size_t>(step) > o.shaping.size())

@@ -430,6 +430,18 @@ struct Titles {
     {
         return title_of_changes(changes(*before.render, c.settings), "Picture settings", {});
     }
+    StepTitle operator()(const AddLattice& c) const
+    {
+        return {"Put a lattice round " + names_in(before, c.objects),
+                value_words(c.shape.grid, any_value)};
+    }
+    StepTitle operator()(const SetLattice& c) const
+    {
+        const Object* object = was(c.object);
+        const auto* old = object ? std::get_if<LatticeShape>(&object->source) : nullptr;
+        return title_of_changes(old ? changes(*old, c.shape) : Changes{}, "Lattice",
+                                name_in(before, c.object));
+    }
     StepTitle operator()(const SetTime& c) const
     {
         return title_of_changes(changes(before.time, c.time), "Frames", {});

@@ -5,6 +5,7 @@
 #include "core/base/parallel.h"
 #include "core/document/band.h"
 #include "core/document/parameters.h"
+#include "core/evaluation/in_lattices.h"
 #include "core/evaluation/laying.h"
 #include "core/evaluation/posing.h"
 #include "core/evaluation/refining.h"
@@ -16,28 +17,37 @@
 namespace trivar {
 namespace {
 
-// The objects to evaluate, each after those it lies on: the visible ones and what carries them.
+// What an object lies on, and the lattices that bend it.
+std::vector<Id> comes_from(const Document& document, Id id)
+{
+    std::vector<Id> out = lattices_round(document, id);
+    if (const Object& o = object(document, id); o.placement)
+        out.insert(out.end(), o.placement->onto.begin(), o.placement->onto.end());
+    return out;
+}
+
+// The objects to evaluate, each after those it comes from: the visible ones and what carries them.
 // Not recursive, for a hostile file may stack objects by the thousand.
 std::vector<Id> order_of(const Document& document)
 {
     struct Open {
         Id id;
         std::size_t next;
+        std::vector<Id> before;
     };
     std::vector<Id> order;
     std::set<Id> seen;
     std::vector<Open> open;
     for (const auto& [root, ref] : document.objects) {
         if (!visible(document, root) || !seen.insert(root).second) continue;
-        open.push_back({root, 0});
+        open.push_back({root, 0, comes_from(document, root)});
         while (!open.empty()) {
-            const Object& o = object(document, open.back().id);
-            const std::size_t next = open.back().next++;
-            if (!o.placement || next >= o.placement->onto.size()) {
-                order.push_back(open.back().id);
+            Open& last = open.back();
+            if (last.next >= last.before.size()) {
+                order.push_back(last.id);
                 open.pop_back();
-            } else if (const Id lower = o.placement->onto[next]; seen.insert(lower).second)
-                open.push_back({lower, 0});
+            } else if (const Id before = last.before[last.next++]; seen.insert(before).second)
+                open.push_back({before, 0, comes_from(document, before)});
         }
     }
     return order;
@@ -73,10 +83,27 @@ struct Causes { // all that one evaluated object comes from
     glm::dmat4 to_world{1};
     std::optional<Surfacing> surfacing;
     bool feet_on_nothing = false; // they are to be locked to a travel, and there is no stroke
+    std::vector<Ref<ShapedVolume>> lattices = {}; // that it stands in, the innermost first
+    Ref<ShapedVolume> box = nullptr;              // its own, where it is a lattice
     bool operator==(const Causes&) const = default;
 };
 
-EvaluatedObject evaluated_object(Id id, const Causes& causes)
+void tell_of_steps(const ShapedVolume& shaped, std::vector<std::string>& notices)
+{
+    for (std::size_t i = 0; i < shaped.steps.size(); ++i)
+        if (const std::string& notice = shaped.steps[i].notice; !notice.empty())
+            notices.push_back(fmt::format("step {} of its shaping: {}", i + 1, notice));
+}
+
+void add_control_points(Box& box, const Lattice& volume)
+{
+    const std::array<Knots, 3>& axes = volume.displacement.axes;
+    for (int i = 0; i < axes[0].count(); ++i)
+        for (int j = 0; j < axes[1].count(); ++j)
+            for (int k = 0; k < axes[2].count(); ++k) box.add(control_point(volume, i, j, k));
+}
+
+EvaluatedObject evaluated_object(Id id, const Causes& causes, InLattices& in_lattices)
 {
     EvaluatedObject result;
     result.id = id;
@@ -100,15 +127,17 @@ EvaluatedObject evaluated_object(Id id, const Causes& causes)
                 "it fills its whole stroke and has no room to travel; make its fill smaller");
         const std::vector<std::string> more = causes.laid->placement->report.all_notices();
         result.notices.insert(result.notices.end(), more.begin(), more.end());
-        if (result.shaped)
-            for (std::size_t i = 0; i < result.shaped->steps.size(); ++i)
-                if (const std::string& notice = result.shaped->steps[i].notice; !notice.empty())
-                    result.notices.push_back(
-                        fmt::format("step {} of its shaping: {}", i + 1, notice));
+        if (result.shaped) tell_of_steps(*result.shaped, result.notices);
     } else
         for (const Shape::Hung& hung : causes.shape->meshes)
             result.parts.push_back({hung.rest, causes.to_world * hung.to_model, hung.posed, nullptr,
                                     static_cast<int>(result.parts.size())});
+    if (causes.box) {
+        result.placement = causes.box->placement;
+        result.shaped = causes.box;
+        tell_of_steps(*causes.box, result.notices);
+    }
+    result.parts = in_lattices(std::move(result.parts), causes.lattices);
     if (causes.feet_on_nothing)
         result.notices.emplace_back("its feet are locked to its travel, and it lies on no stroke");
     if (causes.laid && !causes.laid->rejected.empty()) {
@@ -117,9 +146,10 @@ EvaluatedObject evaluated_object(Id id, const Causes& causes)
     }
     result.materials = causes.surfacing ? surfaced(*causes.shape->materials, *causes.surfacing)
                                         : causes.shape->materials;
-    result.bounds = Lazy<Box>([parts = result.parts] {
+    result.bounds = Lazy<Box>([parts = result.parts, volume = causes.box] {
         Box box;
         for (const Part& part : parts) box.add(bounding_box(*part.mesh(), part.to_world));
+        if (volume) add_control_points(box, *volume->volume->volume);
         return box;
     });
     return result;
@@ -171,6 +201,8 @@ struct Evaluator::Cache {
         Posing posing;
         RefiningLaid refining;
         Walking walking;
+        BoxVolume box;
+        InLattices in_lattices;
         // What is laid, and all that follow it, as they have gone and stand by then.
         Ref<Laid> gone(const Object& o, const Ref<Laid>& laid, double playing_s,
                        double travelling_s);
@@ -246,6 +278,11 @@ Evaluated Evaluator::operator()(const Document& still, double frame, const Progr
         Causes causes{posed, nullptr, to_world(document, id), ref->surfacing};
         causes.feet_on_nothing =
             !ref->placement && ref->playing.foot_lock && !ref->playing.clip.empty();
+        if (const auto* lattice = std::get_if<LatticeShape>(&ref->source))
+            causes.box =
+                kept.box(*lattice, ref->shaping, causes.to_world, result.timings, progress);
+        for (const Id round : lattices_round(document, id))
+            causes.lattices.push_back(done.at(round)->shaped);
         if (ref->placement) {
             const auto laid_on = [&](const std::vector<Support>& supports) {
                 return kept.laying(kept.shape, glm::dmat3(ref->transform.matrix()), *ref->placement,
@@ -271,7 +308,7 @@ Evaluated Evaluator::operator()(const Document& still, double frame, const Progr
         if (found != results.end())
             std::rotate(results.begin(), found, found + 1);
         else {
-            Ref<EvaluatedObject> fresh = make_ref(evaluated_object(id, causes));
+            Ref<EvaluatedObject> fresh = make_ref(evaluated_object(id, causes, kept.in_lattices));
             results.insert(results.begin(), {std::move(causes), std::move(fresh)});
             constexpr std::size_t kept_results = 3; // as Laying keeps
             if (results.size() > kept_results) results.pop_back();

@@ -22,22 +22,6 @@ Box box_of(const Shape& shape, const glm::dmat3& turned)
     return box;
 }
 
-Part in_volume(Part part, const Embedding& embedding, const Ref<Lattice>& volume,
-               const Lazy<Deformer>& deformer)
-{
-    const Lazy<Ref<Mesh>> out([=] { return make_ref((*deformer)(*volume)); });
-    part.to_world = glm::dmat4(1);
-    part.bent = make_ref(Bent{embedding, volume, out});
-    return part;
-}
-
-Lazy<Deformer> sorted_into(const Lattice& volume, const Part& part, const Embedding& embedding)
-{
-    return Lazy<Deformer>([=, axes = volume.displacement.axes] {
-        return Deformer(part.before_volume(), embedding, axes);
-    });
-}
-
 // The shape's meshes before they are laid, and from each to the box of the model.
 struct Standing {
     Part part;
@@ -198,23 +182,10 @@ void Laying::bend(Laid& laid, const Shape& shape, const glm::dmat3& turned)
     laid.parts.clear();
     const Embedding& embedding = laid.placement->embedding;
     const Ref<Lattice> volume(laid.placement, &laid.placement->volume);
-    std::vector<Sorted> used;
+    bending_.begin();
     for (const Standing& each : standing(shape, turned))
-        laid.parts.push_back(deformed(each.part, embedded(embedding, each.to_box), volume, used));
-    sorted_ = std::move(used);
-}
-
-Part Laying::deformed(const Part& part, const Embedding& embedding, const Ref<Lattice>& volume,
-                      std::vector<Sorted>& used) const
-{
-    const std::array<Knots, 3>& axes = volume->displacement.axes;
-    const auto found = std::ranges::find_if(sorted_, [&](const Sorted& s) {
-        return s.part == part && s.embedding == embedding && s.axes == axes;
-    });
-    used.push_back(found != sorted_.end()
-                       ? *found
-                       : Sorted{part, embedding, axes, sorted_into(*volume, part, embedding)});
-    return in_volume(part, embedding, volume, used.back().deformer);
+        laid.parts.push_back(bending_(each.part, embedded(embedding, each.to_box), volume));
+    bending_.end();
 }
 
 Ref<Journey> Laying::journey(const Ref<Laid>& at_rest, const Travel& travel,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/evaluation/bending.h"
 #include "core/evaluation/evaluate.h"
 #include "core/evaluation/shapes.h"
 #include "core/placement/round.h"
@@ -93,12 +94,6 @@ private:
         Ref<Placement> unshaped; // null: rejected
         Ref<Laid> laid;
     };
-    struct Sorted {
-        Part part;
-        Embedding embedding;
-        std::array<Knots, 3> axes;
-        Lazy<Deformer> deformer;
-    };
     Ref<RayScene> scene_of(const std::vector<Support>& supports, RayMeshes& ray_meshes,
                            Timings& timings);
     struct Moved {
@@ -109,14 +104,12 @@ private:
         Ref<Laid> laid;
     };
     void bend(Laid& laid, const Shape& shape, const glm::dmat3& turned);
-    Part deformed(const Part& part, const Embedding& embedding, const Ref<Lattice>& volume,
-                  std::vector<Sorted>& used) const;
 
     std::vector<Known> known_; // the latest first
     Shaper shaper_;
     std::vector<Support> scene_supports_;
     Ref<RayScene> scene_;
-    std::vector<Sorted> sorted_;
+    Bending bending_;
     std::vector<Moved> moved_;                                 // the latest first
     std::vector<std::pair<Ref<Laid>, Ref<Journey>>> journeys_; // the latest first
 };

@@ -18,6 +18,10 @@ Model primitive(const GroupShape&)
 {
     return {};
 }
+Model primitive(const LatticeShape&)
+{
+    return {};
+}
 Model primitive(const ImportedFile&)
 {
     return {};

@@ -70,6 +70,8 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Forget front",
         "Look clay",
         "Frames 3 values",
+        "Put a lattice round Ball 4 × 4 × 4",
+        "Density of Lattice 4 × 4 × 6",
     };
     const std::vector<Command> commands = testing::fitting_commands();
     ASSERT_EQ(commands.size(), expected.size());

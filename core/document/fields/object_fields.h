@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/document/fields/import_fields.h"
+#include "core/document/fields/lattice_fields.h"
 #include "core/document/fields/placement_fields.h"
 #include "core/document/fields/playing_fields.h"
 #include "core/document/fields/primitive_fields.h"
