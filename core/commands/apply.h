@@ -54,6 +54,7 @@ Document applied(Document document, const CoarsenVolume& command);
 Document applied(Document document, const MendVolume& command);
 Document applied(Document document, const AllowFolds& command);
 Document applied(Document document, const Unshape& command);
+Document applied(Document document, const WarpVolume& command);
 Document applied(Document document, const Paste& command);
 Document applied(Document document, const AddLattice& command);
 Document applied(Document document, const SetLattice& command);

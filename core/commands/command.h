@@ -37,7 +37,7 @@ using AnyCommand =
                  Group, Ungroup, Reorder, Place, PlaceRound, EditPlacement, Unplace, SetTravel,
                  PlayClip, Animate, Refine, ClearRefine, PressVolume, MovePoints, InsertKnots,
                  CoarsenVolume, MendVolume, AllowFolds, Unshape, Paste, SaveCamera, DeleteCamera,
-                 SetRender, SetTime, AddLattice, SetLattice>;
+                 SetRender, SetTime, AddLattice, SetLattice, WarpVolume>;
 
 // Everything that a person can do to a document, by value. It is a variant, to be visited as one,
 // whose copying and comparing of 47 kinds is compiled once rather than wherever one is copied.

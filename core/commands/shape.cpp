@@ -28,8 +28,9 @@ void check(const VolumeEdit& edit)
 {
     const int kinds = int{edit.press.has_value()} + int{edit.shift.has_value()} +
                       int{edit.insertion.has_value()} + int{edit.coarsening.has_value()} +
-                      int{edit.mending.has_value()} + int{edit.allowance.has_value()};
-    if (kinds != 1) throw Rejected("a step of shaping is one of its six kinds, not more or less");
+                      int{edit.mending.has_value()} + int{edit.allowance.has_value()} +
+                      int{edit.warp.has_value()};
+    if (kinds != 1) throw Rejected("a step of shaping is one of its seven kinds, not more or less");
     if (edit.press) check(*edit.press);
     if (edit.shift && edit.shift->points.empty())
         throw Rejected("field \"points\" is empty; name the control points that move");
@@ -94,6 +95,15 @@ Document applied(Document document, const AllowFolds& command)
     VolumeEdit edit{.allowance = command.allowance};
     check(edit);
     return shaped(std::move(document), command.object, std::move(edit));
+}
+
+Document applied(Document document, const WarpVolume& command)
+{
+    const Object& lattice = object(document, command.object);
+    if (!std::holds_alternative<LatticeShape>(lattice.source))
+        throw Rejected(
+            fmt::format("field \"object\": {} ({}) is no lattice", command.object, lattice.name));
+    return shaped(std::move(document), command.object, {.warp = command.warp});
 }
 
 Document applied(Document document, const Unshape& command)

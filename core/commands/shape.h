@@ -81,6 +81,19 @@ struct AllowFolds {
         FieldsOf<FoldAllowance>::fields(c.allowance, field);
     }
 };
+struct WarpVolume {
+    static constexpr std::string_view verb = "warp_volume",
+                                      summary = "Twist, bend, taper, shear or bulge a lattice as "
+                                                "a whole.";
+    Id object = 0;
+    Warp warp;
+    bool operator==(const WarpVolume&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("object", c.object, "id of a lattice", required);
+        FieldsOf<Warp>::fields(c.warp, field);
+    }
+};
 struct Unshape {
     static constexpr std::string_view verb = "unshape",
                                       summary = "Take steps back that shaped the volume of a "

@@ -409,6 +409,13 @@ struct Titles {
         if (c.allowance.boxes.empty()) return {"Let " + name + " fold nowhere", {}};
         return {"Let " + name + " fold in places", {}};
     }
+    StepTitle operator()(const WarpVolume& c) const
+    {
+        const Changes found = changes(Warp{.axis = c.warp.axis}, c.warp);
+        const std::string name = name_in(before, c.object);
+        if (found.size() != 1) return title_of_changes(found, "Bend", name);
+        return {found[0].name + " " + name, found[0].value};
+    }
     StepTitle operator()(const Unshape& c) const
     {
         return {"Take back the shaping of " + name_in(before, c.object), {}};

@@ -6,6 +6,7 @@
 #include "core/ffd/resolution.h"
 #include "core/placement/finish.h"
 #include "core/placement/level_surface.h"
+#include "core/placement/warping.h"
 
 #include <algorithm>
 #include <cmath>
@@ -268,6 +269,13 @@ Shaper::Done Shaper::done(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>& be
             what.asked = what.done;
         }
         if (edit->mending) after = mended(after, what, progress);
+        if (edit->warp) {
+            Warped bent = warped(after, *edit->warp);
+            after = std::move(bent.volume);
+            what.done = bent.moved;
+            what.asked = bent.share > 0 ? bent.moved / bent.share : bent.moved;
+            what.would_fold = bent.share < 1;
+        }
         if (edit->allowance) after = allowing(std::move(after), edit->allowance->boxes);
         return {edit, make_ref(std::move(after)), what};
     } catch (const Rejected& error) {

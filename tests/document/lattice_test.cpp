@@ -164,6 +164,42 @@ TEST(Lattices, MoveInTimeWithKeysOnTheirPoints)
     EXPECT_GT(highest(25), highest(13) + 0.01);
 }
 
+TEST(Lattices, AreTwistedAsAWhole)
+{
+    const Document twisted =
+        after(ball_in_box({.grid = {6, 6, 12}}), WarpVolume{2, {.twist_deg = 90}});
+    const Lattice volume = all_of(twisted).objects.at(2)->placement->volume;
+    const glm::dvec3 top = evaluate(volume, {1, 0.5, 1}).value,
+                     low = evaluate(volume, {1, 0.5, 0}).value;
+    EXPECT_LT(glm::length(top - glm::dvec3(0.5 * std::sqrt(0.5), 0.5 * std::sqrt(0.5), 0.5)), 1e-9);
+    EXPECT_LT(glm::length(low - glm::dvec3(0.5 * std::sqrt(0.5), -0.5 * std::sqrt(0.5), -0.5)),
+              1e-9);
+    const Ref<ShapedVolume> shaped = all_of(twisted).objects.at(2)->shaped;
+    EXPECT_FALSE(shaped->steps.at(0).would_fold);
+    EXPECT_TRUE(shaped->volume->verdicts->good());
+}
+
+TEST(Lattices, AreBentAlongAnArcOfTheirOwnLength)
+{
+    const Document bent =
+        after(ball_in_box({.grid = {4, 4, 40}}), WarpVolume{2, {.bend_deg = 90}});
+    const Lattice volume = all_of(bent).objects.at(2)->placement->volume;
+    const double radius = 2 / 3.14159265358979;
+    for (int i = 0; i <= 20; ++i) {
+        const double t = i / 20.0, angle = (t - 0.5) * 3.14159265358979 / 2;
+        const glm::dvec3 arc(radius - radius * std::cos(angle), 0, radius * std::sin(angle));
+        EXPECT_LT(glm::length(evaluate(volume, {0.5, 0.5, t}).value - arc), 2e-3);
+    }
+}
+
+TEST(Lattices, AreBentNoFurtherThanIsProvenNotToFold)
+{
+    const Document bent = after(ball_in_box({.grid = {4, 4, 8}}), WarpVolume{2, {.taper = -1}});
+    const Ref<ShapedVolume> shaped = all_of(bent).objects.at(2)->shaped;
+    EXPECT_TRUE(shaped->steps.at(0).would_fold);
+    EXPECT_TRUE(shaped->volume->verdicts->good());
+}
+
 TEST(Lattices, ComeWithTheirStepsWhenTheyAreCopied)
 {
     const Document bent = after(ball_in_box(), lift(2, {1, 1, 3}, 0.2));
@@ -185,6 +221,7 @@ TEST(Lattices, RefuseWhatCannotBeInASentence)
     refused(AddLattice{.objects = {1}, .shape = {.size = {1, 1, 0}}}, "above 0");
     refused(SetLattice{.object = 1}, "is no lattice");
     refused(Reorder{.objects = {2}, .parent = 2}, "cannot be in itself");
+    refused(WarpVolume{1, {.twist_deg = 5}}, "is no lattice");
     refused(SetMaterial{{2}, {}}, "group");
 }
 

@@ -72,6 +72,7 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Frames 3 values",
         "Put a lattice round Ball 4 × 4 × 4",
         "Density of Lattice 4 × 4 × 6",
+        "Twist Lattice 30°",
     };
     const std::vector<Command> commands = testing::fitting_commands();
     ASSERT_EQ(commands.size(), expected.size());

@@ -85,6 +85,26 @@ template <> struct FieldsOf<FoldAllowance> {
             "more");
     }
 };
+template <> struct FieldsOf<Warp> {
+    static constexpr std::string_view told_as = "values of [warp_volume](#warp_volume)";
+    static void fields(auto& w, auto&& field)
+    {
+        field("axis", w.axis, "the axis of the box that it goes along: X, Y or Z",
+              any_value.without_keys());
+        field("twist_deg", w.twist_deg, "degrees from one end to the other, about the axis",
+              between(-3600, 3600).in(Unit::degrees));
+        field("bend_deg", w.bend_deg, "degrees that the axis turns from one end to the other",
+              between(-720, 720).in(Unit::degrees));
+        field("toward_deg", w.toward_deg,
+              "the side to which it is bent and sheared, degrees about the axis",
+              between(-360, 360).called("Toward").in(Unit::degrees));
+        field("taper", w.taper, "the far end is 1 + this times as wide", between(-1, 100));
+        field("shear", w.shear, "how far the far end goes to the side, in lengths of the box",
+              between(-100, 100));
+        field("bulge", w.bulge, "the middle is 1 + this times as wide", between(-1, 100));
+        field("guard", w.guard, "no more of it than is proven not to fold the volume");
+    }
+};
 template <> struct FieldsOf<VolumeEdit> {
     static constexpr std::string_view told_as = "[step](#step)";
     static void fields(auto& e, auto&& field)
@@ -95,6 +115,7 @@ template <> struct FieldsOf<VolumeEdit> {
         field("coarsening", e.coarsening, "fewer control points");
         field("mending", e.mending, "the smallest change after which nothing folds");
         field("allowance", e.allowance, "where it may fold from then on", later);
+        field("warp", e.warp, "a box twisted, bent, tapered, sheared or bulged", later);
     }
 };
 
