@@ -2,7 +2,7 @@
 #include "core/export/animated_files.h"
 
 #include "core/base/rejected.h"
-#include "core/document/certificate.h"
+#include "core/export/certificate.h"
 #include "core/export/point_cache.h"
 #include "core/export/usd_writer.h"
 #include "core/files/file_bytes.h"

@@ -2,7 +2,7 @@
 #include "editor/command_line/command_line.h"
 
 #include "core/base/rejected.h"
-#include "core/document/command.h"
+#include "core/commands/command.h"
 #include "editor/command_line/bench.h"
 #include "editor/command_line/export.h"
 #include "editor/command_line/info.h"

@@ -3,7 +3,8 @@
 
 #include "core/base/progress.h"
 #include "core/document/asset_store.h"
-#include "core/document/log.h"
+#include "core/scene/log.h"
+#include "editor/command_line/command_line.h"
 #include "editor/command_line/interrupts.h"
 #include "editor/command_line/status.h"
 

@@ -2,8 +2,8 @@
 #include "editor/files/files.h"
 
 #include "core/base/rejected.h"
-#include "core/document/certificate.h"
-#include "core/document/collect.h"
+#include "core/commands/collect.h"
+#include "core/export/certificate.h"
 #include "core/files/file_bytes.h"
 #include "core/files/write_model.h"
 #include "editor/files/relink.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/document/evaluate.h"
+#include "core/evaluation/evaluate.h"
 
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
-#include "core/document/command.h"
+#include "core/commands/command.h"
 #include "tests/document/commands.h"
 
 #include <gmock/gmock.h>
