@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 namespace trivar {
+
+inline constexpr double infinite = std::numeric_limits<double>::infinity();
 
 // No component of a vector of glm is infinite or not a number.
 template <class Vector> bool finite(const Vector& v)

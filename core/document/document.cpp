@@ -4,13 +4,7 @@
 #include "core/base/digest.h"
 #include "core/base/rejected.h"
 #include "core/base/text.h"
-#include "core/document/commands/import.h"
-#include "core/document/commands/place.h"
-#include "core/document/commands/play.h"
-#include "core/document/commands/primitives.h"
-#include "core/document/commands/shape.h"
-#include "core/document/commands/text.h"
-#include "core/document/commands/view.h"
+#include "core/document/fields/object_fields.h"
 
 #include <algorithm>
 #include <array>
@@ -35,82 +29,52 @@ Turn turn(double degrees)
     return {std::cos(radians), std::sin(radians)};
 }
 
+template <class T> void add(Digest& digest, const T& value);
+
+template <class T>
+void add_field(Digest& digest, std::string_view name, const T& value, Counted counted)
+{
+    if (counted != Counted::always && value == T{}) return;
+    if (counted == Counted::named || counted == Counted::marked) digest.add_text(name);
+    if constexpr (is_optional<T>) {
+        if (counted == Counted::marked) return add(digest, *value);
+    } else if constexpr (std::is_same_v<T, bool>) {
+        if (counted == Counted::marked) return;
+    } else if constexpr (is_list<T>)
+        if (counted == Counted::marked) {
+            for (const auto& entry : value) add(digest, entry);
+            return;
+        }
+    add(digest, value);
+}
+
 template <class T> void add(Digest& digest, const T& value)
 {
     if constexpr (Nested<T>)
-        each_field(value, [&](std::string_view name, const auto& field, std::string_view = {},
-                              const Rule& rule = {}) {
-            if (rule.later) { // named, since it may be missing
-                if (field == std::remove_cvref_t<decltype(field)>{}) return;
-                digest.add_text(name);
-            }
-            add(digest, field);
-        });
+        each_field(value,
+                   [&](std::string_view name, const auto& field, std::string_view = {},
+                       const Rule& rule = {}) { add_field(digest, name, field, rule.counted); });
     else if constexpr (std::is_convertible_v<T, std::string_view>)
         digest.add_text(value);
     else if constexpr (is_optional<T>) {
         digest.add(value.has_value());
         if (value) add(digest, *value);
-    } else if constexpr (is_list<T>) {
+    } else if constexpr (is_choice<T>) {
+        digest.add(static_cast<std::uint64_t>(value.index()));
+        std::visit([&](const auto& chosen) { add(digest, chosen); }, value);
+    } else if constexpr (is_ref<T>)
+        add(digest, *value);
+    else if constexpr (std::is_same_v<T, Tracks>)
+        add(digest, value.all());
+    else if constexpr (is_list<T>) {
+        using Entry = typename T::value_type;
         digest.add(static_cast<std::uint64_t>(value.size()));
-        if constexpr (is_list<typename T::value_type> || Nested<typename T::value_type>)
+        if constexpr (is_list<Entry> || Nested<Entry>)
             for (const auto& entry : value) add(digest, entry);
         else
-            digest.add(std::span<const typename T::value_type>(value));
+            digest.add(std::span<const Entry>(value));
     } else
         digest.add(value);
-}
-
-void add(Digest& digest, const Object& object)
-{
-    add(digest, object.name);
-    digest.add(static_cast<std::uint64_t>(object.source.index()));
-    std::visit(
-        [&](const auto& source) {
-            if constexpr (!std::is_same_v<decltype(source), const GroupShape&>) add(digest, source);
-        },
-        object.source);
-    add(digest, object.transform);
-    digest.add(object.surfacing.has_value());
-    if (object.surfacing) {
-        digest.add(object.surfacing->base_color);
-        digest.add(object.surfacing->metallic);
-        digest.add(object.surfacing->roughness);
-        if (const Solid solid = object.surfacing->solid; solid != Solid::none) digest.add(solid);
-    }
-    digest.add(object.parent);
-    digest.add(object.hidden);
-    if (object.locked) digest.add_text("locked"); // there were scenes without it
-    digest.add(object.placement.has_value());
-    if (object.placement) {
-        add(digest, object.placement->sketch);
-        add(digest, object.placement->parameters);
-        add(digest, object.placement->onto);
-        if (object.placement->round) { // there were scenes without it
-            digest.add_text("round");
-            digest.add(object.placement->level);
-        }
-    }
-    if (!object.shaping.empty()) { // there were scenes without it
-        digest.add_text("shaping");
-        for (const Ref<VolumeEdit>& edit : object.shaping) add(digest, *edit);
-    }
-    if (object.travel != Travel{}) { // there were scenes without it
-        digest.add_text("travel");
-        add(digest, object.travel);
-    }
-    if (object.playing != Playing{}) { // there were scenes without it
-        digest.add_text("playing");
-        add(digest, object.playing);
-    }
-    if (object.refining) { // there were scenes without it
-        digest.add_text("refining");
-        add(digest, *object.refining);
-    }
-    if (!object.tracks.empty()) { // there were scenes without it
-        digest.add_text("tracks");
-        add(digest, object.tracks.all());
-    }
 }
 
 } // namespace

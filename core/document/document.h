@@ -36,14 +36,19 @@ struct Surfacing { // one material over the whole object, in place of its own
     bool operator==(const Surfacing&) const = default;
 };
 
+// The way of a volume round a cylinder, a sphere, a torus or a Moebius band.
+struct RoundWay {
+    double level = 0; // metres from its widest circle
+    bool operator==(const RoundWay&) const = default;
+};
+
 // A stroke laid over other objects. `onto` is what the rays see: a dependency, so moving one of
 // them places this one again. Cycles are refused.
 struct PlacementStep {
     Sketch sketch;
     PlacementParameters parameters;
     std::vector<Id> onto;
-    bool round = false; // about the only one of `onto` instead, in place of the stroke
-    double level = 0;   // metres from its widest circle
+    std::optional<RoundWay> round = {}; // about the only one of `onto`, in place of the stroke
     bool operator==(const PlacementStep&) const = default;
 };
 

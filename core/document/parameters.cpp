@@ -2,15 +2,8 @@
 #include "core/document/parameters.h"
 
 #include "core/base/rejected.h"
-#include "core/document/commands/check.h"
-#include "core/document/commands/import.h"
-#include "core/document/commands/place.h"
-#include "core/document/commands/primitives.h"
-#include "core/document/commands/refine.h"
-#include "core/document/commands/shape.h"
-#include "core/document/commands/text.h"
-#include "core/document/commands/travel.h"
-#include "core/document/commands/view.h"
+#include "core/document/check_view.h"
+#include "core/document/fields/object_fields.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,72 +11,40 @@
 namespace trivar {
 namespace {
 
-// What such a field holds says of which things something is true, not how they are.
-bool is_fixed(std::string_view field)
-{
-    return field == "points" || field == "of" || field == "size_px";
-}
-
 // Calls leaf(name, number, rule) for the numbers, choices and switches in a value and all that it
-// has inside.
+// has inside, if they take keys.
 template <class T, class Leaf>
 void walk(const std::string& name, T& value, const Rule& rule, Leaf&& leaf)
 {
     using V = std::remove_const_t<T>;
+    if (rule.fixed) return;
     if constexpr (Nested<V>)
-        each_field(value,
-                   [&](std::string_view inner, auto& v, std::string_view, const Rule& r = {}) {
-                       if (!is_fixed(inner)) walk(name + "." + std::string(inner), v, r, leaf);
-                   });
+        each_field(value, [&](std::string_view inner, auto& v, std::string_view,
+                              const Rule& inner_rule = {}) {
+            const std::string prefix = name.empty() || inner_rule.inlined ? name : name + ".";
+            walk(inner_rule.inlined ? name : prefix + std::string(inner), v, inner_rule, leaf);
+        });
     else if constexpr (std::is_arithmetic_v<V> || std::is_enum_v<V>)
         leaf(name, value, rule);
     else if constexpr (std::is_same_v<V, std::string>) {
         if (!rule.choices.empty()) leaf(name, value, rule);
     } else if constexpr (is_optional<V>) {
         if (value) walk(name, *value, rule, leaf);
+    } else if constexpr (is_choice<V>) {
+        std::visit([&](auto& chosen) { walk(name, chosen, rule, leaf); }, value);
+    } else if constexpr (is_ref<V>) {
+        if constexpr (std::is_const_v<T>)
+            walk(name, *value, rule, leaf);
+        else {
+            std::remove_const_t<typename V::element_type> changed = *value;
+            walk(name, changed, rule, leaf);
+            if (changed != *value) value = make_ref(std::move(changed));
+        }
     } else if constexpr (is_list<V>) {
-        if constexpr (!std::is_same_v<typename V::value_type, StrokeSample>)
-            for (std::size_t i = 0; i < value.size(); ++i)
-                walk(name + "." + std::to_string(i), value[i], rule, leaf);
+        for (std::size_t i = 0; i < value.size(); ++i)
+            walk(name + "." + std::to_string(i), value[i], rule, leaf);
     } else if constexpr (requires { V::length(); })
         for (int i = 0; i < V::length(); ++i) leaf(name + "." + "xyzw"[i], value[i], rule);
-}
-
-template <class O, class Leaf> void walk_object(O& object, Leaf&& leaf)
-{
-    walk("transform", object.transform, {}, leaf);
-    leaf("hidden", object.hidden, {});
-    std::visit(
-        [&]<class S>(S& source) {
-            using V = std::remove_const_t<S>;
-            if constexpr (!std::is_same_v<V, GroupShape> && !std::is_same_v<V, ImportedFile>)
-                walk("shape", source, {}, leaf);
-            else if constexpr (std::is_same_v<V, ImportedFile>)
-                leaf("shape.subdivisions", source.subdivisions, between(0, 6));
-        },
-        object.source);
-    if (object.surfacing) walk("material", *object.surfacing, {}, leaf);
-    if (object.placement) {
-        walk("placement", object.placement->parameters, {}, leaf);
-        if (object.placement->round) leaf("placement.level", object.placement->level, {});
-        each_field(object.travel,
-                   [&](std::string_view field, auto& v, std::string_view, const Rule& rule = {}) {
-                       if (field == "followers" || field == "gap" || field == "phase")
-                           walk("travel." + std::string(field), v, rule, leaf);
-                   });
-    }
-    for (std::size_t i = 0; i < object.shaping.size(); ++i) {
-        const std::string name = "shaping." + std::to_string(i);
-        if constexpr (std::is_const_v<O>)
-            walk(name, *object.shaping[i], {}, leaf);
-        else {
-            VolumeEdit edit = *object.shaping[i];
-            walk(name, edit, {}, leaf);
-            if (edit != *object.shaping[i]) object.shaping[i] = make_ref(std::move(edit));
-        }
-    }
-    leaf("playing.offset", object.playing.offset, between(-1e6, 1e6));
-    if (object.refining) walk("refining", *object.refining, {}, leaf);
 }
 
 std::vector<std::string_view> choices_in(std::string_view listed) // separated by |
@@ -101,7 +62,12 @@ std::vector<std::string_view> choices_in(std::string_view listed) // separated b
 template <class T> Parameter parameter_of(const std::string& name, const T& value, const Rule& rule)
 {
     using Kind = Parameter::Kind;
-    Parameter out{name, 0, rule.lo, rule.hi};
+    Parameter out{.name = name,
+                  .lo = rule.lo,
+                  .hi = rule.hi,
+                  .unit = rule.unit,
+                  .yes = rule.yes,
+                  .no = rule.no};
     const auto choose = [&out](std::size_t chosen, std::vector<std::string_view> choices) {
         out.value = static_cast<double>(chosen);
         out.lo = 0;
@@ -181,7 +147,7 @@ Track as_taken(Track track, const Parameter& parameter)
 std::vector<Parameter> parameters(const Object& object)
 {
     std::vector<Parameter> out;
-    walk_object(object, gather(out));
+    walk("", object, {}, gather(out));
     return out;
 }
 
@@ -196,7 +162,7 @@ std::vector<Parameter> scene_parameters(const Document& document)
 
 Object with_values(Object object, const NewValue& value)
 {
-    walk_object(object, change(value));
+    walk("", object, {}, change(value));
     return object;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/document/document.h"
+#include "core/document/field.h"
 
 #include <functional>
 
@@ -21,6 +21,8 @@ struct Parameter {
     double lo = 0, hi = 0; // inclusive
     Kind kind = Kind::number;
     std::vector<std::string_view> choices = {}; // of a choice, by value
+    Unit unit = Unit::none;
+    std::string_view yes = "on", no = "off"; // of a switch, what it says
     // There is nothing between two values: each stays until the next key.
     bool stays() const { return kind != Kind::number; }
     bool operator==(const Parameter&) const = default;

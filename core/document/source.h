@@ -54,10 +54,25 @@ struct TeapotShape {
     int resolution = 12;
     bool operator==(const TeapotShape&) const = default;
 };
+// A box of control points that bends what is in it: its children, as those of a group.
+struct LatticeShape {
+    glm::dvec3 size{1};   // metres along X, Y and Z; its middle is the origin
+    glm::ivec3 grid{4};   // control points along X, Y and Z
+    glm::ivec3 orders{4}; // 2..6 each, at most as many as there are control points
+    bool operator==(const LatticeShape&) const = default;
+};
 struct GroupShape {
     bool operator==(const GroupShape&) const = default;
 }; // no shape: a parent for others
-using Source = std::variant<GroupShape, ImportedFile, PlaneShape, BoxShape, SphereShape,
-                            CylinderShape, TorusShape, MoebiusShape, TeapotShape, TextShape>;
+using Source =
+    std::variant<GroupShape, ImportedFile, PlaneShape, BoxShape, SphereShape, CylinderShape,
+                 TorusShape, MoebiusShape, TeapotShape, TextShape, LatticeShape>;
+
+// A parent for others: a group, or a lattice round them.
+inline bool holds_others(const Source& source)
+{
+    return std::holds_alternative<GroupShape>(source) ||
+           std::holds_alternative<LatticeShape>(source);
+}
 
 } // namespace trivar

@@ -3,7 +3,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
-#include "core/document/lacking.h"
+#include "core/evaluation/lacking.h"
 #include "core/export/animated_nodes.h"
 #include "core/export/places_in_file.h"
 #include "core/export/sag.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/clip_deviation.h"
 
+#include "core/base/finite.h"
 #include "core/mesh/foot_lock.h"
 #include "core/mesh/planting_rates.h"
 
@@ -14,7 +15,6 @@ namespace trivar {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 std::size_t index_of(int n)
 {

@@ -4,7 +4,7 @@
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/base/whole_numbers.h"
-#include "core/document/lacking.h"
+#include "core/evaluation/lacking.h"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/document/evaluate.h"
+#include "core/evaluation/evaluate.h"
 
 namespace trivar {
 
@@ -46,7 +46,7 @@ Document unrefined(Document document);
 // of something change very often, and Cancelled.
 Film film_of(const Document& document, const Ref<AssetStore>& assets, std::vector<double> moments,
              const Progress& progress = {});
-// What the scene lacks at some moment, a sentence each (core/document/lacking.h).
+// What the scene lacks at some moment, a sentence each (core/evaluation/lacking.h).
 std::vector<std::string> lacks(const Film& film, const Document& document);
 // The moments of a range, some to a frame.
 std::vector<double> moments_of(const FrameRange& range, int per_frame);

@@ -4,7 +4,7 @@
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/base/whole_numbers.h"
-#include "core/document/certificate.h"
+#include "core/export/certificate.h"
 
 #include <cmath>
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #include "core/export/kept_clip.h"
 
 #include "core/document/parameters.h"
-#include "core/document/posing.h"
+#include "core/evaluation/posing.h"
 #include "core/export/keys.h"
 
 #include <algorithm>

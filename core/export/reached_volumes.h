@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/document/evaluate.h"
+#include "core/evaluation/evaluate.h"
 
 #include <map>
 #include <optional>

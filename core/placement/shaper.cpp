@@ -5,7 +5,8 @@
 #include "core/ffd/repair.h"
 #include "core/ffd/resolution.h"
 #include "core/placement/finish.h"
-#include "core/spline/iso.h"
+#include "core/placement/level_surface.h"
+#include "core/placement/warping.h"
 
 #include <algorithm>
 #include <cmath>
@@ -155,23 +156,6 @@ bool goes_on(const Press& press, Press so_far)
     return so_far == press;
 }
 
-// The surface that lies on the scene, in the world.
-Surface<glm::dvec3> contact_of(const LaidVolume& v)
-{
-    const Trivariate<glm::dvec3>& f = v.volume->displacement;
-    // Over the volume's own axes: one that is closed stays so.
-    Surface<glm::dvec3> contact{
-        {f.axes[0], f.axes[1]},
-        contracted(axes_of(f), std::span<const glm::dvec3>(f.points), 2, v.ground)};
-    for (int i = 0; i < contact.axes[0].count(); ++i)
-        for (int j = 0; j < contact.axes[1].count(); ++j) {
-            const glm::dvec3 uvw(contact.axes[0].greville(i), contact.axes[1].greville(j),
-                                 v.ground);
-            contact.points[contact.index(i, j)] += glm::dvec3(v.volume->rest * glm::dvec4(uvw, 1));
-        }
-    return contact;
-}
-
 // Of det J over a node, where it may not fold.
 double least_det(const Lattice& volume, const std::vector<Box>& may_fold, const glm::dvec2& uv)
 {
@@ -191,7 +175,7 @@ Placement as_shaped(Placement placement, const LaidVolume& v)
 {
     const Surface<glm::dvec3> laid = std::move(placement.contact);
     placement.volume = *v.volume;
-    placement.contact = contact_of(v);
+    placement.contact = level_surface(*v.volume, v.ground);
     placement.strip = outline(placement.contact);
     placement.embedding.to_rest = v.volume->rest * placement.embedding.to_uvw;
     const std::vector<Box> may_fold = v.guard().excepted;
@@ -285,6 +269,13 @@ Shaper::Done Shaper::done(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>& be
             what.asked = what.done;
         }
         if (edit->mending) after = mended(after, what, progress);
+        if (edit->warp) {
+            Warped bent = warped(after, *edit->warp);
+            after = std::move(bent.volume);
+            what.done = bent.moved;
+            what.asked = bent.share > 0 ? bent.moved / bent.share : bent.moved;
+            what.would_fold = bent.share < 1;
+        }
         if (edit->allowance) after = allowing(std::move(after), edit->allowance->boxes);
         return {edit, make_ref(std::move(after)), what};
     } catch (const Rejected& error) {

@@ -75,6 +75,22 @@ struct FoldAllowance {
     bool operator==(const FoldAllowance&) const = default;
 };
 
+// A box as a whole turned, bent, tapered, sheared or bulged along one of its axes, in this order:
+// bulge, taper, shear, bend, twist. Zeros leave it as it is. After Barr 1984, section 4, on the
+// control points.
+struct Warp {
+    VolumeAxis axis = VolumeAxis::up;
+    double twist_deg = 0;  // by which its far end is turned about the axis, its near end the other
+                           // way; half of it each
+    double bend_deg = 0;   // that the axis turns from its near end to its far end, along an arc
+    double toward_deg = 0; // to which side it is bent and sheared: 0 toward the next axis
+    double taper = 0;      // -1..: the far end is 1 + taper times as wide, the near end stays
+    double shear = 0;      // how far the far end goes to that side, in lengths of the box
+    double bulge = 0;      // -1..: the middle is 1 + bulge times as wide, both ends stay
+    bool guard = true;     // no more of it than is proven not to fold
+    bool operator==(const Warp&) const = default;
+};
+
 // Exactly one of them.
 struct VolumeEdit {
     std::optional<Press> press = {};
@@ -83,6 +99,7 @@ struct VolumeEdit {
     std::optional<Coarsening> coarsening = {};
     std::optional<Mending> mending = {};
     std::optional<FoldAllowance> allowance = {};
+    std::optional<Warp> warp = {};
     bool operator==(const VolumeEdit&) const = default;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/placement/springs.h"
 
+#include "core/base/finite.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -152,7 +154,6 @@ ObstacleProblem grid_laplacian(int rows, int columns)
             out.row_begin.push_back(static_cast<int>(out.column.size()));
             out.diagonal.push_back(neighbors);
         }
-    const double infinite = std::numeric_limits<double>::infinity();
     out.right.assign(out.size(), 0);
     out.lo.assign(out.size(), -infinite);
     out.hi.assign(out.size(), infinite);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/refinement/refine.h"
 
+#include "core/base/finite.h"
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
 #include "core/refinement/shared_triangles.h"
@@ -17,7 +18,6 @@ namespace {
 using Index = SharedTriangles::Index;
 using Edge = SharedTriangles::Edge;
 using Triangle = SharedTriangles::Triangle;
-constexpr double infinite = std::numeric_limits<double>::infinity();
 // An edge of half a kilometre is below a millimetre then, and single precision at its end.
 constexpr int most_depth = 20;
 

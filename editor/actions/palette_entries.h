@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/document/command.h"
+#include "core/commands/command.h"
 
 #include <functional>
 #include <optional>

@@ -3,7 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/base/this_program.h"
-#include "core/document/command.h"
+#include "core/commands/command.h"
 #include "editor/command_line/bench.h"
 #include "editor/command_line/export.h"
 #include "editor/command_line/info.h"

@@ -3,11 +3,12 @@
 
 #include "core/base/rejected.h"
 #include "core/base/text.h"
-#include "core/document/log.h"
 #include "core/files/file_bytes.h"
 #include "core/files/image.h"
 #include "core/files/read_model.h"
 #include "core/mesh/extent.h"
+#include "core/mesh/pose.h"
+#include "core/scene/log.h"
 
 #include <algorithm>
 #include <array>

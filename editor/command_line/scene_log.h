@@ -3,9 +3,10 @@
 
 #include "core/base/progress.h"
 #include "core/document/asset_store.h"
-#include "core/document/files_read.h"
-#include "core/document/lacking.h"
-#include "core/document/log.h"
+#include "core/evaluation/lacking.h"
+#include "core/scene/files_read.h"
+#include "core/scene/log.h"
+#include "editor/command_line/command_line.h"
 #include "editor/command_line/interrupts.h"
 #include "editor/command_line/status.h"
 

@@ -2,13 +2,13 @@
 #include "editor/command_line/verify.h"
 
 #include "core/base/text.h"
-#include "core/document/certificate.h"
-#include "core/document/log.h"
+#include "core/export/certificate.h"
 #include "core/export/film_certificate.h"
 #include "core/files/formats.h"
 #include "core/files/glb_content.h"
 #include "core/files/glb_differences.h"
 #include "core/files/second_reader.h"
+#include "core/scene/log.h"
 #include "editor/command_line/scene_log.h"
 #include "editor/command_line/verify_film.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/commands/adjustment.h"
 
-#include "core/document/tries.h"
+#include "core/scene/tries.h"
 #include "editor/tools/motion.h"
 
 namespace trivar {

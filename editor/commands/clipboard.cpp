@@ -3,7 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/base/text.h"
-#include "core/document/log.h"
+#include "core/scene/log.h"
 #include "editor/commands/run_lines.h"
 #include "editor/session/scene_facts.h"
 #include "editor/session/session_facts.h"

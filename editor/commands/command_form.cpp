@@ -238,7 +238,7 @@ bool add_fields(std::vector<Field>& fields, const json& list, const std::string&
         }
         const auto type = each["type"].get<std::string>(), help = each["help"].get<std::string>();
         const std::string range = each.value("range", "");
-        Field field{name, label_of_field(last), unit_of_field(last, help), help};
+        Field field{name, each["label"].get<std::string>(), each.value("unit", ""), help};
         const bool several = type.ends_with("numbers");
         if (names_object(name) || names_objects(name))
             field.kind = names_object(name) ? Field::object : Field::objects;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/document/log.h"
+#include "core/scene/log.h"
 
 #include <string>
 #include <string_view>

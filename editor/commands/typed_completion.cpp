@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/document/commands/field.h"
+#include "core/document/field.h"
 #include "editor/commands/typed_command.h"
 
 namespace trivar {

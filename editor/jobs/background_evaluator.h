@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/document/view_refining.h"
+#include "core/evaluation/view_refining.h"
 
 #include <condition_variable>
 #include <functional>

@@ -2,9 +2,9 @@
 #include "editor/record/recording.h"
 
 #include "core/base/rejected.h"
-#include "core/document/files_read.h"
 #include "core/document/parameters.h"
 #include "core/files/image.h"
+#include "core/scene/files_read.h"
 #include "editor/picture/picture.h"
 #include "editor/picture/stored_pictures.h"
 #include "editor/record/video.h"

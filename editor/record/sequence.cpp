@@ -4,9 +4,9 @@
 #include "core/base/digest.h"
 #include "core/base/rejected.h"
 #include "core/base/whole_numbers.h"
-#include "core/document/files_read.h"
 #include "core/files/file_bytes.h"
 #include "core/files/image.h"
+#include "core/scene/files_read.h"
 #include "editor/help/about.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "editor/session/recovery.h"
 
 #include "core/base/rejected.h"
-#include "core/document/kept_scenes.h"
+#include "core/scene/kept_scenes.h"
 #include "editor/words/file_words.h"
 
 #include <sys/stat.h>

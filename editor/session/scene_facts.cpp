@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/session/scene_facts.h"
 
-#include "core/document/keying.h"
+#include "core/commands/keying.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/document/scene_file.h"
+#include "core/scene/scene_file.h"
 
 #include <string>
 

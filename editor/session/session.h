@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/document/scene_file.h"
+#include "core/scene/scene_file.h"
 #include "editor/jobs/background_evaluator.h"
 #include "editor/jobs/job.h"
+#include "editor/session/followed_view.h"
+#include "editor/session/left_scene.h"
 #include "editor/session/scene_view.h"
 #include "editor/session/selection.h"
+#include "editor/session/session_facts.h"
 #include "ui/notices.h"
 
 #include <functional>

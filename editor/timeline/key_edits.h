@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/document/keying.h"
+#include "core/commands/keying.h"
 
 #include <compare>
 #include <functional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/lattice_points.h"
 
-#include "core/document/commands/apply.h"
+#include "core/commands/apply.h"
 #include "editor/tools/gesture_keys.h"
 #include "editor/tools/last_shaping.h"
 #include "editor/tools/placement_handles.h"

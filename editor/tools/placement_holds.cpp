@@ -2,7 +2,7 @@
 #include "editor/tools/placement_holds.h"
 
 #include "core/base/rounded.h"
-#include "core/document/commands/changes.h"
+#include "core/commands/changes.h"
 #include "core/placement/height_map.h"
 #include "core/placement/profile.h"
 #include "core/placement/redraw.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/document/commands/shape.h"
+#include "core/commands/shape.h"
 #include "editor/picture/volume_surface.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/typed_amounts.h"

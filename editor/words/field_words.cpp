@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/words/field_words.h"
 
-#include "core/document/command.h"
+#include "core/commands/command.h"
 
 #include <cassert>
 #include <map>
@@ -39,15 +39,6 @@ std::string without_unit(std::string help)
 }
 
 } // namespace
-
-std::string unit_of_field(std::string_view name, std::string_view help)
-{
-    if (name.ends_with("_deg")) return "deg";
-    if (help.starts_with("metres a second")) return "m/s";
-    if (help.starts_with("seconds")) return "s";
-    if (help.find("radians") != help.npos) return "rad";
-    return help.find("metres") != help.npos ? "m" : "";
-}
 
 std::string help_of_field(const std::string& verb, const std::string& name)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/words/volume_words.h"
 
+#include "core/commands/changes.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -38,6 +39,10 @@ std::string words_of(const VolumeEdit& edit)
         const std::size_t parts = edit.allowance->boxes.size();
         return parts == 0 ? "May fold nowhere"
                           : fmt::format("May fold in {} {}", parts, parts == 1 ? "part" : "parts");
+    }
+    if (edit.warp) {
+        const Changes found = changes(Warp{.axis = edit.warp->axis}, *edit.warp);
+        return found.size() == 1 ? found[0].name + " " + found[0].value : "Bent as a whole";
     }
     return "Mended";
 }

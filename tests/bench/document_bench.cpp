@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/document/log.h"
-#include "core/document/scene_file.h"
+#include "core/scene/log.h"
+#include "core/scene/scene_file.h"
 #include "tests/support/fixtures.h"
 
 #include <benchmark/benchmark.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/memory.h"
-#include "core/document/evaluate.h"
-#include "core/document/scene_file.h"
+#include "core/evaluation/evaluate.h"
 #include "core/placement/pressing.h"
+#include "core/scene/scene_file.h"
 
 #include <benchmark/benchmark.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/command.h"
 #include "core/document/asset_store.h"
-#include "core/document/command.h"
-#include "core/document/evaluate.h"
 #include "core/document/parameters.h"
+#include "core/evaluation/evaluate.h"
 
 #include <benchmark/benchmark.h>
 

@@ -2,8 +2,8 @@
 #include "core/document/asset_store.h"
 
 #include "core/base/rejected.h"
-#include "core/document/command.h"
-#include "core/document/evaluate.h"
+#include "core/commands/command.h"
+#include "core/evaluation/evaluate.h"
 #include "core/files/read_model.h"
 #include "tests/support/fixtures.h"
 

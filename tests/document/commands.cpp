@@ -89,7 +89,8 @@ Document small_document()
 
 Document fitting_document()
 {
-    return after(after(small_document(), import_of("snail.obj")), AddText{});
+    return after(after(after(small_document(), import_of("snail.obj")), AddText{}),
+                 AddLattice{.objects = {6}});
 }
 
 std::vector<Command> fitting_commands()
@@ -145,7 +146,10 @@ std::vector<Command> fitting_commands()
             SaveCamera{.name = "side", .camera = {}},
             DeleteCamera{.name = "front"},
             SetRender{.settings = {.look = "clay"}},
-            SetTime{.time = {.first_frame = 0, .last_frame = 99, .frames_per_second = 29.97}}};
+            SetTime{.time = {.first_frame = 0, .last_frame = 99, .frames_per_second = 29.97}},
+            AddLattice{.objects = {2}, .shape = {.size = {2, 2, 2}}},
+            SetLattice{.object = 7, .shape = {.grid = {4, 4, 6}}},
+            WarpVolume{.object = 7, .warp = {.twist_deg = 30}}};
 }
 
 Command random_command(std::mt19937& random)

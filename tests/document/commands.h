@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/document/command.h"
-#include "core/document/evaluate.h"
+#include "core/commands/command.h"
+#include "core/evaluation/evaluate.h"
 
 #include <random>
 

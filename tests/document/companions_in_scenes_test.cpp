@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What goes with a model never costs a scene the model.
+#include "core/commands/collect.h"
 #include "core/document/asset_store.h"
-#include "core/document/collect.h"
 #include "core/files/image.h"
 #include "tests/support/fixtures.h"
 

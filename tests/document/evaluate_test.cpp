@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/document/evaluate.h"
+#include "core/evaluation/evaluate.h"
 
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
-#include "core/document/command.h"
-#include "core/document/lacking.h"
+#include "core/commands/command.h"
+#include "core/evaluation/lacking.h"
 #include "core/mesh/primitives.h"
 #include "tests/document/commands.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
-#include "core/document/log.h"
+#include "core/scene/log.h"
 #include "tests/document/commands.h"
 
 #include <gtest/gtest.h>
@@ -133,8 +133,8 @@ TEST(EveryCommand, AppliedAtRandomNeverBreaksWhatTheDocumentPromises)
             ASSERT_GT(id, 0);
             ASSERT_LT(id, document.next_id);
             ASSERT_NO_THROW(visible(document, id)); // parents exist and end
-            const bool in_group = ref->parent != 0 && std::holds_alternative<GroupShape>(
-                                                          object(document, ref->parent).source);
+            const bool in_group =
+                ref->parent != 0 && holds_others(object(document, ref->parent).source);
             ASSERT_TRUE(ref->parent == 0 || in_group);
             if (!ref->placement) continue;
             for (const Id lower : ref->placement->onto) {

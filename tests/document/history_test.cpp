@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/document/history.h"
+#include "core/scene/history.h"
 
 #include "core/base/rejected.h"
 

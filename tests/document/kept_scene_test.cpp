@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/document/scene_file.h"
+#include "core/scene/scene_file.h"
 
 #include "core/base/rejected.h"
 #include "core/base/text.h"
-#include "core/document/kept_scenes.h"
-#include "core/document/log.h"
+#include "core/scene/kept_scenes.h"
+#include "core/scene/log.h"
 #include "tests/document/full_disk.h"
 #include "tests/support/fixtures.h"
 

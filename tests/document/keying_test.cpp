@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/document/keying.h"
+#include "core/commands/keying.h"
 
 #include "core/document/parameters.h"
 #include "tests/document/commands.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/document/log.h"
+#include "core/scene/log.h"
 #include "tests/document/commands.h"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
-#include "core/document/scene_file.h"
+#include "core/scene/scene_file.h"
 #include "tests/support/fixtures.h"
 
 #include <fstream>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
-#include "core/document/evaluate.h"
-#include "core/document/posing.h"
+#include "core/evaluation/evaluate.h"
+#include "core/evaluation/posing.h"
 #include "tests/document/commands.h"
 #include "tests/support/fixtures.h"
 #include "tests/support/rigged.h"

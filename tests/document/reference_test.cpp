@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/text.h"
-#include "core/document/command.h"
+#include "core/commands/command.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

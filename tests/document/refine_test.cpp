@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
-#include "core/document/certificate.h"
-#include "core/document/evaluate.h"
+#include "core/evaluation/evaluate.h"
+#include "core/export/certificate.h"
 #include "tests/document/commands.h"
 
 #include <gmock/gmock.h>

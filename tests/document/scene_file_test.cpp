@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/document/scene_file.h"
+#include "core/scene/scene_file.h"
 
 #include "core/base/rejected.h"
 #include "core/base/text.h"
-#include "core/document/log.h"
+#include "core/scene/log.h"
 #include "tests/support/fixtures.h"
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/document/step_title.h"
+#include "core/commands/step_title.h"
 
 #include "core/base/rejected.h"
 #include "tests/document/commands.h"
@@ -70,6 +70,9 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Forget front",
         "Look clay",
         "Frames 3 values",
+        "Put a lattice round Ball 4 × 4 × 4",
+        "Density of Lattice 4 × 4 × 6",
+        "Twist Lattice 30°",
     };
     const std::vector<Command> commands = testing::fitting_commands();
     ASSERT_EQ(commands.size(), expected.size());

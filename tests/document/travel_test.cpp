@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
-#include "core/document/command.h"
-#include "core/document/evaluate.h"
+#include "core/commands/command.h"
+#include "core/evaluation/evaluate.h"
 #include "tests/document/commands.h"
 
 #include <gmock/gmock.h>

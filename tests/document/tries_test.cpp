@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/document/tries.h"
+#include "core/scene/tries.h"
 
 #include <gtest/gtest.h>
 

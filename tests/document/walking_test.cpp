@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/document/walking.h"
+#include "core/evaluation/walking.h"
 
-#include "core/document/command.h"
-#include "core/document/evaluate.h"
+#include "core/commands/command.h"
+#include "core/evaluation/evaluate.h"
 #include "core/files/read_model.h"
 #include "tests/document/commands.h"
 #include "tests/support/fixtures.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/document/log.h"
-#include "core/document/scene_file.h"
+#include "core/scene/log.h"
+#include "core/scene/scene_file.h"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
 #include "core/base/text.h"
-#include "core/document/commands/text.h"
+#include "core/commands/text.h"
 #include "core/export/animated_files.h"
 #include "core/export/film_check.h"
 #include "tests/export/scenes.h"

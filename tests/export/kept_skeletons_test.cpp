@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/document/posing.h"
+#include "core/evaluation/posing.h"
 #include "core/export/film.h"
 #include "core/export/film_check.h"
 #include "core/export/kept_clip.h"

@@ -3,9 +3,9 @@
 
 #include "core/base/finite.h"
 #include "core/base/text.h"
-#include "core/document/evaluate.h"
-#include "core/document/log.h"
-#include "core/document/scene_file.h"
+#include "core/evaluation/evaluate.h"
+#include "core/scene/log.h"
+#include "core/scene/scene_file.h"
 #include "tests/fuzz/cheap_scene.h"
 #include "tests/fuzz/model_use.h"
 #include "tests/fuzz/promises.h"

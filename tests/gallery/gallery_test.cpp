@@ -2,10 +2,10 @@
 // The pictures of docs/gallery.md and the README are what these scenes give today.
 
 #include "core/base/text.h"
-#include "core/document/log.h"
 #include "core/document/parameters.h"
 #include "core/export/animated_model.h"
 #include "core/export/film_check.h"
+#include "core/scene/log.h"
 #include "editor/picture/captions.h"
 #include "editor/picture/picture.h"
 #include "editor/record/contact_sheet.h"

@@ -3,8 +3,8 @@
 
 #include "core/base/parallel.h"
 #include "core/base/text.h"
-#include "core/document/evaluate.h"
-#include "core/document/log.h"
+#include "core/evaluation/evaluate.h"
+#include "core/scene/log.h"
 #include "tests/support/fixtures.h"
 
 #include <gtest/gtest.h>

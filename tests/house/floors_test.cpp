@@ -29,6 +29,8 @@ const std::vector<std::vector<std::string>> floors{
     {"core/refinement"},
     {"core/placement"},
     {"core/document"},
+    {"core/commands", "core/evaluation"},
+    {"core/scene"},
     {"core/export"},
     {"gpu"},
     {"ui"},

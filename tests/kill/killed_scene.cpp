@@ -3,7 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/base/text.h"
-#include "core/document/scene_file.h"
+#include "core/scene/scene_file.h"
 #include "tests/kill/left_file.h"
 
 #include <algorithm>

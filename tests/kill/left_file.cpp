@@ -3,8 +3,8 @@
 
 #include "core/base/rejected.h"
 #include "core/base/text.h"
-#include "core/document/kept_scenes.h"
-#include "core/document/log.h"
+#include "core/scene/kept_scenes.h"
+#include "core/scene/log.h"
 
 namespace trivar::testing {
 namespace {

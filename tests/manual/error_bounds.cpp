@@ -4,10 +4,10 @@
 // times the error the bound is: it is nowhere to be less than once.
 #include "core/base/parallel.h"
 #include "core/base/text.h"
-#include "core/document/evaluate.h"
-#include "core/document/log.h"
-#include "core/document/refining.h"
+#include "core/evaluation/evaluate.h"
+#include "core/evaluation/refining.h"
 #include "core/files/read_model.h"
+#include "core/scene/log.h"
 #include "tests/refinement/bent.h"
 #include "tests/refinement/truth.h"
 #include "tests/support/fixtures.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/document/step_title.h"
+#include "core/commands/step_title.h"
 #include "editor/panels/foot_cards.h"
 #include "editor/panels/inspector/inspect.h"
 #include "editor/panels/inspector/value_rows.h"
@@ -25,27 +25,27 @@ public:
     void operator()(std::string_view name, double& value, std::string_view help, Rule rule = {})
     {
         ui::NumberStyle style{.lo = rule.lo, .hi = rule.hi};
-        style.unit = unit_of_field(name, help);
-        const float width = row_of(name, help);
+        style.unit = unit_text(rule.unit);
+        const float width = row_of(name, help, rule);
         take(ui::number_field(theme_, std::string(name), value, style, width));
     }
     void operator()(std::string_view name, float& value, std::string_view help, Rule rule = {})
     {
         double number = value;
-        const float width = row_of(name, help);
+        const float width = row_of(name, help, rule);
         take(ui::number_field(theme_, std::string(name), number,
                               {.lo = rule.lo, .hi = rule.hi, .bar_hi = rule.hi}, width));
         value = static_cast<float>(number);
     }
-    void operator()(std::string_view name, glm::vec4& color, std::string_view help, Rule = {})
+    void operator()(std::string_view name, glm::vec4& color, std::string_view help, Rule rule = {})
     {
-        take(ui::color_field(theme_, std::string(name), color, row_of(name, help)));
+        take(ui::color_field(theme_, std::string(name), color, row_of(name, help, rule)));
     }
     void operator()(std::string_view name, glm::dvec3& value, std::string_view help, Rule rule = {})
     {
         ui::NumberStyle style{.lo = rule.lo, .hi = rule.hi};
-        style.unit = unit_of_field(name, help);
-        take(axis_fields(theme_, row_of(name, help), style,
+        style.unit = unit_text(rule.unit);
+        take(axis_fields(theme_, row_of(name, help, rule), style,
                          [&](int axis, const ui::NumberStyle& own, float width) {
                              return ui::number_field(theme_, std::string(name) + own.axis,
                                                      value[axis], own, width);
@@ -54,7 +54,7 @@ public:
     void operator()(std::string_view name, int& value, std::string_view help, Rule rule = {})
     {
         if (name == "object") return;
-        const float width = row_of(name, help);
+        const float width = row_of(name, help, rule);
         take(ui::integer_field(theme_, std::string(name), value, {.lo = rule.lo, .hi = rule.hi},
                                width));
     }
@@ -62,7 +62,7 @@ public:
     void operator()(std::string_view name, glm::vec<n, T>& value, std::string_view help,
                     Rule rule = {})
     {
-        const float all = row_of(name, help), gap = theme_.px(4);
+        const float all = row_of(name, help, rule), gap = theme_.px(4);
         const float width = (all - gap * static_cast<float>(n - 1)) / static_cast<float>(n);
         const ImVec2 at = ImGui::GetCursorScreenPos();
         for (int i = 0; i < n; ++i) {
@@ -90,14 +90,15 @@ public:
     }
     void operator()(std::string_view, Transform& t, std::string_view, Rule = {})
     {
-        (*this)("translation", t.translation, "metres");
+        (*this)("translation", t.translation, "where it is",
+                any_value.called("Position").in(Unit::metres));
     }
     void operator()(std::string_view, auto&, std::string_view, Rule = {}) {} // no number
 
 private:
-    float row_of(std::string_view name, std::string_view help) const
+    float row_of(std::string_view name, std::string_view help, const Rule& rule) const
     {
-        return ui::label_row(theme_, label_of_field(name), false, std::string(help)).width;
+        return ui::label_row(theme_, label_of(name, rule), false, std::string(help)).width;
     }
     void size(std::string_view name, double& value, std::string_view help)
     {
@@ -105,7 +106,7 @@ private:
                                : name == "height" ? report_->height_world
                                                   : report_->width_world;
         ValueRows rows{theme_};
-        rows.size(label_of_field(name), value, present, std::string(help));
+        rows.size(in_words(name), value, present, std::string(help));
         take(rows.edit);
     }
     void take(ui::Edit one)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/inspector/inspect.h"
 
-#include "core/document/log.h"
 #include "core/document/parameters.h"
+#include "core/scene/log.h"
 #include "editor/commands/clipboard.h"
 #include "editor/commands/new_material.h"
 #include "editor/panels/inspector/key_gutter.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/document/number_words.h"
+#include "core/commands/number_words.h"
 #include "core/document/parameters.h"
 #include "editor/panels/inspector/inspect.h"
 #include "editor/panels/inspector/key_gutter.h"

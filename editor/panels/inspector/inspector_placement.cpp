@@ -156,7 +156,7 @@ void draw_placement(Editor& editor, const ui::Theme& theme, Id id)
     const Placement* placement = effects == editor.session.evaluated().objects.end()
                                      ? nullptr
                                      : effects->second->placement.get();
-    const bool round = each.placement->round;
+    const bool round = each.placement->round.has_value();
     const KeyGutter keys(editor, {id});
     ValueRows rows{theme, &keys};
     const auto part = [&](const char* title, bool open, auto&& fill) {

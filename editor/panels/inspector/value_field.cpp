@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/inspector/value_field.h"
 
-#include "core/document/number_words.h"
+#include "core/commands/number_words.h"
 
 #include <cmath>
 
@@ -25,7 +25,7 @@ ui::Edit value_field(const ui::Theme& theme, Parameter& number, const ui::Number
     }
     if (number.kind == Kind::choice) {
         std::vector<std::string> names;
-        for (const std::string_view name : number.choices) names.push_back(label_of_field(name));
+        for (const std::string_view name : number.choices) names.push_back(in_words(name));
         return whole([&](int& v) { return ui::choice(theme, number.name, v, names, width); });
     }
     if (number.kind == Kind::whole)

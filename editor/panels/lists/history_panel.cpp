@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/document/step_title.h"
-#include "core/document/tries.h"
+#include "core/commands/step_title.h"
+#include "core/scene/tries.h"
 #include "editor/panels/panels.h"
 #include "editor/session/scene_names.h"
 #include "ui/icons.h"

@@ -2,8 +2,8 @@
 #include "editor/command_line/command_line.h"
 
 #include "core/base/text.h"
-#include "core/document/log.h"
 #include "core/files/image.h"
+#include "core/scene/log.h"
 #include "tests/editor/scenes.h"
 #include "tests/support/fixtures.h"
 #include "tests/support/rigged.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Signals that come while the program works: what it writes is whole or not there.
 #include "core/base/text.h"
-#include "core/document/log.h"
 #include "core/files/read_model.h"
+#include "core/scene/log.h"
 #include "editor/command_line/interrupts.h"
 #include "tests/support/fixtures.h"
 

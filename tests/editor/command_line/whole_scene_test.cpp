@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What replay, render and export do with a scene that is not all there, and with their own sources.
 #include "core/base/text.h"
-#include "core/document/log.h"
 #include "core/files/write_model.h"
 #include "core/mesh/primitives.h"
+#include "core/scene/log.h"
 #include "editor/command_line/command_line.h"
 #include "tests/support/fixtures.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/commands/clipboard.h"
 
-#include "core/document/log.h"
+#include "core/scene/log.h"
 #include "editor/actions/actions.h"
 #include "editor/actions/log_lines.h"
 #include "editor/session/scene_facts.h"

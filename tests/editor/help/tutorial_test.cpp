@@ -2,8 +2,8 @@
 #include "editor/help/tutorial.h"
 
 #include "core/base/text.h"
-#include "core/document/evaluate.h"
-#include "core/document/log.h"
+#include "core/evaluation/evaluate.h"
+#include "core/scene/log.h"
 #include "editor/actions/help_actions.h"
 #include "editor/actions/use_keys.h"
 #include "editor/actions/words_with_keys.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/session/followed_view.h"
 
-#include "core/document/keying.h"
+#include "core/commands/keying.h"
 #include "editor/actions/key_actions.h"
 #include "tests/editor/rig.h"
 

@@ -2,7 +2,7 @@
 #include "editor/session/recent_scenes.h"
 #include "editor/session/samples.h"
 
-#include "core/document/log.h"
+#include "core/scene/log.h"
 #include "editor/actions/help_actions.h"
 #include "editor/actions/start_card.h"
 #include "editor/panels/help/welcome.h"

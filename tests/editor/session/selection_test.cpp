@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/session/selection.h"
 
-#include "core/document/command.h"
+#include "core/commands/command.h"
 #include "tests/editor/rig.h"
 
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/text.h"
-#include "core/document/command.h"
-#include "core/document/log.h"
+#include "core/commands/command.h"
+#include "core/scene/log.h"
 #include "editor/actions/actions.h"
 #include "editor/session/scene_facts.h"
 #include "editor/session/scene_names.h"

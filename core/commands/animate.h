@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/fields/track_fields.h"
+
+namespace trivar {
+
+struct ObjectTracks {
+    Id object = 0;
+    std::vector<Track> tracks;
+    bool operator==(const ObjectTracks&) const = default;
+};
+template <> struct FieldsOf<ObjectTracks> {
+    static constexpr std::string_view told_as = "[object's tracks](#objects-tracks)";
+    static void fields(auto& t, auto&& field)
+    {
+        field("object", t.object, "id; 0: the scene, with its picture and kept views");
+        field("tracks", t.tracks, "one a parameter, in place of the one that it had", required);
+    }
+};
+struct Animate {
+    static constexpr std::string_view verb = "animate",
+                                      summary = "Let parameters of objects or of the scene go "
+                                                "from key to key.";
+    std::vector<ObjectTracks> of;
+    bool operator==(const Animate&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("of", c.of, "whose; each object once", required);
+    }
+};
+
+} // namespace trivar

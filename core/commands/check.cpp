@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/check.h"
+
+#include "core/base/rejected.h"
+#include "core/base/text.h"
+#include "core/base/utf8.h"
+
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+// Far beyond any name or path, and any stroke of a hand; keeps hostile lines from multiplying.
+constexpr std::size_t longest_text = 4096;
+constexpr std::size_t longest_list = 100000;
+
+void check_number(std::string_view name, double value, const Rule& rule)
+{
+    if (value >= rule.lo && value <= rule.hi) return; // NaN is neither
+    if (rule.hi == Rule{}.hi && value < rule.lo)
+        throw Rejected(
+            fmt::format("field \"{}\" is {} but must be {}", name, shortest(value),
+                        rule.lo > 0 && value <= 0 ? "above 0" : "at least " + shortest(rule.lo)));
+    throw Rejected(fmt::format("field \"{}\" is {} but must lie between {} and {}", name,
+                               shortest(value), shortest(rule.lo), shortest(rule.hi)));
+}
+
+void check_text(std::string_view name, std::string_view text, const Rule& rule)
+{
+    if (text.size() > longest_text)
+        throw Rejected(fmt::format("field \"{}\" has {} bytes but at most {} are taken", name,
+                                   text.size(), longest_text));
+    if (!is_utf8(text)) throw Rejected(fmt::format("field \"{}\" is not UTF-8 text", name));
+    if (text.find('\0') != text.npos)
+        throw Rejected(fmt::format(
+            "field \"{}\" holds the control character U+0000, which no text can", name));
+    if (rule.choices.empty()) return;
+    const std::string all = "|" + std::string(rule.choices) + "|";
+    if (text.find('|') != text.npos || all.find("|" + std::string(text) + "|") == all.npos)
+        throw Rejected(fmt::format("field \"{}\" is \"{}\" but must be one of {}", name,
+                                   excerpt(text), rule.choices));
+}
+
+template <class T> void check_value(const std::string& name, const T& value, const Rule& rule)
+{
+    if constexpr (Nested<T>)
+        each_field(value, [&](std::string_view inner, const auto& v, std::string_view,
+                              Rule inner_rule = {}) {
+            check_value(name + "." + std::string(inner), v, inner_rule);
+        });
+    else if constexpr (std::is_same_v<T, bool>)
+        return;
+    else if constexpr (std::is_arithmetic_v<T>)
+        check_number(name, static_cast<double>(value), rule);
+    else if constexpr (std::is_enum_v<T>) {
+        if (static_cast<std::size_t>(value) >= choice_names<T>.size())
+            throw Rejected(fmt::format("field \"{}\" is none of its choices", name));
+    } else if constexpr (std::is_same_v<T, std::string>)
+        check_text(name, value, rule);
+    else if constexpr (std::is_same_v<T, StrokeSample>) {
+        check_value(name, value.p_px, rule);
+        check_number(name, value.time_s, rule);
+        check_number(name, value.pressure, between(0, 1));
+    } else if constexpr (is_optional<T>) {
+        if (value) check_value(name, *value, rule);
+    } else if constexpr (is_list<T>) {
+        if (value.size() > longest_list)
+            throw Rejected(fmt::format("field \"{}\" has {} entries but at most {} are taken", name,
+                                       value.size(), longest_list));
+        for (std::size_t i = 0; i < value.size(); ++i)
+            check_value(fmt::format("{}[{}]", name, i), value[i], rule);
+    } else
+        for (int i = 0; i < T::length(); ++i)
+            check_number(fmt::format("{}[{}]", name, i), static_cast<double>(value[i]), rule);
+}
+
+} // namespace
+
+void check(const Command& command)
+{
+    std::visit(
+        [](const auto& c) {
+            each_field(c, [](std::string_view name, const auto& value, std::string_view,
+                             Rule rule = {}) { check_value(std::string(name), value, rule); });
+        },
+        command);
+}
+
+} // namespace trivar

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/commands/animate.h"
+#include "core/commands/arrange.h"
+#include "core/commands/import.h"
+#include "core/commands/lattice.h"
+#include "core/commands/material.h"
+#include "core/commands/paste.h"
+#include "core/commands/place.h"
+#include "core/commands/play.h"
+#include "core/commands/primitives.h"
+#include "core/commands/refine.h"
+#include "core/commands/shape.h"
+#include "core/commands/text.h"
+#include "core/commands/travel.h"
+#include "core/commands/view.h"
+#include "core/document/asset_store.h"
+
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace trivar {
+
+template <class T, class Variant> inline constexpr bool is_one_of = false;
+template <class T, class... All>
+inline constexpr bool is_one_of<T, std::variant<All...>> = (std::is_same_v<T, All> || ...);
+
+using AnyCommand =
+    std::variant<ImportModel, EditImport, Relink, AddPlane, AddBox, AddSphere, AddCylinder,
+                 AddTorus, AddMoebius, AddTeapot, AddText, SetText, SetTransform, Arrange,
+                 SetMaterial, ClearMaterial, Rename, Hide, Show, Lock, Unlock, Delete, Duplicate,
+                 Group, Ungroup, Reorder, Place, PlaceRound, EditPlacement, Unplace, SetTravel,
+                 PlayClip, Animate, Refine, ClearRefine, PressVolume, MovePoints, InsertKnots,
+                 CoarsenVolume, MendVolume, AllowFolds, Unshape, Paste, SaveCamera, DeleteCamera,
+                 SetRender, SetTime, AddLattice, SetLattice, WarpVolume>;
+
+// Everything that a person can do to a document, by value. It is a variant, to be visited as one,
+// whose copying and comparing of 47 kinds is compiled once rather than wherever one is copied.
+struct Command : AnyCommand {
+    template <class C>
+    requires is_one_of<std::remove_cvref_t<C>, AnyCommand> Command(C&& command)
+        : AnyCommand(std::in_place_type<std::remove_cvref_t<C>>, std::forward<C>(command))
+    {
+    }
+    Command();
+    Command(const Command&);
+    Command(Command&&) noexcept;
+    Command& operator=(const Command&);
+    Command& operator=(Command&&) noexcept;
+    ~Command();
+    bool operator==(const Command&) const;
+};
+constexpr std::size_t command_count = std::variant_size_v<AnyCommand>;
+template <std::size_t I> using CommandAt = std::variant_alternative_t<I, AnyCommand>;
+
+// One of each kind in the variant's order, with default fields.
+std::vector<Command> every_command();
+
+// The document after the command; objects that it does not touch keep their pointer. Pure: reads
+// no file. Throws Rejected (the field, what is wrong, what would be right) and nothing happened.
+// A new object's id is the old document's next_id.
+Document after(const Document& document, const Command& command);
+
+// Fills in what only the outside knows before a command is proposed: for an import and its edit the
+// hash, the path relative to the store's folder and the name. Throws Rejected if the file cannot be
+// read.
+Command prepare(Command command, const AssetStore& assets, const Progress& progress = {});
+
+// One line of JSON without its line break: {"do":"rename","object":3,"name":"Snake"}. Every field
+// is written, numbers as the shortest decimals that read back as the same bits.
+std::string to_json_line(const Command& command);
+// Strict: unknown verbs and fields, missing required fields, wrong types, numbers out of range are
+// Rejected by the field's name.
+Command command_from_json_line(std::string_view line);
+
+std::string_view verb(const Command& command);
+
+// The reference of all commands with their fields, defaults and ranges; as text only what each
+// command does and takes.
+std::string commands_text();
+std::string commands_markdown();
+std::string commands_json();
+
+} // namespace trivar

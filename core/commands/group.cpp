@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/rejected.h"
+#include "core/commands/apply.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+glm::dmat4 parent_to_world(const Document& document, Id parent)
+{
+    return parent == 0 ? glm::dmat4(1) : to_world(document, parent);
+}
+
+// Hangs an object under another parent without moving it. What is placed lies in the world
+// without its transform, and keeps that for the day it is taken off its stroke.
+Document hung(Document document, Id id, Id parent)
+{
+    const glm::dmat4 from = parent_to_world(document, object(document, id).parent);
+    const glm::dmat4 to = parent_to_world(document, parent);
+    return with_changed(std::move(document), id, [&](Object& o) {
+        if (from != to && !o.placement)
+            o.transform = decomposed(glm::inverse(to) * from * o.transform.matrix());
+        o.parent = parent;
+    });
+}
+
+// Deeper trees have no use, and every look at an object walks up to its root.
+constexpr int deepest = 64;
+
+int depth(const Document& document, Id id)
+{
+    int result = 0;
+    for (Id p = object(document, id).parent; p != 0; p = object(document, p).parent) ++result;
+    return result;
+}
+
+bool inside_one_of(const Document& document, Id id, const std::set<Id>& ids)
+{
+    for (Id p = object(document, id).parent; p != 0; p = object(document, p).parent)
+        if (ids.contains(p)) return true;
+    return false;
+}
+
+// What is inside another of them comes along with it.
+std::vector<Id> outermost(const Document& document, const std::vector<Id>& ids)
+{
+    const std::set<Id> chosen = distinct(document, ids);
+    std::vector<Id> result;
+    for (const Id id : ids)
+        if (!inside_one_of(document, id, chosen)) result.push_back(id);
+    return result;
+}
+
+} // namespace
+
+void check_own_depth(const Document& document, Id id)
+{
+    if (depth(document, id) > deepest)
+        throw Rejected(fmt::format("groups nest at most {} deep", deepest));
+}
+
+void check_depth(const Document& document, Id group)
+{
+    for (const Id id : with_contents(document, {group})) check_own_depth(document, id);
+}
+
+Document with_parent_of(Document document, const std::vector<Id>& objects, Object holder)
+{
+    if (holder.name.empty()) throw Rejected("field \"name\" is empty");
+    const std::vector<Id> members = outermost(document, objects);
+    holder.parent = object(document, members.front()).parent;
+    for (const Id id : members)
+        if (object(document, id).parent != holder.parent) holder.parent = 0;
+    const Id group = document.next_id;
+    document = with_added(std::move(document), std::move(holder));
+    for (const Id id : members) document = hung(std::move(document), id, group);
+    check_depth(document, group);
+    return document;
+}
+
+Document applied(Document document, const Group& command)
+{
+    return with_parent_of(std::move(document), command.objects,
+                          {.name = command.name,
+                           .source = GroupShape{},
+                           .transform = {},
+                           .surfacing = {},
+                           .placement = {}});
+}
+
+Document applied(Document document, const Ungroup& command)
+{
+    const Object& group = object(document, command.object);
+    if (!holds_others(group.source))
+        throw Rejected(named(document, command.object) + " is no group");
+    const Id parent = group.parent;
+    std::vector<Id> members;
+    for (const auto& [id, ref] : document.objects)
+        if (ref->parent == command.object) members.push_back(id);
+    for (const Id id : members) document = hung(std::move(document), id, parent);
+    document.objects.erase(command.object);
+    return document;
+}
+
+Document applied(Document document, const Reorder& command)
+{
+    const std::vector<Id> members = outermost(document, command.objects);
+    const auto moves = [&](Id id) { return std::ranges::find(members, id) != members.end(); };
+    const Id parent = command.parent, before = command.before;
+    if (parent != 0) {
+        const Object& group = object(document, parent);
+        if (!holds_others(group.source)) throw Rejected(named(document, parent) + " is no group");
+        for (Id id = parent; id != 0; id = object(document, id).parent)
+            if (moves(id)) throw Rejected(named(document, id) + " cannot be in itself");
+    }
+    if (before != 0 && (object(document, before).parent != parent || moves(before)))
+        throw Rejected(
+            fmt::format("field \"before\" names object {}, which is not among the others "
+                        "in that group",
+                        before));
+    std::vector<Id> rows = in_row_order(document);
+    std::erase_if(rows, moves);
+    const auto at = before == 0 ? rows.end() : std::ranges::find(rows, before);
+    rows.insert(at, members.begin(), members.end());
+    for (const Id id : members)
+        if (object(document, id).parent != parent) document = hung(std::move(document), id, parent);
+    if (parent != 0) check_depth(document, parent);
+    document.rows = make_ref(std::move(rows));
+    return document;
+}
+
+} // namespace trivar

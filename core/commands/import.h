@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/fields/import_fields.h"
+
+namespace trivar {
+
+struct ImportModel {
+    static constexpr std::string_view verb = "import", summary = "Add a model from a file.";
+    ImportedFile file;
+    std::string name;
+    Transform transform;
+    bool operator==(const ImportModel&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        FieldsOf<ImportedFile>::fields(c.file, field);
+        field("name", c.name, "name in the outliner; empty: the file's");
+        field("transform", c.transform, "where it stands");
+    }
+};
+
+struct EditImport {
+    static constexpr std::string_view verb = "edit_import",
+                                      summary = "Take a model from another file, or read it "
+                                                "otherwise. It stays where it is.";
+    Id object = 0;
+    ImportedFile file;
+    bool operator==(const EditImport&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("object", c.object, "id of an imported model", required);
+        FieldsOf<ImportedFile>::fields(c.file, field);
+    }
+};
+
+struct Relink {
+    static constexpr std::string_view verb = "relink",
+                                      summary = "Take models from other files, one each, or read "
+                                                "them otherwise. They stay where they are.";
+    std::vector<Id> objects;
+    std::vector<ImportedFile> files;
+    bool operator==(const Relink&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("objects", c.objects, "ids of imported models", required);
+        field("files", c.files, "of the objects, in the same order", required);
+    }
+};
+
+} // namespace trivar

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/fields/lattice_fields.h"
+
+namespace trivar {
+
+struct AddLattice {
+    static constexpr std::string_view verb = "add_lattice",
+                                      summary = "Put a box of control points round objects. They "
+                                                "stand in it as in a group and bend with it.";
+    std::vector<Id> objects;
+    std::string name = "Lattice";
+    LatticeShape shape = {};
+    Transform transform = {};
+    bool operator==(const AddLattice&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("objects", c.objects, "ids of what it bends", required);
+        field("name", c.name, "name in the outliner");
+        FieldsOf<LatticeShape>::fields(c.shape, field);
+        field("transform", c.transform, "where the box stands, in the group that holds them all");
+    }
+};
+struct SetLattice {
+    static constexpr std::string_view verb = "set_lattice",
+                                      summary = "Change the size and the control points of a "
+                                                "lattice. Steps that move points it then has not "
+                                                "are passed over; insert_knots keeps its shape.";
+    Id object = 0;
+    LatticeShape shape = {};
+    bool operator==(const SetLattice&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("object", c.object, "id of a lattice", required);
+        FieldsOf<LatticeShape>::fields(c.shape, field);
+    }
+};
+
+} // namespace trivar

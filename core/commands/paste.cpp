@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/paste.h"
+
+#include "core/base/rejected.h"
+#include "core/base/text.h"
+#include "core/commands/apply.h"
+#include "core/commands/numbering.h"
+#include "core/document/band.h"
+#include "core/document/parameters.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+using CopiedIds = std::map<Id, Id>; // by the numbers where they were copied
+
+// Calls visit(shape) for each place of a copy where one can be.
+void each_shape(auto& copy, auto&& visit)
+{
+    visit(copy.file);
+    visit(copy.plane);
+    visit(copy.box);
+    visit(copy.sphere);
+    visit(copy.cylinder);
+    visit(copy.torus);
+    visit(copy.moebius);
+    visit(copy.teapot);
+    visit(copy.text);
+    visit(copy.lattice);
+}
+
+Source source_of(const CopiedObject& copy)
+{
+    Source source = GroupShape{};
+    int shapes = 0;
+    each_shape(copy, [&](const auto& shape) {
+        if (!shape) return;
+        source = *shape;
+        ++shapes;
+    });
+    if (shapes > 1)
+        throw Rejected(fmt::format("field \"copies\": object {} has {} shapes but can have one",
+                                   copy.object, shapes));
+    if (const auto* file = std::get_if<ImportedFile>(&source); file && file->path.empty())
+        throw Rejected("field \"path\" names no file");
+    if (const auto* text = std::get_if<TextShape>(&source)) check_text(*text);
+    if (const auto* lattice = std::get_if<LatticeShape>(&source)) check_lattice(*lattice);
+    return source;
+}
+
+// What was done to its volume. Throws Rejected where that cannot be.
+std::vector<Ref<VolumeEdit>> as_refs(const CopiedObject& copy)
+{
+    if (copy.shaping.size() > most_shaping_steps)
+        throw Rejected(fmt::format("field \"shaping\": {} is shaped in {} steps; {} are the most",
+                                   copy.name, copy.shaping.size(), most_shaping_steps));
+    std::vector<Ref<VolumeEdit>> out;
+    for (const VolumeEdit& edit : copy.shaping) {
+        check(edit);
+        out.push_back(make_ref(edit));
+    }
+    return out;
+}
+
+Object object_of(const CopiedObject& copy, const Document& document, const CopiedIds& made)
+{
+    check_transform(copy.transform);
+    if (copy.name.empty()) throw Rejected("field \"name\" is empty");
+    const auto parent = made.find(copy.parent);
+    if (copy.parent != 0 && parent == made.end())
+        throw Rejected(fmt::format("field \"parent\": no object {} comes before {}", copy.parent,
+                                   excerpt(copy.name)));
+    if (copy.parent != 0 && !holds_others(object(document, parent->second).source))
+        throw Rejected(fmt::format("field \"parent\": object {} is no group", copy.parent));
+    return {.name = copy.name,
+            .source = source_of(copy),
+            .transform = copy.transform,
+            .surfacing = copy.material,
+            .parent = copy.parent == 0 ? 0 : parent->second,
+            .hidden = copy.hidden,
+            .locked = copy.locked,
+            .placement = {},
+            .shaping = copy.lattice ? as_refs(copy) : std::vector<Ref<VolumeEdit>>{},
+            .playing = copy.file && copy.playing ? *copy.playing : Playing{}};
+}
+
+// What the copy lies on here: of what it lay on whatever was copied too, or is in the scene.
+std::vector<Id> bases_of(const CopiedPlacement& placement, const Document& before,
+                         const Document& document, const CopiedIds& made)
+{
+    std::vector<Id> bases;
+    for (const KnownObject& known : placement.onto) {
+        if (const auto copy = made.find(known.object); copy != made.end()) {
+            bases.push_back(copy->second);
+            continue;
+        }
+        const auto there = before.objects.find(known.object);
+        if (there != before.objects.end() && there->second->name == known.name)
+            bases.push_back(known.object);
+    }
+    if (placement.round)
+        std::erase_if(bases, [&](Id id) {
+            const Object& base = object(document, id);
+            return base.placement || !band_round(base.source, 0, glm::dmat4(1));
+        });
+    return bases;
+}
+
+Document laid(Document document, Id id, const CopiedObject& copy, const std::vector<Id>& bases)
+{
+    const CopiedPlacement& p = *copy.placement;
+    if (p.round && bases.empty()) return document;
+    if (p.round)
+        document =
+            applied(std::move(document), PlaceRound{id, bases.front(), p.level, p.parameters});
+    else if (!bases.empty() || !possible_bases(document, id).empty())
+        document = applied(std::move(document), Place{id, p.sketch, p.parameters, bases});
+    else
+        return document;
+    if (copy.refining) check(*copy.refining);
+    document = with_changed(std::move(document), id, [&](Object& o) {
+        o.shaping = as_refs(copy);
+        o.refining = copy.refining;
+    });
+    if (!copy.travel) return document;
+    return applied(std::move(document), SetTravel{{id}, *copy.travel});
+}
+
+// Without the tracks of what it does not have here.
+Document animated(Document document, Id id, std::vector<Track> tracks)
+{
+    const std::vector<Parameter> known = parameters(object(document, id));
+    std::erase_if(tracks, [&](const Track& track) {
+        return std::ranges::find(known, track.parameter, &Parameter::name) == known.end();
+    });
+    if (tracks.empty()) return document;
+    return applied(std::move(document), Animate{{{id, std::move(tracks)}}});
+}
+
+CopiedObject copy_of(const Document& document, Id id, bool inside, const std::string& folder)
+{
+    const Object& each = object(document, id);
+    CopiedObject copy;
+    copy.object = id;
+    copy.name = each.name;
+    each_shape(copy, [&]<class Shape>(std::optional<Shape>& shape) {
+        if (const auto* own = std::get_if<Shape>(&each.source)) shape = *own;
+    });
+    if (copy.file)
+        copy.file->path =
+            (std::filesystem::path(folder) / copy.file->path).lexically_normal().string();
+    copy.transform = inside || each.parent == 0 || each.placement
+                         ? each.transform
+                         : decomposed(to_world(document, id));
+    copy.parent = inside ? each.parent : 0;
+    copy.hidden = each.hidden;
+    copy.locked = each.locked;
+    copy.material = each.surfacing;
+    if (copy.file && each.playing != Playing{}) copy.playing = each.playing;
+    copy.tracks = each.tracks;
+    for (const Ref<VolumeEdit>& edit : each.shaping) copy.shaping.push_back(*edit);
+    if (!each.placement) return copy;
+    copy.placement = {each.placement->sketch,
+                      each.placement->parameters,
+                      {},
+                      each.placement->round.has_value(),
+                      each.placement->round ? each.placement->round->level : 0};
+    for (const Id base : each.placement->onto)
+        copy.placement->onto.push_back({base, object(document, base).name});
+    copy.refining = each.refining;
+    if (each.travel != Travel{}) copy.travel = each.travel;
+    return copy;
+}
+
+} // namespace
+
+Document applied(Document document, const Paste& command)
+{
+    if (command.copies.empty()) throw Rejected("field \"copies\" names no object");
+    const Document before = document;
+    Numbering names(before);
+    CopiedIds made;
+    for (const CopiedObject& copy : command.copies) {
+        Object pasted = object_of(copy, document, made);
+        if (pasted.parent == 0) pasted.name = names.unique(pasted.name);
+        if (!made.emplace(copy.object, document.next_id).second)
+            throw Rejected(fmt::format("field \"copies\" has object {} twice", copy.object));
+        document = with_added(std::move(document), std::move(pasted));
+    }
+    for (const auto& [copied_id, id] : made) check_own_depth(document, id);
+    // First what lies on something known: what is laid over all that is there keeps off from below.
+    for (const bool known : {true, false})
+        for (const CopiedObject& copy : command.copies) {
+            if (!copy.placement) continue;
+            const std::vector<Id> bases = bases_of(*copy.placement, before, document, made);
+            if (bases.empty() != known)
+                document = laid(std::move(document), made.at(copy.object), copy, bases);
+        }
+    for (const CopiedObject& copy : command.copies)
+        document = animated(std::move(document), made.at(copy.object), copy.tracks);
+    return document;
+}
+
+Paste copied(const Document& document, const std::vector<Id>& ids, const std::string& folder)
+{
+    Paste paste;
+    std::set<Id> chosen;
+    for (const Id id : ids)
+        if (document.objects.contains(id)) chosen.insert(id);
+    const std::set<Id> all = with_contents(document, chosen);
+    std::map<Id, std::vector<Id>> inside; // by group, 0: those in no group that is copied
+    for (const Id row : in_row_order(document)) {
+        const Id parent = object(document, row).parent;
+        if (all.contains(row)) inside[all.contains(parent) ? parent : 0].push_back(row);
+    }
+    const auto add = [&](auto&& self, Id group) -> void {
+        for (const Id id : inside[group]) {
+            paste.copies.push_back(copy_of(document, id, group != 0, folder));
+            self(self, id); // groups come before what is in them
+        }
+    };
+    add(add, 0);
+    return paste;
+}
+
+} // namespace trivar

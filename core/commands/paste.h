@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/commands/import.h"
+#include "core/commands/lattice.h"
+#include "core/commands/material.h"
+#include "core/commands/place.h"
+#include "core/commands/play.h"
+#include "core/commands/primitives.h"
+#include "core/commands/refine.h"
+#include "core/commands/shape.h"
+#include "core/commands/text.h"
+#include "core/commands/travel.h"
+
+#include <string>
+#include <vector>
+
+namespace trivar {
+
+// An object of the scene that something lies on: both must fit, so that another scene's object of
+// that number is not taken for it.
+struct KnownObject {
+    Id object = 0;
+    std::string name;
+    bool operator==(const KnownObject&) const = default;
+};
+struct CopiedPlacement {
+    Sketch sketch;
+    PlacementParameters parameters;
+    std::vector<KnownObject> onto;
+    bool round = false;
+    double level = 0;
+    bool operator==(const CopiedPlacement&) const = default;
+};
+
+// An object by itself, with its number where it was copied.
+struct CopiedObject {
+    Id object = 0;
+    std::string name;
+    // One of them at most; none: a group.
+    std::optional<ImportedFile> file;
+    std::optional<PlaneShape> plane;
+    std::optional<BoxShape> box;
+    std::optional<SphereShape> sphere;
+    std::optional<CylinderShape> cylinder;
+    std::optional<TorusShape> torus;
+    std::optional<MoebiusShape> moebius;
+    std::optional<TeapotShape> teapot;
+    std::optional<TextShape> text = {};
+    std::optional<LatticeShape> lattice = {};
+    Transform transform;
+    Id parent = 0;
+    bool hidden = false, locked = false;
+    std::optional<Surfacing> material;
+    std::optional<CopiedPlacement> placement;
+    std::vector<VolumeEdit> shaping;
+    std::optional<Travel> travel;
+    std::optional<Playing> playing;
+    std::optional<Refining> refining;
+    std::vector<Track> tracks;
+    bool operator==(const CopiedObject&) const = default;
+};
+
+template <> struct FieldsOf<KnownObject> {
+    static constexpr std::string_view told_as = "[base](#base)";
+    static void fields(auto& k, auto&& field)
+    {
+        field("object", k.object, "its id", required);
+        field("name", k.name, "its name; another object of that id is not taken for it", required);
+    }
+};
+template <> struct FieldsOf<CopiedPlacement> {
+    static constexpr std::string_view told_as = "[placement](#placement)";
+    static void fields(auto& p, auto&& field)
+    {
+        field("sketch", p.sketch, "the stroke; none where it lies round something");
+        field("parameters", p.parameters, "how it lies");
+        field("onto", p.onto, "what it lay on: other copies, or objects of the scene");
+        field("round", p.round, "about the only one of onto, in place of a stroke");
+        field("level", p.level, "metres from that one's widest circle");
+    }
+};
+template <> struct FieldsOf<CopiedObject> {
+    static constexpr std::string_view told_as = "[object](#object)";
+    static void fields(auto& c, auto&& field)
+    {
+        field("object", c.object, "its id where it was copied, by which others name it", required);
+        field("name", c.name, "its name; where that is taken it gets a number", required);
+        field("file", c.file, "of an imported model; without file and shape it is a group");
+        field("plane", c.plane, "its shape, as of add_plane");
+        field("box", c.box, "its shape, as of add_box");
+        field("sphere", c.sphere, "its shape, as of add_sphere");
+        field("cylinder", c.cylinder, "its shape, as of add_cylinder");
+        field("torus", c.torus, "its shape, as of add_torus");
+        field("moebius", c.moebius, "its shape, as of add_moebius");
+        field("teapot", c.teapot, "its shape, as of add_teapot");
+        field("text", c.text, "its shape, as of add_text");
+        field("lattice", c.lattice, "its box of control points, as of add_lattice");
+        field("transform", c.transform, "where it stands, in its group if that is copied too");
+        field("parent", c.parent,
+              "id of the copied group it is in, which comes before it; 0: none");
+        field("hidden", c.hidden, "left out of the picture");
+        field("locked", c.locked, "no hand takes it");
+        field("material", c.material, "one material over all of it; left out: its own");
+        field("placement", c.placement, "how it lies on a stroke");
+        field("shaping", c.shaping, "what was done to its volume after that, step by step");
+        field("travel", c.travel, "how it goes along that");
+        field("playing", c.playing, "how an imported model moves by a clip of its file");
+        field("refining", c.refining, "how finely its triangles are split");
+        field("tracks", c.tracks, "how its parameters go from key to key", later);
+    }
+};
+
+struct Paste {
+    static constexpr std::string_view verb = "paste",
+                                      summary =
+                                          "Add copies of objects. What lay on something lies on "
+                                          "the copy of that, or on that itself where the scene "
+                                          "has it; else it is laid over all that is there, and "
+                                          "stands straight where nothing is.";
+    std::vector<CopiedObject> copies;
+    bool operator==(const Paste&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("copies", c.copies, "the objects; they get the next ids in this order", required);
+    }
+};
+
+// Copies of those objects, groups with what is in them, for this scene or another one: the files of
+// models are named from the root, and what was in a group that is not copied stands where it stood.
+// Ids that are not in the document are passed over.
+Paste copied(const Document& document, const std::vector<Id>& ids, const std::string& folder);
+
+} // namespace trivar

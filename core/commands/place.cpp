@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/rejected.h"
+#include "core/commands/apply.h"
+#include "core/document/band.h"
+#include "core/document/check_view.h"
+#include "core/placement/height_map.h"
+#include "core/placement/profile.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+// Every object that lies on `id`, directly or on others that do, and itself.
+std::set<Id> lying_on(const Document& document, Id id)
+{
+    std::map<Id, std::vector<Id>> above;
+    for (const auto& [other, ref] : document.objects)
+        if (ref->placement)
+            for (const Id lower : ref->placement->onto) above[lower].push_back(other);
+    std::set<Id> result{id};
+    std::vector<Id> open{id};
+    while (!open.empty()) {
+        const Id lower = open.back();
+        open.pop_back();
+        for (const Id upper : above[lower])
+            if (result.insert(upper).second) open.push_back(upper);
+    }
+    return result;
+}
+
+bool is_group(const Object& o)
+{
+    return holds_others(o.source);
+}
+
+// More than any stroke meets; each placement remembers its whole list.
+constexpr std::size_t most_supports = 4096;
+
+void check_count(const std::vector<Id>& supports)
+{
+    if (supports.size() > most_supports)
+        throw Rejected(fmt::format("field \"onto\" comes to {} objects but at most {} are taken; "
+                                   "name those that the stroke meets",
+                                   supports.size(), most_supports));
+}
+
+// The objects a stroke may fall on: those named, groups opened up, or all that make sense.
+std::vector<Id> supports(const Document& document, Id id, const std::vector<Id>& onto)
+{
+    const std::set<Id> above = lying_on(document, id);
+    std::vector<Id> result;
+    if (onto.empty()) {
+        result = possible_bases(document, id);
+        if (result.empty())
+            throw Rejected(fmt::format("there is nothing visible that {} could lie on; add or "
+                                       "show another object first",
+                                       named(document, id)));
+        check_count(result);
+        return result;
+    }
+    std::set<Id> given(onto.begin(), onto.end());
+    for (const Id other : given) object(document, other);
+    for (const Id other : with_contents(document, std::move(given))) {
+        if (is_group(object(document, other))) continue;
+        if (other == id) throw Rejected("field \"onto\": an object cannot lie on itself");
+        if (above.contains(other))
+            throw Rejected(fmt::format("field \"onto\": {} lies on {} already, so the other "
+                                       "way round is impossible",
+                                       named(document, other), named(document, id)));
+        result.push_back(other);
+    }
+    if (result.empty()) throw Rejected("field \"onto\" names only empty groups");
+    check_count(result);
+    return result;
+}
+
+void check_sketch(const Sketch& sketch)
+{
+    check_view(sketch.camera);
+    if (sketch.samples.size() < 2)
+        throw Rejected("field \"samples\" has less than two points; press, draw a line over the "
+                       "scene, and let go");
+}
+
+void check_parameters(const PlacementParameters& p)
+{
+    if (static_cast<double>(p.grid.x) * p.grid.y * p.grid.z > most_control_points)
+        throw Rejected(fmt::format("field \"grid\" makes more than {} control points",
+                                   static_cast<int>(most_control_points)));
+    for (int i = 0; i < 3; ++i)
+        if (p.grid[i] < p.orders[i])
+            throw Rejected(fmt::format("field \"grid\": order {} needs at least {} control points "
+                                       "along the axis, not {}",
+                                       p.orders[i], p.orders[i], p.grid[i]));
+    if (p.start + p.fill > 1 + 1e-12)
+        throw Rejected("fields \"start\" and \"fill\" add up to more than 1, the whole stroke");
+    check_profile(p.width_profile, "field \"width_profile\"");
+    check_profile(p.height_profile, "field \"height_profile\"");
+    check_profile(p.height_across, "field \"height_across\"");
+    check_height_map(p.height_map, "field \"height_map\"");
+    check_rise(p.rise_profile, "field \"rise_profile\"");
+    if (p.roll_deg != 90 * std::floor(p.roll_deg / 90))
+        throw Rejected("field \"roll_deg\" must be 0, 90, 180 or 270");
+}
+
+} // namespace
+
+void check_has_volume(const Object& o, Id id)
+{
+    if (!o.placement && !std::holds_alternative<LatticeShape>(o.source))
+        throw Rejected(fmt::format("object {} ({}) has no volume; place it on a stroke, or put a "
+                                   "lattice round it",
+                                   id, o.name));
+}
+
+void check_placed(const Object& o, Id id)
+{
+    if (!o.placement) throw Rejected(named(id, o) + " is not placed; use place first");
+}
+
+std::vector<Id> possible_bases(const Document& document, Id id)
+{
+    const std::set<Id> above = lying_on(document, id);
+    std::vector<Id> result;
+    for (const auto& [other, ref] : document.objects)
+        if (!is_group(*ref) && !above.contains(other) && visible(document, other))
+            result.push_back(other);
+    return result;
+}
+
+Document applied(Document document, const Place& command)
+{
+    const Object& placed = object(document, command.object);
+    if (is_group(placed))
+        throw Rejected(named(document, command.object) + " is a group; place the objects in it");
+    check_sketch(command.sketch);
+    check_parameters(command.parameters);
+    PlacementStep step{command.sketch, command.parameters,
+                       supports(document, command.object, command.onto)};
+    return with_changed(std::move(document), command.object, [&](Object& o) {
+        o.placement = std::move(step);
+        o.shaping.clear();
+    });
+}
+
+Document applied(Document document, const PlaceRound& command)
+{
+    const Object& placed = object(document, command.object);
+    const Object& base = object(document, command.around);
+    if (is_group(placed))
+        throw Rejected(named(document, command.object) + " is a group; place the objects in it");
+    if (!band_round(base.source, 0, glm::dmat4(1)))
+        throw Rejected(fmt::format("field \"around\": {} is no cylinder, sphere, torus or Moebius "
+                                   "band",
+                                   named(document, command.around)));
+    if (base.placement)
+        throw Rejected(fmt::format("field \"around\": {} is itself placed; unplace it first",
+                                   named(document, command.around)));
+    check_parameters(command.parameters);
+    PlacementStep step{{},
+                       command.parameters,
+                       supports(document, command.object, {command.around}),
+                       RoundWay{command.level}};
+    return with_changed(std::move(document), command.object, [&](Object& o) {
+        o.placement = std::move(step);
+        o.shaping.clear();
+    });
+}
+
+Document applied(Document document, const EditPlacement& command)
+{
+    const Object& placed = object(document, command.object);
+    check_placed(placed, command.object);
+    check_parameters(command.parameters);
+    PlacementStep step = *placed.placement;
+    step.parameters = command.parameters;
+    if (command.sketch) {
+        check_sketch(*command.sketch);
+        step.sketch = *command.sketch;
+        step.round.reset();
+    }
+    if (command.onto && step.round)
+        throw Rejected(fmt::format("field \"onto\": {} goes round object {}; use place_round for "
+                                   "another one",
+                                   placed.name, step.onto.empty() ? 0 : step.onto.front()));
+    if (command.onto) step.onto = supports(document, command.object, *command.onto);
+    return with_changed(std::move(document), command.object,
+                        [&](Object& o) { o.placement = std::move(step); });
+}
+
+Document applied(Document document, const Unplace& command)
+{
+    check_placed(object(document, command.object), command.object);
+    return with_changed(std::move(document), command.object, [](Object& o) {
+        o.placement.reset();
+        o.shaping.clear();
+        o.travel = {};
+        o.refining.reset();
+    });
+}
+
+Document applied(Document document, const SetTravel& command)
+{
+    for (const Id id : distinct(document, command.objects)) check_placed(object(document, id), id);
+    if (command.travels.empty())
+        return with_all_changed(std::move(document), command.objects,
+                                [&](Object& o) { o.travel = command.travel; });
+    if (command.travels.size() != command.objects.size())
+        throw Rejected(fmt::format("field \"travels\" has {} entries for {} objects",
+                                   command.travels.size(), command.objects.size()));
+    for (std::size_t i = 0; i < command.objects.size(); ++i)
+        document = with_changed(std::move(document), command.objects[i],
+                                [&](Object& o) { o.travel = command.travels[i]; });
+    return document;
+}
+
+} // namespace trivar

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/fields/placement_fields.h"
+
+namespace trivar {
+
+struct Place {
+    static constexpr std::string_view verb = "place",
+                                      summary = "Lay an object along a stroke over the scene.";
+    Id object = 0;
+    Sketch sketch;
+    PlacementParameters parameters;
+    std::vector<Id> onto;
+    bool operator==(const Place&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("object", c.object, "id of the object to lay down", required);
+        field("camera", c.sketch.camera, "the view the stroke was drawn in", required);
+        field("samples", c.sketch.samples, "the stroke, [x px, y px, seconds, pressure] each",
+              required);
+        field("parameters", c.parameters, "how it lies");
+        field("onto", c.onto,
+              "ids it lies on; empty: every visible object that does not lie on it");
+    }
+};
+// Every visible object that a stroke of it could fall on: no group, not itself, nor what lies on
+// it.
+std::vector<Id> possible_bases(const Document& document, Id id);
+
+struct PlaceRound {
+    static constexpr std::string_view verb = "place_round",
+                                      summary = "Lay an object round a cylinder, a sphere, a torus "
+                                                "or a Moebius band, on a way that closes.";
+    Id object = 0, around = 0;
+    double level = 0;
+    PlacementParameters parameters;
+    bool operator==(const PlaceRound&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("object", c.object, "id of the object to lay down", required);
+        field("around", c.around, "id of what it goes round, by its Z axis", required);
+        field("level", c.level, "metres across from the widest circle of that");
+        field("parameters", c.parameters,
+              "how it lies; springs, misses and clearance have nothing to do here");
+    }
+};
+struct EditPlacement {
+    static constexpr std::string_view verb = "edit_placement",
+                                      summary = "Change how a placed object lies.";
+    Id object = 0;
+    PlacementParameters parameters;
+    std::optional<Sketch> sketch;        // nothing: the stroke stays
+    std::optional<std::vector<Id>> onto; // nothing: as it was; empty: chosen anew
+    bool operator==(const EditPlacement&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("object", c.object, "id of a placed object", required);
+        field("parameters", c.parameters, "all of them; what is left out has its default",
+              required);
+        field("sketch", c.sketch, "a new stroke; left out: as it was");
+        field("onto", c.onto, "ids it lies on; left out: as it was; empty: chosen anew");
+    }
+};
+struct Unplace {
+    static constexpr std::string_view verb = "unplace",
+                                      summary = "Take an object off its stroke, straight again.";
+    Id object = 0;
+    bool operator==(const Unplace&) const = default;
+    static void fields(auto& c, auto&& field) { field("object", c.object, "id", required); }
+};
+
+} // namespace trivar

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/play.h"
+
+#include "core/base/rejected.h"
+#include "core/commands/apply.h"
+
+#include <fmt/format.h>
+
+namespace trivar {
+
+Document applied(Document document, const PlayClip& command)
+{
+    for (const Id id : distinct(document, command.objects))
+        if (!std::holds_alternative<ImportedFile>(object(document, id).source))
+            throw Rejected(named(document, id) + " is no imported model and has no clips");
+    const std::vector<Playing>& each = command.playings;
+    if (!each.empty() && each.size() != command.objects.size())
+        throw Rejected(fmt::format("field \"playings\" has {} entries for {} objects", each.size(),
+                                   command.objects.size()));
+    for (std::size_t i = 0; i < command.objects.size(); ++i)
+        document = with_changed(std::move(document), command.objects[i], [&](Object& o) {
+            o.playing = each.empty() ? command.playing : each[i];
+        });
+    return document;
+}
+
+} // namespace trivar

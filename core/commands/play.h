@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/commands/animate.h"
+#include "core/document/fields/playing_fields.h"
+
+namespace trivar {
+
+struct PlayClip {
+    static constexpr std::string_view verb = "play_clip",
+                                      summary = "Let imported models move by a clip of their "
+                                                "file, or stand.";
+    std::vector<Id> objects;
+    Playing playing;
+    std::vector<Playing> playings = {};
+    bool operator==(const PlayClip&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("objects", c.objects, "ids of imported models", required);
+        FieldsOf<Playing>::fields(c.playing, field);
+        field("playings", c.playings,
+              "one each, in the order of the objects, in place of these fields; empty: the same "
+              "for all");
+    }
+};
+
+} // namespace trivar

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/rejected.h"
+#include "core/commands/command.h"
+#include "core/text/installed_fonts.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace trivar {
+namespace {
+
+// Relative where the file lies in or near the scene's folder, so that both can move together.
+std::string path_in_log(const std::string& path, const std::string& folder)
+{
+    const std::filesystem::path named(path);
+    if (named.is_relative()) return named.lexically_normal().string();
+    const std::filesystem::path relative = named.lexically_normal().lexically_relative(folder);
+    const auto ups = std::count(relative.begin(), relative.end(), std::filesystem::path(".."));
+    constexpr auto near = 3;
+    return relative.empty() || ups > near ? named.lexically_normal().string() : relative.string();
+}
+
+// The file as the log names it, with the hash of what it holds now.
+ImportedFile prepared(ImportedFile file, const AssetStore& assets, const Progress& progress)
+{
+    file.path = path_in_log(file.path, assets.folder());
+    file.hash.clear(); // any content
+    const AssetStore::Loaded loaded = assets.load(file, progress);
+    if (!loaded.model)
+        throw Rejected(loaded.notices.empty() ? file.path + ": cannot be read"
+                                              : loaded.notices.front());
+    file.hash = loaded.hash;
+    return file;
+}
+
+// The digest of the font that was found, none where another one stands in; a font file is named
+// from the root, so that it is found wherever the scene is kept.
+void prepare_font(TextShape& text, const AssetStore& assets)
+{
+    if (is_font_path(text.font))
+        text.font =
+            std::filesystem::absolute(assets.resolve(text.font)).lexically_normal().string();
+    text.font_digest.clear();
+    try {
+        const FoundFont found = find_font(text.font);
+        if (found.notices.empty()) text.font_digest = found.font.digest();
+    } catch (const Rejected&) { // said of the object
+    }
+}
+
+} // namespace
+
+Command prepare(Command command, const AssetStore& assets, const Progress& progress)
+{
+    if (auto* import = std::get_if<ImportModel>(&command)) {
+        import->file = prepared(std::move(import->file), assets, progress);
+        if (import->name.empty())
+            import->name = std::filesystem::path(import->file.path).stem().string();
+    } else if (auto* edit = std::get_if<EditImport>(&command)) {
+        edit->file = prepared(std::move(edit->file), assets, progress);
+    } else if (auto* text = std::get_if<AddText>(&command)) {
+        prepare_font(text->shape, assets);
+    } else if (auto* letters = std::get_if<SetText>(&command)) {
+        prepare_font(letters->shape, assets);
+    } else if (auto* paste = std::get_if<Paste>(&command)) {
+        for (CopiedObject& copy : paste->copies) // what is missing is told of each object
+            if (copy.file) copy.file->path = path_in_log(copy.file->path, assets.folder());
+    }
+    return command;
+}
+
+} // namespace trivar

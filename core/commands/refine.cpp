@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/refine.h"
+
+#include "core/base/rejected.h"
+#include "core/commands/apply.h"
+
+#include <fmt/format.h>
+
+namespace trivar {
+
+void check(const Refining& refining)
+{
+    if (refining.method == BoundMethod::thesis_circumradius)
+        throw Rejected("field \"method\": thesis_circumradius is false and bounds nothing; "
+                       "circumradius is the same formula put right");
+}
+
+Document applied(Document document, const Refine& command)
+{
+    for (const Id id : distinct(document, command.objects)) check_placed(object(document, id), id);
+    const std::vector<Refining>& each = command.refinings;
+    if (!each.empty() && each.size() != command.objects.size())
+        throw Rejected(fmt::format("field \"refinings\" has {} entries for {} objects", each.size(),
+                                   command.objects.size()));
+    check(command.refining);
+    for (const Refining& one : each) check(one);
+    for (std::size_t i = 0; i < command.objects.size(); ++i)
+        document = with_changed(std::move(document), command.objects[i], [&](Object& o) {
+            o.refining = each.empty() ? command.refining : each[i];
+        });
+    return document;
+}
+
+Document applied(Document document, const ClearRefine& command)
+{
+    return with_all_changed(std::move(document), command.objects,
+                            [](Object& o) { o.refining.reset(); });
+}
+
+} // namespace trivar

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/fields/refining_fields.h"
+
+namespace trivar {
+
+struct Refine {
+    static constexpr std::string_view verb = "refine",
+                                      summary = "Split the triangles of placed objects until the "
+                                                "bent surface is certified within a tolerance.";
+    std::vector<Id> objects;
+    Refining refining;
+    std::vector<Refining> refinings = {};
+    bool operator==(const Refine&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("objects", c.objects, "ids of placed objects", required);
+        FieldsOf<Refining>::fields(c.refining, field);
+        field("refinings", c.refinings,
+              "one each, in the order of the objects, in place of these fields; empty: the same "
+              "for all");
+    }
+};
+struct ClearRefine {
+    static constexpr std::string_view verb = "clear_refine",
+                                      summary = "Give objects the triangles back that they have.";
+    std::vector<Id> objects;
+    bool operator==(const ClearRefine&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("objects", c.objects, "ids of refined objects", required);
+    }
+};
+
+} // namespace trivar

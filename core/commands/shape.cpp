@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/shape.h"
+
+#include "core/base/rejected.h"
+#include "core/commands/apply.h"
+#include "core/placement/pressing.h"
+
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+Document shaped(Document document, Id id, VolumeEdit edit)
+{
+    const Object& o = object(document, id);
+    check_has_volume(o, id);
+    if (o.shaping.size() >= most_shaping_steps)
+        throw Rejected(fmt::format("{} is shaped in {} steps already; take some back", named(id, o),
+                                   most_shaping_steps));
+    return with_changed(std::move(document), id, [&](Object& changed) {
+        changed.shaping.push_back(make_ref(std::move(edit)));
+    });
+}
+
+} // namespace
+
+void check(const VolumeEdit& edit)
+{
+    const int kinds = int{edit.press.has_value()} + int{edit.shift.has_value()} +
+                      int{edit.insertion.has_value()} + int{edit.coarsening.has_value()} +
+                      int{edit.mending.has_value()} + int{edit.allowance.has_value()} +
+                      int{edit.warp.has_value()};
+    if (kinds != 1) throw Rejected("a step of shaping is one of its seven kinds, not more or less");
+    if (edit.press) check(*edit.press);
+    if (edit.shift && edit.shift->points.empty())
+        throw Rejected("field \"points\" is empty; name the control points that move");
+    if (edit.shift)
+        for (const glm::ivec3& p : edit.shift->points)
+            if (p.x < 0 || p.y < 0 || p.z < 0)
+                throw Rejected(fmt::format("field \"points\" names {}, {}, {}, but control points "
+                                           "are numbered from 0",
+                                           p.x, p.y, p.z));
+    if (edit.allowance)
+        for (const VolumePart& box : edit.allowance->boxes)
+            for (int i = 0; i < 3; ++i)
+                if (!(box.lo[i] >= 0 && box.lo[i] < box.hi[i] && box.hi[i] <= 1))
+                    throw Rejected("field \"boxes\": a box lies between 0 and 1 along u, v and w, "
+                                   "with lo below hi");
+    if (edit.insertion) {
+        const KnotInsertion& k = *edit.insertion;
+        if (k.along.empty() && k.across.empty() && k.up.empty())
+            throw Rejected("fields \"along\", \"across\" and \"up\" are empty; say where "
+                           "control points are wanted");
+        for (const std::vector<double>& at : {k.along, k.across, k.up})
+            for (const double t : at)
+                if (!(t > 0 && t < 1))
+                    throw Rejected("fields \"along\", \"across\" and \"up\" must lie between "
+                                   "0 and 1, ends excluded");
+    }
+}
+
+Document applied(Document document, const PressVolume& command)
+{
+    VolumeEdit edit{.press = command.press};
+    check(edit);
+    return shaped(std::move(document), command.object, std::move(edit));
+}
+
+Document applied(Document document, const MovePoints& command)
+{
+    VolumeEdit edit{.shift = command.shift};
+    check(edit);
+    return shaped(std::move(document), command.object, std::move(edit));
+}
+
+Document applied(Document document, const InsertKnots& command)
+{
+    VolumeEdit edit{.insertion = command.insertion};
+    check(edit);
+    return shaped(std::move(document), command.object, std::move(edit));
+}
+
+Document applied(Document document, const CoarsenVolume& command)
+{
+    return shaped(std::move(document), command.object, {.coarsening = command.coarsening});
+}
+
+Document applied(Document document, const MendVolume& command)
+{
+    return shaped(std::move(document), command.object, {.mending = Mending{}});
+}
+
+Document applied(Document document, const AllowFolds& command)
+{
+    VolumeEdit edit{.allowance = command.allowance};
+    check(edit);
+    return shaped(std::move(document), command.object, std::move(edit));
+}
+
+Document applied(Document document, const WarpVolume& command)
+{
+    const Object& lattice = object(document, command.object);
+    if (!std::holds_alternative<LatticeShape>(lattice.source))
+        throw Rejected(
+            fmt::format("field \"object\": {} ({}) is no lattice", command.object, lattice.name));
+    return shaped(std::move(document), command.object, {.warp = command.warp});
+}
+
+Document applied(Document document, const Unshape& command)
+{
+    const Object& o = object(document, command.object);
+    check_has_volume(o, command.object);
+    std::vector<Ref<VolumeEdit>> left;
+    for (const int step : command.steps)
+        if (static_cast<std::size_t>(step) > o.shaping.size())
+            throw Rejected(fmt::format("field \"steps\": {} is shaped in {} steps; there is no {}",
+                                       o.name, o.shaping.size(), step));
+    const std::set<int> gone(command.steps.begin(), command.steps.end());
+    for (std::size_t i = 0; i < o.shaping.size(); ++i)
+        if (!gone.empty() && !gone.contains(static_cast<int>(i) + 1)) left.push_back(o.shaping[i]);
+    return with_changed(std::move(document), command.object,
+                        [&](Object& changed) { changed.shaping = std::move(left); });
+}
+
+} // namespace trivar

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/commands/primitives.h"
+#include "core/document/fields/text_fields.h"
+
+namespace trivar {
+
+using AddText = AddShape<TextShape>;
+
+struct SetText {
+    static constexpr std::string_view verb = "set_text",
+                                      summary = "Change the letters of a text. It stays where it "
+                                                "is.";
+    Id object = 0;
+    TextShape shape;
+    bool operator==(const SetText&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("object", c.object, "id of a text", required);
+        FieldsOf<TextShape>::fields(c.shape, field);
+    }
+};
+
+} // namespace trivar

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/fields/travel_fields.h"
+
+namespace trivar {
+
+struct SetTravel {
+    static constexpr std::string_view verb = "set_travel",
+                                      summary = "Let placed objects travel along their strokes, "
+                                                "or rest.";
+    std::vector<Id> objects;
+    Travel travel;
+    std::vector<Travel> travels = {};
+    bool operator==(const SetTravel&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("objects", c.objects, "ids of placed objects", required);
+        FieldsOf<Travel>::fields(c.travel, field);
+        field("travels", c.travels,
+              "one each, in the order of the objects, in place of these fields; empty: the same "
+              "for all");
+    }
+};
+
+} // namespace trivar

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/fields/view_fields.h"
+
+namespace trivar {
+
+struct SaveCamera {
+    static constexpr std::string_view verb = "save_camera",
+                                      summary = "Keep a point of view under a name. The one named "
+                                                "picture is what replay draws.";
+    std::string name;
+    Camera camera;
+    bool operator==(const SaveCamera&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("name", c.name, "name of the bookmark; one of that name is replaced", required);
+        field("camera", c.camera, "the point of view", required);
+    }
+};
+struct DeleteCamera {
+    static constexpr std::string_view verb = "delete_camera", summary = "Forget a point of view.";
+    std::string name;
+    bool operator==(const DeleteCamera&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("name", c.name, "name of the bookmark", required);
+    }
+};
+struct SetTime {
+    static constexpr std::string_view verb = "set_time",
+                                      summary = "Say which frames the scene has, as a whole.";
+    Time time;
+    bool operator==(const SetTime&) const = default;
+    static void fields(auto& c, auto&& field) { FieldsOf<Time>::fields(c.time, field); }
+};
+struct SetRender {
+    static constexpr std::string_view verb = "set_render",
+                                      summary = "Say how the picture is made, as a whole.";
+    RenderSettings settings;
+    bool operator==(const SetRender&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        FieldsOf<RenderSettings>::fields(c.settings, field);
+    }
+};
+
+} // namespace trivar

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/source.h"
+#include "core/placement/round.h"
+
+#include <optional>
+
+namespace trivar {
+
+// The way round an object's axis, `level` metres from its widest circle; none for what is neither a
+// cylinder, a sphere, a torus nor a Moebius band.
+std::optional<Band> band_round(const Source& source, double level, const glm::dmat4& to_world);
+
+} // namespace trivar

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/camera.h"
+
+namespace trivar {
+
+// Throws Rejected unless the camera looks somewhere.
+void check_view(const Camera& camera);
+
+} // namespace trivar

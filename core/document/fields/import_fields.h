@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/field.h"
+
+namespace trivar {
+
+template <> struct FieldsOf<ImportedFile> {
+    static constexpr std::string_view told_as = "[file](#file)";
+    static void fields(auto& f, auto&& field)
+    {
+        field("path", f.path, "file, relative to the scene file's folder", required.without_keys());
+        field("hash", f.hash, "digest of the content that was meant; empty: any",
+              any_value.without_keys());
+        field("up", f.up, "axis that points up in the file; auto: Y in glTF and OBJ, else Z",
+              any_value.without_keys());
+        field("scale", f.scale, "file units to metres", between(1e-9, 1e9).without_keys());
+        field("subdivisions", f.subdivisions,
+              "how often Catmull-Clark makes its cage finer and smoother", between(0, 6));
+    }
+};
+
+} // namespace trivar

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/fields/import_fields.h"
+#include "core/document/fields/lattice_fields.h"
+#include "core/document/fields/placement_fields.h"
+#include "core/document/fields/playing_fields.h"
+#include "core/document/fields/primitive_fields.h"
+#include "core/document/fields/refining_fields.h"
+#include "core/document/fields/shaping_fields.h"
+#include "core/document/fields/surfacing_fields.h"
+#include "core/document/fields/text_fields.h"
+#include "core/document/fields/track_fields.h"
+#include "core/document/fields/travel_fields.h"
+#include "core/document/fields/view_fields.h"
+
+// The fields of all that an object or a scene holds. Whoever walks through a whole object includes
+// this: a value whose fields nobody listed would be passed over in silence. The digest of a
+// document, the numbers that take keys, their names and units, copies and the titles of steps come
+// from here.
+
+namespace trivar {
+
+template <> struct FieldsOf<GroupShape> {
+    static void fields(auto&, auto&&) {}
+};
+template <> struct FieldsOf<RoundWay> {
+    static void fields(auto& r, auto&& field)
+    {
+        field("level", r.level, "metres from the widest circle", any_value.in(Unit::metres));
+    }
+};
+template <> struct FieldsOf<PlacementStep> {
+    static void fields(auto& p, auto&& field)
+    {
+        field("sketch", p.sketch, "the stroke", any_value.without_keys());
+        field("parameters", p.parameters, "how it lies", any_value.as_its_own());
+        field("onto", p.onto, "ids of what it lies on", any_value.without_keys());
+        field("round", p.round, "about the only one of onto, in place of the stroke",
+              any_value.counts(Counted::marked).as_its_own());
+    }
+};
+
+// In the order in which the digest takes them.
+template <> struct FieldsOf<Object> {
+    static void fields(auto& o, auto&& field)
+    {
+        field("name", o.name, "what the outliner calls it");
+        field("shape", o.source, "what it is made of");
+        field("transform", o.transform, "where it stands");
+        field("material", o.surfacing, "one material over all of it");
+        field("parent", o.parent, "id of the group it is in", any_value.without_keys());
+        field("hidden", o.hidden, "it is left out of the picture");
+        field("locked", o.locked, "no hand takes it",
+              any_value.counts(Counted::marked).without_keys());
+        field("placement", o.placement, "how it lies on a stroke");
+        field("shaping", o.shaping, "what was done to its volume after that",
+              any_value.counts(Counted::marked).called("Step"));
+        if (o.placement || o.travel != Travel{}) // what lies nowhere has nowhere to go
+            field("travel", o.travel, "how it goes along its stroke", later);
+        field("playing", o.playing, "how it moves by a clip of its file", later);
+        field("refining", o.refining, "how finely its triangles are split",
+              any_value.counts(Counted::marked));
+        field("tracks", o.tracks, "how its numbers go from key to key", later.without_keys());
+    }
+};
+
+} // namespace trivar

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/field.h"
+
+namespace trivar {
+
+template <> struct FieldsOf<Playing> {
+    static constexpr std::string_view told_as = "values of [play_clip](#play_clip)";
+    static void fields(auto& p, auto&& field)
+    {
+        field("clip", p.clip, "name of a clip in its file; empty: it stands as it came",
+              any_value.without_keys());
+        field("speed", p.speed, "of the clip's own speed; negative: backwards",
+              between(-1e3, 1e3).in(Unit::times).without_keys());
+        field("repeat", p.repeat,
+              "what comes after the clip's end: nothing, the clip again, or the way back",
+              any_value.without_keys());
+        field("offset", p.offset, "seconds into the clip at the start frame",
+              between(-1e6, 1e6).in(Unit::seconds));
+        field("start_frame", p.start_frame, "the frame from which on it moves",
+              between(-999999, 999999).called("Start").in(Unit::at_frame).without_keys());
+        field(
+            "foot_lock", p.foot_lock,
+            "in step with its travel: it goes on as far as keeps its planted feet where they are, "
+            "whatever its speed says",
+            later.without_keys());
+    }
+};
+
+} // namespace trivar

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/field.h"
+
+namespace trivar {
+
+template <> struct FieldsOf<PlaneShape> {
+    static constexpr std::string_view verb = "add_plane", summary = "Add a plane in z = 0.",
+                                      name = "Plane";
+    static void fields(auto& s, auto&& field)
+    {
+        field("size", s.size, "along X and Y, metres", positive.in(Unit::metres));
+        field("segments", s.segments, "along X and Y", between(1, 2000));
+    }
+};
+
+template <> struct FieldsOf<BoxShape> {
+    static constexpr std::string_view verb = "add_box", summary = "Add a box.", name = "Box";
+    static void fields(auto& s, auto&& field)
+    {
+        field("size", s.size, "along X, Y and Z, metres", positive.in(Unit::metres));
+        field("segments", s.segments, "along X, Y and Z", between(1, 500));
+    }
+};
+
+template <> struct FieldsOf<SphereShape> {
+    static constexpr std::string_view verb = "add_sphere", summary = "Add a sphere.",
+                                      name = "Sphere";
+    static void fields(auto& s, auto&& field)
+    {
+        field("radius", s.radius, "metres", positive.in(Unit::metres));
+        field("segments", s.segments, "around the axis", between(3, 2000));
+        field("rings", s.rings, "from pole to pole", between(2, 1000));
+    }
+};
+
+template <> struct FieldsOf<CylinderShape> {
+    static constexpr std::string_view verb = "add_cylinder", summary = "Add a closed cylinder.",
+                                      name = "Cylinder";
+    static void fields(auto& s, auto&& field)
+    {
+        field("radius", s.radius, "metres", positive.in(Unit::metres));
+        field("height", s.height, "metres", positive.in(Unit::metres));
+        field("segments", s.segments, "around the axis", between(3, 2000));
+        field("stacks", s.stacks, "along the axis", between(1, 2000));
+    }
+};
+
+template <> struct FieldsOf<TorusShape> {
+    static constexpr std::string_view verb = "add_torus", summary = "Add a torus.", name = "Torus";
+    static void fields(auto& s, auto&& field)
+    {
+        field("radius", s.radius, "of the middle circle, metres", positive.in(Unit::metres));
+        field("tube", s.tube, "radius of the tube, metres", positive.in(Unit::metres));
+        field("segments", s.segments, "around the axis and round the tube", between(3, 2000));
+    }
+};
+
+template <> struct FieldsOf<MoebiusShape> {
+    static constexpr std::string_view verb = "add_moebius", summary = "Add a Moebius band.",
+                                      name = "Moebius band";
+    static void fields(auto& s, auto&& field)
+    {
+        field("radius", s.radius, "of the middle circle, metres", positive.in(Unit::metres));
+        field("width", s.width, "metres", positive.in(Unit::metres));
+        field("segments", s.segments, "around the axis and across", between(1, 2000));
+    }
+};
+
+template <> struct FieldsOf<TeapotShape> {
+    static constexpr std::string_view verb = "add_teapot", summary = "Add the Utah teapot.",
+                                      name = "Teapot";
+    static void fields(auto& s, auto&& field)
+    {
+        field("height", s.height, "metres", positive.in(Unit::metres));
+        field("resolution", s.resolution, "samples along each side of its 32 patches",
+              between(1, 64));
+    }
+};
+
+} // namespace trivar

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/field.h"
+
+namespace trivar {
+
+template <>
+inline constexpr std::array<std::string_view, 4> choice_names<Decay>{"gaussian", "hat", "box",
+                                                                     "smooth"};
+template <>
+inline constexpr std::array<std::string_view, 3> choice_names<VolumeAxis>{"along", "across", "up"};
+
+template <> struct FieldsOf<Press> {
+    static constexpr std::string_view told_as = "values of [press](#press)";
+    static void fields(auto& p, auto&& field)
+    {
+        field("decay", p.decay,
+              "how the press falls off to the rim of the ball: bell-shaped, straight, not at all, "
+              "or smooth at the rim");
+        field("radius", p.radius, "of the ball, metres", positive.in(Unit::metres));
+        field("samples", p.samples,
+              "where the ball presses and how far, [u, v, w, metres] each; u, v, w are the "
+              "volume's, 0 to 1; negative metres pull",
+              required);
+        field("mirror", p.mirror, "the same on the other side of the middle, at 1 - v");
+        field("guard", p.guard, "no more of it than is proven not to fold the volume");
+        field("into_scene", p.into_scene, "what lies on the scene may be drawn into it");
+    }
+};
+template <> struct FieldsOf<PointShift> {
+    static constexpr std::string_view told_as = "values of [move_points](#move_points)";
+    static void fields(auto& s, auto&& field)
+    {
+        field("points", s.points,
+              "control points by their numbers along, across and up, from 0; the first says which "
+              "way along, across and up are",
+              required.without_keys());
+        field("by", s.by, "metres along, across and up", required.in(Unit::metres));
+        field("mirror", s.mirror, "those on the other side of the middle go the other way across");
+        field("guard", s.guard, "no further than is proven not to fold the volume");
+        field("of", s.of,
+              "how many control points the volume has along, across and up: where it has others, "
+              "the step is passed over; zeros: whichever there are",
+              later.without_keys());
+    }
+};
+template <> struct FieldsOf<KnotInsertion> {
+    static constexpr std::string_view told_as = "values of [insert_knots](#insert_knots)";
+    static void fields(auto& k, auto&& field)
+    {
+        field("along", k.along,
+              "where along the stroke, between 0 and 1; one control point more for each");
+        field("across", k.across, "the same across the stroke");
+        field("up", k.up, "the same up from the scene");
+    }
+};
+template <> struct FieldsOf<Coarsening> {
+    static constexpr std::string_view told_as = "values of [coarsen_volume](#coarsen_volume)";
+    static void fields(auto& c, auto&& field)
+    {
+        field("axis", c.axis, "along the stroke, across it or up from the scene");
+        field("count", c.count, "control points that are left along it", between(2, 1024));
+    }
+};
+template <> struct FieldsOf<Mending> {
+    static constexpr std::string_view told_as = "nothing inside: `{}`";
+    static void fields(auto&, auto&&) {}
+};
+template <> struct FieldsOf<VolumePart> {
+    static constexpr std::string_view told_as = "[part](#part)";
+    static void fields(auto& b, auto&& field)
+    {
+        field("lo", b.lo, "u, v and w of its lower corner, 0 to 1", required);
+        field("hi", b.hi, "of its upper one, above that", required);
+    }
+};
+template <> struct FieldsOf<FoldAllowance> {
+    static constexpr std::string_view told_as = "values of [allow_folds](#allow_folds)";
+    static void fields(auto& a, auto&& field)
+    {
+        field(
+            "boxes", a.boxes,
+            "parts of the volume's u, v and w, beside those of before; none: nothing may fold any "
+            "more");
+    }
+};
+template <> struct FieldsOf<Warp> {
+    static constexpr std::string_view told_as = "values of [warp_volume](#warp_volume)";
+    static void fields(auto& w, auto&& field)
+    {
+        field("axis", w.axis, "the axis of the box that it goes along: X, Y or Z",
+              any_value.without_keys());
+        field("twist_deg", w.twist_deg, "degrees from one end to the other, about the axis",
+              between(-3600, 3600).in(Unit::degrees));
+        field("bend_deg", w.bend_deg, "degrees that the axis turns from one end to the other",
+              between(-720, 720).in(Unit::degrees));
+        field("toward_deg", w.toward_deg,
+              "the side to which it is bent and sheared, degrees about the axis",
+              between(-360, 360).called("Toward").in(Unit::degrees));
+        field("taper", w.taper, "the far end is 1 + this times as wide", between(-1, 100));
+        field("shear", w.shear, "how far the far end goes to the side, in lengths of the box",
+              between(-100, 100));
+        field("bulge", w.bulge, "the middle is 1 + this times as wide", between(-1, 100));
+        field("guard", w.guard, "no more of it than is proven not to fold the volume");
+    }
+};
+template <> struct FieldsOf<VolumeEdit> {
+    static constexpr std::string_view told_as = "[step](#step)";
+    static void fields(auto& e, auto&& field)
+    {
+        field("press", e.press, "a ball pressed into it");
+        field("shift", e.shift, "control points moved");
+        field("insertion", e.insertion, "control points more, in the same shape");
+        field("coarsening", e.coarsening, "fewer control points");
+        field("mending", e.mending, "the smallest change after which nothing folds");
+        field("allowance", e.allowance, "where it may fold from then on", later);
+        field("warp", e.warp, "a box twisted, bent, tapered, sheared or bulged", later);
+    }
+};
+
+} // namespace trivar

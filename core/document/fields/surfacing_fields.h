@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/field.h"
+
+namespace trivar {
+
+template <> struct FieldsOf<Surfacing> {
+    static constexpr std::string_view told_as = "values of [set_material](#set_material)";
+    static void fields(auto& s, auto&& field)
+    {
+        field("base_color", s.base_color, "linear red, green, blue and opacity",
+              between(0, 1).called("Colour").with_axes("red|green|blue|opacity"));
+        field("metallic", s.metallic, "0: not a metal, 1: a metal", between(0, 1));
+        field("roughness", s.roughness, "0: a mirror, 1: chalk", between(0, 1));
+        field("solid", s.solid,
+              "what fills it and deforms with it; the colour tints it, its roughness is its own",
+              any_value.counts(Counted::bare).called("Filling"));
+    }
+};
+
+} // namespace trivar

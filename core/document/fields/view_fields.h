@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/field.h"
+
+namespace trivar {
+
+template <> struct FieldsOf<RenderSettings> {
+    static void fields(auto& s, auto&& field)
+    {
+        field("look", s.look, "light and background", one_of("studio|clay|dark"));
+        field("exposure", s.exposure, "brightness, in stops", between(-20, 20).in(Unit::stops));
+        field("sun_azimuth", s.sun_azimuth, "where the sun stands round Z, 0 along +X, in radians",
+              between(-100, 100).called("Sun round").in(Unit::radians));
+        field("sun_elevation", s.sun_elevation,
+              "how high the sun stands above the horizon, in radians",
+              between(-1.6, 1.6).called("Sun height").in(Unit::radians));
+        field("shadows", s.shadows, "the sun casts shadows");
+        field("ambient_occlusion", s.ambient_occlusion, "corners are darker",
+              any_value.called("Dark corners"));
+        field("wire", s.wire, "the edges of the faces are drawn over them", later.called("Edges"));
+        field("color_by", s.color_by,
+              "what colours show: materials, how what was placed is stretched and squeezed, or how "
+              "far its triangles may be from the true surface",
+              later);
+        field("volumes", s.volumes,
+              "the volumes of what was placed are shown, with the ball of a press that was the "
+              "last step of shaping",
+              later.says("shown", "not shown"));
+        field("captions", s.captions,
+              "under what is refined stand its triangles, how they were split and what of their "
+              "error is certified",
+              later.says("shown", "not shown"));
+        field("ground", s.ground, "a ground under the scene that catches shadows");
+    }
+};
+
+template <> struct FieldsOf<Time> {
+    static void fields(auto& t, auto&& field)
+    {
+        field("first_frame", t.first_frame, "where playing begins", between(-999999, 999999));
+        field("last_frame", t.last_frame, "where it ends, itself shown", between(-999999, 999999));
+        field("frames_per_second", t.frames_per_second, "how fast they follow each other",
+              between(0.1, 1000).called("Rate").in(Unit::frames_per_second));
+    }
+};
+
+} // namespace trivar

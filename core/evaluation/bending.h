@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/evaluation/part.h"
+#include "core/ffd/deform.h"
+
+#include <array>
+#include <vector>
+
+namespace trivar {
+
+// The part in a volume: its mesh, as it is before, is deformed when somebody asks for it.
+Part in_volume(Part part, const Embedding& embedding, const Ref<Lattice>& volume,
+               const Lazy<Deformer>& deformer);
+// How the vertices of a part are sorted into a volume of those axes.
+Lazy<Deformer> sorted_into(const Lattice& volume, const Part& part, const Embedding& embedding);
+
+// Bends the same parts again and again while the volume changes its control points, and sorts their
+// vertices into its cells only once.
+class Bending {
+public:
+    // Those that are bent between begin() and end() are remembered for the next time.
+    void begin() { used_.clear(); }
+    Part operator()(const Part& part, const Embedding& embedding, const Ref<Lattice>& volume);
+    void end() { sorted_ = std::move(used_); }
+
+private:
+    struct Sorted {
+        Part part;
+        Embedding embedding;
+        std::array<Knots, 3> axes;
+        Lazy<Deformer> deformer;
+    };
+    std::vector<Sorted> sorted_, used_;
+};
+
+} // namespace trivar

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluation/in_lattices.h"
+
+#include "core/placement/box_volume.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace trivar {
+namespace {
+
+// The part before a further volume: what bent it so far is in its vertices, and no mirror stands
+// between them and the world.
+Part before_bending(const Part& part)
+{
+    Part out = part;
+    if (part.bent) out = {.rest = part.mesh(), .slot = part.slot};
+    if (glm::determinant(glm::dmat3(out.to_world)) >= 0) return out;
+    return {.rest = make_ref(transformed(*out.mesh(), out.to_world)), .slot = part.slot};
+}
+
+} // namespace
+
+Ref<ShapedVolume> BoxVolume::operator()(const LatticeShape& shape,
+                                        const std::vector<Ref<VolumeEdit>>& shaping,
+                                        const glm::dmat4& to_world, Timings& timings,
+                                        const Progress& progress)
+{
+    if (!at_rest_ || shape_ != shape) {
+        at_rest_ = make_ref(place_box(shape.size, shape.grid, shape.orders));
+        shape_ = shape;
+        shaped_ = nullptr;
+    }
+    if (!shaped_ || shaping_ != shaping) {
+        shaped_ = timed(timings, "shape", [&] { return shaper_(at_rest_, shaping, progress); });
+        shaping_ = shaping;
+        mapped_ = nullptr;
+    }
+    if (!mapped_ || to_world_ != to_world) {
+        mapped_ = make_ref(mapped(*shaped_, to_world));
+        to_world_ = to_world;
+    }
+    return mapped_;
+}
+
+std::vector<Id> lattices_round(const Document& document, Id id)
+{
+    std::vector<Id> out;
+    for (Id up = object(document, id).parent; up != 0; up = object(document, up).parent)
+        if (std::holds_alternative<LatticeShape>(object(document, up).source)) out.push_back(up);
+    return out;
+}
+
+std::vector<Part> InLattices::operator()(std::vector<Part> parts,
+                                         const std::vector<Ref<ShapedVolume>>& lattices)
+{
+    bendings_.resize(lattices.size());
+    for (std::size_t l = 0; l < lattices.size(); ++l) {
+        const Ref<Placement>& placement = lattices[l]->placement;
+        const Ref<Lattice> volume(placement, &placement->volume);
+        bendings_[l].begin();
+        for (Part& part : parts) {
+            const Part before = before_bending(part);
+            const Embedding embedding{placement->embedding.to_uvw * before.to_world,
+                                      before.to_world};
+            part = bendings_[l](before, embedding, volume);
+        }
+        bendings_[l].end();
+    }
+    return parts;
+}
+
+} // namespace trivar

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluation/lacking.h"
+
+#include "core/base/finite.h"
+
+#include <fmt/format.h>
+#include <utility>
+
+namespace trivar {
+namespace {
+
+bool displaces_within_reach(const Lattice& volume)
+{
+    Box displacements;
+    for (const glm::dvec3& by : volume.displacement.points) {
+        if (!finite(by)) return false;
+        displacements.add(by);
+    }
+    return within_reach(displacements);
+}
+
+} // namespace
+
+void leave_out_what_is_out_of_reach(EvaluatedObject& object)
+{
+    std::map<Ref<Lattice>, bool> volumes; // whether they do
+    const std::size_t all = object.parts.size();
+    const std::size_t gone = std::erase_if(object.parts, [&](const Part& part) {
+        if (!part.bent) return !within_reach(part.bounds, part.to_world);
+        // A vertex is where `to_rest` has it, and from there further by a mean of displacements.
+        const auto [known, fresh] = volumes.try_emplace(part.bent->volume);
+        if (fresh) known->second = displaces_within_reach(*part.bent->volume);
+        return !known->second || !within_reach(part.bounds, part.bent->embedding.to_rest);
+    });
+    if (gone == 0) return;
+    object.lacks.push_back(
+        gone == all ? fmt::format("where it lies its numbers are {}", too_large_words)
+                    : fmt::format("{} of its {} meshes are left out: where they lie their numbers "
+                                  "are {}",
+                                  gone, all, too_large_words));
+    object.notices.push_back(object.lacks.back());
+}
+
+std::vector<std::string> lacks(const Evaluated& evaluated, const Document& document)
+{
+    std::vector<std::string> out;
+    for (const auto& [id, ref] : evaluated.objects)
+        for (const std::string& why : ref->lacks)
+            out.push_back(fmt::format("{}: {}", object(document, id).name, why));
+    return out;
+}
+
+Lacking::Lacking(std::vector<std::string> all)
+    : Rejected(all.size() == 1 ? all.front()
+                               : fmt::format("{} (and {} more)", all.front(), all.size() - 1)),
+      sentences(std::move(all))
+{
+}
+
+void check_whole(std::vector<std::string> lacks)
+{
+    if (!lacks.empty()) throw Lacking(std::move(lacks));
+}
+
+} // namespace trivar

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/rejected.h"
+#include "core/evaluation/evaluate.h"
+
+namespace trivar {
+
+// Parts whose vertices would be out of reach where they lie (core/mesh/extent.h) go, and it is
+// said. Deforms nothing.
+void leave_out_what_is_out_of_reach(EvaluatedObject& object);
+
+// What the evaluated objects lack, "NAME: WHY" each: models and fonts named by their file that
+// could not be read, and what is too large to be worked with. By id.
+std::vector<std::string> lacks(const Evaluated& evaluated, const Document& document);
+
+// That a scene is not whole, by such sentences.
+struct Lacking : Rejected {
+    explicit Lacking(std::vector<std::string> all);
+    std::vector<std::string> sentences;
+};
+// Throws Lacking where there are any.
+void check_whole(std::vector<std::string> lacks);
+
+} // namespace trivar

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluation/evaluate.h"
+
+namespace trivar {
+namespace {
+
+Ref<Mesh> with_materials_from(const Ref<Mesh>& mesh, std::uint32_t first)
+{
+    if (first == 0) return mesh;
+    Mesh moved = *mesh;
+    moved.face_material.resize(moved.face_count(), 0);
+    for (std::uint32_t& material : moved.face_material) material += first;
+    return make_ref(std::move(moved));
+}
+
+// The node of a group, made with those it lies in when it is first asked for. It moves nothing:
+// parts stand in the world, to the last bit.
+int group_node(Model& model, std::map<Id, int>& nodes, const Document& document, Id group)
+{
+    if (group == 0) return -1;
+    if (const auto found = nodes.find(group); found != nodes.end()) return found->second;
+    const Object& each = object(document, group);
+    const int parent = group_node(model, nodes, document, each.parent);
+    model.nodes.push_back({.name = each.name, .parent = parent});
+    return nodes[group] = static_cast<int>(model.nodes.size()) - 1;
+}
+
+} // namespace
+
+Model model_of(const Evaluated& evaluated, const Document& document)
+{
+    Model model;
+    std::map<Ref<std::vector<Material>>, std::uint32_t> first_of;
+    std::map<Id, int> groups;
+    for (const auto& [id, ref] : evaluated.objects) {
+        const auto [first, fresh] = first_of.try_emplace(
+            ref->materials, static_cast<std::uint32_t>(model.materials.size()));
+        if (fresh)
+            model.materials.insert(model.materials.end(), ref->materials->begin(),
+                                   ref->materials->end());
+        if (ref->parts.empty()) continue;
+        const Object& source = object(document, id);
+        const int parent = group_node(model, groups, document, source.parent);
+        for (const Part& part : ref->parts) {
+            model.nodes.push_back({.name = source.name,
+                                   .parent = parent,
+                                   .to_parent = part.to_world,
+                                   .mesh = static_cast<int>(model.meshes.size())});
+            model.meshes.push_back(with_materials_from(part.mesh(), first->second));
+        }
+    }
+    if (model.materials.empty()) model.materials.emplace_back();
+    return model;
+}
+
+} // namespace trivar

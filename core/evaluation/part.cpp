@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluation/part.h"
+
+namespace trivar {
+
+bool is_deformed(const Part& part)
+{
+    return part.bent ? part.bent->mesh.ready() : !part.posed || part.posed->mesh.ready();
+}
+
+const Ref<Mesh>& mesh_of(const Part& part, Timings& timings)
+{
+    if (part.posed && !part.posed->mesh.ready()) {
+        timings.add("pose", 0, part.rest->vertex_count());
+        timed(timings, "pose", [&]() -> const Ref<Mesh>& { return *part.posed->mesh; });
+    }
+    if (!part.bent || part.bent->mesh.ready()) return part.mesh();
+    timings.add("deform", 0, part.rest->vertex_count());
+    return timed(timings, "deform", [&]() -> const Ref<Mesh>& { return part.mesh(); });
+}
+
+} // namespace trivar

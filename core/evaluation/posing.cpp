@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluation/posing.h"
+
+#include "core/base/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace trivar {
+namespace {
+
+std::string missing_clip(const Model& model, const std::string& name)
+{
+    constexpr std::size_t most_named = 4;
+    if (model.clips.empty())
+        return fmt::format("it has no clip \"{}\", nor any other", excerpt(name));
+    std::vector<std::string> there;
+    for (std::size_t i = 0; i < std::min(most_named, model.clips.size()); ++i)
+        there.push_back(excerpt(model.clips[i].name));
+    std::string text =
+        fmt::format("it has no clip \"{}\"; it has {}", excerpt(name), fmt::join(there, ", "));
+    if (model.clips.size() > most_named)
+        text += fmt::format(" and {} more", model.clips.size() - most_named);
+    return text;
+}
+
+// Whether a channel has one value at all times.
+bool is_still(const Channel& channel)
+{
+    const std::size_t n = channel.components;
+    const bool cubic = channel.between == Channel::Between::cubic;
+    for (std::size_t i = 0; i < channel.values.size(); ++i) {
+        const bool tangent = cubic && i / n % 3 != 1;
+        if (channel.values[i] != (tangent ? 0 : channel.values[i % n + (cubic ? n : 0)]))
+            return false;
+    }
+    return true;
+}
+
+// Why nobody sees that the clip is played; empty: something moves.
+std::string stillness(const Clip& clip)
+{
+    if (!(clip.end_s > clip.begin_s))
+        return fmt::format("\"{}\" lasts no time: it stands as its only keys have it",
+                           excerpt(clip.name));
+    if (std::ranges::all_of(clip.channels, is_still))
+        return fmt::format("nothing moves in \"{}\": its keys are all alike", excerpt(clip.name));
+    return {};
+}
+
+} // namespace
+
+double clip_time_s(const Clip& clip, const Playing& playing, double seconds)
+{
+    const double length = clip.end_s - clip.begin_s;
+    if (!(length > 0)) return clip.begin_s;
+    const double gone = playing.offset + playing.speed * std::max(0.0, seconds);
+    return clip.begin_s + folded(playing.repeat, gone, length);
+}
+
+Ref<Shape> Posing::known(const Known& key)
+{
+    const auto found = std::ranges::find_if(known_, [&](const Known& k) {
+        return k.rest == key.rest && k.clip == key.clip && k.time_s == key.time_s &&
+               k.gait == key.gait;
+    });
+    if (found == known_.end()) return nullptr;
+    std::rotate(known_.begin(), found, found + 1);
+    return known_.front().shape;
+}
+
+Ref<Shape> Posing::kept(Known known, Shape shape)
+{
+    known.shape = make_ref(std::move(shape));
+    known_.insert(known_.begin(), std::move(known));
+    if (known_.size() > kept_) known_.resize(kept_);
+    return known_.front().shape;
+}
+
+Ref<Shape> Posing::at(const Ref<Shape>& rest, const Clip& clip, double time_s,
+                      const Ref<Gait>& gait)
+{
+    Known key{rest, clip.name, time_s, gait, nullptr};
+    if (Ref<Shape> there = known(key)) return there;
+    Shape shape = *rest;
+    if (gait)
+        stand(shape, planted(*rest->model, clip, *gait, time_s));
+    else
+        stand(shape, &clip, time_s);
+    if (const std::string words = stillness(clip); !words.empty()) shape.notices.push_back(words);
+    return kept(std::move(key), std::move(shape));
+}
+
+Ref<Shape> Posing::operator()(const Ref<Shape>& rest, const Playing& playing, double seconds)
+{
+    if (playing.clip.empty()) return rest;
+    const auto clip =
+        std::ranges::find(rest->model->clips, playing.clip, [](const Clip& c) { return c.name; });
+    if (clip != rest->model->clips.end())
+        return at(rest, *clip, clip_time_s(*clip, playing, seconds));
+    Known key{rest, playing.clip, 0, nullptr, nullptr};
+    if (Ref<Shape> there = known(key)) return there;
+    Shape shape = *rest;
+    shape.notices.push_back(missing_clip(*rest->model, playing.clip));
+    return kept(std::move(key), std::move(shape));
+}
+
+} // namespace trivar

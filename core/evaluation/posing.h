@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/evaluation/shapes.h"
+#include "core/mesh/foot_lock.h"
+
+namespace trivar {
+
+// The time of a clip, some seconds after it began to be played (before: as at 0).
+double clip_time_s(const Clip& clip, const Playing& playing, double seconds);
+
+// How one object's shape stands, while it plays a clip; keeps the last few.
+class Posing {
+public:
+    // The shape itself where nothing is played. A clip that its file lacks is a notice.
+    Ref<Shape> operator()(const Ref<Shape>& rest, const Playing& playing, double seconds);
+    // At a time of a clip; with a gait, its planted feet where the ground carries them.
+    Ref<Shape> at(const Ref<Shape>& rest, const Clip& clip, double time_s,
+                  const Ref<Gait>& gait = nullptr);
+    void keep(std::size_t poses) { kept_ = poses; }
+
+private:
+    struct Known {
+        Ref<Shape> rest;
+        std::string clip;
+        double time_s;
+        Ref<Gait> gait;
+        Ref<Shape> shape;
+    };
+    Ref<Shape> known(const Known& key);
+    Ref<Shape> kept(Known known, Shape shape);
+
+    std::vector<Known> known_; // the latest first
+    std::size_t kept_ = 3;
+};
+
+} // namespace trivar

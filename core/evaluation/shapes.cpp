@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluation/shapes.h"
+
+#include "core/base/rejected.h"
+#include "core/mesh/primitives.h"
+#include "core/mesh/subdivide.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+Model model_of(const Mesh& mesh)
+{
+    return single_mesh_model("", mesh);
+}
+Model primitive(const GroupShape&)
+{
+    return {};
+}
+Model primitive(const LatticeShape&)
+{
+    return {};
+}
+Model primitive(const ImportedFile&)
+{
+    return {};
+}
+Model primitive(const PlaneShape& s)
+{
+    return model_of(plane_mesh(s.size, s.segments));
+}
+Model primitive(const BoxShape& s)
+{
+    return model_of(box_mesh(s.size, s.segments));
+}
+Model primitive(const SphereShape& s)
+{
+    return model_of(sphere_mesh(s.radius, s.segments, s.rings));
+}
+Model primitive(const CylinderShape& s)
+{
+    return model_of(cylinder_mesh(s.radius, s.height, s.segments, s.stacks));
+}
+Model primitive(const TorusShape& s)
+{
+    return model_of(torus_mesh(s.radius, s.tube, s.segments));
+}
+Model primitive(const MoebiusShape& s)
+{
+    Model model = model_of(moebius_mesh(s.radius, s.width, s.segments));
+    for (Material& material : model.materials) material.double_sided = true;
+    return model;
+}
+Model primitive(const TeapotShape& s)
+{
+    return model_of(teapot_mesh(s.height, s.resolution));
+}
+
+Model primitive(const TextShape&)
+{
+    return {};
+}
+
+struct Letters {
+    Model model; // what there is to say of it in its notices
+    std::vector<std::string> lacks;
+};
+Letters letters(const TextShape& text, const AssetStore& assets)
+{
+    const FoundFont found = font_of(text, assets);
+    TextBody body = text_body(text, found.font);
+    Letters out{single_mesh_model("", std::move(body.mesh)), {}};
+    out.model.notices = found.notices;
+    // A font that is not installed is meant to be stood in for; a file that is named is not.
+    if (is_font_path(text.font)) out.lacks = found.notices;
+    // That it is another file goes without saying where another font stands in.
+    for (std::string& notice : body.notices)
+        if (found.notices.empty() || notice.find("that was meant") == notice.npos)
+            out.model.notices.push_back(std::move(notice));
+    return out;
+}
+
+void say_lacking(Shape& shape, const std::string& why)
+{
+    shape.notices.push_back(why);
+    shape.lacks.push_back(why);
+}
+
+// A mesh that hangs on several nodes is measured once.
+void measure(Shape& shape)
+{
+    std::map<Ref<Mesh>, Ref<Extent>> known;
+    for (Shape::Hung& hung : shape.meshes) {
+        Ref<Extent>& extent = known[hung.rest];
+        if (!extent) extent = std::make_shared<const Extent>(hung.rest);
+        hung.extent = extent;
+    }
+}
+
+// What of it can be worked with where it stands, each mesh with its bounds.
+void leave_out_what_is_too_large(Shape& shape)
+{
+    const std::size_t all = shape.meshes.size();
+    const std::size_t gone = std::erase_if(shape.meshes, [](Shape::Hung& hung) {
+        const std::optional<Box> box = hung.extent->posed(hung.posed ? &hung.posed->pose : nullptr);
+        if (box) hung.bounds = *box;
+        return !box || !within_reach(*box, hung.to_model);
+    });
+    if (gone == 0) return;
+    say_lacking(shape, gone == all
+                           ? fmt::format("its numbers are {}", too_large_words)
+                           : fmt::format("{} of its {} meshes are left out: their numbers are {}",
+                                         gone, all, too_large_words));
+}
+
+Shape shape_of(Ref<Model> from)
+{
+    Shape shape;
+    const Model& model = *from;
+    for (std::size_t i = 0; i < model.nodes.size(); ++i)
+        if (const int mesh = model.nodes[i].mesh; mesh >= 0)
+            shape.meshes.push_back({.rest = model.meshes[static_cast<std::size_t>(mesh)],
+                                    .node = static_cast<int>(i)});
+    measure(shape);
+    shape.materials =
+        make_ref(model.materials.empty() ? std::vector<Material>(1) : model.materials);
+    shape.model = std::move(from);
+    stand(shape, nullptr, 0);
+    return shape;
+}
+
+// Meshes that hang on several nodes are subdivided once.
+void subdivide_all(Shape& shape, int levels, const Progress& progress)
+{
+    std::map<Ref<Mesh>, Ref<Mesh>> done;
+    bool bends = false;
+    for (Shape::Hung& hung : shape.meshes) {
+        bends |= hung.posed != nullptr || !hung.rest->morph_targets.empty();
+        const auto [entry, fresh] = done.try_emplace(hung.mesh());
+        if (fresh) entry->second = make_ref(subdivide(*hung.mesh(), levels, progress));
+        hung.rest = entry->second;
+        hung.posed = nullptr;
+    }
+    measure(shape);
+    leave_out_what_is_too_large(shape);
+    if (bends)
+        shape.notices.emplace_back(
+            "what is subdivided stands as it came: skins and morph targets do not move it");
+}
+
+} // namespace
+
+FoundFont font_of(const TextShape& text, const AssetStore& assets)
+{
+    return find_font(is_font_path(text.font) ? assets.resolve(text.font) : text.font);
+}
+
+void stand(Shape& shape, const Clip* clip, double time_s)
+{
+    stand(shape, stance_at(*shape.model, clip, time_s));
+}
+
+void stand(Shape& shape, const Stance& stance)
+{
+    const Model& model = *shape.model;
+    for (Shape::Hung& hung : shape.meshes) {
+        hung.to_model = mesh_to_model(model, hung.node, stance);
+        const bool bends = !hung.rest->influences.empty() || !hung.rest->morph_targets.empty();
+        Pose pose = bends ? pose_of(model, hung.node, stance) : Pose{};
+        hung.posed = pose.empty() ? nullptr : posed_later(hung.rest, std::move(pose));
+    }
+    leave_out_what_is_too_large(shape);
+}
+
+Ref<Shape> Shapes::operator()(const Source& source, Timings& timings, const Progress& progress)
+{
+    const auto found = std::ranges::find(known_, source, &std::pair<Source, Ref<Shape>>::first);
+    if (found != known_.end()) return found->second;
+    Shape shape;
+    bool missing = false;
+    try {
+        if (const auto* file = std::get_if<ImportedFile>(&source)) {
+            const AssetStore::Loaded loaded =
+                timed(timings, "import", [&] { return assets_->load(*file, progress); });
+            missing = !loaded.model;
+            shape = shape_of(loaded.model ? loaded.model : make_ref(Model{}));
+            shape.notices.insert(shape.notices.begin(), loaded.notices.begin(),
+                                 loaded.notices.end());
+            if (missing) shape.lacks = loaded.notices;
+            if (file->subdivisions > 0)
+                timed(timings, "subdivide",
+                      [&] { subdivide_all(shape, file->subdivisions, progress); });
+        } else if (const auto* text = std::get_if<TextShape>(&source)) {
+            Letters made = timed(timings, "letters", [&] { return letters(*text, *assets_); });
+            shape = shape_of(make_ref(std::move(made.model)));
+            shape.notices.insert(shape.notices.begin(), shape.model->notices.begin(),
+                                 shape.model->notices.end());
+            shape.lacks.insert(shape.lacks.begin(), made.lacks.begin(), made.lacks.end());
+        } else
+            shape = shape_of(timed(timings, "import", [&] {
+                return make_ref(std::visit([](const auto& s) { return primitive(s); }, source));
+            }));
+    } catch (const Rejected& error) {
+        if (!shape.materials) shape = shape_of(make_ref(Model{}));
+        say_lacking(shape, error.what());
+    }
+    for (std::size_t i = 0; i < shape.meshes.size(); ++i)
+        shape.meshes[i].slot = static_cast<int>(i);
+    Ref<Shape> result = make_ref(std::move(shape));
+    if (!missing) known_.emplace_back(source, result);
+    return result;
+}
+
+void Shapes::forget_unused()
+{
+    std::erase_if(known_, [](const auto& known) { return known.second.use_count() == 1; });
+}
+
+} // namespace trivar

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/placement/shaper.h"
+
+namespace trivar {
+
+// A volume that is a box about the origin, at rest: what place() gives for a stroke. u, v and w run
+// along X, Y and Z. `size` is in metres, above 0; the grid has control points enough for the
+// orders. A press moves control points up or down toward the middle of the box.
+Placement place_box(const glm::dvec3& size, const glm::ivec3& grid, const glm::ivec3& orders);
+
+// The same volume where an affine map takes it. Directions, radii and reports stay those of the
+// volume before; so does what is proven of its folds, for the map folds nothing.
+ShapedVolume mapped(const ShapedVolume& volume, const glm::dmat4& to_world);
+
+} // namespace trivar

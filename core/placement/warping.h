@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/placement/pressing.h"
+
+namespace trivar {
+
+// Where a warp takes a point of a box about the origin. `p` and `size` are in metres along the
+// box's own X, Y and Z; size is above 0.
+glm::dvec3 warped(const glm::dvec3& p, const glm::dvec3& size, const Warp& warp);
+
+// The part of a warp: every amount times `share`.
+Warp part_of(Warp warp, double share);
+
+// A volume after a warp, and the share of it that was done: where guarded the largest of 64 that is
+// proven not to fold. Throws Rejected where the volume was no box when it was laid. O(#control
+// points), and judges the volume up to seven times.
+struct Warped {
+    LaidVolume volume;
+    double share = 1;
+    double moved = 0; // metres that any control point went, at most
+};
+Warped warped(const LaidVolume& volume, const Warp& warp);
+
+} // namespace trivar

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/files_read.h"
+
+#include "core/base/digest.h"
+#include "core/base/rejected.h"
+#include "core/evaluation/shapes.h"
+#include "core/files/companions.h"
+#include <filesystem>
+#include <utility>
+
+namespace trivar {
+namespace {
+
+std::string content_of(const ImportedFile& file, const AssetStore& assets, bool missing_is_well)
+{
+    const AssetStore::Loaded loaded = assets.load(file);
+    if (loaded.hash.empty() && !missing_is_well)
+        throw Rejected(loaded.notices.empty() ? file.path + ": cannot be read"
+                                              : loaded.notices.front());
+    return loaded.content;
+}
+
+std::string content_of(const TextShape& text, const AssetStore& assets)
+{
+    try {
+        return font_of(text, assets).font.digest();
+    } catch (const Rejected&) { // said of the object, which has no shape
+        return {};
+    }
+}
+
+void add_model(SourceFiles& files, const std::string& path)
+{
+    files.add(path);
+    try {
+        const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+        for (const std::string& name : companions_of(path)) files.add((folder / name).string());
+    } catch (const Rejected&) { // it cannot be read, so it names nothing
+    }
+}
+
+} // namespace
+
+std::string digest_of_files(const Document& document, const AssetStore& assets,
+                            bool missing_is_well)
+{
+    std::map<std::string, std::string> contents; // by name in the scene
+    for (const auto& [id, object] : document.objects)
+        if (const auto* file = std::get_if<ImportedFile>(&object->source)) {
+            if (!contents.contains(file->path))
+                contents[file->path] = content_of(*file, assets, missing_is_well);
+        } else if (const auto* text = std::get_if<TextShape>(&object->source)) {
+            contents["font " + text->font] = content_of(*text, assets);
+        }
+    if (contents.empty()) return {};
+    Digest digest;
+    for (const auto& [name, content] : contents) {
+        digest.add_text(name);
+        digest.add_text(content);
+    }
+    return digest.hex();
+}
+
+SourceFiles source_files(const Document& document, const AssetStore& assets, const std::string& log,
+                         std::string or_else)
+{
+    SourceFiles files(std::move(or_else));
+    if (!log.empty())
+        for (const char* kept : {"", ".torn"}) files.add(log + kept);
+    for (const auto& [id, object] : document.objects)
+        if (const auto* file = std::get_if<ImportedFile>(&object->source))
+            add_model(files, assets.resolve(file->path));
+        else if (const auto* text = std::get_if<TextShape>(&object->source);
+                 text && is_font_path(text->font))
+            files.add(assets.resolve(text->font));
+    return files;
+}
+
+} // namespace trivar

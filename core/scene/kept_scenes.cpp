@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/kept_scenes.h"
+
+#include <algorithm>
+#include <ctime>
+#include <fmt/format.h>
+#include <functional>
+#include <unistd.h>
+
+namespace trivar {
+
+std::string absolute_folder(const std::string& path)
+{
+    if (path.empty()) return std::filesystem::current_path().string();
+    return std::filesystem::absolute(path).lexically_normal().parent_path().string();
+}
+
+std::vector<std::string> paths_of(const TimedPaths& scenes)
+{
+    std::vector<std::string> paths;
+    for (const auto& [time, path] : scenes) paths.push_back(path);
+    return paths;
+}
+
+TimedPaths scenes_in(const std::string& folder, std::string_view name)
+{
+    std::error_code ignored;
+    TimedPaths found;
+    for (const auto& each : std::filesystem::directory_iterator(folder, ignored))
+        if (each.path().filename().string().starts_with(name) &&
+            each.path().extension() == kept_extension)
+            found.emplace_back(each.last_write_time(ignored), each.path().string());
+    std::ranges::sort(found, std::greater());
+    return found;
+}
+
+void forget_old_scenes(const std::string& folder, std::chrono::hours aside_for)
+{
+    std::error_code ignored;
+    const auto now = std::filesystem::file_time_type::clock::now();
+    for (const auto& [time, path] : scenes_in(folder, aside_name))
+        if (now - time > aside_for) std::filesystem::remove(path, ignored);
+}
+
+std::string free_kept_path(const std::string& folder)
+{
+    std::error_code ignored;
+    for (int i = 1;; ++i) {
+        std::string path =
+            fmt::format("{}/{}{}-{}{}", folder, kept_name, ::getpid(), i, kept_extension);
+        if (!std::filesystem::exists(path, ignored)) return path;
+    }
+}
+
+std::string brought_back(const std::string& path)
+{
+    const std::filesystem::path file(path);
+    if (!file.filename().string().starts_with(aside_name)) return path;
+    std::error_code trouble;
+    std::string kept = free_kept_path(file.parent_path().string());
+    std::filesystem::rename(file, kept, trouble);
+    return trouble ? path : kept;
+}
+
+void put_aside(const std::string& path)
+{
+    const std::time_t now = std::time(nullptr);
+    std::tm at{};
+    ::localtime_r(&now, &at);
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    const std::string stem =
+        fmt::format("{}{}-{:02}-{:02} {:02}.{:02}", aside_name, at.tm_year + 1900, at.tm_mon + 1,
+                    at.tm_mday, at.tm_hour, at.tm_min);
+    std::error_code ignored;
+    auto free = folder / (stem + kept_extension);
+    for (int i = 2; std::filesystem::exists(free, ignored); ++i)
+        free = folder / fmt::format("{} ({}){}", stem, i, kept_extension);
+    std::filesystem::rename(path, free, ignored);
+    std::filesystem::last_write_time(free, std::filesystem::file_time_type::clock::now(), ignored);
+}
+
+} // namespace trivar

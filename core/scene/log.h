@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/rejected.h"
+#include "core/scene/history.h"
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace trivar {
+
+// The text of a scene: JSON Lines, a header and then one line for each commit, undo and redo.
+//
+//   {"trivar":1,"units":"m","up":"z"}
+//   {"do":"add_box","name":"Box",...}
+//   {"undo":true}
+//   {"redo":true}
+//   {"digest":"<of the causes>","effects":"<of what they give>"}     either or both
+//
+// A command, undo or redo may carry "digest" too: of the causes after it. A command may carry a
+// "note": words of the author, one paragraph, which stay with it.
+inline constexpr int log_version = 1;
+inline constexpr std::size_t longest_note = 1024; // bytes
+
+struct UndoLine {};
+struct RedoLine {};
+struct CheckLine {};
+struct LogLine {
+    int number = 0; // in the file, from 1
+    std::variant<Command, UndoLine, RedoLine, CheckLine> what;
+    std::string digest, effects; // after this line; empty: not said
+    std::string note;            // of a command
+};
+struct Log {
+    std::string name; // for messages
+    std::vector<LogLine> lines;
+    std::size_t good_bytes = 0;  // up to and without a torn last line
+    bool ends_with_break = true; // the last good line does
+    std::string notice;          // that a torn last line was dropped; or empty
+};
+
+// Strict. Throws Rejected as NAME:LINE: what is wrong. A last line that is no whole JSON and has
+// no line break was torn by a crash: it is dropped and said. A newer format version is refused.
+Log read_log(std::string_view text, const std::string& name);
+
+// One line that is not the header. Throws Rejected, without its place.
+LogLine read_log_line(std::string_view line);
+
+// One line on top of a history; digests are not looked at. Throws Rejected with NAME:LINE.
+void apply(History& history, const LogLine& line, const std::string& name);
+// All lines on top of an empty document.
+History replay(const Log& log);
+
+// Each with its line break.
+std::string log_header();
+std::string command_line(const Command& command, const std::string& note = {});
+std::string undo_line();
+std::string redo_line();
+std::string check_line(const std::string& digest, const std::string& effects);
+
+// The whole text: all steps, those that are undone undone at the end; or only those in force.
+std::string log_text(const History& history);
+std::string compact_log_text(const History& history);
+
+} // namespace trivar

@@ -1,0 +1,412 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/scene_file.h"
+
+#include "core/base/rejected.h"
+#include "core/base/text.h"
+#include "core/scene/kept_scenes.h"
+#include "core/scene/locked_file.h"
+#include "core/scene/log.h"
+#include "core/scene/moved_history.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <functional>
+#include <optional>
+#include <sys/stat.h>
+#include <utility>
+
+namespace trivar {
+namespace {
+
+std::vector<std::string> lines_of(std::string_view text)
+{
+    std::vector<std::string> lines;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        lines.emplace_back(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return lines;
+}
+
+} // namespace
+
+struct SceneFile::State {
+    State() = default;
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+    ~State()
+    {
+        if (file && path.empty()) put_aside(file_path);
+    }
+    // It has a name now, or another.
+    void let_go()
+    {
+        std::error_code ignored;
+        if (file && path.empty()) std::filesystem::remove(file_path, ignored);
+        file.reset();
+    }
+
+    History history;
+    std::vector<std::string> lines = lines_of(log_header());
+    bool as_opened = true, in_use = false, look_only = false;
+    ino_t looked_at = 0;  // the number of the file that is followed
+    std::string original; // of a copy
+    std::string path, folder = absolute_folder("");
+    std::string kept_in; // folder for scenes without a name; empty: not kept
+    std::optional<LockedFile> file;
+    std::string file_path;     // `path`, or where it is kept without a name
+    std::uintmax_t length = 0; // of the file's whole lines
+    std::string missing;       // lines that are not in the file yet
+    std::string torn;          // the file as it was found, to be kept before its end is cut off
+    std::string trouble;
+    std::vector<std::string> notices;
+};
+
+SceneFile::SceneFile() : state_(std::make_unique<State>()) {}
+SceneFile::~SceneFile() = default;
+SceneFile::SceneFile(SceneFile&&) noexcept = default;
+SceneFile& SceneFile::operator=(SceneFile&&) noexcept = default;
+
+SceneFile::SceneFile(const std::string& path) : state_(std::make_unique<State>())
+{
+    LockedFile file(path);
+    std::string text = file.read();
+    const Log log = read_log(text, path);
+    state_->history = replay(log);
+    state_->lines = lines_of(std::string_view(text).substr(0, log.good_bytes));
+    state_->folder = absolute_folder(path);
+    state_->original = path; // till it turns out to be that very file
+    if (!log.notice.empty()) state_->notices.push_back(log.notice);
+    if (file.access() == LockedFile::Access::in_use) {
+        state_->in_use = true;
+        state_->notices.push_back(fmt::format(
+            "{}: is open in another Trivar; this is a copy, save it under another name", path));
+        return;
+    }
+    if (file.access() == LockedFile::Access::read_only) {
+        state_->notices.push_back(
+            fmt::format("{}: may not be written; save changes under another name", path));
+        return;
+    }
+    state_->path = state_->file_path = path;
+    state_->original.clear();
+    state_->length = log.good_bytes;
+    if (!log.notice.empty()) state_->torn = std::move(text);
+    if (!log.ends_with_break) state_->missing = "\n";
+    state_->file.emplace(std::move(file));
+}
+
+SceneFile SceneFile::copy_of(const std::string& path)
+{
+    const std::string text = read_text_file(path);
+    const Log log = read_log(text, path);
+    SceneFile scene;
+    State& s = *scene.state_;
+    s.history = replay(log);
+    s.lines = lines_of(std::string_view(text).substr(0, log.good_bytes));
+    s.folder = absolute_folder(path);
+    s.original = path;
+    if (!log.notice.empty()) s.notices.push_back(log.notice);
+    return scene;
+}
+
+SceneFile SceneFile::looked_at(const std::string& path)
+{
+    struct stat status {};
+    const bool there = ::stat(path.c_str(), &status) == 0; // before it is read: more may come
+    SceneFile scene = copy_of(path);
+    State& s = *scene.state_;
+    s.look_only = true;
+    s.looked_at = there ? status.st_ino : 0;
+    s.notices.clear(); // a torn line is one that is being written
+    for (const std::string& line : s.lines) s.length += line.size() + 1;
+    return scene;
+}
+
+bool SceneFile::follow()
+{
+    State& s = *state_;
+    struct stat status {};
+    if (!s.look_only || ::stat(s.original.c_str(), &status) != 0) return false;
+    const auto size = static_cast<std::uintmax_t>(status.st_size);
+    if (status.st_ino != s.looked_at || size < s.length) {
+        *this = looked_at(std::string(s.original));
+        return true;
+    }
+    if (size == s.length) return false;
+    std::ifstream file(s.original, std::ios::binary);
+    file.seekg(static_cast<std::streamoff>(s.length));
+    bool more = false;
+    for (std::string line; std::getline(file, line) && !file.eof(); more = true) {
+        apply(s.history, read_log_line(line), s.original);
+        s.length += line.size() + 1;
+        s.lines.push_back(std::move(line));
+    }
+    return more;
+}
+
+void SceneFile::check_may_change() const
+{
+    if (!state_->look_only) return;
+    throw Rejected(fmt::format("{} is only looked at here; save it under another name to change it",
+                               std::filesystem::path(state_->original).filename().string()));
+}
+
+std::optional<std::string> SceneFile::left_in(const std::string& folder)
+{
+    for (const auto& [time, path] : scenes_in(folder, kept_name)) {
+        try {
+            const SceneFile scene(path);
+            const bool in_use = scene.path().empty();
+            if (!in_use && !scene.history().steps().empty()) return path;
+        } catch (const Rejected&) { // stays there, for whoever can mend it
+        }
+    }
+    return std::nullopt;
+}
+
+std::vector<std::string> SceneFile::set_aside_in(const std::string& folder)
+{
+    return paths_of(scenes_in(folder, aside_name));
+}
+
+SceneFile SceneFile::taken_up(const std::string& left)
+{
+    static_cast<void>(SceneFile(left)); // it can be read
+    SceneFile scene(brought_back(left));
+    State& s = *scene.state_;
+    s.path.clear();
+    s.as_opened = false;
+    s.torn.clear(); // half a line of a scene nobody named
+    return scene;
+}
+
+void SceneFile::keep_in(const std::string& folder)
+{
+    State& s = *state_;
+    if (folder.empty() || !s.path.empty() || s.file || s.look_only) return;
+    s.kept_in = folder;
+    const std::string from = std::exchange(s.folder, std::filesystem::absolute(folder).string());
+    if (std::ranges::any_of(s.history.steps(), imports_by_relative_path))
+        s.history = moved(s.history, from, s.folder);
+    if (!s.as_opened) start_kept();
+}
+
+void SceneFile::start_kept()
+{
+    State& s = *state_;
+    if (s.kept_in.empty()) return;
+    std::error_code ignored;
+    std::filesystem::create_directories(s.kept_in, ignored); // else writing says why not
+    const std::string path = free_kept_path(s.kept_in);
+    try {
+        const std::string text = log_text(s.history);
+        s.file.emplace(path, text);
+        s.file_path = path;
+        s.length = text.size();
+        s.lines = lines_of(text);
+        s.trouble.clear();
+    } catch (const Rejected& error) {
+        s.trouble = error.what();
+    }
+}
+
+const History& SceneFile::history() const
+{
+    return state_->history;
+}
+
+const std::vector<std::string>& SceneFile::lines() const
+{
+    return state_->lines;
+}
+
+void SceneFile::keep_torn()
+{
+    if (state_->torn.empty()) return;
+    const LockedFile kept(state_->file_path + ".torn", state_->torn);
+    state_->torn.clear();
+}
+
+void SceneFile::append(const std::string& line)
+{
+    State& s = *state_;
+    s.as_opened = false;
+    s.lines.push_back(line.substr(0, line.size() - 1));
+    if (!s.file) return start_kept();
+    s.missing += line;
+    write_missing();
+}
+
+void SceneFile::write_missing()
+{
+    State& s = *state_;
+    if (!s.file) {
+        if (!s.trouble.empty()) start_kept();
+        return;
+    }
+    try {
+        keep_torn();
+    } catch (const Rejected& error) {
+        s.trouble = error.what();
+        return;
+    }
+    s.trouble = s.file->write_at(s.length, s.missing);
+    if (!s.trouble.empty()) return;
+    s.length += s.missing.size();
+    s.missing.clear();
+}
+
+void SceneFile::save_copy(const std::string& path) const
+{
+    const State& s = *state_;
+    if (std::filesystem::exists(path))
+        throw Rejected(path + ": is there already and is not replaced");
+    const std::string folder = absolute_folder(path);
+    const bool elsewhere =
+        folder != s.folder && std::ranges::any_of(s.history.steps(), imports_by_relative_path);
+    const LockedFile file(path,
+                          log_text(elsewhere ? moved(s.history, s.folder, folder) : s.history));
+}
+
+void SceneFile::propose(Command command)
+{
+    check_may_change();
+    state_->history.propose(std::move(command));
+}
+
+bool SceneFile::commit()
+{
+    if (!state_->history.commit()) return false;
+    const History& history = state_->history;
+    const History::Step& step = history.steps()[history.position() - 1];
+    append(command_line(step.command, step.note));
+    return true;
+}
+
+void SceneFile::cancel()
+{
+    state_->history.cancel();
+}
+
+void SceneFile::run(Command command, const std::string& note)
+{
+    check_may_change();
+    state_->history.propose(std::move(command), note);
+    commit();
+}
+
+void SceneFile::look_at(std::size_t position)
+{
+    State& s = *state_;
+    if (!s.as_opened || s.file) return;
+    while (s.history.position() > position && s.history.undo()) {
+    }
+    while (s.history.position() < position && s.history.redo()) {
+    }
+    s.lines = lines_of(log_text(s.history));
+}
+
+bool SceneFile::undo()
+{
+    check_may_change();
+    if (!state_->history.undo()) return false;
+    append(undo_line());
+    return true;
+}
+
+bool SceneFile::redo()
+{
+    check_may_change();
+    if (!state_->history.redo()) return false;
+    append(redo_line());
+    return true;
+}
+
+void SceneFile::save(const std::string& path, bool compact)
+{
+    State& s = *state_;
+    const std::string folder = absolute_folder(path);
+    std::error_code ignored;
+    const bool in_place = !s.path.empty() && std::filesystem::equivalent(path, s.path, ignored);
+    if (!in_place && std::filesystem::is_regular_file(path, ignored) &&
+        LockedFile(path).access() == LockedFile::Access::in_use)
+        throw Rejected(path + ": is open in another Trivar; choose another name");
+    // Where no path changes the very documents stay, and with them what was computed from them.
+    std::optional<History> other;
+    if (folder != s.folder && std::ranges::any_of(s.history.steps(), imports_by_relative_path))
+        other = moved(s.history, s.folder, folder);
+    const History& kept = other ? *other : s.history;
+    const std::string text = compact ? compact_log_text(kept) : log_text(kept);
+    if (in_place) keep_torn();
+    LockedFile file(path, text);
+    s.let_go();
+    if (other) s.history = std::move(*other);
+    if (compact) s.history.forget_undone();
+    s.history.cancel();
+    s.file.emplace(std::move(file));
+    s.path = s.file_path = path;
+    s.original.clear();
+    s.in_use = s.look_only = false;
+    s.folder = folder;
+    s.length = text.size();
+    s.lines = lines_of(text);
+    s.missing.clear();
+    s.torn.clear();
+    s.trouble.clear();
+}
+
+void SceneFile::save_as(const std::string& path)
+{
+    save(path, false);
+}
+
+void SceneFile::save_compact(const std::string& path)
+{
+    save(path, true);
+}
+
+const std::string& SceneFile::path() const
+{
+    return state_->path;
+}
+
+const std::string& SceneFile::original() const
+{
+    return state_->original;
+}
+
+bool SceneFile::in_use() const
+{
+    return state_->in_use;
+}
+
+bool SceneFile::look_only() const
+{
+    return state_->look_only;
+}
+
+bool SceneFile::as_opened() const
+{
+    return state_->as_opened;
+}
+
+std::string SceneFile::folder() const
+{
+    return state_->folder;
+}
+
+const std::string& SceneFile::trouble() const
+{
+    return state_->trouble;
+}
+
+const std::vector<std::string>& SceneFile::notices() const
+{
+    return state_->notices;
+}
+
+} // namespace trivar

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/rejected.h"
+#include "core/evaluation/evaluate.h"
+#include "tests/document/commands.h"
+#include "tests/support/fixtures.h"
+
+#include <gmock/gmock.h>
+
+namespace trivar {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+// A ball of radius 0.4 (object 1) in a lattice of 1 x 1 x 1 (object 2).
+Document ball_in_box(const LatticeShape& shape = {})
+{
+    Document document = after(Document{}, AddSphere{.shape = {.radius = 0.4}});
+    return after(document, AddLattice{.objects = {1}, .shape = shape});
+}
+
+Evaluated all_of(const Document& document)
+{
+    return Evaluator(std::make_shared<const AssetStore>(""))(document);
+}
+
+std::vector<glm::vec3> points_of(const Document& document, Id id)
+{
+    const Part part = all_of(document).objects.at(id)->parts.at(0);
+    std::vector<glm::vec3> out;
+    for (const glm::vec3& p : part.mesh()->positions)
+        out.emplace_back(part.to_world * glm::dvec4(p, 1));
+    return out;
+}
+
+double furthest(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b)
+{
+    EXPECT_EQ(a.size(), b.size());
+    double most = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        most = std::max<double>(most, glm::length(a[i] - b[i]));
+    return most;
+}
+
+MovePoints lift(Id lattice, const glm::ivec3& point, double by)
+{
+    return {.object = lattice, .shift = {.points = {point}, .by = {0, 0, by}}};
+}
+
+TEST(Lattices, AtRestLeaveWhatStandsInThemWhereItIs)
+{
+    const Document alone = after(Document{}, AddSphere{.shape = {.radius = 0.4}});
+    EXPECT_LT(furthest(points_of(ball_in_box(), 1), points_of(alone, 1)), 1e-7);
+}
+
+TEST(Lattices, BendWhatStandsInThemAsTheirVolumeSays)
+{
+    const Document bent = after(ball_in_box(), lift(2, {1, 1, 3}, 0.2));
+    const Ref<Placement> box = all_of(bent).objects.at(2)->placement;
+    const std::vector<glm::vec3> rest = points_of(ball_in_box(), 1), now = points_of(bent, 1);
+    double most = 0;
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+        const glm::dvec3 uvw = glm::dvec3(rest[i]) + 0.5;
+        most = std::max(most, glm::length(evaluate(box->volume, uvw).value - glm::dvec3(now[i])));
+    }
+    EXPECT_LT(most, 1e-6);
+    EXPECT_GT(furthest(rest, now), 0.02);
+}
+
+TEST(Lattices, MoveWhatIsOutsideWithTheirNearestSide)
+{
+    Document document =
+        after(Document{}, AddBox{.shape = {.size = {2, 2, 2}, .segments = {1, 1, 1}}});
+    document = after(document,
+                     AddLattice{.objects = {1}, .shape = {.grid = {2, 2, 2}, .orders = {2, 2, 2}}});
+    const std::vector<glm::vec3> rest = points_of(document, 1);
+    const std::vector<glm::vec3> now = points_of(after(document, lift(2, {1, 1, 1}, 0.25)), 1);
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+        const bool corner = rest[i].x > 0 && rest[i].y > 0 && rest[i].z > 0;
+        EXPECT_NEAR(now[i].z - rest[i].z, corner ? 0.25 : 0, 1e-6);
+    }
+}
+
+TEST(Lattices, KeepWhatIsMovedInThemWhereTheHandPutIt)
+{
+    const Document bent = after(ball_in_box(), lift(2, {1, 1, 3}, 0.2));
+    const Document moved = after(bent, SetTransform{1, {.translation = {0.1, 0, 0}}});
+    const Ref<Placement> box = all_of(moved).objects.at(2)->placement;
+    const std::vector<glm::vec3> rest = points_of(ball_in_box(), 1), now = points_of(moved, 1);
+    const glm::dvec3 uvw = glm::dvec3(rest[40]) + glm::dvec3(0.6, 0.5, 0.5);
+    EXPECT_LT(glm::length(evaluate(box->volume, uvw).value - glm::dvec3(now[40])), 1e-6);
+}
+
+TEST(Lattices, GoWithTheirOwnTransform)
+{
+    const Document bent = after(ball_in_box(), lift(2, {1, 1, 3}, 0.2));
+    const Transform there{.translation = {1, 2, 3}, .rotation_deg = {0, 0, 90}, .scale = {2, 2, 2}};
+    const std::vector<glm::vec3> here = points_of(bent, 1);
+    const std::vector<glm::vec3> now = points_of(after(bent, SetTransform{2, there}), 1);
+    std::vector<glm::vec3> expected;
+    for (const glm::vec3& p : here) expected.emplace_back(there.matrix() * glm::dvec4(p, 1));
+    EXPECT_LT(furthest(now, expected), 2e-6);
+}
+
+TEST(Lattices, BendOneAfterTheOther)
+{
+    Document document =
+        after(after(ball_in_box(), lift(2, {1, 1, 3}, 0.2)),
+              AddLattice{.objects = {2}, .name = "Outer", .shape = {.size = {2, 2, 2}}});
+    const std::vector<glm::vec3> inner = points_of(document, 1);
+    document = after(document, lift(3, {3, 1, 1}, -0.3));
+    const Ref<Placement> outer = all_of(document).objects.at(3)->placement;
+    const std::vector<glm::vec3> now = points_of(document, 1);
+    double most = 0;
+    for (std::size_t i = 0; i < inner.size(); ++i) {
+        const glm::dvec3 uvw = glm::dvec3(inner[i]) / 2.0 + 0.5;
+        most = std::max(most, glm::length(evaluate(outer->volume, uvw).value - glm::dvec3(now[i])));
+    }
+    EXPECT_LT(most, 1e-6);
+}
+
+TEST(Lattices, BendWhatLiesOnAStroke)
+{
+    Document document = testing::small_document(); // 3, the pot, lies on 1
+    const std::vector<glm::vec3> laid = points_of(document, 3);
+    document = after(document, AddLattice{.objects = {3}, .shape = {.size = {6, 6, 6}}});
+    EXPECT_LT(furthest(points_of(document, 3), laid), 1e-6);
+    document = after(document, lift(document.next_id - 1, {1, 1, 1}, 0.5));
+    EXPECT_GT(furthest(points_of(document, 3), laid), 0.01);
+}
+
+TEST(Lattices, GiveBackWhatStandsInThemWhenTheyAreTakenAway)
+{
+    const Document bent = after(ball_in_box(), lift(2, {1, 1, 3}, 0.2));
+    EXPECT_LT(furthest(points_of(after(bent, Ungroup{2}), 1), points_of(ball_in_box(), 1)), 1e-7);
+}
+
+TEST(Lattices, AreRefinedWithoutAChangeOfShape)
+{
+    const Document bent = after(ball_in_box(), lift(2, {1, 1, 3}, 0.2));
+    const Document finer =
+        after(bent, InsertKnots{2, {.along = {0.5}, .across = {0.3}, .up = {0.7}}});
+    EXPECT_LT(furthest(points_of(finer, 1), points_of(bent, 1)), 1e-6);
+}
+
+TEST(Lattices, AreKeptByTheirGuardFromFolding)
+{
+    const Document bent = after(ball_in_box(), lift(2, {1, 1, 3}, -5));
+    const Ref<EvaluatedObject> box = all_of(bent).objects.at(2);
+    EXPECT_TRUE(box->shaped->steps.at(0).would_fold);
+    EXPECT_LT(-box->shaped->steps.at(0).done, 5);
+}
+
+TEST(Lattices, MoveInTimeWithKeysOnTheirPoints)
+{
+    Document document = after(ball_in_box(), lift(2, {1, 1, 3}, 0.2));
+    document = after(document, Animate{{{2, {{"shaping.0.shift.by.z", {{1, 0}, {25, 0.2}}}}}}});
+    Evaluator evaluator(std::make_shared<const AssetStore>(""));
+    const auto highest = [&](double frame) {
+        return evaluator(document, frame).objects.at(1)->bounds->hi.z;
+    };
+    EXPECT_NEAR(highest(1), 0.4, 1e-6);
+    EXPECT_GT(highest(13), 0.41);
+    EXPECT_GT(highest(25), highest(13) + 0.01);
+}
+
+TEST(Lattices, AreTwistedAsAWhole)
+{
+    const Document twisted =
+        after(ball_in_box({.grid = {6, 6, 12}}), WarpVolume{2, {.twist_deg = 90}});
+    const Lattice volume = all_of(twisted).objects.at(2)->placement->volume;
+    const glm::dvec3 top = evaluate(volume, {1, 0.5, 1}).value,
+                     low = evaluate(volume, {1, 0.5, 0}).value;
+    EXPECT_LT(glm::length(top - glm::dvec3(0.5 * std::sqrt(0.5), 0.5 * std::sqrt(0.5), 0.5)), 1e-9);
+    EXPECT_LT(glm::length(low - glm::dvec3(0.5 * std::sqrt(0.5), -0.5 * std::sqrt(0.5), -0.5)),
+              1e-9);
+    const Ref<ShapedVolume> shaped = all_of(twisted).objects.at(2)->shaped;
+    EXPECT_FALSE(shaped->steps.at(0).would_fold);
+    EXPECT_TRUE(shaped->volume->verdicts->good());
+}
+
+TEST(Lattices, AreBentAlongAnArcOfTheirOwnLength)
+{
+    const Document bent =
+        after(ball_in_box({.grid = {4, 4, 40}}), WarpVolume{2, {.bend_deg = 90}});
+    const Lattice volume = all_of(bent).objects.at(2)->placement->volume;
+    const double radius = 2 / 3.14159265358979;
+    for (int i = 0; i <= 20; ++i) {
+        const double t = i / 20.0, angle = (t - 0.5) * 3.14159265358979 / 2;
+        const glm::dvec3 arc(radius - radius * std::cos(angle), 0, radius * std::sin(angle));
+        EXPECT_LT(glm::length(evaluate(volume, {0.5, 0.5, t}).value - arc), 2e-3);
+    }
+}
+
+TEST(Lattices, AreBentNoFurtherThanIsProvenNotToFold)
+{
+    const Document bent = after(ball_in_box({.grid = {4, 4, 8}}), WarpVolume{2, {.taper = -1}});
+    const Ref<ShapedVolume> shaped = all_of(bent).objects.at(2)->shaped;
+    EXPECT_TRUE(shaped->steps.at(0).would_fold);
+    EXPECT_TRUE(shaped->volume->verdicts->good());
+}
+
+TEST(Lattices, ComeWithTheirStepsWhenTheyAreCopied)
+{
+    const Document bent = after(ball_in_box(), lift(2, {1, 1, 3}, 0.2));
+    const Document pasted = after(bent, copied(bent, {2}, "/"));
+    EXPECT_LT(furthest(points_of(pasted, 4), points_of(bent, 1)), 1e-7);
+}
+
+TEST(Lattices, RefuseWhatCannotBeInASentence)
+{
+    const auto refused = [](const Command& command, const char* why) {
+        EXPECT_THAT([&] { after(ball_in_box(), command); },
+                    ThrowsMessage<Rejected>(HasSubstr(why)));
+    };
+    refused(AddLattice{.objects = {}}, "no object");
+    refused(AddLattice{.objects = {1}, .shape = {.grid = {3, 4, 4}}}, "order 4 needs at least 4");
+    refused(AddLattice{.objects = {1}, .shape = {.grid = {1, 4, 4}}}, "between 2 and 1024");
+    refused(AddLattice{.objects = {1}, .shape = {.grid = {300, 300, 300}}},
+            "27000000 control points");
+    refused(AddLattice{.objects = {1}, .shape = {.size = {1, 1, 0}}}, "above 0");
+    refused(SetLattice{.object = 1}, "is no lattice");
+    refused(Reorder{.objects = {2}, .parent = 2}, "cannot be in itself");
+    refused(WarpVolume{1, {.twist_deg = 5}}, "is no lattice");
+    refused(SetMaterial{{2}, {}}, "group");
+}
+
+} // namespace
+} // namespace trivar
