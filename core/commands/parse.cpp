@@ -5,6 +5,7 @@
 #include "core/base/text.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 

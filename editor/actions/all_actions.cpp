@@ -6,6 +6,7 @@
 #include "editor/actions/file_actions.h"
 #include "editor/actions/help_actions.h"
 #include "editor/actions/key_actions.h"
+#include "editor/actions/lattice_actions.h"
 #include "editor/actions/reset_actions.h"
 #include "editor/actions/selection_actions.h"
 #include "editor/actions/time_actions.h"
@@ -56,6 +57,7 @@ std::vector<Action> all_actions()
     a.push_back(add_action<AddMoebius>("Moebius band"));
     a.push_back(add_action<AddTeapot>("Teapot"));
     a.push_back(add_action<AddText>("Text"));
+    add_lattice_actions(a);
     add_view_actions(a);
     add_window_actions(a);
     add_time_actions(a);
@@ -78,8 +80,8 @@ std::vector<Action> all_actions()
                  mend_action,
                  {{.key = 'M', .shift = true}},
                  [](Editor& e) { e.session.run(MendVolume{e.session.selected}); },
-                 {[](const Editor& e) { return selected_placement(e.session) != nullptr; },
-                  "select one placed object first"},
+                 {[](const Editor& e) { return selected_volume(e.session) != nullptr; },
+                  "select a placed object or a lattice first"},
                  true});
     a.push_back({"Edit",
                  allow_folds_action,

@@ -121,8 +121,7 @@ void add_edit_actions(std::vector<Action>& a)
                  {[](const Editor& e) {
                       const auto& objects = e.session.document().objects;
                       const auto found = objects.find(e.session.selected);
-                      return found != objects.end() &&
-                             std::holds_alternative<GroupShape>(found->second->source);
+                      return found != objects.end() && holds_others(found->second->source);
                   },
                   "select a group first"}});
     a.push_back({"Edit",

@@ -77,7 +77,7 @@ std::optional<HintCard> hint_card(const Editor& editor)
     if (work.busy && work.seconds > progress_shown_s) return {}; // its bar is there
     std::size_t shapes = 0, texts = 0, placed = 0;
     for (const auto& [id, each] : session.document().objects) {
-        shapes += std::holds_alternative<GroupShape>(each->source) ? 0 : 1;
+        shapes += holds_others(each->source) ? 0 : 1;
         texts += std::holds_alternative<TextShape>(each->source) ? 1 : 0;
         placed += each->placement ? 1 : 0;
     }

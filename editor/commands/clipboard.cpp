@@ -52,7 +52,7 @@ bool same_shape(Source a, Source b, const std::string& folder)
 std::vector<Id> hidden_in(const Document& document, Id first, const std::string& folder)
 {
     const auto stands = [](const Object& each) {
-        return !each.placement && !std::holds_alternative<GroupShape>(each.source);
+        return !each.placement && !holds_others(each.source);
     };
     std::vector<std::pair<glm::dmat4, const Source*>> added;
     for (const auto& [id, each] : document.objects)

@@ -75,7 +75,8 @@ void draw_material(Editor& editor, const ui::Theme& theme, Id id);
 void draw_placement(Editor& editor, const ui::Theme& theme, Id id);
 void draw_travel(Editor& editor, const ui::Theme& theme, const std::vector<Id>& placed);
 void draw_refinement(Editor& editor, const ui::Theme& theme, const std::vector<Id>& placed);
-// The lattice of a placed object, and what was done to it.
+void draw_lattice(Editor& editor, const ui::Theme& theme, Id id); // of one that is a box
+// The volume of a placed object or of a lattice, and what was done to it.
 void draw_shaping(Editor& editor, const ui::Theme& theme, Id id);
 void draw_clip(Editor& editor, const ui::Theme& theme, const std::vector<Id>& imported);
 void draw_several(Editor& editor, const ui::Theme& theme); // where several objects are selected

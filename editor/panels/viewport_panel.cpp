@@ -21,12 +21,31 @@
 namespace trivar {
 namespace {
 
+// A lattice has no surface: its net is what is seen of it.
+void add_lattices(std::vector<gpu::Line>& lines, const Session& session, const ui::Theme& theme)
+{
+    constexpr std::size_t most_points = 4000; // more are no net any more
+    for (const auto& [id, each] : session.evaluated().objects) {
+        const auto there = session.document().objects.find(id);
+        if (there == session.document().objects.end() ||
+            !std::holds_alternative<LatticeShape>(there->second->source) || !each->placement ||
+            each->placement->volume.displacement.points.size() > most_points ||
+            std::ranges::binary_search(session.aside, id))
+            continue;
+        const float alpha = session.selected.contains(id) ? 0.75f : 0.28f;
+        for (gpu::Line& line : net_lines(each->placement->volume,
+                                         ui::faded(theme.color.lattice, alpha), theme.line(1)))
+            lines.push_back(std::move(line));
+    }
+}
+
 // What goes with the selection, and with the tool at work.
 Helpers helpers_of(Editor& editor, const ui::Theme& theme)
 {
     const Tool& tool = editor.active_tool();
     Helpers helpers{tool.lines(editor.session, theme), tool.veils(editor.session, theme)};
     const auto& objects = editor.session.evaluated().objects;
+    add_lattices(helpers.lines, editor.session, theme);
     const auto found = objects.find(editor.session.selected);
     if (found == objects.end() || !found->second->placement || !tool.shows_volume() ||
         editor.session.document().render->volumes || // the picture shows them

@@ -42,6 +42,29 @@ std::vector<gpu::Line> placement_lines(const Placement& placement, const ui::Pal
     return lines;
 }
 
+std::vector<gpu::Line> net_lines(const Lattice& volume, ui::Color color, float line_px)
+{
+    std::vector<gpu::Line> out;
+    const std::array<Knots, 3>& axes = volume.displacement.axes;
+    const glm::ivec3 n(axes[0].count(), axes[1].count(), axes[2].count());
+    for (int along = 0; along < 3; ++along) {
+        const int s = (along + 1) % 3, t = (along + 2) % 3;
+        for (int i = 0; i < n[s]; ++i)
+            for (int j = 0; j < n[t]; ++j) {
+                gpu::Line line{{}, ui::linear_light(color), line_px};
+                for (int k = 0; k < n[along]; ++k) {
+                    glm::ivec3 at(0);
+                    at[along] = k;
+                    at[s] = i;
+                    at[t] = j;
+                    line.points.emplace_back(control_point(volume, at.x, at.y, at.z));
+                }
+                out.push_back(std::move(line));
+            }
+    }
+    return out;
+}
+
 gpu::Translucent placement_veil(const Placement& placement, const ui::Palette& color)
 {
     return veil_of(volume_surface(placement.volume), color.lattice_fill);

@@ -11,6 +11,8 @@ namespace trivar {
 // `line_px`: of a line that is one pixel wide at scale 1.
 std::vector<gpu::Line> placement_lines(const Placement& placement, const ui::Palette& color,
                                        float line_px);
+// The net of the control points of a volume.
+std::vector<gpu::Line> net_lines(const Lattice& volume, ui::Color color, float line_px);
 gpu::Translucent placement_veil(const Placement& placement, const ui::Palette& color);
 
 // A ball with a rim, for tools.

@@ -81,7 +81,7 @@ public:
         const std::size_t before = rows_.size();
         for (Id id = children_.first_in(parent); id != 0; id = children_.after(id)) {
             const Object& each = object(document_, id);
-            const bool group = std::holds_alternative<GroupShape>(each.source);
+            const bool group = holds_others(each.source);
             const bool found = filter_.empty() || filter_.takes(each);
             const bool open = !filter_.empty() || !closed_.contains(id);
             const std::size_t row = rows_.size();
@@ -126,6 +126,7 @@ std::string type_of(const Object& object)
 {
     if (object.placement) return "Placed";
     if (std::holds_alternative<GroupShape>(object.source)) return "Group";
+    if (std::holds_alternative<LatticeShape>(object.source)) return "Lattice";
     if (std::holds_alternative<TextShape>(object.source)) return "Text";
     return std::holds_alternative<ImportedFile>(object.source) ? "Model" : "Primitive";
 }
@@ -133,6 +134,7 @@ std::string type_of(const Object& object)
 const char* icon_of(const Object& object)
 {
     if (object.placement) return ui::icon::place;
+    if (std::holds_alternative<LatticeShape>(object.source)) return ui::icon::volume;
     return std::holds_alternative<GroupShape>(object.source) ? ui::icon::group : ui::icon::mesh;
 }
 

@@ -4,14 +4,11 @@
 #include "core/base/rejected.h"
 #include "core/commands/keying.h"
 #include "core/document/parameters.h"
-#include "core/scene/kept_scenes.h"
 #include "editor/picture/picture.h"
-#include "editor/preferences/preferences.h"
 #include "editor/session/scene_facts.h"
 #include "editor/session/scene_names.h"
 #include "editor/session/selection.h"
 #include "editor/session/topics.h"
-#include "editor/words/file_words.h"
 #include "ui/camera_control.h"
 
 #include <algorithm>

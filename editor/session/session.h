@@ -4,11 +4,8 @@
 #include "core/scene/scene_file.h"
 #include "editor/jobs/background_evaluator.h"
 #include "editor/jobs/job.h"
-#include "editor/session/followed_view.h"
-#include "editor/session/left_scene.h"
 #include "editor/session/scene_view.h"
 #include "editor/session/selection.h"
-#include "editor/session/session_facts.h"
 #include "ui/notices.h"
 
 #include <functional>

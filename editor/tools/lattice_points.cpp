@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/lattice_points.h"
 
+#include "editor/picture/volume_picture.h"
+
 #include "core/commands/apply.h"
 #include "editor/tools/gesture_keys.h"
 #include "editor/tools/last_shaping.h"
@@ -86,7 +88,7 @@ Command LatticePointsTool::command() const
 
 void LatticePointsTool::keep_what_is_there(const Session& session)
 {
-    const EvaluatedObject* laid = selected_placement(session);
+    const EvaluatedObject* laid = selected_volume(session);
     if (!laid || laid->id != object_) chosen_.clear();
     object_ = laid ? laid->id : 0;
     if (!laid) return;
@@ -100,7 +102,7 @@ std::optional<glm::ivec3> LatticePointsTool::point_at(const Session& session,
 {
     std::optional<glm::ivec3> nearest;
     double distance = point_reach_px * input.scale;
-    each_point(selected_placement(session)->placement->volume, session.view.camera,
+    each_point(selected_volume(session)->placement->volume, session.view.camera,
                [&](const glm::ivec3& p, glm::dvec2 at) {
                    const double far = glm::distance(at, input.mouse);
                    if (far >= distance) return;
@@ -122,7 +124,7 @@ void LatticePointsTool::use(Session& session, const ViewportInput& input)
     tell(session);
     outside_ = !input.hovered;
     if (gesture_) {
-        if (!selected_placement(session)) return cancel(session);
+        if (!selected_volume(session)) return cancel(session);
         return go_on(session, input);
     }
     keep_what_is_there(session);
@@ -133,7 +135,7 @@ void LatticePointsTool::use(Session& session, const ViewportInput& input)
         if (input.pressed) select_by_click(session, input.under);
         return;
     }
-    const Lattice& volume = selected_placement(session)->placement->volume;
+    const Lattice& volume = selected_volume(session)->placement->volume;
     if (box_px_) {
         if (!input.released && input.down) return;
         if (glm::distance(*box_px_, input.mouse) >= click_slip_px)
@@ -183,7 +185,7 @@ void LatticePointsTool::choose_in_box(const Session& session, const ViewportInpu
 {
     const glm::dvec2 lo = glm::min(*box_px_, input.mouse), hi = glm::max(*box_px_, input.mouse);
     if (!ImGui::GetIO().KeyCtrl) chosen_.clear();
-    const Lattice& volume = selected_placement(session)->placement->volume;
+    const Lattice& volume = selected_volume(session)->placement->volume;
     const std::vector<char> before = flags_of(volume, chosen_);
     each_point(volume, session.view.camera, [&](const glm::ivec3& p, glm::dvec2 at) {
         const bool inside =
@@ -195,7 +197,7 @@ void LatticePointsTool::choose_in_box(const Session& session, const ViewportInpu
 void LatticePointsTool::begin(const Session& session, const ViewportInput& input,
                               const Handle& handle)
 {
-    const Lattice& volume = selected_placement(session)->placement->volume;
+    const Lattice& volume = selected_volume(session)->placement->volume;
     const MotionFrame frame = frame_of(volume, chosen_);
     of_ = size_of(volume);
     by_key_ = false;
@@ -248,7 +250,7 @@ void LatticePointsTool::tell(Session& session)
 
 std::vector<VolumePart> LatticePointsTool::held_parts(const Session& session) const
 {
-    const EvaluatedObject* laid = selected_placement(session);
+    const EvaluatedObject* laid = selected_volume(session);
     if (!laid || laid->id != object_ || chosen_.empty()) return {};
     return with_mirrored(bent_by(laid->placement->volume, chosen_), mirror_);
 }
@@ -270,38 +272,18 @@ void LatticePointsTool::take_keys(Session& session)
     if (ended || elsewhere) finish(session);
 }
 
-// The net of control points.
 std::vector<gpu::Line> LatticePointsTool::lines(const Session& session,
                                                 const ui::Theme& theme) const
 {
-    std::vector<gpu::Line> out;
-    const EvaluatedObject* laid = selected_placement(session);
-    if (!laid || !all_are_shown(laid->placement->volume)) return out;
-    const Lattice& volume = laid->placement->volume;
-    const glm::ivec3 n = size_of(volume);
-    for (int along = 0; along < 3; ++along) {
-        const int s = (along + 1) % 3, t = (along + 2) % 3;
-        for (int i = 0; i < n[s]; ++i)
-            for (int j = 0; j < n[t]; ++j) {
-                gpu::Line line{
-                    {}, ui::linear_light(ui::faded(theme.color.lattice, 0.3f)), theme.line(1)};
-                for (int k = 0; k < n[along]; ++k) {
-                    glm::ivec3 at(0);
-                    at[along] = k;
-                    at[s] = i;
-                    at[t] = j;
-                    line.points.emplace_back(control_point(volume, at.x, at.y, at.z));
-                }
-                out.push_back(std::move(line));
-            }
-    }
-    return out;
+    const EvaluatedObject* laid = selected_volume(session);
+    if (!laid || !all_are_shown(laid->placement->volume)) return {};
+    return net_lines(laid->placement->volume, ui::faded(theme.color.lattice, 0.3f), theme.line(1));
 }
 
 void LatticePointsTool::overlay(const Session& session, const ui::Theme& theme,
                                 const ViewportInput& input) const
 {
-    const EvaluatedObject* laid = selected_placement(session);
+    const EvaluatedObject* laid = selected_volume(session);
     if (!laid) return;
     const Lattice& volume = laid->placement->volume;
     const std::vector<char> flags = flags_of(volume, chosen_);
@@ -339,7 +321,7 @@ void LatticePointsTool::overlay(const Session& session, const ui::Theme& theme,
 
 void LatticePointsTool::options(Session& session, const ui::Theme& theme, float width)
 {
-    const EvaluatedObject* laid = selected_placement(session);
+    const EvaluatedObject* laid = selected_volume(session);
     std::vector<ui::Option> options;
     options.push_back({"Mirror", 20, [&](float) { ui::check_box(theme, "mirror", mirror_, ""); },
                        "Points on the other side of the middle go the other way across."});
@@ -378,8 +360,11 @@ std::vector<Hint> LatticePointsTool::hints(const Session& session) const
                 {{"Ctrl"}, "Snap"},
                 {{"Shift"}, "Fine"},
                 {{"Esc", "/", "right"}, "Cancel"}};
-    const EvaluatedObject* laid = selected_placement(session);
-    if (!laid) return {{{}, "Select a placed object"}, {{"left"}, "Select"}, {{"Esc"}, "Select"}};
+    const EvaluatedObject* laid = selected_volume(session);
+    if (!laid)
+        return {{{}, "Select a placed object or a lattice, or put one round what is selected"},
+                {{"left"}, "Select"},
+                {{"Esc"}, "Select"}};
     std::vector<Hint> hints{
         {{"left"}, chosen_.empty() ? "Choose a point" : "Drag a point or handle"},
         {{"Ctrl", "left"}, "Add or remove"},

@@ -8,16 +8,16 @@
 
 namespace trivar {
 
-// Moves control points of the volume of the selected placed object: a click or a box chooses some,
-// a drag on one of them or on the handles moves them, along the volume's own directions. What is
-// seen is the proposal; a gesture is one step.
+// Moves control points of the volume of the selected lattice or placed object: a click or a box
+// chooses some, a drag on one of them or on the handles moves them, along the volume's own
+// directions. What is seen is the proposal; a gesture is one step.
 class LatticePointsTool : public Tool {
 public:
     std::string name() const override { return "Lattice"; }
     const char* icon() const override;
     std::string help() const override
     {
-        return "Move control points of the volume of a placed model.";
+        return "Move control points of a lattice, or of the volume of a placed model.";
     }
     std::string page() const override { return "lattice"; }
     std::vector<ui::Chord> keys() const override { return {{'V'}, {'4'}}; }

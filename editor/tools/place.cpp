@@ -26,8 +26,7 @@ constexpr double rejoin_px = 16;   // in the old stroke's picture: a piece that 
 bool can_be_placed(const Document& document, Id id)
 {
     const auto found = document.objects.find(id);
-    return found != document.objects.end() &&
-           !std::holds_alternative<GroupShape>(found->second->source);
+    return found != document.objects.end() && !holds_others(found->second->source);
 }
 
 const Placement* placement_of(const Session& session, Id id)

@@ -68,15 +68,22 @@ const char* drag_words(HoldKind kind)
 
 } // namespace
 
-const EvaluatedObject* selected_placement(const Session& session)
+const EvaluatedObject* selected_volume(const Session& session)
 {
     if (session.selected.size() != 1) return nullptr;
     if (locked(session.document(), session.selected)) return nullptr;
     const auto found = session.evaluated().objects.find(session.selected);
     if (found == session.evaluated().objects.end() || !found->second->placement) return nullptr;
     const auto there = session.document().objects.find(session.selected);
-    if (there == session.document().objects.end() || !there->second->placement) return nullptr;
-    return &*found->second;
+    if (there == session.document().objects.end()) return nullptr;
+    const bool lattice = std::holds_alternative<LatticeShape>(there->second->source);
+    return lattice || there->second->placement ? &*found->second : nullptr;
+}
+
+const EvaluatedObject* selected_placement(const Session& session)
+{
+    const EvaluatedObject* found = selected_volume(session);
+    return found && object(session.document(), found->id).placement ? found : nullptr;
 }
 
 bool PlacementHandles::shown(const Session& session) const

@@ -39,5 +39,7 @@ private:
 
 // The selected object, if it is the only one, lies on a stroke, can be seen and is not locked.
 const EvaluatedObject* selected_placement(const Session& session);
+// The same of any volume: that of a placed object, or of a lattice.
+const EvaluatedObject* selected_volume(const Session& session);
 
 } // namespace trivar

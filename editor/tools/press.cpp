@@ -138,7 +138,7 @@ void PressTool::begin(Session& session, const ViewportInput& input)
 void PressTool::use(Session& session, const ViewportInput& input)
 {
     tell(session);
-    const EvaluatedObject* laid = selected_placement(session);
+    const EvaluatedObject* laid = selected_volume(session);
     if (gesture_) {
         if (!laid) return cancel(session);
         return go_on(session, input);
@@ -219,7 +219,7 @@ void PressTool::tell(Session& session)
     if (!last->notice.empty())
         session.notices.say(ui::NoticeKind::warning, "Nothing was pressed", last->notice,
                             of_a_step);
-    const EvaluatedObject* laid = selected_placement(session);
+    const EvaluatedObject* laid = selected_volume(session);
     const bool same = laid && laid->id == id;
     if (!last->notice.empty() || (same && offer_points(session, id, laid->placement->volume)))
         return;
@@ -231,7 +231,7 @@ void PressTool::tell(Session& session)
 
 std::vector<VolumePart> PressTool::held_parts(const Session& session) const
 {
-    const EvaluatedObject* laid = selected_placement(session);
+    const EvaluatedObject* laid = selected_volume(session);
     if (!laid || laid->id != last_of_) return {};
     return parts_of({.decay = decay_,
                      .radius = radius(*laid->placement),
@@ -280,7 +280,7 @@ void PressTool::take_keys(Session& session)
 
 std::vector<gpu::Translucent> PressTool::veils(const Session& session, const ui::Theme& theme) const
 {
-    const EvaluatedObject* laid = selected_placement(session);
+    const EvaluatedObject* laid = selected_volume(session);
     if (!laid || !gesture_) return {};
     return balls_of(gesture_->press, laid->placement->volume, theme.color);
 }
@@ -288,7 +288,7 @@ std::vector<gpu::Translucent> PressTool::veils(const Session& session, const ui:
 void PressTool::overlay(const Session& session, const ui::Theme& theme,
                         const ViewportInput& input) const
 {
-    const EvaluatedObject* laid = selected_placement(session);
+    const EvaluatedObject* laid = selected_volume(session);
     if (!laid || (!at_ && !gesture_)) return;
     const Lattice& start = gesture_ ? gesture_->volume : laid->placement->volume;
     const Lattice& now = laid->placement->volume;
@@ -327,7 +327,7 @@ void PressTool::overlay(const Session& session, const ui::Theme& theme,
 
 void PressTool::options(Session& session, const ui::Theme& theme, float width)
 {
-    const EvaluatedObject* laid = selected_placement(session);
+    const EvaluatedObject* laid = selected_volume(session);
     const ui::NumberStyle length{.lo = 0, .hi = 1e6, .unit = "m", .zero = "auto"};
     std::vector<ui::Option> options;
     options.push_back(
@@ -393,7 +393,7 @@ std::vector<Hint> PressTool::hints(const Session& session) const
         hints.push_back({{"Esc", "/", "right"}, "Cancel"});
         return hints;
     }
-    if (!selected_placement(session))
+    if (!selected_volume(session))
         return {{{}, "Select a placed object"}, {{"left"}, "Select"}, {{"Esc"}, "Select"}};
     std::vector<Hint> hints;
     if (by_ == By::drag)

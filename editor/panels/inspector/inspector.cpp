@@ -132,16 +132,16 @@ void facts(Editor& editor, const ui::Theme& theme, const Object& each, Id id)
             vertices += part.rest->vertex_count();
         }
     }
-    if (std::holds_alternative<GroupShape>(each.source)) {
+    if (holds_others(each.source)) {
         for (const auto& [each_id, ref] : session.document().objects)
             members += each_id != id && belongs_to(session.document(), each_id, id) ? 1 : 0;
         ui::fact_row(theme, "Objects", ui::with_commas(members));
     }
     if (vertices == 0) {
         ui::fact_row(theme, "Size",
-                     !visible(session.document(), id)                  ? "hidden"
-                     : std::holds_alternative<GroupShape>(each.source) ? "nothing to see"
-                                                                       : "not there yet");
+                     !visible(session.document(), id) ? "hidden"
+                     : holds_others(each.source)      ? "nothing to see"
+                                                      : "not there yet");
         ui::gap(theme, 8);
         return;
     }
@@ -252,7 +252,7 @@ void draw_transform(Editor& editor, const ui::Theme& theme, Id id)
 void draw_material(Editor& editor, const ui::Theme& theme, Id id)
 {
     const Object& each = object(editor.session.document(), id);
-    if (std::holds_alternative<GroupShape>(each.source)) return;
+    if (holds_others(each.source)) return;
     if (!ui::section(theme, "Material")) return;
     bool own = !each.surfacing.has_value();
     ui::label_row(theme, "Use", false, material_help);
@@ -396,7 +396,8 @@ void draw_inspector(Editor& editor, const ui::Theme& theme, const Layout& layout
         if (editor.session.document().objects.contains(id)) draw(editor, theme, id);
     };
     if (each->placement) part(draw_placement);
-    if (each->placement) part(draw_shaping);
+    if (std::holds_alternative<LatticeShape>(each->source)) part(draw_lattice);
+    if (each->placement || std::holds_alternative<LatticeShape>(each->source)) part(draw_shaping);
     if (std::holds_alternative<ImportedFile>(each->source))
         part([](Editor& e, const ui::Theme& t, Id one) { draw_clip(e, t, {one}); });
     if (std::holds_alternative<TextShape>(each->source)) part(draw_text);

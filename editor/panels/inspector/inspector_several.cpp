@@ -89,7 +89,7 @@ void material(Editor& editor, const ui::Theme& theme)
     const Document& document = editor.session.document();
     std::vector<Id> ids;
     for (const Id id : editor.session.selected.ids())
-        if (!std::holds_alternative<GroupShape>(object(document, id).source)) ids.push_back(id);
+        if (!holds_others(object(document, id).source)) ids.push_back(id);
     if (ids.empty() || !ui::section(theme, "Material")) return;
     const Object& active = object(document, ids.back());
     bool same = true;

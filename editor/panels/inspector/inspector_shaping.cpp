@@ -14,7 +14,7 @@
 namespace trivar {
 namespace {
 
-constexpr std::array<const char*, 3> axis_labels{"Along", "Across", "Up"};
+constexpr std::array<const char*, 3> of_a_stroke{"Along", "Across", "Up"}, of_a_box{"X", "Y", "Z"};
 
 // The middle of every span of an axis.
 std::vector<double> span_middles(const Knots& axis)
@@ -31,7 +31,9 @@ std::vector<double> span_middles(const Knots& axis)
 void density_row(Editor& editor, const ui::Theme& theme, Id id, int axis, const Knots& knots,
                  const double* deviation)
 {
-    ui::label_row(theme, axis_labels[static_cast<std::size_t>(axis)]);
+    const bool box =
+        std::holds_alternative<LatticeShape>(object(editor.session.document(), id).source);
+    ui::label_row(theme, (box ? of_a_box : of_a_stroke)[static_cast<std::size_t>(axis)]);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float side = theme.size.row;
     ui::paint_text(theme.font.body, ui::rect_at({at.x, at.y}, {theme.px(60), side}),
@@ -111,7 +113,8 @@ void draw_shaping(Editor& editor, const ui::Theme& theme, Id id)
     Session& session = editor.session;
     const auto found = session.evaluated().objects.find(id);
     if (found == session.evaluated().objects.end() || !found->second->placement) return;
-    if (!ui::section(theme, "Lattice", false)) return;
+    const bool box = std::holds_alternative<LatticeShape>(object(session.document(), id).source);
+    if (!ui::section(theme, box ? "Control points" : "Lattice", box)) return;
     const Ref<Placement> placement = found->second->placement;
     VolumeFacts& facts = editor.viewport.volume_facts();
     const CellVerdicts* verdicts = facts.verdicts(*found->second);

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "editor/action.h"
+
+#include <vector>
+
+namespace trivar {
+
+inline constexpr const char* lattice_action = "Lattice round selection";
+
+// Puts a lattice round what is selected, and takes the tool that moves its points.
+void add_lattice_actions(std::vector<Action>& actions);
+
+} // namespace trivar
