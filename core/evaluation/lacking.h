@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/rejected.h"
-#include "core/evaluation/evaluate.h"
+#include "core/evaluation/evaluated.h"
 
 namespace trivar {
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/progress.h"
+#include "core/document/document.h"
 #include "core/evaluation/bending.h"
-#include "core/evaluation/evaluate.h"
 #include "core/evaluation/shapes.h"
 #include "core/placement/round.h"
 #include "core/placement/shaper.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/files/image_tags.h"
 #include "core/mesh/deep_image.h"
 #include "core/mesh/model.h"
 
@@ -10,16 +11,12 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace trivar {
 
 // Of all pictures of a model together: 1 GiB of RGBA.
 constexpr std::uint64_t max_pixels_per_model = std::uint64_t{1} << 28;
-
-// What a picture's file says beside its pixels: names and words.
-using ImageTags = std::vector<std::pair<std::string, std::string>>;
 
 // What the head of a picture's file says; all of its pixels were read, so the file is whole.
 struct ImageHead {

@@ -6,7 +6,6 @@
 #include "core/evaluation/lacking.h"
 #include "core/scene/files_read.h"
 #include "core/scene/log.h"
-#include "editor/command_line/command_line.h"
 #include "editor/command_line/interrupts.h"
 #include "editor/command_line/status.h"
 

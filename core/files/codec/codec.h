@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/files/image.h"
+#include "core/files/image_tags.h"
 
 #include <cstdint>
 #include <functional>
+#include <glm/glm.hpp>
 #include <span>
+#include <string_view>
 
 // The door to OpenImageIO. What lies behind it is a file of its own, trivar-codec.so, that is
 // opened when the first picture is decoded or encoded (pictures/door.h): the library brings 250
