@@ -3,7 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/base/text.h"
-#include "core/commands/apply.h"
+#include "core/commands/edits.h"
 #include "core/document/parameters.h"
 
 #include <algorithm>

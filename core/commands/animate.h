@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/commands/step_title.h"
 #include "core/document/fields/track_fields.h"
 
 namespace trivar {
@@ -29,5 +30,7 @@ struct Animate {
         field("of", c.of, "whose; each object once", required);
     }
 };
+Document applied(Document document, const Animate& command);
+StepTitle title(const Animate& c, const StepDocuments& step);
 
 } // namespace trivar

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/arrange.h"
+
 #include "core/base/rejected.h"
-#include "core/commands/apply.h"
+#include "core/commands/edits.h"
+#include "core/commands/field_words.h"
 #include "core/commands/numbering.h"
+#include "core/commands/transform_title.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -25,6 +29,30 @@ Document with_only(Document document, const std::set<Id>& chosen)
     return document;
 }
 
+// Several objects keep their places to one another: where they turn or grow about a point, that
+// they move as well is not worth a word.
+StepTitle arranged_title(const Document& before, const Arrange& c)
+{
+    const auto was = [&](std::size_t i) -> Transform {
+        const auto found = before.objects.find(c.objects[i]);
+        return found == before.objects.end() ? Transform{} : found->second->transform;
+    };
+    const std::size_t count = std::min(c.objects.size(), c.transforms.size());
+    const std::string names = names_in(before, c.objects);
+    if (count == 0) return {"Arrange " + names, {}};
+    if (count == 1) return transform_title(was(0), c.transforms[0], names);
+    bool turned = false, scaled = false;
+    for (std::size_t i = 0; i < count; ++i) {
+        turned = turned || was(i).rotation_deg != c.transforms[i].rotation_deg;
+        scaled = scaled || was(i).scale != c.transforms[i].scale;
+    }
+    const Transform first = was(0), &now = c.transforms[0];
+    if (turned && scaled) return {"Rotate and scale " + names, {}};
+    if (turned) return {"Rotate " + names, turn_words(first.rotation_deg, now.rotation_deg)};
+    if (scaled) return {"Scale " + names, growth_words(first.scale, now.scale)};
+    return {"Move " + names, in_metres(glm::length(now.translation - first.translation))};
+}
+
 } // namespace
 
 Document applied(Document document, const SetTransform& command)
@@ -32,6 +60,13 @@ Document applied(Document document, const SetTransform& command)
     check_transform(command.transform);
     return with_changed(std::move(document), command.object,
                         [&](Object& o) { o.transform = command.transform; });
+}
+
+StepTitle title(const SetTransform& c, const StepDocuments& step)
+{
+    const Object* object = step.was(c.object);
+    return transform_title(object ? object->transform : Transform{}, c.transform,
+                           name_in(step.before, c.object));
 }
 
 Document applied(Document document, const Arrange& command)
@@ -48,6 +83,11 @@ Document applied(Document document, const Arrange& command)
     return document;
 }
 
+StepTitle title(const Arrange& c, const StepDocuments& step)
+{
+    return arranged_title(step.before, c);
+}
+
 Document applied(Document document, const Rename& command)
 {
     if (command.name.empty()) throw Rejected("field \"name\" is empty");
@@ -55,10 +95,20 @@ Document applied(Document document, const Rename& command)
                         [&](Object& o) { o.name = command.name; });
 }
 
+StepTitle title(const Rename& c, const StepDocuments& step)
+{
+    return {"Rename " + name_in(step.before, c.object) + " to " + c.name, {}};
+}
+
 Document applied(Document document, const Hide& command)
 {
     return with_all_changed(std::move(document), command.objects,
                             [](Object& o) { o.hidden = true; });
+}
+
+StepTitle title(const Hide& c, const StepDocuments& step)
+{
+    return {"Hide " + names_in(step.before, c.objects), {}};
 }
 
 Document applied(Document document, const Show& command)
@@ -68,16 +118,31 @@ Document applied(Document document, const Show& command)
                             [](Object& o) { o.hidden = false; });
 }
 
+StepTitle title(const Show& c, const StepDocuments& step)
+{
+    return {(c.only ? "Show only " : "Show ") + names_in(step.before, c.objects), {}};
+}
+
 Document applied(Document document, const Lock& command)
 {
     return with_all_changed(std::move(document), command.objects,
                             [](Object& o) { o.locked = true; });
 }
 
+StepTitle title(const Lock& c, const StepDocuments& step)
+{
+    return {"Lock " + names_in(step.before, c.objects), {}};
+}
+
 Document applied(Document document, const Unlock& command)
 {
     return with_all_changed(std::move(document), command.objects,
                             [](Object& o) { o.locked = false; });
+}
+
+StepTitle title(const Unlock& c, const StepDocuments& step)
+{
+    return {"Unlock " + names_in(step.before, c.objects), {}};
 }
 
 Document applied(Document document, const Delete& command)
@@ -91,6 +156,11 @@ Document applied(Document document, const Delete& command)
             document = with_changed(std::move(document), id,
                                     [&](Object& o) { std::erase_if(o.placement->onto, is_gone); });
     return document;
+}
+
+StepTitle title(const Delete& c, const StepDocuments& step)
+{
+    return {"Delete " + names_in(step.before, c.objects), {}};
 }
 
 Document applied(Document document, const Duplicate& command)
@@ -119,6 +189,13 @@ Document applied(Document document, const Duplicate& command)
         document = with_added(std::move(document), std::move(copy));
     }
     return document;
+}
+
+StepTitle title(const Duplicate& c, const StepDocuments& step)
+{
+    const double distance = glm::length(c.offset);
+    return {"Duplicate " + names_in(step.before, c.objects),
+            distance > 0 ? in_metres(distance) : std::string()};
 }
 
 } // namespace trivar

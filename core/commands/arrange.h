@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/commands/step_title.h"
 #include "core/document/field.h"
 
 namespace trivar {
@@ -8,6 +9,7 @@ namespace trivar {
 struct SetTransform {
     static constexpr std::string_view verb = "transform",
                                       summary = "Give an object a new transform, as a whole.";
+    static constexpr CommandNature nature{.icon = CommandIcon::move};
     Id object = 0;
     Transform transform;
     bool operator==(const SetTransform&) const = default;
@@ -17,9 +19,13 @@ struct SetTransform {
         FieldsOf<Transform>::fields(c.transform, field);
     }
 };
+Document applied(Document document, const SetTransform& command);
+StepTitle title(const SetTransform& c, const StepDocuments& step);
+
 struct Arrange {
     static constexpr std::string_view verb = "arrange",
                                       summary = "Give objects new transforms, one each.";
+    static constexpr CommandNature nature{.icon = CommandIcon::move, .asked = Asked::by_actions};
     std::vector<Id> objects;
     std::vector<Transform> transforms;
     bool operator==(const Arrange&) const = default;
@@ -29,8 +35,12 @@ struct Arrange {
         field("transforms", c.transforms, "of the objects, in the same order", required);
     }
 };
+Document applied(Document document, const Arrange& command);
+StepTitle title(const Arrange& c, const StepDocuments& step);
+
 struct Rename {
     static constexpr std::string_view verb = "rename", summary = "Give an object another name.";
+    static constexpr CommandNature nature{.icon = CommandIcon::rename, .asked = Asked::by_actions};
     Id object = 0;
     std::string name;
     bool operator==(const Rename&) const = default;
@@ -40,14 +50,22 @@ struct Rename {
         field("name", c.name, "the new name, not empty", required);
     }
 };
+Document applied(Document document, const Rename& command);
+StepTitle title(const Rename& c, const StepDocuments& step);
+
 struct Hide {
     static constexpr std::string_view verb = "hide", summary = "Leave objects out of the picture.";
+    static constexpr CommandNature nature{.icon = CommandIcon::hide, .asked = Asked::at_once};
     std::vector<Id> objects;
     bool operator==(const Hide&) const = default;
     static void fields(auto& c, auto&& field) { field("objects", c.objects, "ids", required); }
 };
+Document applied(Document document, const Hide& command);
+StepTitle title(const Hide& c, const StepDocuments& step);
+
 struct Show {
     static constexpr std::string_view verb = "show", summary = "Show hidden objects again.";
+    static constexpr CommandNature nature{.icon = CommandIcon::show, .asked = Asked::at_once};
     std::vector<Id> objects;
     bool only = false;
     bool operator==(const Show&) const = default;
@@ -58,33 +76,49 @@ struct Show {
               "what is not in them is hidden, and the groups that they are in shown");
     }
 };
+Document applied(Document document, const Show& command);
+StepTitle title(const Show& c, const StepDocuments& step);
+
 struct Lock {
     static constexpr std::string_view verb = "lock",
                                       summary = "Keep objects from being picked, moved and deleted "
                                                 "by hand.";
+    static constexpr CommandNature nature{.icon = CommandIcon::lock, .asked = Asked::at_once};
     std::vector<Id> objects;
     bool operator==(const Lock&) const = default;
     static void fields(auto& c, auto&& field) { field("objects", c.objects, "ids", required); }
 };
+Document applied(Document document, const Lock& command);
+StepTitle title(const Lock& c, const StepDocuments& step);
+
 struct Unlock {
     static constexpr std::string_view verb = "unlock", summary = "Let hands take objects again.";
+    static constexpr CommandNature nature{.icon = CommandIcon::unlock, .asked = Asked::at_once};
     std::vector<Id> objects;
     bool operator==(const Unlock&) const = default;
     static void fields(auto& c, auto&& field) { field("objects", c.objects, "ids", required); }
 };
+Document applied(Document document, const Unlock& command);
+StepTitle title(const Unlock& c, const StepDocuments& step);
+
 struct Delete {
     static constexpr std::string_view verb = "delete",
                                       summary = "Delete objects, groups with what is in them. "
                                                 "What lay on a deleted object no longer counts it.";
+    static constexpr CommandNature nature{.icon = CommandIcon::remove, .asked = Asked::by_actions};
     std::vector<Id> objects;
     bool operator==(const Delete&) const = default;
     static void fields(auto& c, auto&& field) { field("objects", c.objects, "ids", required); }
 };
+Document applied(Document document, const Delete& command);
+StepTitle title(const Delete& c, const StepDocuments& step);
+
 struct Duplicate {
     static constexpr std::string_view verb = "duplicate",
                                       summary =
                                           "Copy objects, groups with what is in them. Copies "
                                           "that lay on each other lie on each other's copies.";
+    static constexpr CommandNature nature{.icon = CommandIcon::copy, .asked = Asked::by_actions};
     std::vector<Id> objects;
     glm::dvec3 offset{0};
     bool operator==(const Duplicate&) const = default;
@@ -94,42 +128,7 @@ struct Duplicate {
         field("offset", c.offset, "added to the copies' translation, metres");
     }
 };
-struct Group {
-    static constexpr std::string_view verb = "group",
-                                      summary = "Put objects into a new group; they stay in place.";
-    std::vector<Id> objects;
-    std::string name = "Group";
-    bool operator==(const Group&) const = default;
-    static void fields(auto& c, auto&& field)
-    {
-        field("objects", c.objects, "ids", required);
-        field("name", c.name, "name in the outliner");
-    }
-};
-struct Ungroup {
-    static constexpr std::string_view verb = "ungroup",
-                                      summary = "Dissolve a group; what is in it stays in place, "
-                                                "but for shear.";
-    Id object = 0;
-    bool operator==(const Ungroup&) const = default;
-    static void fields(auto& c, auto&& field) { field("object", c.object, "id", required); }
-};
-
-struct Reorder {
-    static constexpr std::string_view verb = "reorder",
-                                      summary = "Give objects another place in the outliner, in a "
-                                                "group or out of one; in the scene they stay where "
-                                                "they are, but for shear.";
-    std::vector<Id> objects;
-    Id parent = 0, before = 0;
-    bool operator==(const Reorder&) const = default;
-    static void fields(auto& c, auto&& field)
-    {
-        field("objects", c.objects, "ids, in their new order", required);
-        field("parent", c.parent, "id of the group they go into; 0: none");
-        field("before", c.before,
-              "id of the one in that group that follows them; 0: they are last");
-    }
-};
+Document applied(Document document, const Duplicate& command);
+StepTitle title(const Duplicate& c, const StepDocuments& step);
 
 } // namespace trivar

@@ -5,6 +5,8 @@
 #include <cctype>
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace trivar {
 namespace {
 

@@ -4,7 +4,7 @@
 #include "core/commands/field_words.h"
 #include "core/commands/step_title.h"
 
-#include <fmt/format.h>
+#include <string>
 #include <vector>
 
 // What differs between two values of a command, for the titles of steps.
@@ -39,8 +39,9 @@ template <class V> std::string value_words(const V& value, const Rule& rule)
     else if constexpr (is_list<V>) {
         if (value.empty() && !rule.zero.empty()) return std::string(rule.zero);
         if constexpr (is_list<typename V::value_type>)
-            return fmt::format("{} × {} points", value.size(), value.empty() ? 0 : value[0].size());
-        return fmt::format("{} points", value.size());
+            return std::to_string(value.size()) + " × " +
+                   std::to_string(value.empty() ? 0 : value[0].size()) + " points";
+        return std::to_string(value.size()) + " points";
     } else if constexpr (requires { V::length(); }) {
         std::string text;
         for (int i = 0; i < V::length(); ++i)

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/commands/check.h"
-
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/base/utf8.h"
+#include "core/commands/command.h"
 
 #include <fmt/format.h>
 

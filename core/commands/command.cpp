@@ -22,6 +22,22 @@ std::vector<Command> every_command()
     return all;
 }
 
+Document after(const Document& document, const Command& command)
+{
+    check(command);
+    return std::visit([&](const auto& c) { return applied(document, c); }, command);
+}
+
+StepTitle step_title(const Command& command, const Document& before, const Document& after)
+{
+    return std::visit([&](const auto& c) { return title(c, {before, after}); }, command);
+}
+
+CommandNature nature_of(const Command& command)
+{
+    return std::visit([]<class C>(const C&) { return nature_of_type<C>(); }, command);
+}
+
 std::string_view verb(const Command& command)
 {
     return std::visit([]<class C>(const C&) { return C::verb; }, command);

@@ -3,6 +3,7 @@
 
 #include "core/commands/animate.h"
 #include "core/commands/arrange.h"
+#include "core/commands/group.h"
 #include "core/commands/import.h"
 #include "core/commands/lattice.h"
 #include "core/commands/material.h"
@@ -61,10 +62,21 @@ template <std::size_t I> using CommandAt = std::variant_alternative_t<I, AnyComm
 // One of each kind in the variant's order, with default fields.
 std::vector<Command> every_command();
 
+// Throws Rejected, naming the field, unless every number is finite and within its rule, every
+// text is UTF-8 of sensible length and one of its choices, and no list is absurdly long. Knows
+// nothing of documents.
+void check(const Command& command);
+
 // The document after the command; objects that it does not touch keep their pointer. Pure: reads
 // no file. Throws Rejected (the field, what is wrong, what would be right) and nothing happened.
 // A new object's id is the old document's next_id.
 Document after(const Document& document, const Command& command);
+
+// What the step did, in the words of the panels: what changed, and not the whole value that the
+// command holds. Pure: `before` is what the command was applied to, `after` what came of it.
+StepTitle step_title(const Command& command, const Document& before, const Document& after);
+
+CommandNature nature_of(const Command& command);
 
 // Fills in what only the outside knows before a command is proposed: for an import and its edit the
 // hash, the path relative to the store's folder and the name. Throws Rejected if the file cannot be

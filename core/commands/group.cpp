@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/group.h"
+
 #include "core/base/rejected.h"
-#include "core/commands/apply.h"
+#include "core/commands/edits.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -90,6 +92,11 @@ Document applied(Document document, const Group& command)
                            .placement = {}});
 }
 
+StepTitle title(const Group& c, const StepDocuments& step)
+{
+    return {"Group " + names_in(step.before, c.objects), c.name == "Group" ? "" : "as " + c.name};
+}
+
 Document applied(Document document, const Ungroup& command)
 {
     const Object& group = object(document, command.object);
@@ -102,6 +109,11 @@ Document applied(Document document, const Ungroup& command)
     for (const Id id : members) document = hung(std::move(document), id, parent);
     document.objects.erase(command.object);
     return document;
+}
+
+StepTitle title(const Ungroup& c, const StepDocuments& step)
+{
+    return {"Ungroup " + name_in(step.before, c.object), {}};
 }
 
 Document applied(Document document, const Reorder& command)
@@ -129,6 +141,16 @@ Document applied(Document document, const Reorder& command)
     if (parent != 0) check_depth(document, parent);
     document.rows = make_ref(std::move(rows));
     return document;
+}
+
+StepTitle title(const Reorder& c, const StepDocuments& step)
+{
+    const std::string names = names_in(step.before, c.objects);
+    const Object* first = c.objects.empty() ? nullptr : step.was(c.objects.front());
+    if (!first || first->parent == c.parent) return {"Reorder " + names, {}};
+    if (c.parent == 0)
+        return {"Take " + names + " out of " + name_in(step.before, first->parent), {}};
+    return {"Put " + names + " into " + name_in(step.before, c.parent), {}};
 }
 
 } // namespace trivar

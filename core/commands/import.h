@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/commands/step_title.h"
 #include "core/document/fields/import_fields.h"
 
 namespace trivar {
 
 struct ImportModel {
     static constexpr std::string_view verb = "import", summary = "Add a model from a file.";
+    static constexpr CommandNature nature{.icon = CommandIcon::import_model,
+                                          .asked = Asked::by_actions};
     ImportedFile file;
     std::string name;
     Transform transform;
@@ -18,6 +21,8 @@ struct ImportModel {
         field("transform", c.transform, "where it stands");
     }
 };
+Document applied(Document document, const ImportModel& command);
+StepTitle title(const ImportModel& c, const StepDocuments& step);
 
 struct EditImport {
     static constexpr std::string_view verb = "edit_import",
@@ -32,6 +37,8 @@ struct EditImport {
         FieldsOf<ImportedFile>::fields(c.file, field);
     }
 };
+Document applied(Document document, const EditImport& command);
+StepTitle title(const EditImport& c, const StepDocuments& step);
 
 struct Relink {
     static constexpr std::string_view verb = "relink",
@@ -46,5 +53,7 @@ struct Relink {
         field("files", c.files, "of the objects, in the same order", required);
     }
 };
+Document applied(Document document, const Relink& command);
+StepTitle title(const Relink& c, const StepDocuments& step);
 
 } // namespace trivar

@@ -2,13 +2,15 @@
 #include "core/commands/lattice.h"
 
 #include "core/base/rejected.h"
-#include "core/commands/apply.h"
+#include "core/commands/changes.h"
+#include "core/commands/edits.h"
+#include "core/commands/group.h"
 
 #include <fmt/format.h>
 
 namespace trivar {
 
-void check_lattice(const LatticeShape& shape)
+void check(const LatticeShape& shape)
 {
     const double points = static_cast<double>(shape.grid.x) * shape.grid.y * shape.grid.z;
     if (points > most_control_points)
@@ -24,7 +26,7 @@ void check_lattice(const LatticeShape& shape)
 
 Document applied(Document document, const AddLattice& command)
 {
-    check_lattice(command.shape);
+    check(command.shape);
     check_transform(command.transform);
     return with_parent_of(std::move(document), command.objects,
                           {.name = command.name,
@@ -34,15 +36,29 @@ Document applied(Document document, const AddLattice& command)
                            .placement = {}});
 }
 
+StepTitle title(const AddLattice& c, const StepDocuments& step)
+{
+    return {"Put a lattice round " + names_in(step.before, c.objects),
+            value_words(c.shape.grid, any_value)};
+}
+
 Document applied(Document document, const SetLattice& command)
 {
     const Object& lattice = object(document, command.object);
     if (!std::holds_alternative<LatticeShape>(lattice.source))
         throw Rejected(
             fmt::format("field \"object\": {} ({}) is no lattice", command.object, lattice.name));
-    check_lattice(command.shape);
+    check(command.shape);
     return with_changed(std::move(document), command.object,
                         [&](Object& o) { o.source = command.shape; });
+}
+
+StepTitle title(const SetLattice& c, const StepDocuments& step)
+{
+    const Object* object = step.was(c.object);
+    const auto* old = object ? std::get_if<LatticeShape>(&object->source) : nullptr;
+    return title_of_changes(old ? changes(*old, c.shape) : Changes{}, "Lattice",
+                            name_in(step.before, c.object));
 }
 
 } // namespace trivar

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/commands/step_title.h"
 #include "core/document/fields/lattice_fields.h"
 
 namespace trivar {
+
+// Throws Rejected for control points that no lattice can have.
+void check(const LatticeShape& shape);
 
 struct AddLattice {
     static constexpr std::string_view verb = "add_lattice",
                                       summary = "Put a box of control points round objects. They "
                                                 "stand in it as in a group and bend with it.";
+    static constexpr CommandNature nature{.icon = CommandIcon::add, .asked = Asked::by_actions};
     std::vector<Id> objects;
     std::string name = "Lattice";
     LatticeShape shape = {};
@@ -22,6 +27,9 @@ struct AddLattice {
         field("transform", c.transform, "where the box stands, in the group that holds them all");
     }
 };
+Document applied(Document document, const AddLattice& command);
+StepTitle title(const AddLattice& c, const StepDocuments& step);
+
 struct SetLattice {
     static constexpr std::string_view verb = "set_lattice",
                                       summary = "Change the size and the control points of a "
@@ -36,5 +44,7 @@ struct SetLattice {
         FieldsOf<LatticeShape>::fields(c.shape, field);
     }
 };
+Document applied(Document document, const SetLattice& command);
+StepTitle title(const SetLattice& c, const StepDocuments& step);
 
 } // namespace trivar

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/material.h"
+
 #include "core/base/rejected.h"
-#include "core/commands/apply.h"
+#include "core/commands/changes.h"
+#include "core/commands/edits.h"
 
 #include <fmt/format.h>
 
@@ -23,9 +26,25 @@ Document applied(Document document, const SetMaterial& command)
     return with_surfacing(std::move(document), command.objects, command.surfacing);
 }
 
+StepTitle title(const SetMaterial& c, const StepDocuments& step)
+{
+    const Object* object = c.objects.empty() ? nullptr : step.was(c.objects.front());
+    const std::string names = names_in(step.before, c.objects);
+    if (!object || !object->surfacing) return {"Give " + names + " a plain material", {}};
+    return title_of_changes(changes(*object->surfacing, c.surfacing), "Material", names);
+}
+
 Document applied(Document document, const ClearMaterial& command)
 {
     return with_surfacing(std::move(document), command.objects, std::nullopt);
+}
+
+StepTitle title(const ClearMaterial& c, const StepDocuments& step)
+{
+    const bool one = c.objects.size() == 1;
+    return {fmt::format("Give {} {} own material back", names_in(step.before, c.objects),
+                        one ? "its" : "their"),
+            {}};
 }
 
 } // namespace trivar

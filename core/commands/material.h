@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/commands/step_title.h"
 #include "core/document/fields/surfacing_fields.h"
 
 namespace trivar {
@@ -8,6 +9,7 @@ namespace trivar {
 struct SetMaterial {
     static constexpr std::string_view verb = "set_material",
                                       summary = "Cover objects with one plain material.";
+    static constexpr CommandNature nature{.icon = CommandIcon::material};
     std::vector<Id> objects;
     Surfacing surfacing;
     bool operator==(const SetMaterial&) const = default;
@@ -17,12 +19,18 @@ struct SetMaterial {
         FieldsOf<Surfacing>::fields(c.surfacing, field);
     }
 };
+Document applied(Document document, const SetMaterial& command);
+StepTitle title(const SetMaterial& c, const StepDocuments& step);
+
 struct ClearMaterial {
     static constexpr std::string_view verb = "clear_material",
                                       summary = "Give objects their own materials back.";
+    static constexpr CommandNature nature{.icon = CommandIcon::material, .asked = Asked::at_once};
     std::vector<Id> objects;
     bool operator==(const ClearMaterial&) const = default;
     static void fields(auto& c, auto&& field) { field("objects", c.objects, "ids", required); }
 };
+Document applied(Document document, const ClearMaterial& command);
+StepTitle title(const ClearMaterial& c, const StepDocuments& step);
 
 } // namespace trivar

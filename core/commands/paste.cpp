@@ -3,8 +3,12 @@
 
 #include "core/base/rejected.h"
 #include "core/base/text.h"
-#include "core/commands/apply.h"
+#include "core/commands/edits.h"
+#include "core/commands/group.h"
+#include "core/commands/lattice.h"
 #include "core/commands/numbering.h"
+#include "core/commands/place.h"
+#include "core/commands/shape.h"
 #include "core/document/band.h"
 #include "core/document/parameters.h"
 
@@ -46,8 +50,8 @@ Source source_of(const CopiedObject& copy)
                                    copy.object, shapes));
     if (const auto* file = std::get_if<ImportedFile>(&source); file && file->path.empty())
         throw Rejected("field \"path\" names no file");
-    if (const auto* text = std::get_if<TextShape>(&source)) check_text(*text);
-    if (const auto* lattice = std::get_if<LatticeShape>(&source)) check_lattice(*lattice);
+    if (const auto* text = std::get_if<TextShape>(&source)) check(*text);
+    if (const auto* lattice = std::get_if<LatticeShape>(&source)) check(*lattice);
     return source;
 }
 
@@ -202,6 +206,14 @@ Document applied(Document document, const Paste& command)
     for (const CopiedObject& copy : command.copies)
         document = animated(std::move(document), made.at(copy.object), copy.tracks);
     return document;
+}
+
+StepTitle title(const Paste&, const StepDocuments& step)
+{
+    std::vector<Id> ids;
+    for (const auto& [id, each] : step.after.objects)
+        if (id >= step.before.next_id && each->parent < step.before.next_id) ids.push_back(id);
+    return {"Paste " + names_in(step.after, ids), {}};
 }
 
 Paste copied(const Document& document, const std::vector<Id>& ids, const std::string& folder)

@@ -9,6 +9,7 @@
 #include "core/commands/primitives.h"
 #include "core/commands/refine.h"
 #include "core/commands/shape.h"
+#include "core/commands/step_title.h"
 #include "core/commands/text.h"
 #include "core/commands/travel.h"
 
@@ -118,6 +119,7 @@ struct Paste {
                                           "the copy of that, or on that itself where the scene "
                                           "has it; else it is laid over all that is there, and "
                                           "stands straight where nothing is.";
+    static constexpr CommandNature nature{.asked = Asked::by_actions};
     std::vector<CopiedObject> copies;
     bool operator==(const Paste&) const = default;
     static void fields(auto& c, auto&& field)
@@ -125,6 +127,8 @@ struct Paste {
         field("copies", c.copies, "the objects; they get the next ids in this order", required);
     }
 };
+Document applied(Document document, const Paste& command);
+StepTitle title(const Paste& c, const StepDocuments& step);
 
 // Copies of those objects, groups with what is in them, for this scene or another one: the files of
 // models are named from the root, and what was in a group that is not copied stands where it stood.

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/place.h"
+
 #include "core/base/rejected.h"
-#include "core/commands/apply.h"
+#include "core/commands/changes.h"
+#include "core/commands/edits.h"
+#include "core/commands/field_words.h"
+#include "core/commands/travel.h"
 #include "core/document/band.h"
 #include "core/document/check_view.h"
 #include "core/placement/height_map.h"
@@ -105,20 +110,15 @@ void check_parameters(const PlacementParameters& p)
         throw Rejected("field \"roll_deg\" must be 0, 90, 180 or 270");
 }
 
+// " on Vase and Table": what it lies on after the step.
+std::string words_of_support(const StepDocuments& step, Id id)
+{
+    const Object* laid = step.is(id);
+    if (!laid || !laid->placement || laid->placement->onto.empty()) return {};
+    return " on " + names_in(step.after, laid->placement->onto);
+}
+
 } // namespace
-
-void check_has_volume(const Object& o, Id id)
-{
-    if (!o.placement && !std::holds_alternative<LatticeShape>(o.source))
-        throw Rejected(fmt::format("object {} ({}) has no volume; place it on a stroke, or put a "
-                                   "lattice round it",
-                                   id, o.name));
-}
-
-void check_placed(const Object& o, Id id)
-{
-    if (!o.placement) throw Rejected(named(id, o) + " is not placed; use place first");
-}
 
 std::vector<Id> possible_bases(const Document& document, Id id)
 {
@@ -145,6 +145,15 @@ Document applied(Document document, const Place& command)
     });
 }
 
+StepTitle title(const Place& c, const StepDocuments& step)
+{
+    const Object* object = step.was(c.object);
+    const bool again = object && object->placement;
+    return {"Place " + name_in(step.before, c.object) + (again ? " again" : "") +
+                words_of_support(step, c.object),
+            c.parameters.width > 0 ? in_metres(c.parameters.width) : std::string()};
+}
+
 Document applied(Document document, const PlaceRound& command)
 {
     const Object& placed = object(document, command.object);
@@ -169,6 +178,12 @@ Document applied(Document document, const PlaceRound& command)
     });
 }
 
+StepTitle title(const PlaceRound& c, const StepDocuments& step)
+{
+    return {"Lay " + name_in(step.before, c.object) + " round " + name_in(step.before, c.around),
+            {}};
+}
+
 Document applied(Document document, const EditPlacement& command)
 {
     const Object& placed = object(document, command.object);
@@ -190,6 +205,18 @@ Document applied(Document document, const EditPlacement& command)
                         [&](Object& o) { o.placement = std::move(step); });
 }
 
+StepTitle title(const EditPlacement& c, const StepDocuments& step)
+{
+    const std::string name = name_in(step.before, c.object);
+    const Object *a = step.was(c.object), *b = step.is(c.object);
+    if (!a || !b || !a->placement || !b->placement) return {"Placement of " + name, {}};
+    const Changes found = changes(a->placement->parameters, b->placement->parameters);
+    if (!(a->placement->sketch == b->placement->sketch)) return {"Stroke of " + name, {}};
+    if (found.empty() && a->placement->onto != b->placement->onto)
+        return {"Lay " + name + words_of_support(step, c.object), {}};
+    return title_of_changes(found, "Placement", name);
+}
+
 Document applied(Document document, const Unplace& command)
 {
     check_placed(object(document, command.object), command.object);
@@ -199,6 +226,11 @@ Document applied(Document document, const Unplace& command)
         o.travel = {};
         o.refining.reset();
     });
+}
+
+StepTitle title(const Unplace& c, const StepDocuments& step)
+{
+    return {"Take " + name_in(step.before, c.object) + " off its stroke", {}};
 }
 
 Document applied(Document document, const SetTravel& command)
@@ -214,6 +246,18 @@ Document applied(Document document, const SetTravel& command)
         document = with_changed(std::move(document), command.objects[i],
                                 [&](Object& o) { o.travel = command.travels[i]; });
     return document;
+}
+
+StepTitle title(const SetTravel& c, const StepDocuments& step)
+{
+    const std::string names = names_in(step.before, c.objects);
+    const Object* object = c.objects.empty() ? nullptr : step.was(c.objects.front());
+    const Travel old = object ? object->travel : Travel{};
+    const Travel& now = c.travels.empty() ? c.travel : c.travels.front();
+    const std::string speed = brief_number(now.speed) + " m/s";
+    if (old.speed == 0 && now.speed != 0) return {"Let " + names + " travel", speed};
+    if (old.speed != 0 && now.speed == 0) return {"Let " + names + " rest", {}};
+    return title_of_changes(changes(old, now), "Travel", names);
 }
 
 } // namespace trivar

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/commands/step_title.h"
 #include "core/document/fields/placement_fields.h"
 
 namespace trivar {
@@ -8,6 +9,7 @@ namespace trivar {
 struct Place {
     static constexpr std::string_view verb = "place",
                                       summary = "Lay an object along a stroke over the scene.";
+    static constexpr CommandNature nature{.icon = CommandIcon::place, .asked = Asked::by_actions};
     Id object = 0;
     Sketch sketch;
     PlacementParameters parameters;
@@ -24,6 +26,9 @@ struct Place {
               "ids it lies on; empty: every visible object that does not lie on it");
     }
 };
+Document applied(Document document, const Place& command);
+StepTitle title(const Place& c, const StepDocuments& step);
+
 // Every visible object that a stroke of it could fall on: no group, not itself, nor what lies on
 // it.
 std::vector<Id> possible_bases(const Document& document, Id id);
@@ -32,6 +37,7 @@ struct PlaceRound {
     static constexpr std::string_view verb = "place_round",
                                       summary = "Lay an object round a cylinder, a sphere, a torus "
                                                 "or a Moebius band, on a way that closes.";
+    static constexpr CommandNature nature{.icon = CommandIcon::place};
     Id object = 0, around = 0;
     double level = 0;
     PlacementParameters parameters;
@@ -45,9 +51,13 @@ struct PlaceRound {
               "how it lies; springs, misses and clearance have nothing to do here");
     }
 };
+Document applied(Document document, const PlaceRound& command);
+StepTitle title(const PlaceRound& c, const StepDocuments& step);
+
 struct EditPlacement {
     static constexpr std::string_view verb = "edit_placement",
                                       summary = "Change how a placed object lies.";
+    static constexpr CommandNature nature{.icon = CommandIcon::place};
     Id object = 0;
     PlacementParameters parameters;
     std::optional<Sketch> sketch;        // nothing: the stroke stays
@@ -62,12 +72,18 @@ struct EditPlacement {
         field("onto", c.onto, "ids it lies on; left out: as it was; empty: chosen anew");
     }
 };
+Document applied(Document document, const EditPlacement& command);
+StepTitle title(const EditPlacement& c, const StepDocuments& step);
+
 struct Unplace {
     static constexpr std::string_view verb = "unplace",
                                       summary = "Take an object off its stroke, straight again.";
+    static constexpr CommandNature nature{.icon = CommandIcon::place, .asked = Asked::by_actions};
     Id object = 0;
     bool operator==(const Unplace&) const = default;
     static void fields(auto& c, auto&& field) { field("object", c.object, "id", required); }
 };
+Document applied(Document document, const Unplace& command);
+StepTitle title(const Unplace& c, const StepDocuments& step);
 
 } // namespace trivar

@@ -2,7 +2,8 @@
 #include "core/commands/play.h"
 
 #include "core/base/rejected.h"
-#include "core/commands/apply.h"
+#include "core/commands/changes.h"
+#include "core/commands/edits.h"
 
 #include <fmt/format.h>
 
@@ -22,6 +23,17 @@ Document applied(Document document, const PlayClip& command)
             o.playing = each.empty() ? command.playing : each[i];
         });
     return document;
+}
+
+StepTitle title(const PlayClip& c, const StepDocuments& step)
+{
+    const std::string names = names_in(step.before, c.objects);
+    const Object* object = c.objects.empty() ? nullptr : step.was(c.objects.front());
+    const Playing old = object ? object->playing : Playing{};
+    const Playing& now = c.playings.empty() ? c.playing : c.playings.front();
+    if (now.clip.empty()) return {"Let " + names + " stand", {}};
+    if (old.clip != now.clip) return {"Let " + names + " play", now.clip};
+    return title_of_changes(changes(old, now), "Clip", names);
 }
 
 } // namespace trivar

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/commands/animate.h"
+#include "core/commands/step_title.h"
 #include "core/document/fields/playing_fields.h"
 
 namespace trivar {
@@ -23,5 +24,7 @@ struct PlayClip {
               "for all");
     }
 };
+Document applied(Document document, const PlayClip& command);
+StepTitle title(const PlayClip& c, const StepDocuments& step);
 
 } // namespace trivar

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/commands/material.h"
+#include "core/commands/step_title.h"
 #include "core/document/fields/primitive_fields.h"
 
 namespace trivar {
@@ -10,6 +11,7 @@ namespace trivar {
 template <class Shape> struct AddShape {
     static constexpr std::string_view verb = FieldsOf<Shape>::verb,
                                       summary = FieldsOf<Shape>::summary;
+    static constexpr CommandNature nature{.icon = CommandIcon::add, .asked = Asked::by_actions};
     std::string name{FieldsOf<Shape>::name};
     Shape shape;
     Transform transform = {};
@@ -23,6 +25,37 @@ template <class Shape> struct AddShape {
         field("material", c.material, "one material over all of it; left out: nearly white");
     }
 };
+// The document with the object that such a command adds. Throws Rejected.
+Document with_named(Document document, Object object);
+// How large a shape is: "2 × 2 m", "radius 0.5 m".
+std::string size_words(const PlaneShape& shape);
+std::string size_words(const BoxShape& shape);
+std::string size_words(const TeapotShape& shape);
+std::string size_of_radius(double radius);
+template <class Round>
+requires requires(const Round& round)
+{
+    round.radius;
+}
+std::string size_words(const Round& shape)
+{
+    return size_of_radius(shape.radius);
+}
+
+template <class Shape> Document applied(Document document, const AddShape<Shape>& command)
+{
+    if constexpr (requires { check(command.shape); }) check(command.shape);
+    return with_named(std::move(document), {.name = command.name,
+                                            .source = command.shape,
+                                            .transform = command.transform,
+                                            .surfacing = command.material,
+                                            .placement = {}});
+}
+template <class Shape> StepTitle title(const AddShape<Shape>& c, const StepDocuments& step)
+{
+    return {"Add " + step.made(), size_words(c.shape)};
+}
+
 using AddPlane = AddShape<PlaneShape>;
 using AddBox = AddShape<BoxShape>;
 using AddSphere = AddShape<SphereShape>;

@@ -2,7 +2,8 @@
 #include "core/commands/refine.h"
 
 #include "core/base/rejected.h"
-#include "core/commands/apply.h"
+#include "core/commands/edits.h"
+#include "core/commands/field_words.h"
 
 #include <fmt/format.h>
 
@@ -31,10 +32,21 @@ Document applied(Document document, const Refine& command)
     return document;
 }
 
+StepTitle title(const Refine& c, const StepDocuments& step)
+{
+    const Refining& now = c.refinings.empty() ? c.refining : c.refinings.front();
+    return {"Refine " + names_in(step.before, c.objects), in_metres(now.tolerance)};
+}
+
 Document applied(Document document, const ClearRefine& command)
 {
     return with_all_changed(std::move(document), command.objects,
                             [](Object& o) { o.refining.reset(); });
+}
+
+StepTitle title(const ClearRefine& c, const StepDocuments& step)
+{
+    return {"Give " + names_in(step.before, c.objects) + " its own triangles back", {}};
 }
 
 } // namespace trivar

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/commands/step_title.h"
 #include "core/document/fields/refining_fields.h"
 
 namespace trivar {
+
+// Throws Rejected for a bound that does not hold.
+void check(const Refining& refining);
 
 struct Refine {
     static constexpr std::string_view verb = "refine",
@@ -22,6 +26,9 @@ struct Refine {
               "for all");
     }
 };
+Document applied(Document document, const Refine& command);
+StepTitle title(const Refine& c, const StepDocuments& step);
+
 struct ClearRefine {
     static constexpr std::string_view verb = "clear_refine",
                                       summary = "Give objects the triangles back that they have.";
@@ -32,5 +39,7 @@ struct ClearRefine {
         field("objects", c.objects, "ids of refined objects", required);
     }
 };
+Document applied(Document document, const ClearRefine& command);
+StepTitle title(const ClearRefine& c, const StepDocuments& step);
 
 } // namespace trivar

@@ -2,7 +2,9 @@
 #include "core/commands/shape.h"
 
 #include "core/base/rejected.h"
-#include "core/commands/apply.h"
+#include "core/commands/changes.h"
+#include "core/commands/edits.h"
+#include "core/commands/field_words.h"
 #include "core/placement/pressing.h"
 
 #include <fmt/format.h>
@@ -20,6 +22,12 @@ Document shaped(Document document, Id id, VolumeEdit edit)
     return with_changed(std::move(document), id, [&](Object& changed) {
         changed.shaping.push_back(make_ref(std::move(edit)));
     });
+}
+
+const char* axis_name(VolumeAxis axis)
+{
+    static constexpr std::array<const char*, 3> names{"along", "across", "up"};
+    return names[static_cast<std::size_t>(axis)];
 }
 
 } // namespace
@@ -66,11 +74,30 @@ Document applied(Document document, const PressVolume& command)
     return shaped(std::move(document), command.object, std::move(edit));
 }
 
+StepTitle title(const PressVolume& c, const StepDocuments& step)
+{
+    double amount = 0;
+    for (const glm::dvec4& sample : c.press.samples) amount += sample.w;
+    static constexpr std::array<const char*, 4> decays{"Gaussian", "Hat", "Box", "Smooth"};
+    return {(amount < 0 ? "Pull " : "Press ") + name_in(step.before, c.object),
+            fmt::format("{} {}", decays[static_cast<std::size_t>(c.press.decay)],
+                        in_metres(c.press.radius))};
+}
+
 Document applied(Document document, const MovePoints& command)
 {
     VolumeEdit edit{.shift = command.shift};
     check(edit);
     return shaped(std::move(document), command.object, std::move(edit));
+}
+
+StepTitle title(const MovePoints& c, const StepDocuments& step)
+{
+    const std::size_t count = c.shift.points.size();
+    const std::string points =
+        count == 1 ? "a control point" : fmt::format("{} control points", count);
+    return {"Move " + points + " of " + name_in(step.before, c.object),
+            in_metres(glm::length(c.shift.by))};
 }
 
 Document applied(Document document, const InsertKnots& command)
@@ -80,14 +107,33 @@ Document applied(Document document, const InsertKnots& command)
     return shaped(std::move(document), command.object, std::move(edit));
 }
 
+StepTitle title(const InsertKnots& c, const StepDocuments& step)
+{
+    const std::size_t more =
+        c.insertion.along.size() + c.insertion.across.size() + c.insertion.up.size();
+    return {"Refine the volume of " + name_in(step.before, c.object),
+            fmt::format("{} {}", more, more == 1 ? "knot" : "knots")};
+}
+
 Document applied(Document document, const CoarsenVolume& command)
 {
     return shaped(std::move(document), command.object, {.coarsening = command.coarsening});
 }
 
+StepTitle title(const CoarsenVolume& c, const StepDocuments& step)
+{
+    return {"Coarsen the volume of " + name_in(step.before, c.object),
+            fmt::format("{} {}", c.coarsening.count, axis_name(c.coarsening.axis))};
+}
+
 Document applied(Document document, const MendVolume& command)
 {
     return shaped(std::move(document), command.object, {.mending = Mending{}});
+}
+
+StepTitle title(const MendVolume& c, const StepDocuments& step)
+{
+    return {"Mend the volume of " + name_in(step.before, c.object), {}};
 }
 
 Document applied(Document document, const AllowFolds& command)
@@ -97,6 +143,13 @@ Document applied(Document document, const AllowFolds& command)
     return shaped(std::move(document), command.object, std::move(edit));
 }
 
+StepTitle title(const AllowFolds& c, const StepDocuments& step)
+{
+    const std::string name = name_in(step.before, c.object);
+    if (c.allowance.boxes.empty()) return {"Let " + name + " fold nowhere", {}};
+    return {"Let " + name + " fold in places", {}};
+}
+
 Document applied(Document document, const WarpVolume& command)
 {
     const Object& lattice = object(document, command.object);
@@ -104,6 +157,14 @@ Document applied(Document document, const WarpVolume& command)
         throw Rejected(
             fmt::format("field \"object\": {} ({}) is no lattice", command.object, lattice.name));
     return shaped(std::move(document), command.object, {.warp = command.warp});
+}
+
+StepTitle title(const WarpVolume& c, const StepDocuments& step)
+{
+    const Changes found = changes(Warp{.axis = c.warp.axis}, c.warp);
+    const std::string name = name_in(step.before, c.object);
+    if (found.size() != 1) return title_of_changes(found, "Bend", name);
+    return {found[0].name + " " + name, found[0].value};
 }
 
 Document applied(Document document, const Unshape& command)
@@ -120,6 +181,11 @@ Document applied(Document document, const Unshape& command)
         if (!gone.empty() && !gone.contains(static_cast<int>(i) + 1)) left.push_back(o.shaping[i]);
     return with_changed(std::move(document), command.object,
                         [&](Object& changed) { changed.shaping = std::move(left); });
+}
+
+StepTitle title(const Unshape& c, const StepDocuments& step)
+{
+    return {"Take back the shaping of " + name_in(step.before, c.object), {}};
 }
 
 } // namespace trivar

@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/commands/step_title.h"
 #include "core/document/fields/shaping_fields.h"
 
 namespace trivar {
+
+// Throws Rejected for what no step of shaping can be, whatever the volume.
+void check(const VolumeEdit& edit);
+// Of the shaping of one object. A hand makes a few hundred; every one is done again when the stroke
+// changes.
+inline constexpr std::size_t most_shaping_steps = 4096;
 
 struct PressVolume {
     static constexpr std::string_view verb = "press",
                                       summary = "Press a ball into the volume of a placed object, "
                                                 "or draw it out.";
+    static constexpr CommandNature nature{.asked = Asked::by_actions};
     Id object = 0;
     Press press;
     bool operator==(const PressVolume&) const = default;
@@ -18,10 +26,14 @@ struct PressVolume {
         FieldsOf<Press>::fields(c.press, field);
     }
 };
+Document applied(Document document, const PressVolume& command);
+StepTitle title(const PressVolume& c, const StepDocuments& step);
+
 struct MovePoints {
     static constexpr std::string_view verb = "move_points",
                                       summary = "Move control points of the volume of a placed "
                                                 "object.";
+    static constexpr CommandNature nature{.asked = Asked::by_actions};
     Id object = 0;
     PointShift shift;
     bool operator==(const MovePoints&) const = default;
@@ -31,6 +43,9 @@ struct MovePoints {
         FieldsOf<PointShift>::fields(c.shift, field);
     }
 };
+Document applied(Document document, const MovePoints& command);
+StepTitle title(const MovePoints& c, const StepDocuments& step);
+
 struct InsertKnots {
     static constexpr std::string_view verb = "insert_knots",
                                       summary = "Give the volume of a placed object more control "
@@ -44,6 +59,9 @@ struct InsertKnots {
         FieldsOf<KnotInsertion>::fields(c.insertion, field);
     }
 };
+Document applied(Document document, const InsertKnots& command);
+StepTitle title(const InsertKnots& c, const StepDocuments& step);
+
 struct CoarsenVolume {
     static constexpr std::string_view verb = "coarsen_volume",
                                       summary = "Leave the volume of a placed object fewer control "
@@ -57,10 +75,14 @@ struct CoarsenVolume {
         FieldsOf<Coarsening>::fields(c.coarsening, field);
     }
 };
+Document applied(Document document, const CoarsenVolume& command);
+StepTitle title(const CoarsenVolume& c, const StepDocuments& step);
+
 struct MendVolume {
     static constexpr std::string_view verb = "mend_volume",
                                       summary = "Change the volume of a placed object as little as "
                                                 "it takes for nothing to fold.";
+    static constexpr CommandNature nature{.asked = Asked::by_actions};
     Id object = 0;
     bool operator==(const MendVolume&) const = default;
     static void fields(auto& c, auto&& field)
@@ -68,6 +90,9 @@ struct MendVolume {
         field("object", c.object, "id of a placed object", required);
     }
 };
+Document applied(Document document, const MendVolume& command);
+StepTitle title(const MendVolume& c, const StepDocuments& step);
+
 struct AllowFolds {
     static constexpr std::string_view verb = "allow_folds",
                                       summary = "Let the volume of a placed object fold in parts "
@@ -81,6 +106,9 @@ struct AllowFolds {
         FieldsOf<FoldAllowance>::fields(c.allowance, field);
     }
 };
+Document applied(Document document, const AllowFolds& command);
+StepTitle title(const AllowFolds& c, const StepDocuments& step);
+
 struct WarpVolume {
     static constexpr std::string_view verb = "warp_volume",
                                       summary = "Twist, bend, taper, shear or bulge a lattice as "
@@ -94,6 +122,9 @@ struct WarpVolume {
         FieldsOf<Warp>::fields(c.warp, field);
     }
 };
+Document applied(Document document, const WarpVolume& command);
+StepTitle title(const WarpVolume& c, const StepDocuments& step);
+
 struct Unshape {
     static constexpr std::string_view verb = "unshape",
                                       summary = "Take steps back that shaped the volume of a "
@@ -107,5 +138,7 @@ struct Unshape {
         field("steps", c.steps, "which of them, the first is 1; empty: all", between(1, 1e6));
     }
 };
+Document applied(Document document, const Unshape& command);
+StepTitle title(const Unshape& c, const StepDocuments& step);
 
 } // namespace trivar

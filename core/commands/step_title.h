@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/commands/command.h"
+#include "core/commands/command_nature.h"
+#include "core/document/document.h"
 
 #include <string>
+#include <vector>
 
 namespace trivar {
 
@@ -15,8 +17,19 @@ struct StepTitle {
     bool operator==(const StepTitle&) const = default;
 };
 
-// Pure: `before` is what the command was applied to, `after` what came of it. Names what changed,
-// in the words of the panels, and not the whole value that the command holds.
-StepTitle step_title(const Command& command, const Document& before, const Document& after);
+// What a command was applied to and what came of it, for its title.
+struct StepDocuments {
+    const Document& before;
+    const Document& after;
+
+    std::string made() const;       // name of the first object that the command added
+    const Object* was(Id id) const; // null: there was none
+    const Object* is(Id id) const;  // null: there is none now
+};
+
+// The name of an object, or "object 7" where there is none.
+std::string name_in(const Document& document, Id id);
+// "Snake", "Snake and Box", "3 objects".
+std::string names_in(const Document& document, const std::vector<Id>& ids);
 
 } // namespace trivar

@@ -2,9 +2,13 @@
 #pragma once
 
 #include "core/commands/primitives.h"
+#include "core/commands/step_title.h"
 #include "core/document/fields/text_fields.h"
 
 namespace trivar {
+
+// The first letters, in quotes: as much as a row has room for.
+std::string size_words(const TextShape& shape);
 
 using AddText = AddShape<TextShape>;
 
@@ -21,5 +25,7 @@ struct SetText {
         FieldsOf<TextShape>::fields(c.shape, field);
     }
 };
+Document applied(Document document, const SetText& command);
+StepTitle title(const SetText& c, const StepDocuments& step);
 
 } // namespace trivar

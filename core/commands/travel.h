@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/commands/step_title.h"
 #include "core/document/fields/travel_fields.h"
 
 namespace trivar {
@@ -22,5 +23,7 @@ struct SetTravel {
               "for all");
     }
 };
+Document applied(Document document, const SetTravel& command);
+StepTitle title(const SetTravel& c, const StepDocuments& step);
 
 } // namespace trivar

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/view.h"
+
 #include "core/base/rejected.h"
 #include "core/base/text.h"
-#include "core/commands/apply.h"
-#include "core/commands/check.h"
+#include "core/commands/changes.h"
+#include "core/commands/edits.h"
 #include "core/document/check_view.h"
 
 #include <fmt/format.h>
@@ -17,6 +19,12 @@ Document applied(Document document, const SaveCamera& command)
     return document;
 }
 
+StepTitle title(const SaveCamera& c, const StepDocuments& step)
+{
+    if (c.name == "picture") return {"Use this view for pictures", {}};
+    return {(step.before.bookmarks.contains(c.name) ? "Aim " : "Keep ") + c.name, {}};
+}
+
 Document applied(Document document, const DeleteCamera& command)
 {
     if (document.bookmarks.erase(command.name) == 0)
@@ -24,10 +32,20 @@ Document applied(Document document, const DeleteCamera& command)
     return document;
 }
 
+StepTitle title(const DeleteCamera& c, const StepDocuments&)
+{
+    return {"Forget " + c.name, {}};
+}
+
 Document applied(Document document, const SetRender& command)
 {
     document.render = make_ref(command.settings);
     return document;
+}
+
+StepTitle title(const SetRender& c, const StepDocuments& step)
+{
+    return title_of_changes(changes(*step.before.render, c.settings), "Picture settings", {});
 }
 
 Document applied(Document document, const SetTime& command)
@@ -37,6 +55,11 @@ Document applied(Document document, const SetTime& command)
                                    command.time.last_frame, command.time.first_frame));
     document.time = command.time;
     return document;
+}
+
+StepTitle title(const SetTime& c, const StepDocuments& step)
+{
+    return title_of_changes(changes(step.before.time, c.time), "Frames", {});
 }
 
 } // namespace trivar

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/commands/step_title.h"
 #include "core/document/fields/view_fields.h"
 
 namespace trivar {
@@ -9,6 +10,7 @@ struct SaveCamera {
     static constexpr std::string_view verb = "save_camera",
                                       summary = "Keep a point of view under a name. The one named "
                                                 "picture is what replay draws.";
+    static constexpr CommandNature nature{.icon = CommandIcon::camera};
     std::string name;
     Camera camera;
     bool operator==(const SaveCamera&) const = default;
@@ -18,8 +20,12 @@ struct SaveCamera {
         field("camera", c.camera, "the point of view", required);
     }
 };
+Document applied(Document document, const SaveCamera& command);
+StepTitle title(const SaveCamera& c, const StepDocuments& step);
+
 struct DeleteCamera {
     static constexpr std::string_view verb = "delete_camera", summary = "Forget a point of view.";
+    static constexpr CommandNature nature{.icon = CommandIcon::camera};
     std::string name;
     bool operator==(const DeleteCamera&) const = default;
     static void fields(auto& c, auto&& field)
@@ -27,6 +33,9 @@ struct DeleteCamera {
         field("name", c.name, "name of the bookmark", required);
     }
 };
+Document applied(Document document, const DeleteCamera& command);
+StepTitle title(const DeleteCamera& c, const StepDocuments& step);
+
 struct SetTime {
     static constexpr std::string_view verb = "set_time",
                                       summary = "Say which frames the scene has, as a whole.";
@@ -34,6 +43,9 @@ struct SetTime {
     bool operator==(const SetTime&) const = default;
     static void fields(auto& c, auto&& field) { FieldsOf<Time>::fields(c.time, field); }
 };
+Document applied(Document document, const SetTime& command);
+StepTitle title(const SetTime& c, const StepDocuments& step);
+
 struct SetRender {
     static constexpr std::string_view verb = "set_render",
                                       summary = "Say how the picture is made, as a whole.";
@@ -44,5 +56,7 @@ struct SetRender {
         FieldsOf<RenderSettings>::fields(c.settings, field);
     }
 };
+Document applied(Document document, const SetRender& command);
+StepTitle title(const SetRender& c, const StepDocuments& step);
 
 } // namespace trivar

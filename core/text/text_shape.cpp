@@ -144,7 +144,7 @@ bool has_letters(const std::string& text)
     return !std::ranges::all_of(letters_of(text), is_blank);
 }
 
-void check_text(const TextShape& shape)
+void check(const TextShape& shape)
 {
     const std::u32string letters = letters_of(shape.text);
     if (std::ranges::all_of(letters, is_blank)) throw Rejected("the text has no letters");
@@ -162,7 +162,7 @@ void check_text(const TextShape& shape)
 
 TextBody text_body(const TextShape& shape, const Font& font)
 {
-    check_text(shape);
+    check(shape);
     TextBody body;
     body.mesh.uvs.resize(1);
     Glyphs glyphs(font, shape);

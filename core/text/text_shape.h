@@ -33,15 +33,15 @@ struct TextShape {
 bool has_letters(const std::string& text);
 // Throws Rejected for a text without letters or with more than 2000 of them, for control characters
 // other than tabs and line breaks, for bytes that are no UTF-8 and for more depth than 20 sizes.
-void check_text(const TextShape& shape);
+void check(const TextShape& shape);
 
 struct TextBody {
     Mesh mesh; // each letter closed; nothing of the letters that show nothing
     std::vector<std::string>
         notices; // letters that the font lacks and that are boxes, another file
 };
-// Throws Rejected as check_text and where it would have more than 4 million faces. O(#letters) and
-// each different letter once.
+// Throws Rejected as check(shape) and where it would have more than 4 million faces. O(#letters)
+// and each different letter once.
 TextBody text_body(const TextShape& shape, const Font& font);
 
 } // namespace trivar

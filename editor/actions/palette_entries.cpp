@@ -36,15 +36,6 @@ std::string words_of(std::string_view verb)
     return words;
 }
 
-// Commands that an action or a tool runs already, with all that they need.
-bool has_an_action(std::string_view verb)
-{
-    constexpr std::array<std::string_view, 13> known{
-        "import", "rename",  "delete",  "paste", "duplicate",   "group",      "ungroup",
-        "place",  "unplace", "arrange", "press", "move_points", "mend_volume"};
-    return verb.starts_with("add_") || std::ranges::find(known, verb) != known.end();
-}
-
 // The command about the selection; what it leaves as it is stands in it already.
 Command about_selection(const Command& command, const Editor& editor)
 {
@@ -65,14 +56,6 @@ Command about_selection(const Command& command, const Editor& editor)
 
 constexpr const char* empty_scene = "the scene is empty";
 
-// Whether nothing but the objects says what it does.
-bool needs_values(const Command& command)
-{
-    return !std::holds_alternative<Hide>(command) && !std::holds_alternative<Show>(command) &&
-           !std::holds_alternative<Lock>(command) && !std::holds_alternative<Unlock>(command) &&
-           !std::holds_alternative<ClearMaterial>(command);
-}
-
 // Whether the selection has what the command is about. Where values are filled in, another object
 // can be named.
 std::string why_not(const Command& command, const Editor& editor)
@@ -82,7 +65,9 @@ std::string why_not(const Command& command, const Editor& editor)
         return "no view is kept";
     if (!is_about_objects(command)) return {};
     if (document.objects.empty()) return empty_scene;
-    return !needs_values(command) && editor.session.selected == 0 ? "select an object first" : "";
+    return nature_of(command).asked == Asked::at_once && editor.session.selected == 0
+               ? "select an object first"
+               : "";
 }
 
 // What nobody can fill in field by field is written into the field of the log, to be changed.
@@ -136,7 +121,7 @@ std::vector<PaletteEntry> palette_commands(const Editor& editor)
             entry.fill = about_selection(*command, editor);
     }
     for (const Command& each : commands) {
-        if (has_an_action(verb(each))) continue;
+        if (nature_of(each).asked == Asked::by_actions) continue;
         const Command ready = about_selection(each, editor);
         const bool written = std::holds_alternative<Relink>(each);
         const std::string missing = why_not(each, editor);
@@ -151,7 +136,7 @@ std::vector<PaletteEntry> palette_commands(const Editor& editor)
                            },
                            {},
                            written || missing == empty_scene ? std::nullopt : std::optional(ready),
-                           !written && needs_values(each)});
+                           !written && nature_of(each).asked == Asked::with_values});
     }
     return entries;
 }

@@ -3,7 +3,7 @@
 
 #include "editor/picture/volume_picture.h"
 
-#include "core/commands/apply.h"
+#include "core/commands/edits.h"
 #include "editor/tools/gesture_keys.h"
 #include "editor/tools/last_shaping.h"
 #include "editor/tools/placement_handles.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/commands/step_title.h"
+#include "core/commands/command.h"
 
 #include "core/base/rejected.h"
 #include "tests/document/commands.h"

@@ -32,7 +32,7 @@ TextBody body_of(const std::string& text, const Font& font = sans())
 std::string refusal(const TextShape& shape)
 {
     try {
-        check_text(shape);
+        check(shape);
     } catch (const Rejected& why) {
         return why.what();
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/commands/step_title.h"
+#include "core/commands/command.h"
 #include "editor/panels/foot_cards.h"
 #include "editor/panels/inspector/inspect.h"
 #include "editor/panels/inspector/value_rows.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/commands/step_title.h"
+#include "core/commands/command.h"
 #include "core/scene/tries.h"
 #include "editor/panels/panels.h"
 #include "editor/session/scene_names.h"
@@ -84,22 +84,23 @@ StepTitle title_of(const History& history, const Line& line)
 
 const char* icon_of(const Command& command)
 {
-    const std::string_view what = verb(command);
-    if (what.starts_with("add_")) return ui::icon::add;
-    if (what == "import") return ui::icon::import;
-    if (what == "place" || what == "edit_placement" || what == "unplace") return ui::icon::place;
-    if (what == "transform" || what == "arrange") return ui::icon::move;
-    if (what.ends_with("material")) return ui::icon::drop;
-    if (what == "rename") return ui::icon::pencil;
-    if (what == "lock") return ui::icon::lock;
-    if (what == "unlock") return ui::icon::open_lock;
-    if (what == "reorder") return ui::icon::sliders;
-    if (what == "hide") return ui::icon::hidden;
-    if (what == "show") return ui::icon::eye;
-    if (what == "delete") return ui::icon::trash;
-    if (what == "duplicate") return ui::icon::copy;
-    if (what.ends_with("group")) return ui::icon::group;
-    if (what.ends_with("camera")) return ui::icon::camera;
+    switch (nature_of(command).icon) {
+    case CommandIcon::add: return ui::icon::add;
+    case CommandIcon::import_model: return ui::icon::import;
+    case CommandIcon::place: return ui::icon::place;
+    case CommandIcon::move: return ui::icon::move;
+    case CommandIcon::material: return ui::icon::drop;
+    case CommandIcon::rename: return ui::icon::pencil;
+    case CommandIcon::hide: return ui::icon::hidden;
+    case CommandIcon::show: return ui::icon::eye;
+    case CommandIcon::lock: return ui::icon::lock;
+    case CommandIcon::unlock: return ui::icon::open_lock;
+    case CommandIcon::remove: return ui::icon::trash;
+    case CommandIcon::copy: return ui::icon::copy;
+    case CommandIcon::group: return ui::icon::group;
+    case CommandIcon::camera: return ui::icon::camera;
+    case CommandIcon::values: break;
+    }
     return ui::icon::sliders;
 }
 

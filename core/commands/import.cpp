@@ -1,24 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/import.h"
+
 #include "core/base/rejected.h"
-#include "core/commands/apply.h"
+#include "core/commands/edits.h"
 
 #include <filesystem>
 #include <fmt/format.h>
 
 namespace trivar {
 namespace {
-
-template <class Shape> Document added(Document document, const AddShape<Shape>& command)
-{
-    check_transform(command.transform);
-    if constexpr (std::is_same_v<Shape, TextShape>) check_text(command.shape);
-    if (command.name.empty()) throw Rejected("field \"name\" is empty");
-    return with_added(std::move(document), {.name = command.name,
-                                            .source = command.shape,
-                                            .transform = command.transform,
-                                            .surfacing = command.material,
-                                            .placement = {}});
-}
 
 Document with_file(Document document, Id id, std::string_view field, const ImportedFile& file)
 {
@@ -43,9 +33,28 @@ Document applied(Document document, const ImportModel& command)
                                             .surfacing = {},
                                             .placement = {}});
 }
+
+StepTitle title(const ImportModel& c, const StepDocuments& step)
+{
+    const std::filesystem::path file(c.file.path);
+    if (step.made() == file.stem().string()) return {"Import " + file.filename().string(), {}};
+    return {"Import " + step.made(), "from " + file.filename().string()};
+}
 Document applied(Document document, const EditImport& command)
 {
     return with_file(std::move(document), command.object, "object", command.file);
+}
+
+StepTitle title(const EditImport& c, const StepDocuments& step)
+{
+    const std::string name = name_in(step.before, c.object);
+    const Object* object = step.was(c.object);
+    const auto* file = object ? std::get_if<ImportedFile>(&object->source) : nullptr;
+    if (!file || file->path != c.file.path)
+        return {"File of " + name, std::filesystem::path(c.file.path).filename().string()};
+    if (file->subdivisions != c.file.subdivisions)
+        return {"Subdivision of " + name, fmt::format("{} levels", c.file.subdivisions)};
+    return {"Read " + name + (file->hash != c.file.hash ? " anew" : " otherwise"), {}};
 }
 Document applied(Document document, const Relink& command)
 {
@@ -56,45 +65,11 @@ Document applied(Document document, const Relink& command)
         document = with_file(std::move(document), command.objects[i], "objects", command.files[i]);
     return document;
 }
-Document applied(Document document, const AddPlane& command)
-{
-    return added(std::move(document), command);
-}
-Document applied(Document document, const AddBox& command)
-{
-    return added(std::move(document), command);
-}
-Document applied(Document document, const AddSphere& command)
-{
-    return added(std::move(document), command);
-}
-Document applied(Document document, const AddCylinder& command)
-{
-    return added(std::move(document), command);
-}
-Document applied(Document document, const AddTorus& command)
-{
-    return added(std::move(document), command);
-}
-Document applied(Document document, const AddMoebius& command)
-{
-    return added(std::move(document), command);
-}
-Document applied(Document document, const AddTeapot& command)
-{
-    return added(std::move(document), command);
-}
-Document applied(Document document, const AddText& command)
-{
-    return added(std::move(document), command);
-}
-Document applied(Document document, const SetText& command)
-{
-    if (!std::holds_alternative<TextShape>(object(document, command.object).source))
-        throw Rejected(fmt::format("field \"object\": {} is no text", command.object));
-    check_text(command.shape);
-    return with_changed(std::move(document), command.object,
-                        [&](Object& o) { o.source = command.shape; });
-}
 
+StepTitle title(const Relink& c, const StepDocuments& step)
+{
+    if (c.objects.size() == 1 && c.files.size() == 1)
+        return title(EditImport{c.objects.front(), c.files.front()}, step);
+    return {"Files of " + names_in(step.before, c.objects), {}};
+}
 } // namespace trivar

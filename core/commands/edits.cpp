@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/commands/apply.h"
+#include "core/commands/edits.h"
 
 #include "core/base/rejected.h"
-#include "core/commands/check.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -14,12 +13,6 @@ namespace {
 constexpr Id last_id = 100000;
 
 } // namespace
-
-Document after(const Document& document, const Command& command)
-{
-    check(command);
-    return std::visit([&](const auto& c) { return applied(document, c); }, command);
-}
 
 Document with_added(Document document, Object object)
 {
@@ -51,6 +44,19 @@ std::set<Id> with_contents(const Document& document, std::set<Id> ids)
                 break;
             }
     return ids;
+}
+
+void check_has_volume(const Object& o, Id id)
+{
+    if (!o.placement && !std::holds_alternative<LatticeShape>(o.source))
+        throw Rejected(fmt::format("object {} ({}) has no volume; place it on a stroke, or put a "
+                                   "lattice round it",
+                                   id, o.name));
+}
+
+void check_placed(const Object& o, Id id)
+{
+    if (!o.placement) throw Rejected(named(id, o) + " is not placed; use place first");
 }
 
 void check_transform(const Transform& transform)

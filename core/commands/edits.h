@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/document.h"
+
+#include <set>
+
+namespace trivar {
+
+// The ids of a list. Throws Rejected if it is empty, an object does not exist or is named twice.
+std::set<Id> distinct(const Document& document, const std::vector<Id>& ids);
+
+// The document with one object replaced by change(copy of it).
+Document with_changed(Document document, Id id, auto&& change)
+{
+    Object changed = object(document, id);
+    change(changed);
+    document.objects.set(id, make_ref(std::move(changed)));
+    return document;
+}
+// The same for each of a list; Rejected if it is empty or names one twice.
+Document with_all_changed(Document document, const std::vector<Id>& ids, auto&& change)
+{
+    for (const Id id : distinct(document, ids))
+        document = with_changed(std::move(document), id, change);
+    return document;
+}
+
+// Throws Rejected where the object lies on no stroke.
+void check_placed(const Object& object, Id id);
+// Throws Rejected where the object neither lies on a stroke nor is a lattice.
+void check_has_volume(const Object& object, Id id);
+
+// The document with one object more, under the next id.
+Document with_added(Document document, Object object);
+
+// Those and everything inside the groups among them.
+std::set<Id> with_contents(const Document& document, std::set<Id> ids);
+
+void check_transform(const Transform& transform);
+// Rotation, scale and translation of an affine matrix; what shear it has is lost.
+Transform decomposed(const glm::dmat4& matrix);
+
+} // namespace trivar

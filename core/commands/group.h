@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/commands/step_title.h"
+#include "core/document/field.h"
+
+#include <vector>
+
+namespace trivar {
+
+// The document with `holder` as the parent of those objects, which stay where they stand.
+Document with_parent_of(Document document, const std::vector<Id>& objects, Object holder);
+
+// Throws Rejected where groups nest too deep below it.
+void check_depth(const Document& document, Id group);
+void check_own_depth(const Document& document, Id id); // of that one alone
+
+struct Group {
+    static constexpr std::string_view verb = "group",
+                                      summary = "Put objects into a new group; they stay in place.";
+    static constexpr CommandNature nature{.icon = CommandIcon::group, .asked = Asked::by_actions};
+    std::vector<Id> objects;
+    std::string name = "Group";
+    bool operator==(const Group&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("objects", c.objects, "ids", required);
+        field("name", c.name, "name in the outliner");
+    }
+};
+Document applied(Document document, const Group& command);
+StepTitle title(const Group& c, const StepDocuments& step);
+
+struct Ungroup {
+    static constexpr std::string_view verb = "ungroup",
+                                      summary = "Dissolve a group; what is in it stays in place, "
+                                                "but for shear.";
+    static constexpr CommandNature nature{.icon = CommandIcon::group, .asked = Asked::by_actions};
+    Id object = 0;
+    bool operator==(const Ungroup&) const = default;
+    static void fields(auto& c, auto&& field) { field("object", c.object, "id", required); }
+};
+Document applied(Document document, const Ungroup& command);
+StepTitle title(const Ungroup& c, const StepDocuments& step);
+
+struct Reorder {
+    static constexpr std::string_view verb = "reorder",
+                                      summary = "Give objects another place in the outliner, in a "
+                                                "group or out of one; in the scene they stay where "
+                                                "they are, but for shear.";
+    std::vector<Id> objects;
+    Id parent = 0, before = 0;
+    bool operator==(const Reorder&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("objects", c.objects, "ids, in their new order", required);
+        field("parent", c.parent, "id of the group they go into; 0: none");
+        field("before", c.before,
+              "id of the one in that group that follows them; 0: they are last");
+    }
+};
+Document applied(Document document, const Reorder& command);
+StepTitle title(const Reorder& c, const StepDocuments& step);
+
+} // namespace trivar

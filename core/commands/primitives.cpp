@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/primitives.h"
+
+#include "core/base/rejected.h"
+#include "core/commands/edits.h"
+#include "core/commands/field_words.h"
+
+#include <fmt/format.h>
+#include <utility>
+
+namespace trivar {
+
+Document with_named(Document document, Object object)
+{
+    check_transform(object.transform);
+    if (object.name.empty()) throw Rejected("field \"name\" is empty");
+    return with_added(std::move(document), std::move(object));
+}
+
+std::string size_words(const PlaneShape& s)
+{
+    return fmt::format("{} × {} m", brief_number(s.size.x), brief_number(s.size.y));
+}
+
+std::string size_words(const BoxShape& s)
+{
+    return fmt::format("{} × {} × {} m", brief_number(s.size.x), brief_number(s.size.y),
+                       brief_number(s.size.z));
+}
+
+std::string size_words(const TeapotShape& s)
+{
+    return in_metres(s.height);
+}
+
+std::string size_of_radius(double radius)
+{
+    return "radius " + in_metres(radius);
+}
+
+} // namespace trivar

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace trivar {
+
+// What a number measures, in what it is stored in.
+enum class Unit {
+    none,
+    metres,
+    degrees,
+    radians, // shown in degrees
+    seconds,
+    metres_per_second,
+    frames_per_second,
+    stops,
+    times,
+    at_frame
+};
+
+// How the digest of a document counts a field. Scenes were made before some fields existed, and
+// their digests stay.
+enum class Counted {
+    always,
+    named,  // not where it has its default; else its name and its value
+    marked, // the same, but of a switch the name alone, of a list its entries without their number
+            // and of a value that may be missing only the value
+    bare    // not where it has its default; else its value alone
+};
+
+// What is known of a field beside its name and its help. Bounds are inclusive and hold for every
+// component of a vector.
+struct Rule {
+    bool required = false;      // in JSON; else what is left out has its default
+    double lo = -1e9, hi = 1e9; // of numbers; no coordinate or size of a scene is beyond
+    std::string_view choices{}; // of texts, separated by |; empty: any
+    Counted counted = Counted::always;
+    std::string_view label{}; // what panels and the history call it; empty: its name in words
+    Unit unit = Unit::none;
+    std::string_view axes = "X|Y|Z|W";       // what the components of a vector are called
+    std::string_view yes = "on", no = "off"; // what a switch says
+    std::string_view zero{};                 // what 0 or an empty list means; empty: just that
+    bool fixed = false;                      // it takes no keys
+    // The most of each number that works, where scenes were written with more: that is read, and
+    // when it is evaluated it is said. 0: hi.
+    std::array<int, 3> works_to{};
+    bool inlined = false; // names of parameters leave out this field's own
+
+    constexpr Rule called(std::string_view name) const { return with(&Rule::label, name); }
+    constexpr Rule in(Unit of) const { return with(&Rule::unit, of); }
+    constexpr Rule counts(Counted how) const { return with(&Rule::counted, how); }
+    constexpr Rule with_axes(std::string_view names) const { return with(&Rule::axes, names); }
+    constexpr Rule says(std::string_view on, std::string_view off) const
+    {
+        return with(&Rule::yes, on).with(&Rule::no, off);
+    }
+    constexpr Rule zero_is(std::string_view words) const { return with(&Rule::zero, words); }
+    constexpr Rule without_keys() const { return with(&Rule::fixed, true); }
+    constexpr Rule as_its_own() const { return with(&Rule::inlined, true); }
+
+private:
+    template <class T> constexpr Rule with(T Rule::*member, T value) const
+    {
+        Rule changed = *this;
+        changed.*member = value;
+        return changed;
+    }
+};
+constexpr Rule any_value{};
+constexpr Rule required{.required = true};
+constexpr Rule required_between(double lo, double hi)
+{
+    return {.required = true, .lo = lo, .hi = hi};
+}
+constexpr Rule between(double lo, double hi)
+{
+    return {.lo = lo, .hi = hi};
+}
+constexpr Rule works_between(double lo, std::array<int, 3> works_to, double hi)
+{
+    return {.lo = lo, .hi = hi, .works_to = works_to};
+}
+constexpr Rule later{.counted = Counted::named};
+constexpr Rule later_between(double lo, double hi)
+{
+    return {.lo = lo, .hi = hi, .counted = Counted::named};
+}
+constexpr Rule positive{.lo = 1e-9};
+constexpr Rule not_negative{.lo = 0};
+constexpr Rule one_of(std::string_view choices)
+{
+    return {.choices = choices};
+}
+
+} // namespace trivar
