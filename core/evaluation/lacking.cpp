@@ -21,11 +21,11 @@ bool displaces_within_reach(const Lattice& volume)
 
 } // namespace
 
-void leave_out_what_is_out_of_reach(EvaluatedObject& object)
+void leave_out_what_is_out_of_reach(Stage& stage)
 {
     std::map<Ref<Lattice>, bool> volumes; // whether they do
-    const std::size_t all = object.parts.size();
-    const std::size_t gone = std::erase_if(object.parts, [&](const Part& part) {
+    const std::size_t all = stage.parts.size();
+    const std::size_t gone = std::erase_if(stage.parts, [&](const Part& part) {
         if (!part.bent) return !within_reach(part.bounds, part.to_world);
         // A vertex is where `to_rest` has it, and from there further by a mean of displacements.
         const auto [known, fresh] = volumes.try_emplace(part.bent->volume);
@@ -33,12 +33,12 @@ void leave_out_what_is_out_of_reach(EvaluatedObject& object)
         return !known->second || !within_reach(part.bounds, part.bent->embedding.to_rest);
     });
     if (gone == 0) return;
-    object.lacks.push_back(
+    stage.lacks.push_back(
         gone == all ? fmt::format("where it lies its numbers are {}", too_large_words)
                     : fmt::format("{} of its {} meshes are left out: where they lie their numbers "
                                   "are {}",
                                   gone, all, too_large_words));
-    object.notices.push_back(object.lacks.back());
+    stage.notices.push_back(stage.lacks.back());
 }
 
 std::vector<std::string> lacks(const Evaluated& evaluated, const Document& document)

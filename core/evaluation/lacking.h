@@ -8,7 +8,7 @@ namespace trivar {
 
 // Parts whose vertices would be out of reach where they lie (core/mesh/extent.h) go, and it is
 // said. Deforms nothing.
-void leave_out_what_is_out_of_reach(EvaluatedObject& object);
+void leave_out_what_is_out_of_reach(Stage& stage);
 
 // What the evaluated objects lack, "NAME: WHY" each: models and fonts named by their file that
 // could not be read, and what is too large to be worked with. By id.

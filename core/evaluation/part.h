@@ -5,6 +5,8 @@
 #include "core/ffd/deform.h"
 #include "core/mesh/extent.h"
 
+#include <compare>
+
 namespace trivar {
 
 // How a mesh lies in a volume, and what comes out of it in the world: worked out by the processor
@@ -16,13 +18,21 @@ struct Bent {
     Lazy<Ref<Mesh>> mesh;
 };
 
+// Which part of its object one is, whichever of the others are shown.
+struct PartKey {
+    int member = 0; // of a procession
+    int mesh = 0;   // of the shape
+    int piece = 0;  // that a step made of that mesh
+    auto operator<=>(const PartKey&) const = default;
+};
+
 // One mesh as it stands in the world: posed by its model's clip, and then deformed by a volume.
 struct Part {
     Ref<Mesh> rest;         // has the same faces, corners and number of vertices as what it becomes
     glm::dmat4 to_world{1}; // identity where a volume deforms it
     Ref<Posed> posed = nullptr; // null where no skin and no morph target moves its vertices
     Ref<Bent> bent = nullptr;   // null where no volume does
-    int slot = 0;               // which of its object's it is, whichever of the others are shown
+    PartKey key = {};
     Box bounds = {}; // before to_world or the volume, of its vertices as they are posed; or larger
 
     const Ref<Mesh>& before_volume() const { return posed ? *posed->mesh : rest; }
@@ -30,7 +40,7 @@ struct Part {
     bool operator==(const Part& other) const // bounds follow from the others
     {
         return rest == other.rest && to_world == other.to_world && posed == other.posed &&
-               bent == other.bent && slot == other.slot;
+               bent == other.bent && key == other.key;
     }
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/evaluation/shapes.h"
+#include "core/evaluation/shape.h"
 #include "core/mesh/foot_lock.h"
 
 namespace trivar {

@@ -3,7 +3,6 @@
 
 #include "core/base/rejected.h"
 
-#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -18,15 +17,15 @@ Part in_the_same_volume(const Part& part, const Ref<Mesh>& mesh)
         [=] { return make_ref(deform(*mesh, bent->embedding, *bent->volume)); });
     return {.rest = mesh,
             .bent = make_ref(Bent{bent->embedding, bent->volume, out}),
-            .slot = part.slot,
+            .key = part.key,
             .bounds = part.bounds};
 }
 
-Laid refined(const Laid& laid, const Refining& refining, const Progress& progress)
+Stage refined(const Stage& before, const Refining& refining, const Progress& progress)
 {
-    Laid out = laid;
+    Stage out = before;
     try {
-        SplitParts made = split(laid.parts,
+        SplitParts made = split(before.parts,
                                 {.tolerance_world = refining.tolerance,
                                  .split = refining.split,
                                  .method = refining.method,
@@ -35,11 +34,11 @@ Laid refined(const Laid& laid, const Refining& refining, const Progress& progres
                                 progress);
         out.refined = std::move(made.refined);
         out.parts = std::move(made.parts);
+        if (const std::string notice = notice_of(*out.refined, refining); !notice.empty())
+            out.notices.push_back(notice);
     } catch (const Rejected& error) {
-        out.not_refined = std::string("it is not refined: ") + error.what();
-        return out;
+        out.notices.push_back(std::string("it is not refined: ") + error.what());
     }
-    out.not_refined = notice_of(*out.refined, refining);
     return out;
 }
 
@@ -71,23 +70,14 @@ std::string notice_of(const Refined& refined, const Refining& refining)
                                        : "the bound says nothing of some of them");
 }
 
-Ref<Laid> RefiningLaid::operator()(const Ref<Laid>& laid, const Refining& refining,
-                                   Timings& timings, const Progress& progress)
+Ref<Stage> RefiningStep::operator()(const Ref<Stage>& before, const StepInput& input)
 {
-    if (laid->parts.empty() || !laid->parts.front().bent) return laid;
-    const auto found = std::ranges::find_if(known_, [&](const Known& known) {
-        return known.laid == laid && known.refining == refining;
+    const std::optional<Refining>& refining = input.object.refining;
+    if (!refining || !before->placement || before->parts.empty()) return before;
+    return known_({before, *refining}, [&] {
+        return timed(input.timings, "refine",
+                     [&] { return make_ref(refined(*before, *refining, input.progress)); });
     });
-    if (found != known_.end()) {
-        std::rotate(known_.begin(), found, found + 1);
-    } else {
-        Ref<Laid> out =
-            timed(timings, "refine", [&] { return make_ref(refined(*laid, refining, progress)); });
-        known_.insert(known_.begin(), {laid, refining, std::move(out)});
-        constexpr std::size_t kept_results = 3; // as Laying keeps
-        if (known_.size() > kept_results) known_.pop_back();
-    }
-    return known_.front().refined;
 }
 
 } // namespace trivar

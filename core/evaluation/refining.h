@@ -1,24 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/evaluation/laying.h"
+#include "core/base/recent.h"
+#include "core/evaluation/step.h"
 
 namespace trivar {
 
-// Refines what lies in a volume, for the frame that it lies there in, and keeps the last few
-// results. Stage: refine.
-class RefiningLaid {
+// Splits the triangles of what lies in a volume, for the frame that it lies there in. Stage:
+// refine.
+class RefiningStep : public Step {
 public:
-    Ref<Laid> operator()(const Ref<Laid>& laid, const Refining& refining, Timings& timings,
-                         const Progress& progress = {});
+    Ref<Stage> operator()(const Ref<Stage>& before, const StepInput& input) override;
 
 private:
-    struct Known {
-        Ref<Laid> laid;
-        Refining refining;
-        Ref<Laid> refined;
-    };
-    std::vector<Known> known_; // the latest first
+    Recent<std::pair<Ref<Stage>, Refining>, Ref<Stage>> known_;
 };
 
 // Parts that lie in one volume with their triangles split, in that volume. Throws Rejected as

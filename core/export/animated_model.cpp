@@ -268,7 +268,7 @@ AnimatedExport animated_export(const AnimatedScene& scene, const Ref<AssetStore>
         for (std::size_t s = first; s < end; ++s) {
             const FilmStrip& strip = film.strips[s];
             FilmCertificate::PartClaim claim{
-                .object = strip.object, .part = strip.slot, .name = strip.name};
+                .object = strip.object, .part = strip.number, .name = strip.name};
             claim.moments = plan.per_frame;
             CommonMesh& common = out.common[s];
             if (common.mesh) {
@@ -281,7 +281,7 @@ AnimatedExport animated_export(const AnimatedScene& scene, const Ref<AssetStore>
                 common.mesh = make_ref(in_triangles(*strip.first().rest));
                 common.space = nothing;
                 TargetKeys own = target_keys(film, strip, common, free, times_s);
-                claim = {.object = strip.object, .part = strip.slot, .name = strip.name};
+                claim = {.object = strip.object, .part = strip.number, .name = strip.name};
                 claim.moments = plan.per_frame;
                 claim.triangles_before = common.mesh->face_count();
                 claim.unproven = strip.bent()       ? "it lies on its stroke in some frames only"

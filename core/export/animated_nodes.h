@@ -29,7 +29,7 @@ private:
         bool whole = false; // false: it shears, so it is not there
         int object = 0;     // its node
         int first = 0;      // that of the model's first node; the others follow in their order
-        std::vector<int> with_mesh;       // of the model's, by slot
+        std::vector<int> with_mesh;       // of the model's, by PartKey::mesh
         FilmCertificate::PartClaim claim; // of how the object moves
         std::map<int, int> skins;         // by the model's
     };

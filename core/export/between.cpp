@@ -71,11 +71,10 @@ double Between::operator()(const EvaluatedObject& from, const Part& a, double fr
     if (!unknown_.empty() || !a.bent || !b.bent) return no_bound;
     if (from.placement != to.placement && !keyed_) return no_bound;
     PartOnItsWay m{object_, from, a, b, frames_per_second_};
-    const std::size_t meshes = model_ ? nodes_.size() : 1;
-    m.member = a.slot / static_cast<int>(meshes);
+    m.member = a.key.member;
     if (model_) {
         m.model = model_.get();
-        m.node = nodes_[static_cast<std::size_t>(a.slot) % meshes];
+        m.node = nodes_[static_cast<std::size_t>(a.key.mesh)];
     }
     m.from_s = from_frame / frames_per_second_;
     m.to_s = to_frame / frames_per_second_;

@@ -26,7 +26,7 @@ public:
     // Why nothing is proven of it, a sentence's end; empty: something is.
     const std::string& unknown() const { return unknown_; }
     // Metres; infinite where it is not bounded, as where it jumps. The evaluated objects and their
-    // parts of one slot, at two frames with whole ones not between.
+    // parts of one key, at two frames with whole ones not between.
     double operator()(const EvaluatedObject& from, const Part& a, double from_frame,
                       const EvaluatedObject& to, const Part& b, double to_frame);
     // No triangle of a part with such edges, in the object, is further from the true surface at
@@ -43,7 +43,7 @@ private:
     Object object_;
     std::optional<KeyedVolume> keyed_;
     Ref<Model> model_;       // null: it is none of a file
-    std::vector<int> nodes_; // that have a mesh, by slot
+    std::vector<int> nodes_; // that have a mesh, by PartKey::mesh
     double frames_per_second_ = 24;
     ReachedVolumes volumes_;
     std::map<Ref<Lattice>, std::unique_ptr<VolumeBends>> bends_;

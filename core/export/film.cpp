@@ -138,14 +138,14 @@ Film film_of(const Document& document, const Ref<AssetStore>& assets, std::vecto
         film.kept += others(film.evaluated[i], i > 0 ? &film.evaluated[i - 1] : nullptr);
         check_kept(film.kept, film.moments.size());
     }
-    std::map<std::pair<Id, int>, std::vector<FilmStrip>> strips;
+    std::map<std::pair<Id, PartKey>, std::vector<FilmStrip>> strips;
     for (std::size_t i = 0; i < film.moments.size(); ++i)
         for (const auto& [id, ref] : film.evaluated[i].objects)
             for (const Part& part : ref->parts) {
-                std::vector<FilmStrip>& pieces = strips[{id, part.slot}];
+                std::vector<FilmStrip>& pieces = strips[{id, part.key}];
                 if (pieces.empty()) {
                     pieces.push_back({.object = id,
-                                      .slot = part.slot,
+                                      .key = part.key,
                                       .name = object(document, id).name,
                                       .shown = std::vector<const Part*>(film.moments.size()),
                                       .materials = ref->materials});
@@ -154,7 +154,14 @@ Film film_of(const Document& document, const Ref<AssetStore>& assets, std::vecto
                     piece_of(pieces, part, film.moments[i]).shown[i] = &part;
                 }
             }
-    for (auto& [key, pieces] : strips) std::ranges::move(pieces, std::back_inserter(film.strips));
+    Id of = 0;
+    int number = 0;
+    for (auto& [key, pieces] : strips) {
+        number = key.first == of ? number + 1 : 0;
+        of = key.first;
+        for (FilmStrip& piece : pieces) piece.number = number;
+        std::ranges::move(pieces, std::back_inserter(film.strips));
+    }
     return film;
 }
 

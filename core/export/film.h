@@ -17,7 +17,8 @@ FrameRange frame_range(const std::string& text, const Time& time);
 // they change in time, as a text's that grows, each kind of them is a piece of its own.
 struct FilmStrip {
     Id object = 0;
-    int slot = 0; // Part::slot
+    PartKey key = {};
+    int number = 0; // of that key, among those of its object
     std::string name;
     int piece = 0;                  // of the part, in the order in which they come
     std::vector<const Part*> shown; // by moment; null: it is not shown then
@@ -35,7 +36,7 @@ bool same_faces(const Mesh& a, const Mesh& b); // and as many vertices
 struct Film {
     std::vector<double> moments;
     std::vector<Evaluated> evaluated; // by moment
-    std::vector<FilmStrip> strips;    // by object, slot and piece
+    std::vector<FilmStrip> strips;    // by object, key and piece
     std::size_t kept = 0;             // such parts, and the moments
 };
 inline constexpr std::size_t most_kept = 4'000'000; // of a film: several GB

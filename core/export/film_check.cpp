@@ -17,7 +17,7 @@ const Part* shown_in(const EvaluatedObject& object, const FilmStrip& strip)
 {
     const Ref<Mesh>& rest = strip.first().rest;
     for (const Part& part : object.parts)
-        if (part.slot == strip.slot)
+        if (part.key == strip.key)
             return part.rest == rest || same_faces(*part.rest, *rest) ? &part : nullptr;
     return nullptr;
 }

@@ -101,7 +101,7 @@ int AnimatedNodes::skin(Tree& tree, int index)
 
 void AnimatedNodes::hang(const FilmStrip& strip, Tree& tree, FilmCertificate::PartClaim& claim)
 {
-    const int source = tree.with_mesh[static_cast<std::size_t>(strip.slot)];
+    const int source = tree.with_mesh[static_cast<std::size_t>(strip.key.mesh)];
     const Node& from = tree.from->nodes[static_cast<std::size_t>(source)];
     int at = tree.first + source;
     Mesh mesh = *strip.first().rest;

@@ -284,13 +284,13 @@ TEST(OutOfReach, IsAPartThatGoesAndTheOthersStay)
     bent.displacement.points[5].z = std::numeric_limits<double>::infinity();
     const Ref<Bent> lies = make_ref(Bent{Embedding{}, make_ref(bent), {}});
     EvaluatedObject object;
-    object.parts = {{.rest = mesh, .slot = 0, .bounds = box},
-                    {.rest = mesh, .to_world = far, .slot = 1, .bounds = box},
-                    {.rest = mesh, .bent = lies, .slot = 2, .bounds = box},
-                    {.rest = mesh, .slot = 3, .bounds = box}};
+    object.parts = {{.rest = mesh, .key = {.mesh = 0}, .bounds = box},
+                    {.rest = mesh, .to_world = far, .key = {.mesh = 1}, .bounds = box},
+                    {.rest = mesh, .bent = lies, .key = {.mesh = 2}, .bounds = box},
+                    {.rest = mesh, .key = {.mesh = 3}, .bounds = box}};
     leave_out_what_is_out_of_reach(object);
     ASSERT_EQ(object.parts.size(), 2u);
-    EXPECT_EQ(object.parts[1].slot, 3);
+    EXPECT_EQ(object.parts[1].key.mesh, 3);
     EXPECT_THAT(object.lacks, ElementsAre(HasSubstr("2 of its 4 meshes are left out")));
     EXPECT_EQ(object.notices, object.lacks);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/evaluation/walking.h"
+#include "core/evaluation/walks.h"
 
 #include "core/commands/command.h"
 #include "core/evaluation/evaluate.h"

@@ -22,7 +22,7 @@ template <> struct FieldsOf<RenderSettings> {
         field("color_by", s.color_by,
               "what colours show: materials, how what was placed is stretched and squeezed, or how "
               "far its triangles may be from the true surface",
-              later);
+              later.called("Colour by"));
         field("volumes", s.volumes,
               "the volumes of what was placed are shown, with the ball of a press that was the "
               "last step of shaping",

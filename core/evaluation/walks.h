@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/evaluation/laying.h"
-#include "core/evaluation/walk.h"
+#include "core/evaluation/stage.h"
 
 namespace trivar {
 
 // Measures the walks of one object and keeps the last.
-class Walking {
+class Walks {
 public:
     // Null where its feet are not to be locked. The object is laid as it came, and `turned`.
-    Ref<Walk> operator()(const Ref<Shape>& shape, const Playing& playing, const Ref<Laid>& laid,
+    Ref<Walk> operator()(const Ref<Shape>& shape, const Playing& playing, const Ref<Stage>& laid,
                          const Ref<Journey>& journey, const PlacementParameters& parameters,
                          const glm::dmat3& turned);
 
@@ -20,7 +19,7 @@ private:
 
     struct Known {
         Ref<Shape> shape;
-        Ref<Laid> laid;
+        Ref<Stage> laid;
         Ref<Journey> journey;
         Playing playing;
         Ref<Walk> walk;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/evaluation/walking.h"
+#include "core/evaluation/walks.h"
 
 #include "core/base/text.h"
+#include "core/evaluation/reaching.h"
 #include "core/mesh/pose_rates.h"
 #include "core/placement/embed.h"
 
@@ -28,7 +29,7 @@ struct Tread {
     std::string clip;
     Walk walk;
     Playing playing;
-    Ref<Laid> laid;
+    Ref<Stage> laid;
     Ref<Journey> journey;
     PlacementParameters parameters;
     glm::dmat4 to_uvw; // of the model, at rest
@@ -170,8 +171,8 @@ double Walk::clip_time_s(const Playing& playing, double gone_u) const
     return gait->begin_s + (t - std::floor(t)) * gait->period_s;
 }
 
-Ref<Gait> Walking::gait_of(const Ref<Model>& model, const std::string& clip, const glm::dvec3& up,
-                           double floor)
+Ref<Gait> Walks::gait_of(const Ref<Model>& model, const std::string& clip, const glm::dvec3& up,
+                         double floor)
 {
     if (!measured_ || measured_->model != model || measured_->clip != clip ||
         measured_->gait->up != up || measured_->floor != floor)
@@ -180,9 +181,9 @@ Ref<Gait> Walking::gait_of(const Ref<Model>& model, const std::string& clip, con
     return measured_->gait;
 }
 
-Ref<Walk> Walking::operator()(const Ref<Shape>& shape, const Playing& playing,
-                              const Ref<Laid>& laid, const Ref<Journey>& journey,
-                              const PlacementParameters& parameters, const glm::dmat3& turned)
+Ref<Walk> Walks::operator()(const Ref<Shape>& shape, const Playing& playing, const Ref<Stage>& laid,
+                            const Ref<Journey>& journey, const PlacementParameters& parameters,
+                            const glm::dmat3& turned)
 {
     if (!playing.foot_lock || !laid->placement || !clip_named(*shape->model, playing.clip))
         return nullptr;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/evaluation/in_lattices.h"
+#include "core/evaluation/lattices.h"
 
+#include "core/document/parameters.h"
+#include "core/evaluation/told_steps.h"
 #include "core/placement/box_volume.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -13,33 +15,47 @@ namespace {
 Part before_bending(const Part& part)
 {
     Part out = part;
-    if (part.bent) out = {.rest = part.mesh(), .slot = part.slot};
+    if (part.bent) out = {.rest = part.mesh(), .key = part.key};
     if (glm::determinant(glm::dmat3(out.to_world)) >= 0) return out;
-    return {.rest = make_ref(transformed(*out.mesh(), out.to_world)), .slot = part.slot};
+    return {.rest = make_ref(transformed(*out.mesh(), out.to_world)), .key = part.key};
 }
 
 } // namespace
 
-Ref<ShapedVolume> BoxVolume::operator()(const LatticeShape& shape,
-                                        const std::vector<Ref<VolumeEdit>>& shaping,
-                                        const glm::dmat4& to_world, Timings& timings,
-                                        const Progress& progress)
+Ref<ShapedVolume> LatticeVolume::in_world(const LatticeShape& shape, const StepInput& input)
 {
+    const std::vector<Ref<VolumeEdit>>& shaping = input.object.shaping;
     if (!at_rest_ || shape_ != shape) {
         at_rest_ = make_ref(place_box(shape.size, shape.grid, shape.orders));
         shape_ = shape;
         shaped_ = nullptr;
     }
     if (!shaped_ || shaping_ != shaping) {
-        shaped_ = timed(timings, "shape", [&] { return shaper_(at_rest_, shaping, progress); });
+        shaped_ = timed(input.timings, "shape",
+                        [&] { return shaper_(at_rest_, shaping, input.progress); });
         shaping_ = shaping;
         mapped_ = nullptr;
     }
+    const glm::dmat4 to_world = trivar::to_world(input.document, input.id);
     if (!mapped_ || to_world_ != to_world) {
         mapped_ = make_ref(mapped(*shaped_, to_world));
         to_world_ = to_world;
     }
     return mapped_;
+}
+
+Ref<Stage> LatticeVolume::operator()(const Ref<Stage>& before, const StepInput& input)
+{
+    const auto* lattice = std::get_if<LatticeShape>(&input.object.source);
+    if (!lattice) return before;
+    const Ref<ShapedVolume> volume = in_world(*lattice, input);
+    return known_({before, volume}, [&] {
+        Stage stage = *before;
+        stage.placement = volume->placement;
+        stage.shaped = volume;
+        tell_of_steps(*volume, stage.notices);
+        return make_ref(std::move(stage));
+    });
 }
 
 std::vector<Id> lattices_round(const Document& document, Id id)
@@ -50,8 +66,21 @@ std::vector<Id> lattices_round(const Document& document, Id id)
     return out;
 }
 
-std::vector<Part> InLattices::operator()(std::vector<Part> parts,
-                                         const std::vector<Ref<ShapedVolume>>& lattices)
+Ref<Stage> InLattices::operator()(const Ref<Stage>& before, const StepInput& input)
+{
+    std::vector<Ref<ShapedVolume>> lattices;
+    for (const Id id : lattices_round(input.document, input.id))
+        lattices.push_back(input.done.at(id)->shaped);
+    if (lattices.empty()) return before;
+    return known_({before, lattices}, [&] {
+        Stage stage = *before;
+        stage.parts = bent(std::move(stage.parts), lattices);
+        return make_ref(std::move(stage));
+    });
+}
+
+std::vector<Part> InLattices::bent(std::vector<Part> parts,
+                                   const std::vector<Ref<ShapedVolume>>& lattices)
 {
     bendings_.resize(lattices.size());
     for (std::size_t l = 0; l < lattices.size(); ++l) {

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluation/lacking.h"
+#include "core/evaluation/lattices.h"
+#include "core/evaluation/laying.h"
+#include "core/evaluation/moving.h"
+#include "core/evaluation/refining.h"
+
+namespace trivar {
+namespace {
+
+class WithinReach : public Step {
+public:
+    Ref<Stage> operator()(const Ref<Stage>& before, const StepInput&) override
+    {
+        return known_(before, [&] {
+            Stage stage = *before;
+            leave_out_what_is_out_of_reach(stage);
+            return stage.parts.size() == before->parts.size() ? before : make_ref(std::move(stage));
+        });
+    }
+
+private:
+    Recent<Ref<Stage>, Ref<Stage>> known_;
+};
+
+} // namespace
+
+std::vector<std::unique_ptr<Step>> all_steps()
+{
+    std::vector<std::unique_ptr<Step>> steps;
+    steps.push_back(std::make_unique<Laying>());
+    steps.push_back(std::make_unique<Moving>());
+    steps.push_back(std::make_unique<RefiningStep>());
+    steps.push_back(std::make_unique<LatticeVolume>());
+    steps.push_back(std::make_unique<WithinReach>());
+    steps.push_back(std::make_unique<InLattices>());
+    return steps;
+}
+
+} // namespace trivar

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluation/standing.h"
+
+namespace trivar {
+
+std::vector<Standing> standing(const Shape& shape, const glm::dmat3& turned)
+{
+    std::vector<Standing> out;
+    for (const Shape::Hung& hung : shape.meshes) {
+        Standing each{{.rest = hung.rest, .posed = hung.posed, .bounds = hung.bounds},
+                      glm::dmat4(turned) * hung.to_model};
+        if (glm::determinant(glm::dmat3(each.to_box)) < 0) {
+            each.part = {.rest = make_ref(transformed(*hung.mesh(), each.to_box))};
+            each.part.bounds = bounding_box(*each.part.rest);
+            each.to_box = glm::dmat4(1);
+        }
+        each.part.key.mesh = hung.slot;
+        out.push_back(std::move(each));
+    }
+    return out;
+}
+
+Embedding embedded(const Embedding& box, const glm::dmat4& to_box)
+{
+    return {box.to_uvw * to_box, box.to_rest * to_box};
+}
+
+} // namespace trivar

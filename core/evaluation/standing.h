@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/evaluation/part.h"
+#include "core/evaluation/shape.h"
+
+#include <vector>
+
+namespace trivar {
+
+// A mesh of a shape before it is laid, and the matrix from it to the box of the model.
+struct Standing {
+    Part part;
+    glm::dmat4 to_box;
+};
+// The meshes of a shape with the object's own turn and size. Those that these mirror are turned
+// round first, so that no mirror stands between them and a volume.
+std::vector<Standing> standing(const Shape& shape, const glm::dmat3& turned);
+
+// How such a mesh lies in the volume that the box lies in.
+Embedding embedded(const Embedding& box, const glm::dmat4& to_box);
+
+} // namespace trivar
