@@ -18,6 +18,11 @@ struct SetTransform {
         field("object", c.object, "id", required);
         FieldsOf<Transform>::fields(c.transform, field);
     }
+    // The command that changes nothing of the object; none: it has nothing of the kind.
+    static std::optional<SetTransform> as_it_is(const Object& object, Id id)
+    {
+        return SetTransform{id, object.transform};
+    }
 };
 Document applied(Document document, const SetTransform& command);
 StepTitle title(const SetTransform& c, const StepDocuments& step);

@@ -54,6 +54,14 @@ void check_has_volume(const Object& o, Id id)
                                    id, o.name));
 }
 
+void check_bent(const Document& document, Id id)
+{
+    if (!object(document, id).placement && lattices_round(document, id).empty())
+        throw Rejected(named(document, id) +
+                       " is not placed and stands in no lattice; nothing bends "
+                       "it");
+}
+
 void check_placed(const Object& o, Id id)
 {
     if (!o.placement) throw Rejected(named(id, o) + " is not placed; use place first");

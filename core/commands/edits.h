@@ -28,6 +28,8 @@ Document with_all_changed(Document document, const std::vector<Id>& ids, auto&& 
 
 // Throws Rejected where the object lies on no stroke.
 void check_placed(const Object& object, Id id);
+// Throws Rejected where the object neither lies on a stroke nor stands in a lattice.
+void check_bent(const Document& document, Id id);
 // Throws Rejected where the object neither lies on a stroke nor is a lattice.
 void check_has_volume(const Object& object, Id id);
 

@@ -36,6 +36,13 @@ struct EditImport {
         field("object", c.object, "id of an imported model", required);
         FieldsOf<ImportedFile>::fields(c.file, field);
     }
+    // The command that changes nothing of the object; none: it has nothing of the kind.
+    static std::optional<EditImport> as_it_is(const Object& object, Id id)
+    {
+        const auto* own = std::get_if<ImportedFile>(&object.source);
+        if (!own) return std::nullopt;
+        return EditImport{id, *own};
+    }
 };
 Document applied(Document document, const EditImport& command);
 StepTitle title(const EditImport& c, const StepDocuments& step);

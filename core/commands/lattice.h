@@ -43,6 +43,13 @@ struct SetLattice {
         field("object", c.object, "id of a lattice", required);
         FieldsOf<LatticeShape>::fields(c.shape, field);
     }
+    // The command that changes nothing of the object; none: it has nothing of the kind.
+    static std::optional<SetLattice> as_it_is(const Object& object, Id id)
+    {
+        const auto* own = std::get_if<LatticeShape>(&object.source);
+        if (!own) return std::nullopt;
+        return SetLattice{id, *own};
+    }
 };
 Document applied(Document document, const SetLattice& command);
 StepTitle title(const SetLattice& c, const StepDocuments& step);

@@ -18,6 +18,12 @@ struct SetMaterial {
         field("objects", c.objects, "ids", required);
         FieldsOf<Surfacing>::fields(c.surfacing, field);
     }
+    // The command that changes nothing of the object; none: it has nothing of the kind.
+    static std::optional<SetMaterial> as_it_is(const Object& object, Id id)
+    {
+        if (!object.surfacing) return std::nullopt;
+        return SetMaterial{{id}, *object.surfacing};
+    }
 };
 Document applied(Document document, const SetMaterial& command);
 StepTitle title(const SetMaterial& c, const StepDocuments& step);

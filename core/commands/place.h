@@ -71,6 +71,12 @@ struct EditPlacement {
         field("sketch", c.sketch, "a new stroke; left out: as it was");
         field("onto", c.onto, "ids it lies on; left out: as it was; empty: chosen anew");
     }
+    // The command that changes nothing of the object; none: it has nothing of the kind.
+    static std::optional<EditPlacement> as_it_is(const Object& object, Id id)
+    {
+        if (!object.placement) return std::nullopt;
+        return EditPlacement{id, object.placement->parameters, {}, {}};
+    }
 };
 Document applied(Document document, const EditPlacement& command);
 StepTitle title(const EditPlacement& c, const StepDocuments& step);

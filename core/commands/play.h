@@ -23,6 +23,11 @@ struct PlayClip {
               "one each, in the order of the objects, in place of these fields; empty: the same "
               "for all");
     }
+    // The command that changes nothing of the object; none: it has nothing of the kind.
+    static std::optional<PlayClip> as_it_is(const Object& object, Id id)
+    {
+        return PlayClip{{id}, object.playing};
+    }
 };
 Document applied(Document document, const PlayClip& command);
 StepTitle title(const PlayClip& c, const StepDocuments& step);

@@ -18,7 +18,7 @@ void check(const Refining& refining)
 
 Document applied(Document document, const Refine& command)
 {
-    for (const Id id : distinct(document, command.objects)) check_placed(object(document, id), id);
+    for (const Id id : distinct(document, command.objects)) check_bent(document, id);
     const std::vector<Refining>& each = command.refinings;
     if (!each.empty() && each.size() != command.objects.size())
         throw Rejected(fmt::format("field \"refinings\" has {} entries for {} objects", each.size(),

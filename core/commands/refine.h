@@ -11,7 +11,7 @@ void check(const Refining& refining);
 
 struct Refine {
     static constexpr std::string_view verb = "refine",
-                                      summary = "Split the triangles of placed objects until the "
+                                      summary = "Split the triangles of what is bent until the "
                                                 "bent surface is certified within a tolerance.";
     std::vector<Id> objects;
     Refining refining;
@@ -19,11 +19,17 @@ struct Refine {
     bool operator==(const Refine&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("objects", c.objects, "ids of placed objects", required);
+        field("objects", c.objects, "ids of objects that lie on strokes or stand in lattices",
+              required);
         FieldsOf<Refining>::fields(c.refining, field);
         field("refinings", c.refinings,
               "one each, in the order of the objects, in place of these fields; empty: the same "
               "for all");
+    }
+    // The command that changes nothing of the object; none: it has nothing of the kind.
+    static std::optional<Refine> as_it_is(const Object& object, Id id)
+    {
+        return Refine{{id}, object.refining.value_or(Refining{})};
     }
 };
 Document applied(Document document, const Refine& command);

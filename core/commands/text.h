@@ -24,6 +24,13 @@ struct SetText {
         field("object", c.object, "id of a text", required);
         FieldsOf<TextShape>::fields(c.shape, field);
     }
+    // The command that changes nothing of the object; none: it has nothing of the kind.
+    static std::optional<SetText> as_it_is(const Object& object, Id id)
+    {
+        const auto* own = std::get_if<TextShape>(&object.source);
+        if (!own) return std::nullopt;
+        return SetText{id, *own};
+    }
 };
 Document applied(Document document, const SetText& command);
 StepTitle title(const SetText& c, const StepDocuments& step);

@@ -22,6 +22,11 @@ struct SetTravel {
               "one each, in the order of the objects, in place of these fields; empty: the same "
               "for all");
     }
+    // The command that changes nothing of the object; none: it has nothing of the kind.
+    static std::optional<SetTravel> as_it_is(const Object& object, Id id)
+    {
+        return SetTravel{{id}, object.travel};
+    }
 };
 Document applied(Document document, const SetTravel& command);
 StepTitle title(const SetTravel& c, const StepDocuments& step);

@@ -109,6 +109,14 @@ std::string named(const Document& document, Id id)
     return named(id, object(document, id));
 }
 
+std::vector<Id> lattices_round(const Document& document, Id id)
+{
+    std::vector<Id> out;
+    for (Id up = object(document, id).parent; up != 0; up = object(document, up).parent)
+        if (std::holds_alternative<LatticeShape>(object(document, up).source)) out.push_back(up);
+    return out;
+}
+
 bool visible(const Document& document, Id id)
 {
     for (; id != 0; id = object(document, id).parent)

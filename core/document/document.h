@@ -118,6 +118,8 @@ std::string named(Id id, const Object& object);
 std::string named(const Document& document, Id id);
 bool visible(const Document& document, Id id); // neither it nor a parent is hidden
 bool locked(const Document& document, Id id);  // it or a parent is
+// Ids of the lattices that an object stands in, the innermost first.
+std::vector<Id> lattices_round(const Document& document, Id id);
 // All objects in the order of the outliner's rows, whatever is in which group.
 std::vector<Id> in_row_order(const Document& document);
 // The object's transform under its parents'. What is placed lies in the world without it.

@@ -30,10 +30,10 @@ std::vector<std::unique_ptr<Step>> all_steps()
     std::vector<std::unique_ptr<Step>> steps;
     steps.push_back(std::make_unique<Laying>());
     steps.push_back(std::make_unique<Moving>());
-    steps.push_back(std::make_unique<RefiningStep>());
     steps.push_back(std::make_unique<LatticeVolume>());
     steps.push_back(std::make_unique<WithinReach>());
     steps.push_back(std::make_unique<InLattices>());
+    steps.push_back(std::make_unique<RefiningStep>());
     return steps;
 }
 

@@ -6,11 +6,11 @@
 namespace trivar {
 
 Part in_volume(Part part, const Embedding& embedding, const Ref<Lattice>& volume,
-               const Lazy<Deformer>& deformer)
+               const Lazy<Deformer>& deformer, bool again)
 {
     const Lazy<Ref<Mesh>> out([=] { return make_ref((*deformer)(*volume)); });
     part.to_world = glm::dmat4(1);
-    part.bent = make_ref(Bent{embedding, volume, out});
+    part.bent = make_ref(Bent{embedding, volume, out, again});
     return part;
 }
 
@@ -21,7 +21,8 @@ Lazy<Deformer> sorted_into(const Lattice& volume, const Part& part, const Embedd
     });
 }
 
-Part Bending::operator()(const Part& part, const Embedding& embedding, const Ref<Lattice>& volume)
+Part Bending::operator()(const Part& part, const Embedding& embedding, const Ref<Lattice>& volume,
+                         bool again)
 {
     const std::array<Knots, 3>& axes = volume->displacement.axes;
     const auto found = std::ranges::find_if(sorted_, [&](const Sorted& s) {
@@ -30,7 +31,7 @@ Part Bending::operator()(const Part& part, const Embedding& embedding, const Ref
     used_.push_back(found != sorted_.end()
                         ? *found
                         : Sorted{part, embedding, axes, sorted_into(*volume, part, embedding)});
-    return in_volume(part, embedding, volume, used_.back().deformer);
+    return in_volume(part, embedding, volume, used_.back().deformer, again);
 }
 
 } // namespace trivar

@@ -11,7 +11,7 @@ namespace trivar {
 
 // The part in a volume: its mesh, as it is before, is deformed when somebody asks for it.
 Part in_volume(Part part, const Embedding& embedding, const Ref<Lattice>& volume,
-               const Lazy<Deformer>& deformer);
+               const Lazy<Deformer>& deformer, bool again = false);
 // How the vertices of a part are sorted into a volume of those axes.
 Lazy<Deformer> sorted_into(const Lattice& volume, const Part& part, const Embedding& embedding);
 
@@ -21,7 +21,9 @@ class Bending {
 public:
     // Those that are bent between begin() and end() are remembered for the next time.
     void begin() { used_.clear(); }
-    Part operator()(const Part& part, const Embedding& embedding, const Ref<Lattice>& volume);
+    // `again`: as Bent::again.
+    Part operator()(const Part& part, const Embedding& embedding, const Ref<Lattice>& volume,
+                    bool again = false);
     void end() { sorted_ = std::move(used_); }
 
 private:

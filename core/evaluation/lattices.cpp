@@ -58,14 +58,6 @@ Ref<Stage> LatticeVolume::operator()(const Ref<Stage>& before, const StepInput& 
     });
 }
 
-std::vector<Id> lattices_round(const Document& document, Id id)
-{
-    std::vector<Id> out;
-    for (Id up = object(document, id).parent; up != 0; up = object(document, up).parent)
-        if (std::holds_alternative<LatticeShape>(object(document, up).source)) out.push_back(up);
-    return out;
-}
-
 Ref<Stage> InLattices::operator()(const Ref<Stage>& before, const StepInput& input)
 {
     std::vector<Ref<ShapedVolume>> lattices;
@@ -91,7 +83,7 @@ std::vector<Part> InLattices::bent(std::vector<Part> parts,
             const Part before = before_bending(part);
             const Embedding embedding{placement->embedding.to_uvw * before.to_world,
                                       before.to_world};
-            part = bendings_[l](before, embedding, volume);
+            part = bendings_[l](before, embedding, volume, part.bent != nullptr);
         }
         bendings_[l].end();
     }

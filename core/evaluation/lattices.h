@@ -26,9 +26,6 @@ private:
     Recent<std::pair<Ref<Stage>, Ref<ShapedVolume>>, Ref<Stage>> known_;
 };
 
-// Ids of the lattices that an object stands in, the innermost first.
-std::vector<Id> lattices_round(const Document& document, Id id);
-
 // Bends the parts of one object by the lattices that it stands in, one after the other, each of
 // what the one before left. What lies in a volume already is deformed at once to be bent further.
 class InLattices : public Step {

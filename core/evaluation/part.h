@@ -16,6 +16,7 @@ struct Bent {
     Embedding embedding;
     Ref<Lattice> volume;
     Lazy<Ref<Mesh>> mesh;
+    bool again = false; // another volume bent the vertices of the mesh before
 };
 
 // Which part of its object one is, whichever of the others are shown.

@@ -24,6 +24,12 @@ Part in_the_same_volume(const Part& part, const Ref<Mesh>& mesh)
 Stage refined(const Stage& before, const Refining& refining, const Progress& progress)
 {
     Stage out = before;
+    if (before.parts.front().bent->again) {
+        out.notices.emplace_back(
+            "it is not refined: more than one volume bends it, and how far its "
+            "triangles are off is proven for one");
+        return out;
+    }
     try {
         SplitParts made = split(before.parts,
                                 {.tolerance_world = refining.tolerance,
@@ -70,10 +76,15 @@ std::string notice_of(const Refined& refined, const Refining& refining)
                                        : "the bound says nothing of some of them");
 }
 
+bool lies_in_a_volume(const Stage& stage)
+{
+    return !stage.parts.empty() && stage.parts.front().bent;
+}
+
 Ref<Stage> RefiningStep::operator()(const Ref<Stage>& before, const StepInput& input)
 {
     const std::optional<Refining>& refining = input.object.refining;
-    if (!refining || !before->placement || before->parts.empty()) return before;
+    if (!refining || !lies_in_a_volume(*before)) return before;
     return known_({before, *refining}, [&] {
         return timed(input.timings, "refine",
                      [&] { return make_ref(refined(*before, *refining, input.progress)); });

@@ -16,6 +16,9 @@ private:
     Recent<std::pair<Ref<Stage>, Refining>, Ref<Stage>> known_;
 };
 
+// Whether a volume bends it: that of its stroke, or a lattice.
+bool lies_in_a_volume(const Stage& stage);
+
 // Parts that lie in one volume with their triangles split, in that volume. Throws Rejected as
 // refine() does.
 struct SplitParts {

@@ -23,6 +23,9 @@ std::string why_not_still(const Document& document, Id id, bool itself, std::set
         if (!track.parameter.starts_with("material.") && track.parameter != "hidden" &&
             !(itself && KeyedVolume::is_of_it(o, track)))
             return itself ? "its " + track.parameter + " has keys" : "what it lies on has keys";
+    for (const Id lattice : lattices_round(document, id))
+        if (itself || !object(document, lattice).tracks.empty())
+            return itself ? "a lattice bends it" : "a lattice round what it lies on has keys";
     if (!itself && !o.playing.clip.empty()) return "what it lies on plays a clip";
     if (!itself && o.travel.speed != 0 && o.placement) return "what it lies on travels";
     if (o.parent != 0 && !o.placement)

@@ -108,10 +108,10 @@ Certificate certificate_of(const Document& document, const Document& shown,
 
 Document refined_to(Document document, double tolerance)
 {
-    std::vector<Id> placed;
+    std::vector<Id> bent;
     for (const auto& [id, object] : document.objects)
-        if (object->placement) placed.push_back(id);
-    for (const Id id : placed) {
+        if (object->placement || !lattices_round(document, id).empty()) bent.push_back(id);
+    for (const Id id : bent) {
         Object changed = object(document, id);
         Refining refining = changed.refining.value_or(Refining{});
         refining.tolerance = tolerance;

@@ -3,6 +3,7 @@
 
 #include "core/base/digest.h"
 #include "core/base/rejected.h"
+#include "core/document/named_files.h"
 #include "core/evaluation/shapes.h"
 #include "core/files/companions.h"
 #include <filesystem>
@@ -29,9 +30,8 @@ std::string content_of(const TextShape& text, const AssetStore& assets)
     }
 }
 
-void add_model(SourceFiles& files, const std::string& path)
+void add_companions(SourceFiles& files, const std::string& path)
 {
-    files.add(path);
     try {
         const std::filesystem::path folder = std::filesystem::path(path).parent_path();
         for (const std::string& name : companions_of(path)) files.add((folder / name).string());
@@ -68,11 +68,11 @@ SourceFiles source_files(const Document& document, const AssetStore& assets, con
     if (!log.empty())
         for (const char* kept : {"", ".torn"}) files.add(log + kept);
     for (const auto& [id, object] : document.objects)
-        if (const auto* file = std::get_if<ImportedFile>(&object->source))
-            add_model(files, assets.resolve(file->path));
-        else if (const auto* text = std::get_if<TextShape>(&object->source);
-                 text && is_font_path(text->font))
-            files.add(assets.resolve(text->font));
+        for (const NamedFile& file : files_named(*object)) {
+            const std::string path = assets.resolve(file.path);
+            files.add(path);
+            if (file.kind == NamedFile::Kind::model) add_companions(files, path);
+        }
     return files;
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/base/text.h"
+#include "core/document/named_files.h"
 #include "core/files/file_bytes.h"
 #include "core/files/image.h"
 #include "core/files/read_model.h"
@@ -80,7 +81,7 @@ Facts scene_facts(const std::string& path)
     std::vector<std::string> files, bookmarks;
     std::size_t placed = 0;
     for (const auto& [id, ref] : document.objects) {
-        if (const auto* file = std::get_if<ImportedFile>(&ref->source)) files.push_back(file->path);
+        for (NamedFile& file : files_named(*ref)) files.push_back(std::move(file.path));
         placed += ref->placement ? 1 : 0;
     }
     for (const auto& [name, camera] : document.bookmarks) bookmarks.push_back(name);

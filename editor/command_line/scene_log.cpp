@@ -4,6 +4,7 @@
 #include "core/base/ordinary_file.h"
 #include "core/base/rejected.h"
 #include "core/base/text.h"
+#include "core/document/named_files.h"
 #include "editor/command_line/drawing.h"
 
 #include <filesystem>
@@ -35,9 +36,8 @@ void check_relinked(const SceneLog& scene, const Document& document)
 {
     std::set<std::string> named;
     for (const auto& [id, object] : document.objects)
-        if (const auto* file = std::get_if<ImportedFile>(&object->source))
-            for (std::string& name : AssetStore::names_of(file->path))
-                named.insert(std::move(name));
+        for (const NamedFile& file : files_named(*object))
+            for (std::string& name : AssetStore::names_of(file.path)) named.insert(std::move(name));
     std::error_code ignored;
     for (const auto& [name, file] : relinked_files(scene.relinked)) {
         if (!named.contains(name))

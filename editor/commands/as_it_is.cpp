@@ -12,21 +12,14 @@ std::optional<Command> as_it_is(const Command& kind, Id id, const Document& docu
     const auto found = document.objects.find(id);
     if (found == document.objects.end()) return std::nullopt;
     const Object& object = *found->second;
-    if (std::holds_alternative<SetTransform>(kind)) return SetTransform{id, object.transform};
-    if (std::holds_alternative<SetTravel>(kind)) return SetTravel{{id}, object.travel};
-    if (std::holds_alternative<PlayClip>(kind)) return PlayClip{{id}, object.playing};
-    if (std::holds_alternative<Refine>(kind))
-        return Refine{{id}, object.refining.value_or(Refining{})};
-    if (std::holds_alternative<SetText>(kind))
-        if (const auto* text = std::get_if<TextShape>(&object.source)) return SetText{id, *text};
-    if (std::holds_alternative<EditImport>(kind))
-        if (const auto* file = std::get_if<ImportedFile>(&object.source))
-            return EditImport{id, *file};
-    if (std::holds_alternative<SetMaterial>(kind) && object.surfacing)
-        return SetMaterial{{id}, *object.surfacing};
-    if (std::holds_alternative<EditPlacement>(kind) && object.placement)
-        return EditPlacement{id, object.placement->parameters, {}, {}};
-    return std::nullopt;
+    return std::visit(
+        [&]<class C>(const C&) -> std::optional<Command> {
+            if constexpr (requires { C::as_it_is(object, id); })
+                if (std::optional<C> same = C::as_it_is(object, id))
+                    return Command(std::move(*same));
+            return std::nullopt;
+        },
+        kind);
 }
 
 Command about(Command command, const std::vector<Id>& ids)

@@ -2,6 +2,7 @@
 #include "editor/files/export_plan.h"
 
 #include "core/base/rejected.h"
+#include "core/document/named_files.h"
 #include "core/files/file_bytes.h"
 #include "editor/files/files.h"
 #include "editor/session/scene_names.h"
@@ -21,8 +22,9 @@ bool is_model_of(const fs::path& file, const Session& session)
 {
     std::error_code ignored;
     return std::ranges::any_of(session.committed().objects, [&](const auto& each) {
-        const auto* model = std::get_if<ImportedFile>(&each.second->source);
-        return model && fs::equivalent(session.assets()->resolve(model->path), file, ignored);
+        return std::ranges::any_of(files_named(*each.second), [&](const NamedFile& named) {
+            return fs::equivalent(session.assets()->resolve(named.path), file, ignored);
+        });
     });
 }
 

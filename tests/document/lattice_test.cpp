@@ -200,6 +200,36 @@ TEST(Lattices, AreBentNoFurtherThanIsProvenNotToFold)
     EXPECT_TRUE(shaped->volume->verdicts->good());
 }
 
+TEST(Lattices, LetWhatStandsInThemBeRefinedWithACertificate)
+{
+    Document document = after(ball_in_box(), lift(2, {1, 1, 3}, 0.3));
+    const std::size_t before = all_of(document).objects.at(1)->parts.at(0).rest->face_count();
+    document = after(document, Refine{{1}, {.tolerance = 1e-3}});
+    const Ref<EvaluatedObject> ball = all_of(document).objects.at(1);
+    ASSERT_TRUE(ball->refined);
+    EXPECT_LE(ball->refined->bound, 1e-3);
+    EXPECT_TRUE(ball->notices.empty());
+    EXPECT_GT(ball->parts.at(0).rest->face_count(), before);
+}
+
+TEST(Lattices, ClaimNothingOfWhatTwoOfThemBend)
+{
+    Document document = after(ball_in_box(), lift(2, {1, 1, 3}, 0.3));
+    document = after(document, AddLattice{.objects = {2}, .shape = {.size = {2, 2, 2}}});
+    document = after(document, Refine{{1}, {.tolerance = 1e-3}});
+    const Ref<EvaluatedObject> ball = all_of(document).objects.at(1);
+    EXPECT_FALSE(ball->refined);
+    ASSERT_FALSE(ball->notices.empty());
+    EXPECT_THAT(ball->notices.front(), HasSubstr("more than one volume"));
+}
+
+TEST(Lattices, AreWantedWhereWhatLiesOnNoStrokeIsToBeRefined)
+{
+    const Document document = after(Document{}, AddSphere{});
+    EXPECT_THAT([&] { after(document, Refine{{1}, {}}); },
+                ThrowsMessage<Rejected>(HasSubstr("not placed")));
+}
+
 TEST(Lattices, ComeWithTheirStepsWhenTheyAreCopied)
 {
     const Document bent = after(ball_in_box(), lift(2, {1, 1, 3}, 0.2));

@@ -5,6 +5,7 @@
 #include "core/scene/log.h"
 #include "editor/commands/clipboard.h"
 #include "editor/commands/new_material.h"
+#include "editor/panels/inspector/inspector_sections.h"
 #include "editor/panels/inspector/key_gutter.h"
 #include "editor/panels/panels.h"
 #include "editor/session/scene_facts.h"
@@ -392,18 +393,10 @@ void draw_inspector(Editor& editor, const ui::Theme& theme, const Layout& layout
     const Ref<Object> each = found->second; // edits replace it while we read
     ImGui::PushID(id);
     object_card(theme, *each);
-    const auto part = [&](void (*draw)(Editor&, const ui::Theme&, Id)) {
-        if (editor.session.document().objects.contains(id)) draw(editor, theme, id);
-    };
-    if (each->placement) part(draw_placement);
-    if (std::holds_alternative<LatticeShape>(each->source)) part(draw_lattice);
-    if (each->placement || std::holds_alternative<LatticeShape>(each->source)) part(draw_shaping);
-    if (std::holds_alternative<ImportedFile>(each->source))
-        part([](Editor& e, const ui::Theme& t, Id one) { draw_clip(e, t, {one}); });
-    if (std::holds_alternative<TextShape>(each->source)) part(draw_text);
-    part(draw_transform);
-    part(draw_material);
-    part(draw_other_numbers);
+    for (const InspectorSection& section : inspector_sections())
+        if (editor.session.document().objects.contains(id) &&
+            section.applies(editor.session.document(), id))
+            section.draw(editor, theme, id);
     facts(editor, theme, *each, id);
     ImGui::PopID();
     ImGui::End();

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/panels/inspector/inspector_sections.h"
+
+#include "editor/panels/panels.h"
+
+namespace trivar {
+namespace {
+
+template <class Shape> bool is_made_of(const Document& document, Id id)
+{
+    return std::holds_alternative<Shape>(object(document, id).source);
+}
+
+bool is_placed(const Document& document, Id id)
+{
+    return object(document, id).placement.has_value();
+}
+
+bool has_a_volume(const Document& document, Id id)
+{
+    return is_placed(document, id) || is_made_of<LatticeShape>(document, id);
+}
+
+// What is placed has these rows among those of its placement.
+bool is_bent_by_lattices_alone(const Document& document, Id id)
+{
+    return !is_placed(document, id) && !holds_others(object(document, id).source) &&
+           !lattices_round(document, id).empty();
+}
+
+bool always(const Document&, Id)
+{
+    return true;
+}
+
+} // namespace
+
+const std::vector<InspectorSection>& inspector_sections()
+{
+    static const std::vector<InspectorSection> all{
+        {is_placed, draw_placement},
+        {is_made_of<LatticeShape>, draw_lattice},
+        {has_a_volume, draw_shaping},
+        {is_made_of<ImportedFile>,
+         [](Editor& editor, const ui::Theme& theme, Id id) { draw_clip(editor, theme, {id}); }},
+        {is_made_of<TextShape>, draw_text},
+        {is_bent_by_lattices_alone, [](Editor& editor, const ui::Theme& theme,
+                                       Id id) { draw_refinement(editor, theme, {id}); }},
+        {always, draw_transform},
+        {always, draw_material},
+        {always, draw_other_numbers},
+    };
+    return all;
+}
+
+} // namespace trivar
