@@ -10,16 +10,33 @@
 #include "core/commands/place.h"
 #include "core/commands/shape.h"
 #include "core/document/band.h"
+#include "core/document/fields/object_fields.h"
 #include "core/document/parameters.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
+#include <map>
+#include <typeindex>
 
 namespace trivar {
 namespace {
 
 using CopiedIds = std::map<Id, Id>; // by the numbers where they were copied
+
+// Gives fields of one value to those of another that have the same name and type.
+void give_alike(const auto& from, auto& to)
+{
+    std::map<std::string_view, std::pair<std::type_index, const void*>> given;
+    each_field(from, [&]<class T>(std::string_view name, const T& value, auto&&...) {
+        given.insert({name, {typeid(T), &value}});
+    });
+    each_field(to, [&]<class T>(std::string_view name, T& value, auto&&...) {
+        if (const auto found = given.find(name);
+            found != given.end() && found->second.first == typeid(T))
+            value = *static_cast<const T*>(found->second.second);
+    });
+}
 
 // Calls visit(shape) for each place of a copy where one can be.
 void each_shape(auto& copy, auto&& visit)
@@ -72,6 +89,7 @@ std::vector<Ref<VolumeEdit>> as_refs(const CopiedObject& copy)
 Object object_of(const CopiedObject& copy, const Document& document, const CopiedIds& made)
 {
     check_transform(copy.transform);
+    if (copy.refining) check(*copy.refining);
     if (copy.name.empty()) throw Rejected("field \"name\" is empty");
     const auto parent = made.find(copy.parent);
     if (copy.parent != 0 && parent == made.end())
@@ -79,16 +97,13 @@ Object object_of(const CopiedObject& copy, const Document& document, const Copie
                                    excerpt(copy.name)));
     if (copy.parent != 0 && !holds_others(object(document, parent->second).source))
         throw Rejected(fmt::format("field \"parent\": object {} is no group", copy.parent));
-    return {.name = copy.name,
-            .source = source_of(copy),
-            .transform = copy.transform,
-            .surfacing = copy.material,
-            .parent = copy.parent == 0 ? 0 : parent->second,
-            .hidden = copy.hidden,
-            .locked = copy.locked,
-            .placement = {},
-            .shaping = copy.lattice ? as_refs(copy) : std::vector<Ref<VolumeEdit>>{},
-            .playing = copy.file && copy.playing ? *copy.playing : Playing{}};
+    Object out;
+    give_alike(copy, out);
+    out.source = source_of(copy);
+    out.parent = copy.parent == 0 ? 0 : parent->second;
+    if (copy.lattice) out.shaping = as_refs(copy);
+    if (copy.file && copy.playing) out.playing = *copy.playing;
+    return out;
 }
 
 // What the copy lies on here: of what it lay on whatever was copied too, or is in the scene.
@@ -124,11 +139,7 @@ Document laid(Document document, Id id, const CopiedObject& copy, const std::vec
         document = applied(std::move(document), Place{id, p.sketch, p.parameters, bases});
     else
         return document;
-    if (copy.refining) check(*copy.refining);
-    document = with_changed(std::move(document), id, [&](Object& o) {
-        o.shaping = as_refs(copy);
-        o.refining = copy.refining;
-    });
+    document = with_changed(std::move(document), id, [&](Object& o) { o.shaping = as_refs(copy); });
     if (!copy.travel) return document;
     return applied(std::move(document), SetTravel{{id}, *copy.travel});
 }
@@ -148,8 +159,8 @@ CopiedObject copy_of(const Document& document, Id id, bool inside, const std::st
 {
     const Object& each = object(document, id);
     CopiedObject copy;
+    give_alike(each, copy);
     copy.object = id;
-    copy.name = each.name;
     each_shape(copy, [&]<class Shape>(std::optional<Shape>& shape) {
         if (const auto* own = std::get_if<Shape>(&each.source)) shape = *own;
     });
@@ -160,9 +171,6 @@ CopiedObject copy_of(const Document& document, Id id, bool inside, const std::st
                          ? each.transform
                          : decomposed(to_world(document, id));
     copy.parent = inside ? each.parent : 0;
-    copy.hidden = each.hidden;
-    copy.locked = each.locked;
-    copy.material = each.surfacing;
     if (copy.file && each.playing != Playing{}) copy.playing = each.playing;
     copy.tracks = each.tracks;
     for (const Ref<VolumeEdit>& edit : each.shaping) copy.shaping.push_back(*edit);
@@ -174,7 +182,6 @@ CopiedObject copy_of(const Document& document, Id id, bool inside, const std::st
                       each.placement->round ? each.placement->round->level : 0};
     for (const Id base : each.placement->onto)
         copy.placement->onto.push_back({base, object(document, base).name});
-    copy.refining = each.refining;
     if (each.travel != Travel{}) copy.travel = each.travel;
     return copy;
 }
@@ -203,6 +210,11 @@ Document applied(Document document, const Paste& command)
             if (bases.empty() != known)
                 document = laid(std::move(document), made.at(copy.object), copy, bases);
         }
+    for (const auto& [copied_id, id] : made)
+        if (const Object& o = object(document, id);
+            o.refining && !o.placement && lattices_round(document, id).empty())
+            document = with_changed(std::move(document), id,
+                                    [](Object& changed) { changed.refining.reset(); });
     for (const CopiedObject& copy : command.copies)
         document = animated(std::move(document), made.at(copy.object), copy.tracks);
     return document;
