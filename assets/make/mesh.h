@@ -62,6 +62,7 @@ struct Material {
     vec3 color;
     float rough = .7f, metal = 0;
     Texture texture = {}; // empty: none
+    float alpha = 1;      // opacity
 };
 
 struct Node {

@@ -267,9 +267,10 @@ std::string material_json(const Material& m, List& images, Buffer& buffer)
         texture = ",\"baseColorTexture\":{\"index\":" + std::to_string(image) + "}";
     }
     return "{\"name\":\"" + m.name +
-           "\",\"pbrMetallicRoughness\":{\"baseColorFactor\":" + array({k.x, k.y, k.z, 1}) +
+           "\",\"pbrMetallicRoughness\":{\"baseColorFactor\":" + array({k.x, k.y, k.z, m.alpha}) +
            texture + ",\"metallicFactor\":" + number(double(m.metal)) +
-           ",\"roughnessFactor\":" + number(double(m.rough)) + "}}";
+           ",\"roughnessFactor\":" + number(double(m.rough)) + "}" +
+           (m.alpha < 1 ? ",\"alphaMode\":\"BLEND\"}" : "}");
 }
 
 // One texture an image, in the same order.

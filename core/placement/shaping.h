@@ -80,8 +80,9 @@ struct FoldAllowance {
 // control points.
 struct Warp {
     VolumeAxis axis = VolumeAxis::up;
-    double twist_deg = 0;  // by which its far end is turned about the axis, its near end the other
-                           // way; half of it each
+    double fixed = 0;      // where along the axis twist and bend leave it as it is: 0 at the near
+                           // end, 1 at the far end
+    double twist_deg = 0;  // by which its far end is turned about the axis against its near end
     double bend_deg = 0;   // that the axis turns from its near end to its far end, along an arc
     double toward_deg = 0; // to which side it is bent and sheared: 0 toward the next axis
     double taper = 0;      // -1..: the far end is 1 + taper times as wide, the near end stays

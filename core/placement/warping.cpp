@@ -55,6 +55,7 @@ glm::dvec3 warped(const glm::dvec3& p, const glm::dvec3& size, const Warp& warp)
 {
     const int a = static_cast<int>(warp.axis), b = (a + 1) % 3, c = (a + 2) % 3;
     const double length = size[a], t = p[a] / length + 0.5;
+    const double still = (warp.fixed - 0.5) * length; // on the axis
     double along = p[a];
     glm::dvec2 across(p[b], p[c]);
     across *= (1 + warp.bulge * 4 * t * (1 - t)) * (1 + warp.taper * t);
@@ -62,11 +63,11 @@ glm::dvec3 warped(const glm::dvec3& p, const glm::dvec3& size, const Warp& warp)
     across = turned(across, -toward);
     across.x += warp.shear * length * t;
     if (const double bend = glm::radians(warp.bend_deg); bend != 0) {
-        const double radius = length / bend, angle = along / radius;
-        along = (radius - across.x) * std::sin(angle);
+        const double radius = length / bend, angle = (along - still) / radius;
+        along = still + (radius - across.x) * std::sin(angle);
         across.x = radius - (radius - across.x) * std::cos(angle);
     }
-    across = turned(across, toward + glm::radians(warp.twist_deg) * (t - 0.5));
+    across = turned(across, toward + glm::radians(warp.twist_deg) * (t - warp.fixed));
     glm::dvec3 out(0);
     out[a] = along;
     out[b] = across.x;

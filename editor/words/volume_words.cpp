@@ -41,7 +41,8 @@ std::string words_of(const VolumeEdit& edit)
                           : fmt::format("May fold in {} {}", parts, parts == 1 ? "part" : "parts");
     }
     if (edit.warp) {
-        const Changes found = changes(Warp{.axis = edit.warp->axis}, *edit.warp);
+        const Changes found =
+            changes(Warp{.axis = edit.warp->axis, .fixed = edit.warp->fixed}, *edit.warp);
         return found.size() == 1 ? found[0].name + " " + found[0].value : "Bent as a whole";
     }
     return "Mended";

@@ -39,12 +39,14 @@ TEST_P(EveryScene, UsesOnlyModelsThatAFreshBuildMakes)
     }
 }
 
-TEST_P(EveryScene, LaysSomethingDownAndSaysWhereItsPictureIsTakenFrom)
+TEST_P(EveryScene, BendsSomethingAndSaysWhereItsPictureIsTakenFrom)
 {
     const trivar::Document document = history().document();
     EXPECT_TRUE(document.bookmarks.contains("picture"));
-    EXPECT_TRUE(std::ranges::any_of(
-        document.objects, [](const auto& entry) { return entry.second->placement.has_value(); }));
+    EXPECT_TRUE(std::ranges::any_of(document.objects, [](const auto& entry) {
+        return entry.second->placement ||
+               std::holds_alternative<trivar::LatticeShape>(entry.second->source);
+    }));
 }
 
 // A field that commands get later must leave the digests of logs without it as they were.
@@ -63,12 +65,13 @@ TEST_P(EveryScene, HasTheDigestThatItsFileSays)
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, EveryScene,
-                         testing::Values("first_placement", "snake_bridge", "crocodile_on_horse",
-                                         "stacked", "f1_f2", "ants", "ants_moebius", "whales",
-                                         "car", "variable_width", "cube_refined", "edges",
-                                         "crocodile_pressed", "pressing_tools", "fold_and_repair",
-                                         "ants_terrain", "cars_over_obstacle", "text_teapot",
-                                         "bulldozer_parks", "reptiles"),
+                         testing::Values("first_placement", "lattice_bend", "goblet_twist",
+                                         "snake_bridge", "crocodile_on_horse", "stacked", "f1_f2",
+                                         "ants", "ants_moebius", "whales", "car", "variable_width",
+                                         "cube_refined", "edges", "crocodile_pressed",
+                                         "pressing_tools", "fold_and_repair", "ants_terrain",
+                                         "cars_over_obstacle", "text_teapot", "bulldozer_parks",
+                                         "reptiles"),
                          [](const auto& scene) { return scene.param; });
 
 TEST(Stacked, PlacesSnakesOnWhatWasPlacedBefore)

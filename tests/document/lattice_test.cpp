@@ -167,7 +167,7 @@ TEST(Lattices, MoveInTimeWithKeysOnTheirPoints)
 TEST(Lattices, AreTwistedAsAWhole)
 {
     const Document twisted =
-        after(ball_in_box({.grid = {6, 6, 12}}), WarpVolume{2, {.twist_deg = 90}});
+        after(ball_in_box({.grid = {6, 6, 12}}), WarpVolume{2, {.fixed = 0.5, .twist_deg = 90}});
     const Lattice volume = all_of(twisted).objects.at(2)->placement->volume;
     const glm::dvec3 top = evaluate(volume, {1, 0.5, 1}).value,
                      low = evaluate(volume, {1, 0.5, 0}).value;
@@ -182,13 +182,27 @@ TEST(Lattices, AreTwistedAsAWhole)
 TEST(Lattices, AreBentAlongAnArcOfTheirOwnLength)
 {
     const Document bent =
-        after(ball_in_box({.grid = {4, 4, 40}}), WarpVolume{2, {.bend_deg = 90}});
+        after(ball_in_box({.grid = {4, 4, 40}}), WarpVolume{2, {.fixed = 0.5, .bend_deg = 90}});
     const Lattice volume = all_of(bent).objects.at(2)->placement->volume;
     const double radius = 2 / 3.14159265358979;
     for (int i = 0; i <= 20; ++i) {
         const double t = i / 20.0, angle = (t - 0.5) * 3.14159265358979 / 2;
         const glm::dvec3 arc(radius - radius * std::cos(angle), 0, radius * std::sin(angle));
         EXPECT_LT(glm::length(evaluate(volume, {0.5, 0.5, t}).value - arc), 2e-3);
+    }
+}
+
+TEST(Lattices, StandStillWhereABendAndATwistHaveTheirFixedEnd)
+{
+    for (const double fixed : {0.0, 1.0}) {
+        const Document bent =
+            after(ball_in_box({.grid = {4, 4, 12}}),
+                  WarpVolume{2, {.fixed = fixed, .twist_deg = 30, .bend_deg = 60}});
+        const Lattice volume = all_of(bent).objects.at(2)->placement->volume;
+        for (const glm::dvec2 at : {glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0.3, 1)}) {
+            const glm::dvec3 uvw(at, fixed);
+            EXPECT_LT(glm::length(evaluate(volume, uvw).value - (uvw - 0.5)), 1e-9);
+        }
     }
 }
 
@@ -226,8 +240,11 @@ TEST(Lattices, ClaimNothingOfWhatTwoOfThemBend)
 TEST(Lattices, AreWantedWhereWhatLiesOnNoStrokeIsToBeRefined)
 {
     const Document document = after(Document{}, AddSphere{});
-    EXPECT_THAT([&] { after(document, Refine{{1}, {}}); },
-                ThrowsMessage<Rejected>(HasSubstr("not placed")));
+    EXPECT_THAT(
+        [&] {
+            after(document, Refine{{1}, {}});
+        },
+        ThrowsMessage<Rejected>(HasSubstr("not placed")));
 }
 
 TEST(Lattices, ComeWithTheirStepsWhenTheyAreCopied)

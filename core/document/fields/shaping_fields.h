@@ -91,6 +91,9 @@ template <> struct FieldsOf<Warp> {
     {
         field("axis", w.axis, "the axis of the box that it goes along: X, Y or Z",
               any_value.without_keys());
+        field("fixed", w.fixed,
+              "where along the axis twist and bend leave it as it is; 0: at the near end",
+              between(0, 1).called("Fixed at"));
         field("twist_deg", w.twist_deg, "degrees from one end to the other, about the axis",
               between(-3600, 3600).in(Unit::degrees));
         field("bend_deg", w.bend_deg, "degrees that the axis turns from one end to the other",

@@ -10,6 +10,7 @@ namespace {
 struct NextWarp {
     VolumeAxis axis = VolumeAxis::up; // that the box turns about
     double toward_deg = 0;            // the side that it bends to
+    double fixed = 0;                 // where along the axis it stays as it is
 };
 
 // The warp that is being made: it begins at zero each time the hand takes one of its numbers.
@@ -72,11 +73,14 @@ void draw_lattice(Editor& editor, const ui::Theme& theme, Id id)
     rows.number("Toward", next.toward_deg, 0, {.lo = -360, .hi = 360, .step = 1, .unit = "deg"},
                 help("toward_deg"));
     w.toward_deg = next.toward_deg;
+    rows.number("Fixed at", next.fixed, 0, {.lo = 0, .hi = 1, .bar_hi = 1, .step = 0.01},
+                help("fixed"));
+    w.fixed = next.fixed;
     rows.number("Taper", w.taper, 0, share, help("taper"));
     rows.number("Shear", w.shear, 0, {.lo = -100, .hi = 100, .step = 0.01}, help("shear"));
     rows.number("Bulge", w.bulge, 0, share, help("bulge"));
     ui::gap(theme, 8);
-    const Warp nothing{.axis = w.axis, .toward_deg = w.toward_deg};
+    const Warp nothing{.axis = w.axis, .fixed = w.fixed, .toward_deg = w.toward_deg};
     if (w != nothing || editor.session.proposing())
         propose_edit(editor, rows.edit, [&] { return WarpVolume{id, w}; });
 }
