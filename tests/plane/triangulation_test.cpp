@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/text/triangulation.h"
+#include "core/plane/triangulation.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 using namespace trivar;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/text/triangulation.h"
+#include "core/plane/triangulation.h"
 
 #include <algorithm>
 #include <cassert>
