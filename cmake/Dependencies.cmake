@@ -24,6 +24,7 @@ find_package(GTest CONFIG REQUIRED)
 find_package(benchmark CONFIG REQUIRED)
 find_package(X11 REQUIRED) # libgl-dev brings it; tests strike keys with it
 find_package(OpenGL REQUIRED COMPONENTS OpenGL EGL)
+pkg_check_modules(OPENMESH REQUIRED openmesh) # its number, which its configuration does not tell
 pkg_check_modules(IMGUI REQUIRED IMPORTED_TARGET imgui)
 pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)
 pkg_check_modules(FREETYPE REQUIRED IMPORTED_TARGET freetype2)
@@ -58,6 +59,7 @@ string(REPLACE "_" "." OPENSUBDIV_VERSION "${OPENSUBDIV_VERSION}")
 set(TRIVAR_LIBRARIES "Dear ImGui|${IMGUI_VERSION}|MIT
 GLFW|${glfw3_VERSION}|Zlib
 GLM|${glm_VERSION}|MIT
+OpenMesh|${OPENMESH_VERSION}|BSD-3-Clause
 libepoxy|${EPOXY_VERSION}|MIT
 FreeType|${FREETYPE_VERSION}|FTL
 Fontconfig|${FONTCONFIG_VERSION}|HPND
