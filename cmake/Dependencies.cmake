@@ -6,9 +6,12 @@ find_package(glm CONFIG REQUIRED)
 find_package(glfw3 3.3 CONFIG REQUIRED)
 find_package(OpenMesh CONFIG REQUIRED)
 find_package(TinyGLTF CONFIG REQUIRED)
-# OpenImageIO pulls Imath's configuration, which talks about Python parts that nobody asked for.
+# OpenImageIO pulls Imath's configuration, which talks about Python parts that nobody asked for; CGAL's
+# talks about the compiler, and warns of any build type that is not its own Release.
 set(CMAKE_MESSAGE_LOG_LEVEL NOTICE)
+set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
 find_package(OpenImageIO CONFIG REQUIRED)
+find_package(CGAL 5.5 CONFIG REQUIRED)
 unset(CMAKE_MESSAGE_LOG_LEVEL)
 find_package(embree 3 CONFIG REQUIRED)
 find_package(TBB CONFIG REQUIRED COMPONENTS tbb)
@@ -21,6 +24,7 @@ find_package(GTest CONFIG REQUIRED)
 find_package(benchmark CONFIG REQUIRED)
 find_package(X11 REQUIRED) # libgl-dev brings it; tests strike keys with it
 find_package(OpenGL REQUIRED COMPONENTS OpenGL EGL)
+pkg_check_modules(OPENMESH REQUIRED openmesh) # its number, which its configuration does not tell
 pkg_check_modules(IMGUI REQUIRED IMPORTED_TARGET imgui)
 pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)
 pkg_check_modules(FREETYPE REQUIRED IMPORTED_TARGET freetype2)
@@ -55,12 +59,14 @@ string(REPLACE "_" "." OPENSUBDIV_VERSION "${OPENSUBDIV_VERSION}")
 set(TRIVAR_LIBRARIES "Dear ImGui|${IMGUI_VERSION}|MIT
 GLFW|${glfw3_VERSION}|Zlib
 GLM|${glm_VERSION}|MIT
+OpenMesh|${OPENMESH_VERSION}|BSD-3-Clause
 libepoxy|${EPOXY_VERSION}|MIT
 FreeType|${FREETYPE_VERSION}|FTL
 Fontconfig|${FONTCONFIG_VERSION}|HPND
 HarfBuzz|${HARFBUZZ_VERSION}|MIT
 FriBidi|${FRIBIDI_VERSION}|LGPL-2.1-or-later
 Clipper|${POLYCLIPPING_VERSION}|BSL-1.0
+CGAL|${CGAL_VERSION}|GPL-3.0-or-later
 Embree|${embree_VERSION}|Apache-2.0
 oneTBB|${TBB_VERSION}|Apache-2.0
 Highway|${hwy_VERSION}|Apache-2.0

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gpu/mirror.h"
 
+#include "core/mesh/adjacency.h"
+
 #include <algorithm>
 #include <bit>
 #include <cassert>
@@ -33,26 +35,6 @@ MirroredMesh uploaded(const Mesh& mesh, std::shared_ptr<const MirroredFaces> fac
         add_attribute(out, 4 + set, mesh.uvs[set]);
     out.faces = std::move(faces);
     out.vertices.indices(out.faces->indices);
-    return out;
-}
-
-std::vector<glm::uvec2> edges_of(const Mesh& mesh)
-{
-    std::vector<std::uint64_t> keys;
-    keys.reserve(mesh.corners.size());
-    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-        const std::uint32_t begin = mesh.face_begin[f], end = mesh.face_begin[f + 1];
-        for (std::uint32_t c = begin; c < end; ++c) {
-            const auto [a, b] =
-                std::minmax(mesh.corners[c], mesh.corners[c + 1 < end ? c + 1 : begin]);
-            keys.push_back(std::uint64_t{a} << 32 | b);
-        }
-    }
-    std::sort(keys.begin(), keys.end());
-    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-    std::vector<glm::uvec2> out;
-    out.reserve(keys.size());
-    for (const std::uint64_t key : keys) out.emplace_back(key >> 32, key & 0xffffffff);
     return out;
 }
 
@@ -93,9 +75,9 @@ std::shared_ptr<const EdgeIndices> Mirror::edge_indices(const Ref<Mesh>& faces)
     auto found = edges_.find(faces.get());
     if (found == edges_.end() || found->second.alive.lock() != faces) {
         auto indices = std::make_shared<EdgeIndices>();
-        const std::vector<glm::uvec2> edges = edges_of(*faces);
-        indices->count = static_cast<int>(2 * edges.size());
-        indices->buffer.write(std::as_bytes(std::span(edges)));
+        const Adjacency adjacency(*faces, Adjacency::Ends::vertices);
+        indices->count = static_cast<int>(2 * adjacency.edge_count());
+        indices->buffer.write(std::as_bytes(adjacency.edges()));
         found = edges_.insert_or_assign(faces.get(), EdgesEntry{faces, std::move(indices)}).first;
     }
     return found->second.indices;

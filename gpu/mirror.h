@@ -47,7 +47,7 @@ class Mirror {
 public:
     const MirroredMesh& mesh(const Ref<Mesh>& mesh);
     // `faces` has the same faces, and so the same edges: a mesh and what it becomes by deformation
-    // share theirs. O(#C log #C) when first asked for.
+    // share theirs. O(#C log valence) when first asked for.
     const MirroredEdges& edges(const Ref<Mesh>& mesh, const Ref<Mesh>& faces);
     std::shared_ptr<const EdgeIndices> edge_indices(const Ref<Mesh>& faces);
     // bounding_box(), remembered for the last few matrices a mesh was seen with.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/common_mesh.h"
 
+#include "core/mesh/adjacency.h"
+
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -19,22 +21,6 @@ void add_born(Mesh& mesh, const std::vector<BornVertex>& born)
         while (i < born.size() && born[i].a < own && born[i].b < own) round.push_back(born[i++]);
         add_vertices(mesh, round);
     }
-}
-
-bool is_closed(const Mesh& mesh) // of triangles
-{
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-    for (std::size_t c = 0; c < mesh.corners.size(); ++c) {
-        const std::uint32_t a = mesh.point(mesh.corners[c]),
-                            b = mesh.point(mesh.corners[c % 3 == 2 ? c - 2 : c + 1]);
-        edges.emplace_back(std::min(a, b), std::max(a, b));
-    }
-    std::ranges::sort(edges);
-    for (std::size_t i = 0; i < edges.size(); ++i)
-        if ((i == 0 || edges[i - 1] != edges[i]) &&
-            (i + 1 == edges.size() || edges[i + 1] != edges[i]))
-            return false;
-    return true;
 }
 
 bool same_place(const Part& a, const Part& b)
@@ -182,7 +168,7 @@ std::vector<CommonMesh> common_meshes(const Film& film, const std::vector<const 
         common.mesh = make_ref(in_triangles(*strip->first().rest));
         common.space.assign(count, 0);
         common.triangles_before = common.mesh->face_count();
-        common.closed = is_closed(*common.mesh);
+        common.closed = !Adjacency(*common.mesh).has_border();
         out.push_back(std::move(common));
     }
     const auto same_as_before = [&](std::size_t i) {

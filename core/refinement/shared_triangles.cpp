@@ -2,6 +2,7 @@
 #include "core/refinement/shared_triangles.h"
 
 #include "core/base/parallel.h"
+#include "core/mesh/adjacency.h"
 
 #include <algorithm>
 #include <cmath>
@@ -83,12 +84,7 @@ void SharedTriangles::measure_places(std::size_t p, std::size_t first)
 
 void SharedTriangles::take_triangles()
 {
-    struct Side {
-        Index a, b;
-        std::size_t triangle;
-        std::size_t number;
-    };
-    std::vector<Side> sides;
+    std::vector<Index> corners; // of all triangles, corners by point
     for (std::size_t p = 0; p < given_.size(); ++p) {
         const Mesh& mesh = *given_[p].mesh;
         const std::vector<glm::uvec3> cut = trivar::triangles(mesh);
@@ -100,22 +96,14 @@ void SharedTriangles::take_triangles()
             made.part = static_cast<Index>(p);
             made.face = static_cast<Index>(face);
             for (std::size_t i = 0; i < 3; ++i) made.vertices[i] = cut[t][static_cast<int>(i)];
-            for (std::size_t i = 0; i < 3; ++i) {
-                const Index a = parts_[p].point_of[made.vertices[i]],
-                            b = parts_[p].point_of[made.vertices[(i + 1) % 3]];
-                sides.push_back({std::min(a, b), std::max(a, b), triangles_.size() - 1, i});
-            }
+            for (const Index vertex : made.vertices) corners.push_back(parts_[p].point_of[vertex]);
         }
     }
-    std::ranges::sort(sides, [](const Side& x, const Side& y) {
-        return std::tie(x.a, x.b, x.triangle, x.number) < std::tie(y.a, y.b, y.triangle, y.number);
-    });
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-        const Side& side = sides[i];
-        if (i == 0 || side.a != sides[i - 1].a || side.b != sides[i - 1].b)
-            edges_.push_back({.a = side.a, .b = side.b});
-        triangles_[side.triangle].edges[side.number] = static_cast<Index>(edges_.size() - 1);
-    }
+    const Adjacency adjacency(std::move(corners), points_.size());
+    for (const glm::uvec2& ends : adjacency.edges()) edges_.push_back({.a = ends.x, .b = ends.y});
+    for (std::size_t t = 0; t < triangles_.size(); ++t)
+        for (std::size_t i = 0; i < 3; ++i)
+            triangles_[t].edges[i] = adjacency.edge_at(static_cast<Index>(3 * t + i));
 }
 
 std::array<ErrorBounds::Corner, 3> SharedTriangles::corners(const Triangle& triangle) const

@@ -33,9 +33,10 @@ int BoxTree::build(const std::vector<Box>& boxes, std::vector<int>::iterator beg
         const Box& b = boxes[static_cast<std::size_t>(i)];
         return b.lo[axis] + b.hi[axis];
     };
-    std::sort(begin, end,
-              [&](int a, int b) { return middle(a) != middle(b) ? middle(a) < middle(b) : a < b; });
     const auto half = begin + (end - begin) / 2;
+    std::nth_element(begin, half, end, [&](int a, int b) {
+        return middle(a) != middle(b) ? middle(a) < middle(b) : a < b;
+    });
     build(boxes, begin, half);
     const int second = build(boxes, half, end);
     nodes_[static_cast<std::size_t>(here)].second = second;

@@ -12,7 +12,7 @@ namespace trivar {
 class BoxTree {
 public:
     BoxTree() = default;
-    explicit BoxTree(const std::vector<Box>& boxes); // O(n log^2 n)
+    explicit BoxTree(const std::vector<Box>& boxes); // O(n log n)
 
     // The boxes within a distance of p (0: those that hold it), ascending.
     std::vector<int> near(const glm::dvec3& p, double distance) const;

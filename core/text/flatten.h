@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/text/loops.h"
+#include "core/plane/loops.h"
 
 #include <span>
 

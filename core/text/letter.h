@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/mesh/mesh.h"
-#include "core/text/loops.h"
+#include "core/plane/loops.h"
 
 #include <optional>
 

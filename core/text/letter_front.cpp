@@ -38,9 +38,6 @@ std::optional<LetterFront> letter_front(const std::vector<BevelRing>& rings, dou
 {
     LetterFront front;
     Triangulation plane;
-    constexpr int frame = 3; // points of the triangle round the grid
-    front.ring_of.assign(frame, 0);
-    front.at.resize(frame);
     std::vector<RingCorners> corners(rings.size());
     for (std::size_t r = 0; r < rings.size(); ++r)
         for (const Loop& loop : rings[r].region) {
@@ -81,7 +78,6 @@ std::optional<LetterFront> letter_front(const std::vector<BevelRing>& rings, dou
                 if (const int to = mitred(next, rings[r].region[l], i, step); to >= 0)
                     plane.join(corners[r][l][i], to);
     }
-    plane.settle();
     plane.fill(edges);
     const auto ring_at = [&](int point) { return front.ring_of[static_cast<std::size_t>(point)]; };
     plane.refine(

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/plane/triangulation.h"
 #include "core/text/letter.h"
-#include "core/text/triangulation.h"
 
 namespace trivar {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/text/loops.h"
+#include "core/plane/loops.h"
 
 #include <cmath>
 #include <polyclipping/clipper.hpp>

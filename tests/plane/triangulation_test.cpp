@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/text/triangulation.h"
+#include "core/plane/triangulation.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 using namespace trivar;
@@ -53,7 +54,6 @@ TEST(Triangulation, FillsExactlyWhatItsEdgesEnclose)
         for (const auto& [a, b] : edges)
             simple &= plane.join(a, b) == Triangulation::Joined::one_edge;
         if (!simple) continue; // rounded onto itself
-        plane.settle();
         plane.fill(edges);
         EXPECT_EQ(area_inside(plane), doubled_area({loop})) << seed;
     }
@@ -66,7 +66,6 @@ TEST(Triangulation, KeepsItsAreaAndItsBoundsWhileItIsRefined)
     std::vector<std::pair<int, int>> edges;
     add_loop(plane, loop, edges);
     for (const auto& [a, b] : edges) plane.join(a, b);
-    plane.settle();
     plane.fill(edges);
     plane.refine(
         40000, [](const auto&) { return true; }, [](int, const auto&) {});
@@ -80,7 +79,6 @@ TEST(Triangulation, KeepsItsAreaAndItsBoundsWhileItIsRefined)
         }
 }
 
-// Edges that cross those to the corners of the frame, which have no full round of triangles.
 TEST(Triangulation, JoinsAnyPointsWhereverTheyLie)
 {
     for (std::uint32_t seed = 1; seed <= 400; ++seed) {
@@ -113,10 +111,26 @@ TEST(Triangulation, TakesPointsOnEdgesAndInRows)
     add_loop(plane, rows, edges);
     EXPECT_EQ(plane.insert({10, 0}), edges[1].first);
     for (const auto& [a, b] : edges) EXPECT_EQ(plane.join(a, b), Triangulation::Joined::one_edge);
-    plane.settle();
     plane.fill(edges);
     EXPECT_EQ(area_inside(plane), 2 * 390 * 10);
     EXPECT_EQ(plane.join(edges[0].first, edges[20].first), Triangulation::Joined::several);
     EXPECT_EQ(plane.join(edges[0].first, edges[60].first), Triangulation::Joined::one_edge);
     EXPECT_EQ(plane.join(edges[5].first, edges[75].first), Triangulation::Joined::crosses);
+}
+
+TEST(Triangulation, TakesPointsOnEdgesThatStay)
+{
+    Triangulation plane;
+    std::vector<std::pair<int, int>> edges;
+    add_loop(plane, {{0, 0}, {100, 0}, {100, 100}, {0, 100}}, edges);
+    for (const auto& [a, b] : edges) plane.join(a, b);
+    const int middle = plane.insert({50, 0});
+    const auto [a, b] = edges.front();
+    EXPECT_EQ(plane.join(a, b), Triangulation::Joined::several);
+    edges.front() = {a, middle};
+    edges.emplace_back(middle, b);
+    for (const auto& [from, to] : edges)
+        EXPECT_EQ(plane.join(from, to), Triangulation::Joined::one_edge);
+    plane.fill(edges);
+    EXPECT_EQ(area_inside(plane), 2 * 100 * 100);
 }

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/plane/loops.h"
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace trivar {
+
+// A constrained Delaunay triangulation of points of the grid. It is CGAL's, which decides by exact
+// numbers: no input puts it in disorder, and every machine makes the same triangles.
+class Triangulation {
+public:
+    using Corners = std::array<int, 3>; // point numbers, counter-clockwise
+
+    Triangulation();
+    ~Triangulation();
+
+    // The number of the point there, a new one or the one that was; numbers count up from 0.
+    int insert(const glm::ivec2& p);
+    // Makes a - b an edge that stays: several, one after another, where points lie on it. It ends
+    // at an edge that stays and would be crossed.
+    enum class Joined { one_edge, several, crosses };
+    Joined join(int a, int b);
+
+    // Takes for inside what lies left of those edges, which stay and enclose it.
+    void fill(const std::vector<std::pair<int, int>>& edges);
+    // Inserts centres of circumscribed circles [1] of triangles inside that have an edge longer
+    // than that, as long as one lies, within sight, in a triangle that `may_split`; `added` is told
+    // of each new point and the corners of the triangle that it lies in. Where the edges of `join`
+    // are shorter than 0.8 of that, all others round what may be split become so.
+    //   [1] Chew, Guaranteed-quality triangular meshes, 1989
+    void refine(double longest, const std::function<bool(const Corners&)>& may_split,
+                const std::function<void(int point, const Corners&)>& added);
+
+    const std::vector<glm::ivec2>& points() const { return points_; }
+    std::vector<Corners> inside() const; // the triangles that fill() found
+
+private:
+    struct Plane;
+    std::unique_ptr<Plane> plane_;
+    std::vector<glm::ivec2> points_;
+};
+
+} // namespace trivar

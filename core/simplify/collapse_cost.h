@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/simplify/decimation.h"
+#include "core/simplify/planes.h"
+
+#include <optional>
+
+namespace trivar {
+
+struct Collapse;
+class FanHalfEdges;
+
+// What it costs to let a node vanish; see decimated().
+class CollapseCost {
+public:
+    CollapseCost(const Mesh& mesh, const Fans& fans, const FanHalfEdges& surface,
+                 const NodePlaces& places, std::vector<double> tolerance);
+
+    // Nothing where it is forbidden, or costs no less than `best`. O(valence, poses).
+    std::optional<double> operator()(const Collapse& c, double best) const;
+    void after(const Collapse& c); // the goal stands for what vanished too
+
+private:
+    bool joins_rails(const Collapse& c) const;
+    bool ends_a_seam(const Collapse& c) const;
+    bool meets_itself(const Collapse& c) const;
+    bool touches_twin(int node, int other) const;
+    bool keeps_its_sides(const Collapse& c) const;
+    bool turns_over(const std::vector<glm::dvec3>& places, const glm::uvec3& nodes, int corner,
+                    std::size_t goal) const;
+    bool turns_over(const std::vector<glm::vec2>& uv, const glm::uvec3& vertices, int corner,
+                    std::uint32_t goal) const;
+    void take_planes(std::size_t pose);
+
+    const Mesh& mesh_;
+    const Fans& fans_;
+    const FanHalfEdges& surface_;
+    const NodePlaces& places_;
+    std::vector<double> tolerance_;
+    bool any_shared_;
+    std::vector<std::vector<Planes>> faces_, rails_; // by pose, by node
+};
+
+} // namespace trivar
