@@ -13,6 +13,7 @@
 #include "core/commands/primitives.h"
 #include "core/commands/refine.h"
 #include "core/commands/shape.h"
+#include "core/commands/simplify.h"
 #include "core/commands/text.h"
 #include "core/commands/travel.h"
 #include "core/commands/view.h"
@@ -38,7 +39,7 @@ using AnyCommand =
                  Group, Ungroup, Reorder, Place, PlaceRound, EditPlacement, Unplace, SetTravel,
                  PlayClip, Animate, Refine, ClearRefine, PressVolume, MovePoints, InsertKnots,
                  CoarsenVolume, MendVolume, AllowFolds, Unshape, Paste, SaveCamera, DeleteCamera,
-                 SetRender, SetTime, AddLattice, SetLattice, WarpVolume>;
+                 SetRender, SetTime, AddLattice, SetLattice, WarpVolume, Simplify, ClearSimplify>;
 
 // Everything that a person can do to a document, by value. It is a variant, to be visited as one,
 // whose copying and comparing of 47 kinds is compiled once rather than wherever one is copied.

@@ -9,6 +9,7 @@
 #include "core/commands/primitives.h"
 #include "core/commands/refine.h"
 #include "core/commands/shape.h"
+#include "core/commands/simplify.h"
 #include "core/commands/step_title.h"
 #include "core/commands/text.h"
 #include "core/commands/travel.h"
@@ -58,6 +59,7 @@ struct CopiedObject {
     std::optional<Travel> travel;
     std::optional<Playing> playing;
     std::optional<Refining> refining;
+    std::optional<Simplifying> simplifying;
     std::vector<Track> tracks;
     bool operator==(const CopiedObject&) const = default;
 };
@@ -108,6 +110,7 @@ template <> struct FieldsOf<CopiedObject> {
         field("travel", c.travel, "how it goes along that");
         field("playing", c.playing, "how an imported model moves by a clip of its file");
         field("refining", c.refining, "how finely its triangles are split");
+        field("simplifying", c.simplifying, "how its triangles are made fewer");
         field("tracks", c.tracks, "how its parameters go from key to key", later);
     }
 };

@@ -73,6 +73,14 @@ struct Refining {
     bool operator==(const Refining&) const = default;
 };
 
+// With fewer triangles (core/simplify), before anything else is done with its shape.
+struct Simplifying {
+    double keep = 0.5;    // share of its triangles, above 0 and at most 1
+    double deviation = 0; // metres, before it is placed or scaled, that no triangle is moved
+                          // beyond; 0: as far as it takes
+    bool operator==(const Simplifying&) const = default;
+};
+
 struct Object {
     std::string name;
     Source source;
@@ -88,7 +96,8 @@ struct Object {
     Travel travel = {};                    // along its stroke, if it lies on one
     Playing playing = {};                  // if it is an imported file
     std::optional<Refining> refining = {}; // if it lies on a stroke
-    Tracks tracks = {};                    // of what changes in time, by parameter
+    std::optional<Simplifying> simplifying = {};
+    Tracks tracks = {}; // of what changes in time, by parameter
     bool operator==(const Object&) const = default;
 };
 

@@ -4,6 +4,7 @@
 #include "core/evaluation/laying.h"
 #include "core/evaluation/moving.h"
 #include "core/evaluation/refining.h"
+#include "core/evaluation/simplifying.h"
 
 namespace trivar {
 namespace {
@@ -28,6 +29,7 @@ private:
 std::vector<std::unique_ptr<Step>> all_steps()
 {
     std::vector<std::unique_ptr<Step>> steps;
+    steps.push_back(std::make_unique<SimplifyingStep>());
     steps.push_back(std::make_unique<Laying>());
     steps.push_back(std::make_unique<Moving>());
     steps.push_back(std::make_unique<LatticeVolume>());

@@ -27,9 +27,13 @@ struct RefiningEffects {
     Ref<Refined> refined; // null: its triangles are those of the model
 };
 
+struct SimplifyingEffects {
+    std::size_t triangles_before = 0, triangles = 0; // of its shape; 0: it is not simplified
+};
+
 // What an object has come to after some of its steps. A step makes the next stage of a copy, so
 // that no stage changes once another step has seen it.
-struct Stage : LayingEffects, TravelEffects, RefiningEffects {
+struct Stage : SimplifyingEffects, LayingEffects, TravelEffects, RefiningEffects {
     Ref<Shape> shape;                 // what its source gives, as the file has it; never null
     std::vector<Part> parts;          // in the world; may be none
     std::vector<std::string> notices; // a missing file, a stroke that misses now

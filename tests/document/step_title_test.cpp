@@ -73,6 +73,8 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Put a lattice round Ball 4 × 4 × 4",
         "Density of Lattice 4 × 4 × 6",
         "Twist Lattice 30°",
+        "Simplify Table to 25 %",
+        "Give Table all triangles back",
     };
     const std::vector<Command> commands = testing::fitting_commands();
     ASSERT_EQ(commands.size(), expected.size());

@@ -8,6 +8,7 @@
 #include "core/document/fields/primitive_fields.h"
 #include "core/document/fields/refining_fields.h"
 #include "core/document/fields/shaping_fields.h"
+#include "core/document/fields/simplifying_fields.h"
 #include "core/document/fields/surfacing_fields.h"
 #include "core/document/fields/text_fields.h"
 #include "core/document/fields/track_fields.h"
@@ -61,6 +62,8 @@ template <> struct FieldsOf<Object> {
         field("playing", o.playing, "how it moves by a clip of its file", later);
         field("refining", o.refining, "how finely its triangles are split",
               any_value.counts(Counted::marked));
+        field("simplifying", o.simplifying, "how its triangles are made fewer",
+              any_value.counts(Counted::marked).without_keys());
         field("tracks", o.tracks, "how its numbers go from key to key", later.without_keys());
     }
 };

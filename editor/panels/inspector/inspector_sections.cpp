@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/inspector/inspector_sections.h"
 
+#include "editor/panels/inspector/inspector_simplify.h"
 #include "editor/panels/panels.h"
 
 namespace trivar {
@@ -28,6 +29,11 @@ bool is_bent_by_lattices_alone(const Document& document, Id id)
            !lattices_round(document, id).empty();
 }
 
+bool has_triangles(const Document& document, Id id)
+{
+    return !holds_others(object(document, id).source);
+}
+
 bool always(const Document&, Id)
 {
     return true;
@@ -46,6 +52,7 @@ const std::vector<InspectorSection>& inspector_sections()
         {is_made_of<TextShape>, draw_text},
         {is_bent_by_lattices_alone, [](Editor& editor, const ui::Theme& theme,
                                        Id id) { draw_refinement(editor, theme, {id}); }},
+        {has_triangles, draw_simplify},
         {always, draw_transform},
         {always, draw_material},
         {always, draw_other_numbers},

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/field.h"
+
+namespace trivar {
+
+template <> struct FieldsOf<Simplifying> {
+    static constexpr std::string_view told_as = "values of [simplify](#simplify)";
+    static void fields(auto& s, auto&& field)
+    {
+        field("keep", s.keep,
+              "share of the triangles that stays, unless that takes more than the "
+              "deviation; borders, creases and seams stay",
+              between(1e-4, 1));
+        field(
+            "deviation", s.deviation,
+            "metres that the surface may be off at most, before the object is placed or scaled; 0: "
+            "as far as it takes",
+            not_negative.in(Unit::metres).zero_is("any"));
+    }
+};
+
+} // namespace trivar

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/panels/inspector/inspector_simplify.h"
+
+#include "editor/panels/inspector/inspect.h"
+#include "editor/panels/inspector/value_rows.h"
+#include "editor/words/field_words.h"
+
+#include <fmt/format.h>
+
+namespace trivar {
+
+void draw_simplify(Editor& editor, const ui::Theme& theme, Id id)
+{
+    if (!ui::section(theme, "Simplify")) return;
+    Session& session = editor.session;
+    const std::optional<Simplifying> now = object(session.document(), id).simplifying;
+    bool on = now.has_value();
+    ui::label_row(theme, "Triangles", false,
+                  "makes them fewer; borders, creases and seams of textures stay");
+    const ui::Edit turned = ui::check_box(theme, "simplified", on, "fewer");
+    if (turned == ui::Edit::copied)
+        copy_command(editor, on ? Command(Simplify{{id}, *now}) : ClearSimplify{{id}});
+    else if (turned == ui::Edit::changed) {
+        session.run(on ? Command(Simplify{{id}, {}}) : ClearSimplify{{id}});
+        return;
+    }
+    if (!now) {
+        ui::gap(theme, 8);
+        return;
+    }
+    Simplifying s = *now;
+    const auto help = [](const char* field) { return RowWords(help_of_field("simplify", field)); };
+    ValueRows rows{theme};
+    double percent = 100 * s.keep;
+    rows.number("Keep", percent, 100 * Simplifying{}.keep,
+                {.lo = 0.01, .hi = 100, .bar_hi = 100, .unit = "%"}, help("keep"));
+    if (percent != 100 * s.keep) s.keep = percent / 100;
+    rows.number("Deviation", s.deviation, 0, {.lo = 0, .hi = 1e3, .unit = "m", .zero = "any"},
+                help("deviation"));
+    const auto effects = session.evaluated().objects.find(id);
+    if (effects != session.evaluated().objects.end() && effects->second->triangles_before > 0)
+        ui::fact_row(theme, "Left",
+                     fmt::format("{} of {}", ui::with_commas(effects->second->triangles),
+                                 ui::with_commas(effects->second->triangles_before)),
+                     theme.color.text, "triangles of its shape, before anything bends it");
+    ui::gap(theme, 8);
+    propose_edit(editor, rows.edit, [&] { return Simplify{{id}, s}; });
+}
+
+} // namespace trivar

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/document.h"
+#include "ui/theme.h"
+
+namespace trivar {
+
+struct Editor;
+
+// How many triangles an object keeps, and how many that are.
+void draw_simplify(Editor& editor, const ui::Theme& theme, Id id);
+
+} // namespace trivar
