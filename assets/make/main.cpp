@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // trivar-make FOLDER [NAME...]: writes FOLDER/NAME.glb for each model named, or for all of them;
-// "volumes" and "cages" are names too. --preview FOLDER adds four shaded views of each.
+// "volumes" and "cages" are names too. --preview FOLDER adds four shaded views of each; --quiet
+// prints nothing of them.
 #include "assets/make/check.h"
 #include "assets/make/models/cages.h"
 #include "assets/make/models/models.h"
@@ -16,6 +17,7 @@ namespace {
 
 struct Order {
     std::string folder, preview_folder;
+    bool quiet = false;
     std::vector<std::string> names;
     bool wants(const std::string& name) const
     {
@@ -29,6 +31,8 @@ Order parse(const std::vector<std::string>& words)
     for (std::size_t i = 0; i < words.size(); ++i) {
         if (words[i] == "--preview" && i + 1 < words.size()) {
             order.preview_folder = words[++i];
+        } else if (words[i] == "--quiet") {
+            order.quiet = true;
         } else if (order.folder.empty()) {
             order.folder = words[i];
         } else {
@@ -56,7 +60,7 @@ void run(const Order& order)
         if (!order.wants(entry.name)) continue;
         const make::Model model = make::build(entry);
         make::write_glb(model, order.folder + "/" + entry.name + ".glb");
-        print(entry.name, make::check(model));
+        if (!order.quiet) print(entry.name, make::check(model));
         if (!order.preview_folder.empty()) {
             make::write_preview(model, order.preview_folder + "/" + entry.name + ".ppm");
         }
@@ -69,7 +73,7 @@ int main(int argc, char** argv)
 {
     const Order order = parse({argv + 1, argv + argc});
     if (order.folder.empty()) {
-        std::fprintf(stderr, "usage: trivar-make FOLDER [NAME...] [--preview FOLDER]\n");
+        std::fprintf(stderr, "usage: trivar-make FOLDER [NAME...] [--preview FOLDER] [--quiet]\n");
         return 2;
     }
     try {

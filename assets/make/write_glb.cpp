@@ -10,6 +10,7 @@
 #include <map>
 #include <stdexcept>
 #include <tuple>
+#include <unistd.h>
 
 namespace make {
 
@@ -317,13 +318,16 @@ void write_glb(const Model& model, const std::string& path)
     json.resize((json.size() + 3) / 4 * 4, ' ');
 
     constexpr std::size_t header = 12, chunk_header = 8;
-    std::ofstream file(path, std::ios::binary);
+    // Whoever reads the file meanwhile has the one before, or none.
+    const std::string beside = path + "." + std::to_string(::getpid()) + ".part";
+    std::ofstream file(beside, std::ios::binary);
     file << "glTF" << little_endian(2)
          << little_endian(header + 2 * chunk_header + json.size() + buffer.bytes.size())
          << little_endian(json.size()) << "JSON" << json << little_endian(buffer.bytes.size())
          << std::string("BIN\0", 4) << buffer.bytes;
     file.close();
-    if (!file) throw std::runtime_error("cannot write " + path);
+    if (!file || std::rename(beside.c_str(), path.c_str()) != 0)
+        throw std::runtime_error("cannot write " + path);
 }
 
 } // namespace make

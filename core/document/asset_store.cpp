@@ -5,6 +5,7 @@
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/files/companions.h"
+#include "core/files/sample_models.h"
 
 #include <filesystem>
 #include <fmt/format.h>
@@ -85,6 +86,7 @@ AssetStore::Loaded AssetStore::load(const ImportedFile& file, const Progress& pr
     const std::lock_guard guard(state_->mutex);
     const auto [entry, fresh] = state_->loaded.try_emplace({path, file.up, file.scale});
     if (fresh) try {
+            make_sample_model(path, progress);
             entry->second.hash = entry->second.content = file_hash(path);
             Model model = read_model(path, {.up = file.up, .scale = file.scale}, progress);
             entry->second.content = content_of(path, entry->second.hash);

@@ -2,6 +2,7 @@
 #include "editor/files/relink.h"
 
 #include "core/base/rejected.h"
+#include "core/files/sample_models.h"
 
 #include <filesystem>
 
@@ -60,7 +61,9 @@ std::vector<Id> missing_files(const Session& session)
     std::error_code ignored;
     for (const auto& [id, object] : session.committed().objects)
         if (const auto* file = std::get_if<ImportedFile>(&object->source))
-            if (!fs::exists(session.assets()->resolve(file->path), ignored)) missing.push_back(id);
+            if (const std::string path = session.assets()->resolve(file->path);
+                !fs::exists(path, ignored) && !can_be_made(path))
+                missing.push_back(id);
     return missing;
 }
 
