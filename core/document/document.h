@@ -118,6 +118,9 @@ struct Document {
     Ref<std::vector<Track>> tracks = make_ref(std::vector<Track>{}); // of its own numbers
     // The order of the outliner's rows where it was arranged; the others follow by id.
     Ref<std::vector<Id>> rows = make_ref(std::vector<Id>{});
+    // Whether nothing of one was made anew in the other: what they have in common is the same, not
+    // just equal. O(number of objects).
+    bool operator==(const Document&) const = default;
 };
 
 // The object, or Rejected naming the id.

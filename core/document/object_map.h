@@ -3,6 +3,7 @@
 
 #include "core/base/ref.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <utility>
@@ -66,6 +67,12 @@ public:
     bool contains(int id) const { return find(id) != end(); }
     std::size_t count(int id) const { return contains(id) ? 1 : 0; }
     const Ref<Object>& at(int id) const; // it must be there
+
+    bool operator==(const ObjectMap& other) const // the same objects under the same ids
+    {
+        return blocks_ == other.blocks_ ||
+               (size_ == other.size_ && std::equal(begin(), end(), other.begin()));
+    }
 
     void set(int id, Ref<Object> object); // adds or replaces; id >= 0
     void erase(int id);

@@ -36,11 +36,13 @@ struct Rig {
         for (int i = 0; i < 2000; ++i) {
             frames(1);
             if (editor.session.up_to_date() && !editor.session.jobs().status() &&
-                !editor.session.committing())
-                break;
+                !editor.session.committing()) {
+                frames(2);
+                return;
+            }
             std::this_thread::sleep_for(5ms);
         }
-        frames(2);
+        ADD_FAILURE() << "something still works in the background after ten seconds";
     }
     void key(const ui::Chord& chord)
     {

@@ -14,6 +14,8 @@ struct PictureTolerance {
     int step = 10;            // of 255, in any channel: more counts as a different pixel
     double share = 0.004;     // of the pixels that may be different
     double mean_steps = 0.75; // mean absolute difference of all channels
+    double tile_steps = 4;    // the same over any 16 x 16 pixels: a thin line that is missing is
+                              // little of a picture and much of them
 };
 
 // Compares with the picture `path`, relative to the source folder (tests/golden/NAME.png, or a

@@ -69,12 +69,18 @@ TEST(VolumeFacts, LookForOverlapOnlyWhereThatIsAskedFor)
     EXPECT_EQ(facts.known(), 3);
 }
 
-TEST(VolumeFacts, GoAtOnceWhileTheyAreLookedFor)
+TEST(VolumeFacts, GoOnToWhatIsLookedAtNow)
 {
     VolumeFacts facts;
-    const EvaluatedObject large = box_of(1600, true);
+    const EvaluatedObject large = box_of(1600, true), small = box_of(20, false);
     facts.overlap(large);
-    facts.overlap(box_of(1600, false));
+    EXPECT_TRUE(facts.busy());
+    facts.overlap(small);
+    while (facts.busy()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    ASSERT_NE(facts.overlap(small), nullptr);
+    EXPECT_EQ(facts.overlap(small)->verdict, Verdict::proven_good);
+    EXPECT_EQ(facts.overlap(large), nullptr) << "it is looked for anew";
+    EXPECT_TRUE(facts.busy()); // and given up when they go
 }
 
 } // namespace
