@@ -20,6 +20,7 @@ struct Instance {
     glm::dmat4 to_world{1};
     Ref<std::vector<Material>> materials;
     int id = 0;               // what pick() returns; 0: not pickable
+    int slot = 0;             // tells it from others of this id; the renderer knows it by both
     bool highlighted = false; // has an outline
     float opacity = 1;        // below 1: a ghost, for previews
     Ref<Mesh> rest = {};      // before it was deformed, vertex by vertex: for solid materials
