@@ -5,6 +5,7 @@
 #include "core/base/ref.h"
 #include "core/document/render_settings.h"
 #include "core/mesh/pose.h"
+#include "gpu/copy.h"
 #include "gpu/ffd/stage.h"
 #include "gpu/shader_source.h"
 
@@ -25,6 +26,10 @@ struct Instance {
     float opacity = 1;        // below 1: a ghost, for previews
     Ref<Mesh> rest = {};      // before it was deformed, vertex by vertex: for solid materials
     Ref<std::vector<float>> values = {}; // one a vertex: see value_colors
+    // Drawn by one call: where the mesh stands, many times. Null: once, at to_world.
+    Ref<std::vector<Copy>> copies = {};
+    std::vector<std::uint32_t> outlined_copies =
+        {}; // have an outline where not all are highlighted
     // What moves the vertices of `mesh` before that; its result is not looked at. Null: nothing.
     Ref<Posed> posed = {};
     // Volumes that deform `mesh`, one after another, before to_world; `rest` is then not looked at.

@@ -188,7 +188,7 @@ struct Renderer::State {
             clock.pass("lines", [&] {
                 lines.draw(tools, *w.targets, w.frame, w.picture.lines, w.scene.origin_world);
             });
-        if (std::ranges::any_of(w.scene.items, &SceneItem::highlighted))
+        if (!w.scene.outlined.empty())
             clock.pass("outline", [&] {
                 draw_outline(tools, *w.targets, w.frame, w.scene, w.picture.outline,
                              w.picture.draft);

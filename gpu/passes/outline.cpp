@@ -17,8 +17,8 @@ struct Rectangle {
 Rectangle bounds_px(const Frame& frame, const Scene& scene, glm::ivec2 size_px, int margin_px)
 {
     glm::vec2 lo(1), hi(-1);
-    for (const SceneItem& item : scene.items)
-        for (int k = 0; item.highlighted && k < 8; ++k) {
+    for (const SceneItem& item : scene.outlined)
+        for (int k = 0; k < 8; ++k) {
             const glm::vec3 p((k & 1 ? item.hi : item.lo).x, (k & 2 ? item.hi : item.lo).y,
                               (k & 4 ? item.hi : item.lo).z);
             const glm::vec4 c = frame.view_clip * glm::vec4(p, 1);
@@ -59,11 +59,11 @@ void draw_outline(Tools& tools, const Targets& targets, const Frame& frame, cons
         pass.fragment = "mask";
         pass.scene_to_clip = frame.view_clip;
         pass.reads_material = false;
-        pass.wanted = [](const SceneItem& item, const auto&) { return item.highlighted; };
+        pass.wanted = [](const SceneItem&, const auto&) { return true; };
         pass.prepare = [visible](const Program& program, const SceneItem&) {
             program.set("value", visible ? 1.0f : 0.5f);
         };
-        tools.draw(scene, pass);
+        tools.draw(scene.outlined, pass);
         glDisable(GL_POLYGON_OFFSET_FILL);
     }
     targets.to_encoded.bind();
