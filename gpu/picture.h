@@ -6,6 +6,7 @@
 #include "core/document/render_settings.h"
 #include "core/mesh/pose.h"
 #include "gpu/copy.h"
+#include "gpu/curve.h"
 #include "gpu/ffd/stage.h"
 #include "gpu/shader_source.h"
 
@@ -43,7 +44,7 @@ struct ValueColors {
     glm::vec2 range = glm::vec2(-1, 1); // of what is shown; beyond, as at its ends
 };
 
-// A line drawn over the scene, dimmed where something hides it.
+// A line drawn over the scene to work on it, thin and dashed where something hides it.
 struct Line {
     std::vector<glm::vec3> points; // world
     glm::vec4 color{1};            // linear
@@ -88,6 +89,7 @@ struct Picture {
     Camera camera;
     RenderSettings settings;
     std::vector<Instance> instances;
+    std::vector<Curve> curves;
     std::vector<Translucent> translucent;
     std::vector<Line> lines;
     Outline outline;

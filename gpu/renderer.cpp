@@ -6,7 +6,7 @@
 #include "gpu/pass_clock.h"
 #include "gpu/passes/contact_map.h"
 #include "gpu/passes/layers.h"
-#include "gpu/passes/overlays.h"
+#include "gpu/passes/outline.h"
 #include "gpu/passes/sample.h"
 #include "gpu/passes/shadow_map.h"
 #include "gpu/passes/wire.h"
@@ -60,7 +60,7 @@ struct Renderer::State {
     PassClock clock;
     ShadowMap shadow_map;
     ContactMap contact_map;
-    LinePass lines;
+    LinePass lines, curves, outlined_curves;
     SeeThroughPass see_through;
     std::optional<Targets> drafts, pictures; // apart, for they may differ in size
     const Targets* whole = nullptr;          // those of the last whole picture
@@ -122,10 +122,27 @@ struct Renderer::State {
         Quality quality = quality_for(samples, picture.draft);
         if (!picture.settings.ambient_occlusion) quality.occlusion_slices = 0;
         work = Work{picture, std::move(scene), frame, look, quality, &*targets, shown_px, samples};
+        load_lines();
         const auto scale = static_cast<float>(picture.scale);
-        for (Line& line : work->picture.lines) line.width_px *= scale;
         work->picture.outline.width_px *= scale;
         work->picture.outline.halo_px *= scale;
+    }
+
+    void load_lines()
+    {
+        const Picture& picture = work->picture;
+        const auto none = [&] {
+            return Segments(work->frame, work->scene.origin_world, picture.scale);
+        };
+        Segments helpers = none(), all = none(), outlined = none();
+        for (const Line& line : picture.lines) helpers.add(line);
+        for (const Curve& curve : picture.curves) {
+            all.add(curve);
+            if (curve.highlighted) outlined.add(curve);
+        }
+        lines.load(helpers.all());
+        curves.load(all.all());
+        outlined_curves.load(outlined.all());
     }
 
     void draw_maps()
@@ -169,6 +186,7 @@ struct Renderer::State {
             if (w.picture.settings.wire)
                 clock.pass("wire",
                            [&] { draw_wire(tools, *w.targets, frame, w.scene, w.picture.edges); });
+            if (curves.any()) clock.pass("curves", [&] { curves.draw_within(tools, *w.targets); });
             if (see_through.any(w.scene))
                 clock.pass("see-through",
                            [&] { see_through.draw(tools, *w.targets, frame, w.scene, w.quality); });
@@ -184,14 +202,11 @@ struct Renderer::State {
         tools.set_frame(w.frame);
         if (w.samples > 1) clock.pass("average", [&] { draw_average(tools, *w.targets); });
         if (w.picture.deep) encode_color(tools, *w.targets);
-        if (!w.picture.lines.empty())
-            clock.pass("lines", [&] {
-                lines.draw(tools, *w.targets, w.frame, w.picture.lines, w.scene.origin_world);
-            });
-        if (!w.scene.outlined.empty())
+        if (lines.any()) clock.pass("lines", [&] { lines.draw_over(tools, *w.targets); });
+        if (!w.scene.outlined.empty() || outlined_curves.any())
             clock.pass("outline", [&] {
-                draw_outline(tools, *w.targets, w.frame, w.scene, w.picture.outline,
-                             w.picture.draft);
+                draw_outline(tools, *w.targets, w.frame, w.scene, outlined_curves,
+                             w.picture.outline, w.picture.draft);
             });
         whole = w.targets;
         whole_px = w.shown_px;

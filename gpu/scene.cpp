@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gpu/scene.h"
 
+#include "core/base/finite.h"
 #include "gpu/to_scene.h"
 
 #include <algorithm>
@@ -35,6 +36,16 @@ Box box_of(const Instance& instance, Mirror& mirror, const DeformedMesh* deforme
                     : instance.copies
                         ? transformed(deformed->box, instance.to_world, *instance.copies)
                         : transformed(deformed->box, instance.to_world);
+    return drawable(box) ? box : Box{};
+}
+
+Box box_of(const Curve& curve)
+{
+    Box box;
+    for (std::size_t i = 0; curve.line && i < curve.line->points.size(); ++i) {
+        const glm::dvec3 p(curve.to_world * glm::dvec4(curve.line->points[i], 1));
+        if (finite(p)) box.add(p);
+    }
     return drawable(box) ? box : Box{};
 }
 
@@ -172,6 +183,11 @@ Scene scene_of(const Picture& picture, Mirror& mirror, const DeformedMeshes& def
         all.add(boxes.back());
         if (instance.opacity >= 1) standing.add(boxes.back());
     }
+    for (const Curve& curve : picture.curves)
+        if (const Box box = box_of(curve); !box.empty()) {
+            scene.curve_boxes.push_back(box);
+            all.add(box);
+        }
     if (all.empty()) return scene;
     scene.origin_world = all.center();
     scene.lo = all.lo - scene.origin_world;

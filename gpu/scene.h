@@ -41,9 +41,10 @@ struct SceneItem {
 struct Scene {
     glm::dvec3 origin_world{0};
     std::vector<SceneItem> items;    // one or, where some copies mirror, two of an instance
+    std::vector<Box> curve_boxes;    // world; of the picture's curves that are somewhere
     std::vector<SceneItem> outlined; // what has an outline of it: the same items, or some copies
     std::vector<std::shared_ptr<const MirroredCopies>> own_copies; // of these
-    glm::vec3 lo{0}, hi{0}; // of all items; the unit cube's half where there are none
+    glm::vec3 lo{0}, hi{0}; // of all items and curves; nothing where there are none
     float ground_z = 0;     // the lowest point of what stands there
     float radius = 1;       // half the diagonal
     std::array<glm::vec4, map_steps + 1> map_colors{};

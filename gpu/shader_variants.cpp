@@ -3,6 +3,7 @@
 
 #include "gpu/ffd/blind_draw.h"
 #include "gpu/ffd/device_poser.h"
+#include "gpu/passes/lines.h"
 #include "gpu/passes/sample.h"
 #include "gpu/passes/wire.h"
 
@@ -93,7 +94,7 @@ std::vector<ProgramName> every_program()
     out.push_back(full_screen_program("outline", {"DRAFT"}));
     out.push_back(full_screen_program("occlusion_blur", quality_for(1, true).blur_defines()));
     out.push_back(full_screen_program("layers_over", {"LAYERS_AT_ONCE"}));
-    out.push_back({"line", "line", {}});
+    for (const char* define : {"", "HELPERS", "IDS", "MASK"}) out.push_back(line_program(define));
     for (const Defines& more : {Defines{}, Defines{"LAYER_DEPTHS"}})
         out.push_back({"veil", "veil", more});
     for (const bool copies : {false, true}) out.push_back(wire_program(copies));

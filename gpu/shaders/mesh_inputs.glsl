@@ -1,4 +1,5 @@
 // What mesh.vert hands to fragment programs.
+#include "distance.glsl"
 in vec3 at_scene;
 in vec3 at_normal;
 in vec4 at_color;
@@ -17,11 +18,4 @@ uint id_here()
     if (copy_id != 0u) return copy_id;
 #endif
     return id;
-}
-
-// The distance of this fragment along the view direction.
-float distance_here()
-{
-    if (frame.eye.w > 0.5) return 1.0 / gl_FragCoord.w;
-    return (frame.clip[3].z - (gl_FragCoord.z * 2.0 - 1.0)) / frame.clip[2].z;
 }
