@@ -28,6 +28,8 @@ DepthRange depth_range(const Picture& picture, const Camera& camera, const Scene
     for (const SceneItem& item : scene.items)
         for (const glm::dvec3& corner : Box{item.lo, item.hi}.corners())
             add(scene.origin_world + corner);
+    for (const Box& box : scene.curve_boxes)
+        for (const glm::dvec3& corner : box.corners()) add(corner);
     const double target = glm::length(camera.target - camera.eye);
     const double reach = 100 * (target + scene.radius); // what leaves it may be cut
     const auto add_helper = [&](const std::vector<glm::vec3>& points) {

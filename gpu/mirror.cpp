@@ -98,13 +98,30 @@ const MirroredEdges& Mirror::edges(const Ref<Mesh>& mesh, const Ref<Mesh>& faces
     return *found.edges;
 }
 
-Box Mirror::box_world(const Ref<Mesh>& mesh, const glm::dmat4& to_world)
+const MirroredCopies& Mirror::copies(const Ref<std::vector<Copy>>& copies, const CopiesAt& at)
+{
+    const auto [from, to] = copies_.equal_range(copies.get());
+    for (auto i = from; i != to; ++i)
+        if (CopiesEntry& found = i->second; found.alive.lock() == copies && found.at == at) {
+            found.wanted = true;
+            return found.copies;
+        }
+    CopiesEntry made{copies, at, uploaded(*copies, at)};
+    made.copies.serial = ++uploads_;
+    return copies_.emplace(copies.get(), std::move(made))->second.copies;
+}
+
+Box Mirror::box_world(const Ref<Mesh>& mesh, const glm::dmat4& to_world,
+                      const Ref<std::vector<Copy>>& copies)
 {
     auto& boxes = entry(mesh).boxes;
-    for (const auto& [matrix, box] : boxes)
-        if (matrix == to_world) return box;
+    const bool copied = copies != nullptr;
+    for (const SeenBox& seen : boxes)
+        if (seen.to_world == to_world && seen.copied == copied && seen.copies.lock() == copies)
+            return seen.box;
     if (boxes.size() >= 16) boxes.clear();
-    return boxes.emplace_back(to_world, bounding_box(*mesh, to_world)).second;
+    const Box box = copied ? bounding_box(*mesh, to_world, *copies) : bounding_box(*mesh, to_world);
+    return boxes.emplace_back(SeenBox{to_world, copied, copies, box}).box;
 }
 
 const Buffer& Mirror::values(const Ref<std::vector<float>>& values)
@@ -141,6 +158,7 @@ std::size_t Mirror::bytes() const
     for (const MirroredFaces* each : faces) sum += each->indices.bytes();
     for (const auto& [mesh, entry] : edges_) sum += entry.indices->buffer.bytes();
     for (const auto& [values, entry] : values_) sum += entry.buffer.bytes();
+    for (const auto& [copies, entry] : copies_) sum += entry.copies.rows.bytes();
     for (const auto& [image, entry] : textures_) { // the smaller levels are a third more
         const glm::ivec2 size = entry.texture.size_px();
         sum += static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * 16 / 3;
@@ -155,6 +173,8 @@ void Mirror::drop_dead()
     erase_dead(edges_);
     erase_dead(textures_);
     erase_dead(values_);
+    std::erase_if(copies_, [](const auto& item) { return !item.second.wanted; });
+    for (auto& [copies, entry] : copies_) entry.wanted = false;
 }
 
 } // namespace trivar::gpu

@@ -3,6 +3,7 @@
 
 #include "core/base/ref.h"
 #include "core/mesh/model.h"
+#include "gpu/mirrored_copies.h"
 #include "gpu/mirrored_faces.h"
 #include "gpu/texture.h"
 #include "gpu/vertex_array.h"
@@ -50,8 +51,13 @@ public:
     // share theirs. O(#C log valence) when first asked for.
     const MirroredEdges& edges(const Ref<Mesh>& mesh, const Ref<Mesh>& faces);
     std::shared_ptr<const EdgeIndices> edge_indices(const Ref<Mesh>& faces);
-    // bounding_box(), remembered for the last few matrices a mesh was seen with.
-    Box box_world(const Ref<Mesh>& mesh, const glm::dmat4& to_world);
+    // Kept while the next picture wants them too: they are uploaded anew where they stand
+    // elsewhere.
+    const MirroredCopies& copies(const Ref<std::vector<Copy>>& copies, const CopiesAt& at);
+    // bounding_box() of the mesh, or of all its copies, remembered for the last few matrices and
+    // copies that it was seen with.
+    Box box_world(const Ref<Mesh>& mesh, const glm::dmat4& to_world,
+                  const Ref<std::vector<Copy>>& copies = {});
     const Buffer& values(const Ref<std::vector<float>>& values);
     const Texture2D& texture(const Ref<Image>& image, bool srgb);
     void drop_dead();
@@ -62,10 +68,16 @@ public:
     std::size_t texture_count() const { return textures_.size(); }
 
 private:
+    struct SeenBox {
+        glm::dmat4 to_world;
+        bool copied;
+        std::weak_ptr<const std::vector<Copy>> copies;
+        Box box;
+    };
     struct MeshEntry {
         std::weak_ptr<const Mesh> alive;
         MirroredMesh mirrored;
-        std::vector<std::pair<glm::dmat4, Box>> boxes;
+        std::vector<SeenBox> boxes;
         std::unique_ptr<MirroredEdges> edges;
     };
     struct EdgesEntry {
@@ -80,12 +92,19 @@ private:
         std::weak_ptr<const std::vector<float>> alive;
         Buffer buffer;
     };
+    struct CopiesEntry {
+        std::weak_ptr<const std::vector<Copy>> alive;
+        CopiesAt at;
+        MirroredCopies copies;
+        bool wanted = true; // since the last drop_dead()
+    };
     MeshEntry& entry(const Ref<Mesh>& mesh);
     FacesMirror faces_;
     std::map<const Mesh*, MeshEntry> meshes_;
     std::map<const Mesh*, EdgesEntry> edges_;
     std::map<std::pair<const Image*, bool>, TextureEntry> textures_;
     std::map<const std::vector<float>*, ValuesEntry> values_;
+    std::multimap<const std::vector<Copy>*, CopiesEntry> copies_;
     std::uint64_t uploads_ = 0;
 };
 

@@ -4,7 +4,10 @@
 #include "core/base/camera.h"
 #include "core/base/ref.h"
 #include "core/document/render_settings.h"
+#include "core/mesh/part_key.h"
 #include "core/mesh/pose.h"
+#include "gpu/copy.h"
+#include "gpu/curve.h"
 #include "gpu/ffd/stage.h"
 #include "gpu/shader_source.h"
 
@@ -20,10 +23,15 @@ struct Instance {
     glm::dmat4 to_world{1};
     Ref<std::vector<Material>> materials;
     int id = 0;               // what pick() returns; 0: not pickable
+    PartKey part = {};        // tells it from others of this id; the renderer knows it by both
     bool highlighted = false; // has an outline
     float opacity = 1;        // below 1: a ghost, for previews
     Ref<Mesh> rest = {};      // before it was deformed, vertex by vertex: for solid materials
     Ref<std::vector<float>> values = {}; // one a vertex: see value_colors
+    // Drawn by one call: where the mesh stands, many times. Null: once, at to_world.
+    Ref<std::vector<Copy>> copies = {};
+    std::vector<std::uint32_t> outlined_copies =
+        {}; // have an outline where not all are highlighted
     // What moves the vertices of `mesh` before that; its result is not looked at. Null: nothing.
     Ref<Posed> posed = {};
     // Volumes that deform `mesh`, one after another, before to_world; `rest` is then not looked at.
@@ -37,7 +45,7 @@ struct ValueColors {
     glm::vec2 range = glm::vec2(-1, 1); // of what is shown; beyond, as at its ends
 };
 
-// A line drawn over the scene, dimmed where something hides it.
+// A line drawn over the scene to work on it, thin and dashed where something hides it.
 struct Line {
     std::vector<glm::vec3> points; // world
     glm::vec4 color{1};            // linear
@@ -82,6 +90,7 @@ struct Picture {
     Camera camera;
     RenderSettings settings;
     std::vector<Instance> instances;
+    std::vector<Curve> curves;
     std::vector<Translucent> translucent;
     std::vector<Line> lines;
     Outline outline;

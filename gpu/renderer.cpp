@@ -4,12 +4,7 @@
 #include "core/base/rejected.h"
 #include "gpu/context.h"
 #include "gpu/pass_clock.h"
-#include "gpu/passes/contact_map.h"
-#include "gpu/passes/layers.h"
-#include "gpu/passes/overlays.h"
-#include "gpu/passes/sample.h"
-#include "gpu/passes/shadow_map.h"
-#include "gpu/passes/wire.h"
+#include "gpu/passes/pass_list.h"
 #include "gpu/state_guard.h"
 
 #include <algorithm>
@@ -40,28 +35,9 @@ void check_size(glm::ivec2 size_px)
 
 } // namespace
 
-// A picture that is being drawn: what from, and how far it is.
-struct Work {
-    Picture picture;
-    Scene scene;
-    Frame frame;
-    Look look;
-    Quality quality;
-    Targets* targets;
-    glm::ivec2 shown_px; // the size before scaling
-    int samples;
-    int sample = 0;        // the next one
-    std::size_t next = 0;  // of its passes
-    bool in_light = false; // the maps are drawn
-};
-
 struct Renderer::State {
-    Tools tools;
     PassClock clock;
-    ShadowMap shadow_map;
-    ContactMap contact_map;
-    LinePass lines;
-    SeeThroughPass see_through;
+    Brushes brushes;
     std::optional<Targets> drafts, pictures; // apart, for they may differ in size
     const Targets* whole = nullptr;          // those of the last whole picture
     glm::ivec2 whole_px{0};                  // its size before scaling
@@ -88,9 +64,10 @@ struct Renderer::State {
     {
         clock.start_picture();
         work.reset();
+        Tools& tools = brushes.tools;
         if (tools.take(picture.shaders)) { // what was drawn before was drawn by others
-            shadow_map = {};
-            contact_map = {};
+            brushes.shadow_map = {};
+            brushes.contact_map = {};
         }
         const glm::ivec2 shown_px = size_px;
         size_px = glm::max(glm::ivec2(glm::dvec2(size_px) * picture.scale + 0.5), 1);
@@ -109,7 +86,7 @@ struct Renderer::State {
             tools.deformed().update(picture, tools.mirror());
         clock.pass("upload", [&] {
             scene = scene_of(picture, tools.mirror(), tools.deformed());
-            see_through.load(picture.translucent, scene.origin_world);
+            brushes.see_through.load(picture.translucent, scene.origin_world);
         });
         const Frame frame = frame_of(picture, camera, scene, look, light);
         std::optional<Targets>& targets = picture.draft ? drafts : pictures;
@@ -121,80 +98,68 @@ struct Renderer::State {
         const int samples = picture.draft ? 1 : std::clamp(picture.samples, 1, 256);
         Quality quality = quality_for(samples, picture.draft);
         if (!picture.settings.ambient_occlusion) quality.occlusion_slices = 0;
-        work = Work{picture, std::move(scene), frame, look, quality, &*targets, shown_px, samples};
+        work = Work{picture,   std::move(scene), frame,   look, quality,
+                    &*targets, shown_px,         samples, 192};
+        if (picture.draft) work->contact_px = 96;
+        // On software GL what the ground sees of the sky lags behind what is dragged until it
+        // rests.
+        work->contact_lags = picture.draft && may_lag && software;
+        load_lines();
         const auto scale = static_cast<float>(picture.scale);
-        for (Line& line : work->picture.lines) line.width_px *= scale;
         work->picture.outline.width_px *= scale;
         work->picture.outline.halo_px *= scale;
     }
 
-    void draw_maps()
+    void load_lines()
     {
-        const bool draft = work->picture.draft;
-        shadow_map.fit(work->frame, work->scene, draft ? 1024 : work->samples < 16 ? 2048 : 4096);
-        tools.set_frame(work->frame);
-        if (work->picture.settings.shadows && shadow_map.stale(work->scene))
-            clock.pass("shadow map", [&] { shadow_map.draw(tools, work->scene, work->quality); });
-        const int contact_px = draft ? 96 : 192;
-        // On software GL what the ground sees of the sky lags behind what is dragged until it
-        // rests.
-        const bool lags = draft && may_lag && software && contact_map.drawn();
-        if (!lags && contact_map.stale(work->frame, work->scene, contact_px))
-            clock.pass("contact map",
-                       [&] { contact_map.draw(tools, work->frame, work->scene, contact_px); });
+        const Picture& picture = work->picture;
+        const auto none = [&] {
+            return Segments(work->frame, work->scene.origin_world, picture.scale);
+        };
+        Segments helpers = none(), all = none(), outlined = none();
+        for (const Line& line : picture.lines) helpers.add(line);
+        for (const Curve& curve : picture.curves) {
+            all.add(curve);
+            if (curve.highlighted) outlined.add(curve);
+        }
+        brushes.lines.load(helpers.all());
+        brushes.curves.load(all.all());
+        brushes.outlined_curves.load(outlined.all());
     }
 
-    // The next pass of a sample; whether it was the last one.
-    bool draw_pass()
+    void draw(const Pass& pass, const Frame& frame)
     {
-        const Work& w = *work;
-        const Frame frame = sample_of(w.frame, w.sample, w.samples);
-        tools.set_frame(frame);
-        if (work->next > 0) shadow_map.bind();
-        if (work->next > 1) contact_map.bind();
-        switch (work->next++) {
-        case 0:
-            clock.pass("surfaces", [&] {
-                draw_surfaces(tools, *w.targets, frame, w.scene, w.look.clay, w.quality);
-            });
-            return false;
-        case 1:
-            clock.pass("occlusion", [&] { draw_occlusion(tools, *w.targets, w.quality); });
-            return false;
-        case 2: clock.pass("light", [&] { draw_light(tools, *w.targets); }); return false;
-        case 3:
-            clock.pass("backdrop", [&] { draw_backdrop(tools, *w.targets, w.picture.grid); });
-            return false;
-        default:
-            if (w.picture.settings.wire)
-                clock.pass("wire",
-                           [&] { draw_wire(tools, *w.targets, frame, w.scene, w.picture.edges); });
-            if (see_through.any(w.scene))
-                clock.pass("see-through",
-                           [&] { see_through.draw(tools, *w.targets, frame, w.scene, w.quality); });
-            if (w.samples > 1)
-                clock.pass("average", [&] { add_sample(tools, *w.targets, w.sample); });
-            return true;
-        }
+        if (!pass.needed(brushes, *work)) return;
+        clock.pass(pass.name, [&] { pass.draw(brushes, *work, frame); });
+    }
+
+    void draw_maps()
+    {
+        const int shadow_px = work->picture.draft ? 1024 : work->samples < 16 ? 2048 : 4096;
+        brushes.shadow_map.fit(work->frame, work->scene, shadow_px);
+        brushes.tools.set_frame(work->frame);
+        for (const Pass& pass : passes_of_maps()) draw(pass, work->frame);
+    }
+
+    // The next pass of a sample.
+    void draw_pass()
+    {
+        const Frame frame = sample_of(work->frame, work->sample, work->samples);
+        brushes.tools.set_frame(frame);
+        brushes.shadow_map.bind();
+        brushes.contact_map.bind();
+        draw(passes_of_sample()[work->next++], frame);
+        if (work->next < passes_of_sample().size()) return;
+        work->next = 0;
+        ++work->sample;
     }
 
     void finish()
     {
-        const Work& w = *work;
-        tools.set_frame(w.frame);
-        if (w.samples > 1) clock.pass("average", [&] { draw_average(tools, *w.targets); });
-        if (w.picture.deep) encode_color(tools, *w.targets);
-        if (!w.picture.lines.empty())
-            clock.pass("lines", [&] {
-                lines.draw(tools, *w.targets, w.frame, w.picture.lines, w.scene.origin_world);
-            });
-        if (std::ranges::any_of(w.scene.items, &SceneItem::highlighted))
-            clock.pass("outline", [&] {
-                draw_outline(tools, *w.targets, w.frame, w.scene, w.picture.outline,
-                             w.picture.draft);
-            });
-        whole = w.targets;
-        whole_px = w.shown_px;
+        brushes.tools.set_frame(work->frame);
+        for (const Pass& pass : passes_over_all()) draw(pass, work->frame);
+        whole = work->targets;
+        whole_px = work->shown_px;
         kept = false;
         work.reset();
     }
@@ -202,14 +167,12 @@ struct Renderer::State {
     // One step of the work.
     void step()
     {
-        if (!std::exchange(work->in_light, true)) {
+        if (!std::exchange(work->in_light, true))
             draw_maps();
-        } else if (work->sample == work->samples) {
+        else if (work->sample == work->samples)
             finish();
-        } else if (draw_pass()) {
-            ++work->sample;
-            work->next = 0;
-        }
+        else
+            draw_pass();
     }
 };
 
@@ -303,17 +266,17 @@ std::vector<int> Renderer::pick_in(glm::ivec2 lo_px, glm::ivec2 hi_px)
 
 std::size_t Renderer::uploaded_bytes() const
 {
-    return state_->tools.mirror().bytes();
+    return state_->brushes.tools.mirror().bytes();
 }
 
 const std::string& Renderer::notice() const
 {
-    return state_->tools.deformed().notice();
+    return state_->brushes.tools.deformed().notice();
 }
 
 std::string Renderer::shader_trouble() const
 {
-    return state_->tools.shader_trouble();
+    return state_->brushes.tools.shader_trouble();
 }
 
 const Timings& Renderer::timings() const

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gpu/scene.h"
 
+#include "core/base/finite.h"
+#include "gpu/to_scene.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
@@ -17,18 +20,6 @@ bool drawable(const Box& box)
     return !box.empty();
 }
 
-// The box of a box.
-Box transformed(const Box& box, const glm::dmat4& matrix)
-{
-    Box out;
-    for (int k = 0; k < 8 && !box.empty(); ++k) {
-        const glm::dvec3 p((k & 1 ? box.hi : box.lo).x, (k & 2 ? box.hi : box.lo).y,
-                           (k & 4 ? box.hi : box.lo).z);
-        out.add(glm::dvec3(matrix * glm::dvec4(p, 1)));
-    }
-    return out;
-}
-
 // Whether what it was before it was deformed is known, with the same vertices and faces.
 bool has_rest(const Instance& instance)
 {
@@ -37,10 +28,32 @@ bool has_rest(const Instance& instance)
            instance.rest->corners.size() == instance.mesh->corners.size();
 }
 
+Box box_of(const Instance& instance, Mirror& mirror, const DeformedMesh* deformed)
+{
+    const bool some = instance.mesh && instance.mesh->face_count() > 0;
+    if (!some || instance.opacity <= 0) return {};
+    const Box box = !deformed ? mirror.box_world(instance.mesh, instance.to_world, instance.copies)
+                    : instance.copies
+                        ? transformed(deformed->box, instance.to_world, *instance.copies)
+                        : transformed(deformed->box, instance.to_world);
+    return drawable(box) ? box : Box{};
+}
+
+Box box_of(const Curve& curve)
+{
+    Box box;
+    for (std::size_t i = 0; curve.line && i < curve.line->points.size(); ++i) {
+        const glm::dvec3 p(curve.to_world * glm::dvec4(curve.line->points[i], 1));
+        if (finite(p)) box.add(p);
+    }
+    return drawable(box) ? box : Box{};
+}
+
+// An instance, or what all that is drawn of it has in common.
 SceneItem item_of(const Instance& instance, const Picture& picture, const Box& box,
                   const glm::dvec3& origin_world, Mirror& mirror, const DeformedMesh* deformed)
 {
-    SceneItem item;
+    SceneItem item{};
     item.mesh = deformed ? &deformed->mirrored : &mirror.mesh(instance.mesh);
     const Ref<Mesh>& faces = has_rest(instance) && !deformed ? instance.rest : instance.mesh;
     item.edges = !picture.settings.wire ? nullptr
@@ -48,28 +61,19 @@ SceneItem item_of(const Instance& instance, const Picture& picture, const Box& b
                                         : &mirror.edges(instance.mesh, faces);
     item.deformed_as_drawn = deformed && deformed->stage ? deformed : nullptr;
     item.materials = instance.materials;
-    glm::dmat4 to_scene = instance.to_world;
-    if (deformed) to_scene = glm::translate(to_scene, deformed->origin_world);
-    to_scene[3] -= glm::dvec4(origin_world, 0);
-    item.to_scene = to_scene;
-    const glm::dmat3 linear(to_scene);
-    const double volume = glm::determinant(linear);
-    // Cofactors turn normals right even where the matrix is flat; a mirror flips their sign.
-    const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
-                               glm::cross(linear[0], linear[1]));
-    const double size = std::cbrt(std::abs(volume)) + 1e-30;
-    item.normal_to_scene = cofactors * ((volume < 0 ? -1 : 1) / (size * size));
-    item.mirrored = volume < 0;
+    const glm::dvec3 mesh_origin = deformed ? deformed->origin_world : glm::dvec3(0);
+    const ToScene there = to_scene(instance.to_world, mesh_origin, origin_world);
+    item.to_scene = there.points;
+    item.normal_to_scene = there.normals;
+    item.mirrored = there.mirrors;
     item.id = instance.id;
-    item.highlighted = instance.highlighted;
     item.opacity = glm::clamp(instance.opacity, 0.0f, 1.0f);
     item.lo = box.lo - origin_world;
     item.hi = box.hi - origin_world;
+    item.extent = glm::length(item.hi - item.lo);
     const bool shows_values = picture.value_colors && instance.values &&
                               instance.values->size() == instance.mesh->vertex_count();
     item.values = shows_values ? &mirror.values(instance.values) : nullptr;
-    item.rest = nullptr;
-    item.rest_middle = glm::vec4(0);
     const auto is_solid = [](const Material& m) { return m.solid != Solid::none; };
     if (instance.materials && std::ranges::any_of(*instance.materials, is_solid)) {
         const Ref<Mesh>& rest = faces;
@@ -79,6 +83,62 @@ SceneItem item_of(const Instance& instance, const Picture& picture, const Box& b
         item.rest_middle = glm::vec4(at_rest.center(), radius > 0 ? 1 / radius : 1);
     }
     return item;
+}
+
+// An item of copies for those that leave faces as they are, and one for those that mirror.
+void add_copies(std::vector<SceneItem>& items, SceneItem item, const MirroredCopies& copies,
+                bool picture_shows_values)
+{
+    item.copies = &copies;
+    item.values_by_copy = picture_shows_values && !item.values && copies.valued;
+    item.mirrored = false;
+    item.copy_count = copies.upright;
+    if (copies.upright > 0) items.push_back(item);
+    item.mirrored = true;
+    item.first_copy = copies.upright;
+    item.copy_count = copies.mirrored;
+    if (copies.mirrored > 0) items.push_back(item);
+}
+
+std::vector<Copy> outlined_copies(const Instance& instance)
+{
+    std::vector<Copy> out;
+    for (const std::uint32_t i : instance.outlined_copies)
+        if (i < instance.copies->size()) out.push_back((*instance.copies)[i]);
+    return out;
+}
+
+// What is drawn of an instance, and what has an outline of it.
+void add_instance(Scene& scene, const Instance& instance, const Picture& picture, const Box& box,
+                  Mirror& mirror, const DeformedMesh* deformed)
+{
+    SceneItem item = item_of(instance, picture, box, scene.origin_world, mirror, deformed);
+    const auto first = static_cast<std::ptrdiff_t>(scene.items.size());
+    const bool values = picture.value_colors.has_value();
+    const CopiesAt at{instance.to_world, deformed ? deformed->origin_world : glm::dvec3(0),
+                      scene.origin_world};
+    const Box own = !instance.copies ? Box{}
+                    : deformed       ? deformed->box
+                                     : mirror.box_world(instance.mesh, glm::dmat4(1));
+    if (instance.copies) {
+        const MirroredCopies& copies = mirror.copies(instance.copies, at);
+        const double size = std::cbrt(std::abs(glm::determinant(glm::dmat3(instance.to_world))));
+        item.extent = static_cast<float>(glm::length(own.size()) * size * copies.scale);
+        add_copies(scene.items, item, copies, values);
+    } else {
+        scene.items.push_back(item);
+    }
+    if (instance.highlighted) {
+        scene.outlined.insert(scene.outlined.end(), scene.items.begin() + first, scene.items.end());
+    } else if (instance.copies && !instance.outlined_copies.empty()) {
+        const std::vector<Copy> some = outlined_copies(instance);
+        const Box there = transformed(own, instance.to_world, some);
+        if (!drawable(there)) return;
+        item.lo = there.lo - scene.origin_world;
+        item.hi = there.hi - scene.origin_world;
+        scene.own_copies.push_back(std::make_shared<const MirroredCopies>(uploaded(some, at)));
+        add_copies(scene.outlined, item, *scene.own_copies.back(), values);
+    }
 }
 
 } // namespace
@@ -107,7 +167,8 @@ CasterKey casters_of(const Scene& scene)
     CasterKey key;
     for (const SceneItem& item : scene.items)
         if (item.opacity >= 1)
-            key.casters.push_back({item.mesh->serial, item.to_scene, item.materials});
+            key.casters.push_back({item.mesh->serial, item.to_scene, item.materials,
+                                   item.copies ? item.copies->serial : 0, item.first_copy});
     return key;
 }
 
@@ -118,15 +179,15 @@ Scene scene_of(const Picture& picture, Mirror& mirror, const DeformedMeshes& def
     Box all, standing;
     for (std::size_t i = 0; i < picture.instances.size(); ++i) {
         const Instance& instance = picture.instances[i];
-        const DeformedMesh* by_volumes = deformed.of(i);
-        const bool some = instance.mesh && instance.mesh->face_count() > 0;
-        const Box box = by_volumes ? transformed(by_volumes->box, instance.to_world)
-                        : some     ? mirror.box_world(instance.mesh, instance.to_world)
-                                   : Box{};
-        boxes.push_back(drawable(box) && instance.opacity > 0 ? box : Box{});
+        boxes.push_back(box_of(instance, mirror, deformed.of(i)));
         all.add(boxes.back());
         if (instance.opacity >= 1) standing.add(boxes.back());
     }
+    for (const Curve& curve : picture.curves)
+        if (const Box box = box_of(curve); !box.empty()) {
+            scene.curve_boxes.push_back(box);
+            all.add(box);
+        }
     if (all.empty()) return scene;
     scene.origin_world = all.center();
     scene.lo = all.lo - scene.origin_world;
@@ -137,8 +198,7 @@ Scene scene_of(const Picture& picture, Mirror& mirror, const DeformedMeshes& def
         static_cast<float>((standing.empty() ? all : standing).lo.z - scene.origin_world.z);
     for (std::size_t i = 0; i < boxes.size(); ++i)
         if (!boxes[i].empty())
-            scene.items.push_back(item_of(picture.instances[i], picture, boxes[i],
-                                          scene.origin_world, mirror, deformed.of(i)));
+            add_instance(scene, picture.instances[i], picture, boxes[i], mirror, deformed.of(i));
     const ValueColors values = picture.value_colors.value_or(ValueColors{});
     scene.map_colors = map_colors(values);
     const float length = values.range.y - values.range.x;

@@ -16,12 +16,15 @@ struct SceneItem {
     Ref<std::vector<Material>> materials; // may be null: the default material
     glm::mat4 to_scene;
     glm::mat3 normal_to_scene;
-    bool mirrored; // the matrix turns faces round
+    bool mirrored; // the matrices turn faces round
     int id;
-    bool highlighted;
     float opacity;
     glm::vec3 lo, hi;                      // box in scene space
+    float extent;                          // how large it is, or one of its copies
+    const MirroredCopies* copies;          // null: there is one, where the matrices say
+    int first_copy, copy_count;            // which of them are drawn, all turned round or none
     const Buffer* values;                  // one a vertex, or null
+    bool values_by_copy;                   // in place of these
     const Buffer* rest;                    // positions that solid materials follow, or null
     glm::vec4 rest_middle;                 // and 1 / radius of these
     const DeformedMesh* deformed_as_drawn; // null where it is not
@@ -32,12 +35,16 @@ struct SceneItem {
     // Whether it is the skin of bodies without gaps, whose backs are seen from within alone (or
     // where a deformation folds it).
     bool is_body() const;
+    bool shows_values() const { return values || values_by_copy; }
 };
 
 struct Scene {
     glm::dvec3 origin_world{0};
-    std::vector<SceneItem> items;
-    glm::vec3 lo{0}, hi{0}; // of all items; the unit cube's half where there are none
+    std::vector<SceneItem> items;    // one or, where some copies mirror, two of an instance
+    std::vector<Box> curve_boxes;    // world; of the picture's curves that are somewhere
+    std::vector<SceneItem> outlined; // what has an outline of it: the same items, or some copies
+    std::vector<std::shared_ptr<const MirroredCopies>> own_copies; // of these
+    glm::vec3 lo{0}, hi{0}; // of all items and curves; nothing where there are none
     float ground_z = 0;     // the lowest point of what stands there
     float radius = 1;       // half the diagonal
     std::array<glm::vec4, map_steps + 1> map_colors{};
@@ -50,6 +57,8 @@ struct CasterKey {
         std::uint64_t mesh_serial;
         glm::mat4 to_scene;
         Ref<std::vector<Material>> materials;
+        std::uint64_t copies_serial; // 0: none
+        int first_copy;
         bool operator==(const Caster&) const = default;
     };
     std::vector<Caster> casters;

@@ -3,6 +3,7 @@
 
 #include "gpu/ffd/blind_draw.h"
 #include "gpu/ffd/device_poser.h"
+#include "gpu/passes/lines.h"
 #include "gpu/passes/sample.h"
 #include "gpu/passes/wire.h"
 
@@ -50,8 +51,15 @@ std::vector<ProgramName> every_program()
                 out.push_back(pose_program(skinned, kinds, true, tangents));
     for (const char* solid : {"SOLID 1", "SOLID 2"})
         out.push_back({"mesh", "ghost", {"LAYER_DEPTHS", solid}});
-    const std::vector<Defines> materials{
-        {}, {"MASKED"}, {"TEXTURES 1", "MASKED"}, {"TEXTURES 1"}, {"TEXTURES 14"}, {"TEXTURES 31"}};
+    const std::vector<Defines> materials{{},
+                                         {"COPIES"},
+                                         {"MASKED"},
+                                         {"MASKED", "COPIES"},
+                                         {"TEXTURES 1", "MASKED"},
+                                         {"TEXTURES 1"},
+                                         {"TEXTURES 14"},
+                                         {"TEXTURES 31"},
+                                         {"TEXTURES 31", "COPIES"}};
     for (const Defines& material : materials) {
         for (const char* fragment : {"depth", "ids", "mask"})
             out.push_back({"mesh", fragment, material});
@@ -61,7 +69,8 @@ std::vector<ProgramName> every_program()
     }
     for (const char* own : {"PLAIN", "VALUES", "SOLID 1", "SOLID 2"})
         for (const Defines& look : {Defines{}, Defines{"CLAY"}})
-            out.push_back({"mesh", "surfaces", with(look, {own})});
+            for (const Defines& more : {Defines{}, Defines{"COPIES"}})
+                out.push_back({"mesh", "surfaces", with(with(look, {own}), more)});
     for (const Quality& quality : {quality_for(1, true), quality_for(1, false),
                                    quality_for(4, false), quality_for(16, false)}) {
         const Defines shadow = quality.shadow_defines();
@@ -85,10 +94,10 @@ std::vector<ProgramName> every_program()
     out.push_back(full_screen_program("outline", {"DRAFT"}));
     out.push_back(full_screen_program("occlusion_blur", quality_for(1, true).blur_defines()));
     out.push_back(full_screen_program("layers_over", {"LAYERS_AT_ONCE"}));
-    out.push_back({"line", "line", {}});
+    for (const char* define : {"", "HELPERS", "IDS", "MASK"}) out.push_back(line_program(define));
     for (const Defines& more : {Defines{}, Defines{"LAYER_DEPTHS"}})
         out.push_back({"veil", "veil", more});
-    out.push_back(wire_program());
+    for (const bool copies : {false, true}) out.push_back(wire_program(copies));
     out.push_back({"", "", {}, "arithmetic"});
     for (const Wanted wanted : {Wanted::positions, Wanted::normals, Wanted::tangents})
         out.push_back(vertex_program({}, wanted));

@@ -37,6 +37,19 @@ void VertexArray::attribute(unsigned location, const Buffer& buffer, int compone
     glBindVertexArray(0);
 }
 
+void VertexArray::integers(unsigned location, const Buffer& buffer, int components, int stride,
+                           std::size_t offset, unsigned divisor) const
+{
+    bind();
+    glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
+    glEnableVertexAttribArray(location);
+    glVertexAttribIPointer(location, components, GL_UNSIGNED_INT, stride,
+                           reinterpret_cast<const void*>(offset));
+    glVertexAttribDivisor(location, divisor);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    glBindVertexArray(0);
+}
+
 void VertexArray::indices(const Buffer& buffer)
 {
     bind();

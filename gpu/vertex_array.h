@@ -17,6 +17,9 @@ public:
     // a divisor of 1 it advances per instance.
     void attribute(unsigned location, const Buffer& buffer, int components, int stride,
                    std::size_t offset = 0, unsigned divisor = 0) const;
+    // The same of whole numbers without sign, 4 bytes each.
+    void integers(unsigned location, const Buffer& buffer, int components, int stride,
+                  std::size_t offset = 0, unsigned divisor = 0) const;
     void indices(const Buffer& buffer);
     void bind() const;
 

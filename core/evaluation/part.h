@@ -4,8 +4,7 @@
 #include "core/base/timing.h"
 #include "core/ffd/deform.h"
 #include "core/mesh/extent.h"
-
-#include <compare>
+#include "core/mesh/part_key.h"
 
 namespace trivar {
 
@@ -17,14 +16,6 @@ struct Bent {
     Ref<Lattice> volume;
     Lazy<Ref<Mesh>> mesh;
     bool again = false; // another volume bent the vertices of the mesh before
-};
-
-// Which part of its object one is, whichever of the others are shown.
-struct PartKey {
-    int member = 0; // of a procession
-    int mesh = 0;   // of the shape
-    int piece = 0;  // that a step made of that mesh
-    auto operator<=>(const PartKey&) const = default;
 };
 
 // One mesh as it stands in the world: posed by its model's clip, and then deformed by a volume.

@@ -45,6 +45,7 @@ gpu::Picture picture_of(const Evaluated& evaluated, const Document& document, co
             instance.to_world = part.to_world;
             instance.materials = ref->materials;
             instance.id = id;
+            instance.part = part.key;
             if (by != gpu::DeformBy::processor) {
                 instance.mesh = part.rest;
                 instance.posed = part.posed;

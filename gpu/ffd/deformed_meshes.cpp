@@ -4,6 +4,8 @@
 #include "core/base/rejected.h"
 #include "gpu/context.h"
 
+#include <set>
+
 namespace trivar::gpu {
 namespace {
 
@@ -78,13 +80,23 @@ bool DeformedMeshes::current(const Entry& entry, const Instance& instance, const
            entry.wire == picture.settings.wire;
 }
 
+std::vector<DeformedMeshes::Key> DeformedMeshes::keys_of(const Picture& picture)
+{
+    std::map<std::pair<int, PartKey>, int> met;
+    std::vector<Key> keys;
+    for (const Instance& each : picture.instances)
+        if (deforms(each)) keys.push_back({each.id, each.part, met[{each.id, each.part}]++});
+    return keys;
+}
+
 std::size_t DeformedMeshes::stale_vertices(const Picture& picture) const
 {
     std::size_t count = 0;
-    for (std::size_t i = 0; i < picture.instances.size(); ++i) {
-        const Instance& instance = picture.instances[i];
+    const std::vector<Key> keys = keys_of(picture);
+    auto key = keys.begin();
+    for (const Instance& instance : picture.instances) {
         if (!deforms(instance)) continue;
-        const auto found = entries_.find(i);
+        const auto found = entries_.find(*key++);
         if (found == entries_.end() || !current(found->second, instance, picture))
             count += instance.mesh->vertex_count();
     }
@@ -94,16 +106,18 @@ std::size_t DeformedMeshes::stale_vertices(const Picture& picture) const
 void DeformedMeshes::update(const Picture& picture, Mirror& mirror)
 {
     notice_.clear();
-    const auto& instances = picture.instances;
-    std::erase_if(entries_, [&](const auto& item) {
-        return item.first >= instances.size() || !deforms(instances[item.first]);
-    });
+    of_instance_.assign(picture.instances.size(), nullptr);
+    const std::vector<Key> keys = keys_of(picture);
+    const std::set<Key> wanted(keys.begin(), keys.end());
+    std::erase_if(entries_, [&](const auto& item) { return !wanted.contains(item.first); });
     if (device_) device_->lattices().drop_dead();
     if (poser_) poser_->drop_dead();
-    for (std::size_t i = 0; i < instances.size(); ++i) {
-        const Instance& instance = instances[i];
+    auto key = keys.begin();
+    for (std::size_t i = 0; i < picture.instances.size(); ++i) {
+        const Instance& instance = picture.instances[i];
         if (!deforms(instance)) continue;
-        Entry& entry = entries_[i];
+        Entry& entry = entries_[*key++];
+        of_instance_[i] = &entry;
         if (current(entry, instance, picture)) continue;
         if (entry.alive.lock() != instance.mesh || entry.posed != instance.posed)
             entry.on_processor.reset();
@@ -121,8 +135,8 @@ void DeformedMeshes::update(const Picture& picture, Mirror& mirror)
 
 const DeformedMesh* DeformedMeshes::of(std::size_t instance) const
 {
-    const auto found = entries_.find(instance);
-    return found == entries_.end() ? nullptr : &found->second.drawn;
+    const Entry* entry = of_instance_.at(instance);
+    return entry ? &entry->drawn : nullptr;
 }
 
 void DeformedMeshes::bind(const DeformedMesh& mesh)

@@ -24,13 +24,15 @@ struct DeformedMesh {
 
 // The instances of pictures that carry poses or volumes, deformed where Picture::deform_by says and
 // only when mesh, pose or volumes change: then matrices and control points are uploaded, and
-// nothing else. What the device cannot do the processor does, and a notice says why.
+// nothing else. An instance is known by its id and part from picture to picture, wherever it stands
+// among the others. What the device cannot do the processor does, and a notice says why.
 class DeformedMeshes {
 public:
     void update(const Picture& picture, Mirror& mirror);
     // How many vertices update() would deform: those of what changed.
     std::size_t stale_vertices(const Picture& picture) const;
-    // Null where the instance has neither or no faces.
+    // By the index of an instance of the picture that was taken last; null where it has neither
+    // pose nor volumes, or no faces.
     const DeformedMesh* of(std::size_t instance) const;
     // For one phase, before a draw with `defines`.
     void bind(const DeformedMesh& mesh);
@@ -55,12 +57,16 @@ private:
         DeformedMesh drawn;
         std::string notice; // why the processor did it
     };
+    // Id and part, and the number of instances before it that have the same.
+    using Key = std::tuple<int, PartKey, int>;
+    static std::vector<Key> keys_of(const Picture& picture); // of those that deform, in their order
     static bool current(const Entry& entry, const Instance& instance, const Picture& picture);
     DeviceDeformer& device();
     void deform(Entry& entry, const Instance& instance, Mirror& mirror);
     void deform_on_device(Entry& entry, const Instance& instance, Mirror& mirror);
     void deform_on_processor(Entry& entry, const Instance& instance);
-    std::map<std::size_t, Entry> entries_; // by instance
+    std::map<Key, Entry> entries_;
+    std::vector<const Entry*> of_instance_; // null: does not deform
     std::unique_ptr<DeviceDeformer> device_;
     std::unique_ptr<DevicePoser> poser_;
     Ref<ShaderTexts> texts_;

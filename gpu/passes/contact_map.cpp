@@ -52,7 +52,7 @@ void ContactMap::draw(Tools& tools, const Frame& frame, const Scene& scene, int 
         pass.scene_to_clip = along_z(frame, height, up);
         pass.reads_material = false;
         pass.wanted = solid;
-        tools.draw(scene, pass);
+        tools.draw(scene.items, pass);
     }
     set_state({});
     to_noisy_.bind();

@@ -1,72 +1,75 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gpu/passes/overlays.h"
+#include "gpu/passes/lines.h"
 
-#include "core/base/finite.h"
-
-#include <cmath>
 #include <cstddef>
 #include <epoxy/gl.h>
 
 namespace trivar::gpu {
-namespace {
 
-struct Segment {
-    glm::vec3 from, to;
-    glm::vec4 color;
-    glm::vec3 arc_width; // arc length at both ends, width; pixels
-};
-
-std::vector<Segment> segments_of(const std::vector<Line>& lines, const Frame& frame,
-                                 const glm::dvec3& origin_world)
+ProgramName line_program(const char* define)
 {
-    const auto on_screen = [&](const glm::vec3& p) {
-        const glm::vec4 c = frame.view_clip * glm::vec4(p, 1);
-        return glm::vec2(c) / std::max(c.w, 1e-4f) * glm::vec2(frame.size_px) * 0.5f;
-    };
-    std::vector<Segment> out;
-    for (const Line& line : lines) {
-        float arc_px = 0;
-        for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
-            if (!finite(line.points[i]) || !finite(line.points[i + 1])) continue;
-            const glm::vec3 from = glm::dvec3(line.points[i]) - origin_world;
-            const glm::vec3 to = glm::dvec3(line.points[i + 1]) - origin_world;
-            const float length = glm::distance(on_screen(from), on_screen(to));
-            const float step_px = std::isfinite(length) ? std::min(length, 1e5f) : 0;
-            out.push_back({from, to, line.color, {arc_px, arc_px + step_px, line.width_px}});
-            arc_px = std::fmod(arc_px + step_px, 7000.0f); // a whole number of dashes
-        }
-    }
-    return out;
+    ProgramName name{"line", "line", {}};
+    if (*define) name.defines.emplace_back(define);
+    return name;
 }
-
-} // namespace
 
 LinePass::LinePass()
 {
     segments_.write({});
     const int stride = sizeof(Segment);
-    vertices_.attribute(0, segments_, 3, stride, offsetof(Segment, from), 1);
-    vertices_.attribute(1, segments_, 3, stride, offsetof(Segment, to), 1);
-    vertices_.attribute(2, segments_, 4, stride, offsetof(Segment, color), 1);
-    vertices_.attribute(3, segments_, 3, stride, offsetof(Segment, arc_width), 1);
+    vertices_.attribute(0, segments_, 3, stride, offsetof(Segment, before), 1);
+    vertices_.attribute(1, segments_, 3, stride, offsetof(Segment, from), 1);
+    vertices_.attribute(2, segments_, 3, stride, offsetof(Segment, to), 1);
+    vertices_.attribute(3, segments_, 3, stride, offsetof(Segment, after), 1);
+    vertices_.attribute(4, segments_, 4, stride, offsetof(Segment, color_from), 1);
+    vertices_.attribute(5, segments_, 4, stride, offsetof(Segment, color_to), 1);
+    vertices_.attribute(6, segments_, 4, stride, offsetof(Segment, along), 1);
+    vertices_.attribute(7, segments_, 4, stride, offsetof(Segment, width_taper), 1);
+    vertices_.integers(8, segments_, 2, stride, offsetof(Segment, id), 1);
 }
 
-void LinePass::draw(Tools& tools, const Targets& targets, const Frame& frame,
-                    const std::vector<Line>& lines, const glm::dvec3& origin_world)
+void LinePass::load(const std::vector<Segment>& segments)
 {
-    const std::vector<Segment> segments = segments_of(lines, frame, origin_world);
-    if (segments.empty()) return;
-    segments_.write(std::as_bytes(std::span(segments)));
-    targets.to_encoded.bind();
-    const Program& program = tools.use({"line", "line", {}});
+    count_ = static_cast<int>(segments.size());
+    if (count_ > 0) segments_.write(std::as_bytes(std::span(segments)));
+}
+
+void LinePass::draw(const Program& program, Parts parts) const
+{
+    program.set("hidden_parts", parts == Parts::hidden ? 1 : 0);
     vertices_.bind();
-    for (const bool hidden : {true, false}) {
-        set_state({.depth = hidden ? DepthTest::greater : DepthTest::less_equal, .blend = true});
-        program.set("width_factor", hidden ? 0.66f : 1.0f);
-        program.set("opacity", hidden ? 0.55f : 1.0f);
-        program.set("dash_px", hidden ? glm::vec2(7, 3.5f) : glm::vec2(0));
-        glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(segments.size()));
-    }
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count_);
+}
+
+void LinePass::draw_over(Tools& tools, const Targets& targets) const
+{
+    targets.to_encoded.bind();
+    const Program& program = tools.use(line_program("HELPERS"));
+    set_state({.depth = DepthTest::greater, .blend = true});
+    draw(program, Parts::hidden);
+    set_state({.depth = DepthTest::less_equal, .blend = true});
+    draw(program, Parts::seen);
+}
+
+void LinePass::draw_within(Tools& tools, const Targets& targets) const
+{
+    targets.to_color.bind();
+    set_state({.depth = DepthTest::greater, .blend = true});
+    draw(tools.use(line_program("")), Parts::hidden);
+    // The depth of all comes before their colours: of two that cross the nearer one shows.
+    targets.to_ids.bind();
+    set_state({.depth = DepthTest::less, .write_depth = true});
+    draw(tools.use(line_program("IDS")), Parts::seen);
+    targets.to_color.bind();
+    set_state({.depth = DepthTest::less_equal, .blend = true});
+    draw(tools.use(line_program("")), Parts::seen);
+}
+
+void LinePass::draw_mask(Tools& tools, float value) const
+{
+    const Program& program = tools.use(line_program("MASK"));
+    program.set("value", value);
+    draw(program, Parts::all);
 }
 
 } // namespace trivar::gpu

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gpu/passes/overlays.h"
+#include "gpu/passes/outline.h"
+
+#include "gpu/passes/layers.h"
 
 #include <algorithm>
 #include <array>
@@ -9,42 +11,32 @@
 namespace trivar::gpu {
 namespace {
 
-struct Rectangle {
-    glm::ivec2 lo, size;
-};
-
-// The part of the picture that holds the highlighted instances and their outline.
-Rectangle bounds_px(const Frame& frame, const Scene& scene, glm::ivec2 size_px, int margin_px)
+// The part of the picture that holds what is outlined and its outline.
+LayerBounds bounds_of(const Frame& frame, const Scene& scene, bool with_curves, int margin_px)
 {
-    glm::vec2 lo(1), hi(-1);
-    for (const SceneItem& item : scene.items)
-        for (int k = 0; item.highlighted && k < 8; ++k) {
-            const glm::vec3 p((k & 1 ? item.hi : item.lo).x, (k & 2 ? item.hi : item.lo).y,
-                              (k & 4 ? item.hi : item.lo).z);
-            const glm::vec4 c = frame.view_clip * glm::vec4(p, 1);
-            if (c.w <= 0) return {glm::ivec2(0), size_px}; // beside the eye: anywhere
-            lo = glm::min(lo, glm::vec2(c) / c.w);
-            hi = glm::max(hi, glm::vec2(c) / c.w);
-        }
-    lo = glm::clamp(lo, -1.0f, 1.0f) * 0.5f + 0.5f;
-    hi = glm::clamp(hi, -1.0f, 1.0f) * 0.5f + 0.5f;
-    const glm::ivec2 from =
-        glm::max(glm::ivec2(lo * glm::vec2(size_px)) - margin_px, glm::ivec2(0));
-    const glm::ivec2 to = glm::min(glm::ivec2(hi * glm::vec2(size_px)) + margin_px + 1, size_px);
-    return {from, glm::max(to - from, glm::ivec2(0))};
+    const glm::ivec2 whole(frame.size_px);
+    if (with_curves) return {glm::ivec2(0), whole, {}};
+    std::vector<glm::vec3> corners;
+    for (const SceneItem& item : scene.outlined)
+        for (const glm::dvec3& corner : Box{item.lo, item.hi}.corners())
+            corners.emplace_back(corner);
+    const LayerBounds own = bounds_of_layers(frame, corners);
+    const glm::ivec2 lo = glm::max(own.lo_px - margin_px, glm::ivec2(0));
+    const glm::ivec2 hi = glm::min(own.lo_px + own.size_px + margin_px, whole);
+    return {lo, glm::max(hi - lo, glm::ivec2(0)), {}};
 }
 
 } // namespace
 
 void draw_outline(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
-                  const Outline& outline, bool draft)
+                  const LinePass& curves, const Outline& outline, bool draft)
 {
     const float reach_px = outline.width_px + outline.halo_px;
-    const Rectangle part =
-        bounds_px(frame, scene, targets.size_px, static_cast<int>(std::ceil(reach_px)) + 2);
+    const LayerBounds part =
+        bounds_of(frame, scene, curves.any(), static_cast<int>(std::ceil(reach_px)) + 1);
     const auto only_part = [&] {
         glEnable(GL_SCISSOR_TEST);
-        glScissor(part.lo.x, part.lo.y, part.size.x, part.size.y);
+        glScissor(part.lo_px.x, part.lo_px.y, part.size_px.x, part.size_px.y);
     };
     targets.to_mask.bind();
     set_state({});
@@ -59,11 +51,12 @@ void draw_outline(Tools& tools, const Targets& targets, const Frame& frame, cons
         pass.fragment = "mask";
         pass.scene_to_clip = frame.view_clip;
         pass.reads_material = false;
-        pass.wanted = [](const SceneItem& item, const auto&) { return item.highlighted; };
+        pass.wanted = [](const SceneItem&, const auto&) { return true; };
         pass.prepare = [visible](const Program& program, const SceneItem&) {
             program.set("value", visible ? 1.0f : 0.5f);
         };
-        tools.draw(scene, pass);
+        tools.draw(scene.outlined, pass);
+        if (curves.any()) curves.draw_mask(tools, visible ? 1.0f : 0.5f);
         glDisable(GL_POLYGON_OFFSET_FILL);
     }
     targets.to_encoded.bind();

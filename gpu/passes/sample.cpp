@@ -75,7 +75,7 @@ void draw_surfaces(Tools& tools, const Targets& targets, const Frame& frame, con
     pass.prepare = [&](const Program& program, const SceneItem& item) {
         program.set("id", static_cast<unsigned>(item.id));
         if (clay) program.set("clay_color", glm::vec4(*clay, 1));
-        if (!item.values) return;
+        if (!item.shows_values()) return;
         program.set("map_colors", scene.map_colors);
         program.set("map_range", scene.map_range);
     };
@@ -83,13 +83,13 @@ void draw_surfaces(Tools& tools, const Targets& targets, const Frame& frame, con
     // no more than a depth test.
     glEnable(GL_CULL_FACE);
     glCullFace(GL_BACK);
-    tools.draw(scene, pass);
+    tools.draw(scene.items, pass);
     pass.wanted = [&](const SceneItem& item, const MirroredMesh::Part& part) {
         const bool seen = quality.backs_of_bodies || !item.is_body() || may_be_inside(frame, item);
         return seen && solid(item, part);
     };
     glCullFace(GL_FRONT);
-    tools.draw(scene, pass);
+    tools.draw(scene.items, pass);
     glDisable(GL_CULL_FACE);
 }
 

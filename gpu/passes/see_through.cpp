@@ -107,7 +107,7 @@ void SeeThroughPass::draw_materials(Tools& tools, const Targets& targets, const 
             program.set("range", bounds.range_world);
             program.set("hidden_share", 0.0f);
         };
-        tools.draw(scene, pass);
+        tools.draw(scene.items, pass);
     });
     // The nearest layer is what is picked, and what hides lines; previews stand in nobody's way.
     targets.to_ids.bind();
@@ -117,13 +117,13 @@ void SeeThroughPass::draw_materials(Tools& tools, const Targets& targets, const 
     ids.scene_to_clip = frame.view_clip;
     ids.reads_material = false;
     ids.wanted = [](const SceneItem& item, const MirroredMesh::Part& part) {
-        return item.id != 0 && see_through(item, part);
+        return (item.id != 0 || item.copies) && see_through(item, part);
     };
     ids.without_backs = shows_front_only;
     ids.prepare = [](const Program& program, const SceneItem& item) {
         program.set("id", static_cast<unsigned>(item.id));
     };
-    tools.draw(scene, ids);
+    tools.draw(scene.items, ids);
 }
 
 void SeeThroughPass::draw_helpers(Tools& tools, const Targets& targets, const Frame& frame)

@@ -136,7 +136,7 @@ void ShadowMap::draw(Tools& tools, const Scene& scene, const Quality& quality)
         pass.without_backs = [](const SceneItem& item, const MirroredMesh::Part&) {
             return item.is_body();
         };
-    tools.draw(scene, pass);
+    tools.draw(scene.items, pass);
     glDisable(GL_POLYGON_OFFSET_FILL);
     drawn_ = fitted_;
     drawn_from_ = casters_of(scene);

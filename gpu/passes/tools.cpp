@@ -141,7 +141,7 @@ void Tools::draw(const SceneItem& item, const MirroredMesh::Part& part, const Me
     const bool mask = material.alpha == Material::Alpha::mask;
     const bool reads = pass.reads_material || mask;
     ProgramName name{"mesh", pass.fragment, pass.defines};
-    const bool values = item.values && pass.value_variant;
+    const bool values = item.shows_values() && pass.value_variant;
     const bool fills = !values && item.rest && pass.reads_material && material.solid != Solid::none;
     if (values)
         name.defines.emplace_back("VALUES");
@@ -152,6 +152,7 @@ void Tools::draw(const SceneItem& item, const MirroredMesh::Part& part, const Me
     else if (pass.plain_variant && !mask && !item.mesh->colored)
         name.defines.emplace_back("PLAIN");
     if (mask && !values && !fills) name.defines.emplace_back("MASKED");
+    if (item.copies) name.defines.emplace_back("COPIES");
     if (item.deformed_as_drawn) {
         const std::vector<std::string>& more = item.deformed_as_drawn->defines;
         name.defines.insert(name.defines.end(), more.begin(), more.end());
@@ -163,19 +164,24 @@ void Tools::draw(const SceneItem& item, const MirroredMesh::Part& part, const Me
     program.set("scene_to_clip", pass.scene_to_clip);
     if (reads) set_material(program, material);
     if (pass.prepare) pass.prepare(program, item);
-    if (values) item.mesh->vertices.attribute(7, *item.values, 1, sizeof(float));
+    if (item.values && values) item.mesh->vertices.attribute(7, *item.values, 1, sizeof(float));
     if (fills) {
         item.mesh->vertices.attribute(6, *item.rest, 3, sizeof(glm::vec3));
         program.set("rest_middle", item.rest_middle);
     }
+    if (item.copies)
+        item.copies->feed(item.mesh->vertices, item.first_copy, values && item.values_by_copy);
     glFrontFace(item.mirrored ? GL_CW : GL_CCW);
     item.mesh->vertices.bind();
     const auto offset = static_cast<std::size_t>(part.first) * sizeof(std::uint32_t);
-    glDrawElements(GL_TRIANGLES, part.count, GL_UNSIGNED_INT,
-                   reinterpret_cast<const void*>(offset));
+    const auto* first = reinterpret_cast<const void*>(offset);
+    if (item.copies)
+        glDrawElementsInstanced(GL_TRIANGLES, part.count, GL_UNSIGNED_INT, first, item.copy_count);
+    else
+        glDrawElements(GL_TRIANGLES, part.count, GL_UNSIGNED_INT, first);
 }
 
-void Tools::draw(const Scene& scene, const MeshPass& pass)
+void Tools::draw(std::span<const SceneItem> items, const MeshPass& pass)
 {
     // What meshes without these attributes have: no tangent, white, no texture coordinates.
     glVertexAttrib3f(1, 0, 0, 1);
@@ -184,7 +190,7 @@ void Tools::draw(const Scene& scene, const MeshPass& pass)
     glVertexAttrib2f(4, 0, 0);
     glVertexAttrib2f(5, 0, 0);
     if (pass.without_backs) glCullFace(GL_BACK);
-    for (const SceneItem& item : scene.items)
+    for (const SceneItem& item : items)
         for (const MirroredMesh::Part& part : item.mesh->parts()) {
             if (!pass.wanted(item, part)) continue;
             if (pass.without_backs)

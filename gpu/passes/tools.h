@@ -46,7 +46,8 @@ public:
     void set_frame(const Frame& frame);
     // Runs the program in use over the whole framebuffer, at the far plane.
     void full_screen() const;
-    void draw(const Scene& scene, const MeshPass& pass);
+    void draw(std::span<const SceneItem> items, const MeshPass& pass);
+    // The copies of an item, if it has some, are one draw.
     void draw(const SceneItem& item, const MirroredMesh::Part& part, const MeshPass& pass);
 
 private:

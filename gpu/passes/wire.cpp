@@ -15,14 +15,16 @@ float edge_px(const SceneItem& item, const Frame& frame)
     const float distance = frame.eye.w > 0.5f ? std::max(-middle.z, 1e-6f) : 1;
     const float px_a_unit = frame.clip[1][1] * 0.5f * frame.size_px.y / distance;
     const float edges = static_cast<float>(item.edges->indices->count) / 2;
-    return glm::length(item.hi - item.lo) * px_a_unit / std::sqrt(std::max(edges, 1.0f));
+    return item.extent * px_a_unit / std::sqrt(std::max(edges, 1.0f));
 }
 
 } // namespace
 
-ProgramName wire_program()
+ProgramName wire_program(bool copies)
 {
-    return {.vertex = "wire", .fragment = "wire", .defines = {}, .geometry = "wire"};
+    ProgramName name{.vertex = "wire", .fragment = "wire", .defines = {}, .geometry = "wire"};
+    if (copies) name.defines.emplace_back("COPIES");
+    return name;
 }
 
 void draw_wire(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
@@ -30,22 +32,26 @@ void draw_wire(Tools& tools, const Targets& targets, const Frame& frame, const S
 {
     targets.to_color.bind();
     set_state({.depth = DepthTest::less_equal, .blend = true});
-    const Program& program = tools.use(wire_program());
-    program.set("scene_to_clip", frame.view_clip);
-    program.set("half_size_px", glm::vec2(frame.size_px) * 0.5f);
-    program.set("formed", style.alone ? 1.0f : 0.0f);
-    const glm::mat3 to_view(frame.view);
     for (const SceneItem& item : scene.items) {
         if (!item.edges || item.edges->indices->count == 0) continue;
+        const Program& program = tools.use(wire_program(item.copies));
+        program.set("scene_to_clip", frame.view_clip);
+        program.set("half_size_px", glm::vec2(frame.size_px) * 0.5f);
+        program.set("formed", style.alone ? 1.0f : 0.0f);
         program.set("to_scene", item.to_scene);
-        program.set("normal_to_view", to_view * item.normal_to_scene);
+        program.set("normal_to_scene", item.normal_to_scene);
         // Edges alone lie over one another, and need no more to be seen.
         const float room = glm::smoothstep(1.5f, 6.0f, edge_px(item, frame));
         const float most = style.alone ? glm::mix(0.07f, 0.4f, room) : glm::mix(0.12f, 0.7f, room);
         program.set("strength", glm::vec2(most, 0.1f));
         program.set("color", glm::vec4(style.color, style.alone ? 1 : item.opacity));
+        if (item.copies) item.copies->feed(item.edges->vertices, item.first_copy, false);
         item.edges->vertices.bind();
-        glDrawElements(GL_LINES, item.edges->indices->count, GL_UNSIGNED_INT, nullptr);
+        const int count = item.edges->indices->count;
+        if (item.copies)
+            glDrawElementsInstanced(GL_LINES, count, GL_UNSIGNED_INT, nullptr, item.copy_count);
+        else
+            glDrawElements(GL_LINES, count, GL_UNSIGNED_INT, nullptr);
     }
 }
 

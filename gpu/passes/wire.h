@@ -7,7 +7,7 @@
 
 namespace trivar::gpu {
 
-ProgramName wire_program();
+ProgramName wire_program(bool copies);
 
 // The edges of the scene's faces over the lit surfaces, for items that have them; fainter where
 // they are so many, or so short in the picture, that they would cover everything.

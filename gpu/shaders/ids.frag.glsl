@@ -6,12 +6,12 @@
 #include "surface.glsl"
 #endif
 layout(location = 0) out uvec2 out_id_depth;
-uniform uint id;
 
 void main()
 {
 #ifdef MASKED
     surface_here();
 #endif
-    out_id_depth = uvec2(id, floatBitsToUint(distance_here()));
+    if (id_here() == 0u) discard; // what cannot be picked stands in nobody's way
+    out_id_depth = uvec2(id_here(), floatBitsToUint(distance_here()));
 }

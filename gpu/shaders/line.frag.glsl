@@ -1,22 +1,72 @@
 // Coverage from the distance to the segment: round caps, soft edges, dashes where asked for.
+// HELPERS are mixed as encoded colours; IDS and MASK are what is covered by half at least.
 #include "frame.glsl"
 #include "encode.glsl"
-noperspective in vec2 at_px;
-flat in vec2 length_width;
-flat in vec4 at_color;
-noperspective in float at_arc;
+#include "distance.glsl"
+flat in vec4 start_along;
+flat in vec3 length_halves;
+flat in vec2 distances;
+flat in vec4 joints;
+flat in vec4 at_color_from;
+flat in vec4 at_color_to;
+flat in vec4 at_along;
+flat in vec2 taper;
+flat in vec3 dash_opacity;
+flat in uint line_id;
+#if defined(IDS)
+layout(location = 0) out uvec2 out_id_depth;
+#elif defined(MASK)
+layout(location = 0) out float out_mask;
+uniform float value;
+#else
 layout(location = 0) out vec4 out_color;
-uniform vec2 dash_px; // period and stroke; 0: none
-uniform float opacity;
+#endif
+
+// The share of the full width at a place along the whole line.
+float grown(float share)
+{
+    float begun = taper.x > 0.0 ? share / taper.x : 1.0, left = taper.y > 0.0 ? (1.0 - share) / taper.y : 1.0;
+    return saturate(min(begun, left));
+}
 
 void main()
 {
-    float past = max(max(-at_px.x, at_px.x - length_width.x), 0.0), half_width = length_width.y * 0.5;
-    float a = saturate(half_width + 0.5 - length(vec2(past, at_px.y)));
-    if (dash_px.x > 0.0) {
-        float u = mod(at_arc, dash_px.x), e = max(abs(u - dash_px.y * 0.5) - dash_px.y * 0.5, 0.0);
+    const float THINNEST = 0.25; // half a width in pixels; what is thinner is fainter
+    const float BOTH = 0.01;     // beside a bisector, in pixels, so that rounding leaves no gap
+    float len = length_halves.x;
+    // Not interpolated, for some clippers do that badly between ends of very different distances.
+    vec2 p = gl_FragCoord.xy - start_along.xy, at_px = mat2(start_along.z, -start_along.w, start_along.wz) * p;
+    vec2 from_end = at_px - vec2(len, 0.0);
+    if (dot(at_px, joints.xy) < -BOTH * length(joints.xy)) discard;
+    if (joints.zw != vec2(0.0) && dot(from_end, joints.zw) >= 0.0) discard;
+
+    float on_screen = len > 1e-4 ? saturate(at_px.x / len) : 0.0;
+    // The share of the segment in space that this share on the screen is.
+    float t = on_screen * distances.x / mix(distances.y, distances.x, on_screen);
+    float half_width = mix(length_halves.y, length_halves.z, on_screen) * grown(mix(at_along.z, at_along.w, t));
+    float fainter = saturate(half_width / THINNEST);
+    half_width = max(half_width, THINNEST);
+    float past = max(max(-at_px.x, from_end.x), 0.0);
+    float a = saturate(half_width + 0.5 - length(vec2(past, at_px.y))) * fainter;
+    if (dash_opacity.x > 0.0) {
+        float arc = at_along.x + (at_along.y - at_along.x) * (len > 1e-4 ? at_px.x / len : 0.0);
+        float u = mod(arc, dash_opacity.x);
+        float e = max(abs(u - dash_opacity.y * 0.5) - dash_opacity.y * 0.5, 0.0);
         a *= saturate(1.0 - (length(vec2(e, at_px.y)) - half_width));
     }
+#if defined(IDS) || defined(MASK)
+    if (a < 0.5) discard;
+#endif
+#if defined(IDS)
+    out_id_depth = uvec2(line_id, floatBitsToUint(distance_here()));
+#elif defined(MASK)
+    out_mask = value;
+#else
+    vec4 color = mix(at_color_from, at_color_to, t);
     if (a <= 0.003) discard;
-    out_color = vec4(encoded(at_color.rgb), at_color.a * a * opacity);
+#ifdef HELPERS
+    color.rgb = encoded(color.rgb);
+#endif
+    out_color = vec4(color.rgb, color.a * a * dash_opacity.z);
+#endif
 }

@@ -1,5 +1,6 @@
 // Every pass that draws meshes.
 #include "frame.glsl"
+#include "place.glsl"
 #ifdef PLAIN
 #define READS_MATERIAL
 #include "material.glsl"
@@ -28,12 +29,13 @@ out float at_value;
 #endif
 #include "deform_vertex.glsl"
 #endif
-uniform mat4 to_scene;
-uniform mat3 normal_to_scene;
 uniform mat4 scene_to_clip;
 out vec3 at_scene;
 out vec3 at_normal;
 out vec4 at_color;
+#ifdef COPIES
+flat out uint copy_id;
+#endif
 #ifdef TEXTURES
 out vec4 at_tangent;
 out vec4 at_uv;
@@ -48,8 +50,9 @@ void main()
     n = v.normal;
     t = v.tangent.xyz;
 #endif
-    at_scene = (to_scene * vec4(p, 1.0)).xyz;
-    at_normal = normal_to_scene * n;
+    mat4 to_there = scene_from_mesh();
+    at_scene = (to_there * vec4(p, 1.0)).xyz;
+    at_normal = scene_from_normals() * n;
     at_color = color;
 #ifdef SOLID
     at_rest = (rest - rest_middle.xyz) * rest_middle.w;
@@ -59,8 +62,11 @@ void main()
 #endif
 #ifdef TEXTURES
     // A mirroring matrix turns the bitangent's sense round.
-    at_tangent = vec4(mat3(to_scene) * t, tangent.w * sign(determinant(mat3(to_scene))));
+    at_tangent = vec4(mat3(to_there) * t, tangent.w * sign(determinant(mat3(to_there))));
     at_uv = vec4(uv_first, uv_second);
+#endif
+#ifdef COPIES
+    copy_id = id_of_copy;
 #endif
 #ifdef PLAIN
     Surface s = plain_surface(n, vec4(1.0));

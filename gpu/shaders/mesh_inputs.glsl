@@ -1,4 +1,5 @@
 // What mesh.vert hands to fragment programs.
+#include "distance.glsl"
 in vec3 at_scene;
 in vec3 at_normal;
 in vec4 at_color;
@@ -6,10 +7,15 @@ in vec4 at_color;
 in vec4 at_tangent;
 in vec4 at_uv; // both sets
 #endif
+#ifdef COPIES
+flat in uint copy_id; // 0: as the instance
+#endif
+uniform uint id;      // of the instance; 0: not pickable
 
-// The distance of this fragment along the view direction.
-float distance_here()
+uint id_here()
 {
-    if (frame.eye.w > 0.5) return 1.0 / gl_FragCoord.w;
-    return (frame.clip[3].z - (gl_FragCoord.z * 2.0 - 1.0)) / frame.clip[2].z;
+#ifdef COPIES
+    if (copy_id != 0u) return copy_id;
+#endif
+    return id;
 }

@@ -13,7 +13,6 @@ flat in uvec3 at_material;
 #include "pack.glsl"
 layout(location = 0) out uvec4 out_surface;
 layout(location = 1) out uvec2 out_id_depth;
-uniform uint id;
 
 void main()
 {
@@ -30,5 +29,5 @@ void main()
 #endif
     out_surface = uvec4(packed_normal(s.normal), packed_material(s));
 #endif
-    out_id_depth = uvec2(id, floatBitsToUint(distance_here()));
+    out_id_depth = uvec2(id_here(), floatBitsToUint(distance_here()));
 }

@@ -1,15 +1,15 @@
 // An end of an edge of a face, a little nearer to the eye than the face itself.
+#include "frame.glsl"
+#include "place.glsl"
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
-uniform mat4 to_scene;
 uniform mat4 scene_to_clip;
-uniform mat3 normal_to_view;
 out vec3 end_normal; // view
 
 void main()
 {
     const float PULL = 4e-5;
-    gl_Position = scene_to_clip * (to_scene * vec4(position, 1.0));
+    gl_Position = scene_to_clip * (scene_from_mesh() * vec4(position, 1.0));
     gl_Position.z -= PULL * gl_Position.w;
-    end_normal = normal_to_view * normal;
+    end_normal = mat3(frame.view) * (scene_from_normals() * normal);
 }

@@ -2,10 +2,12 @@
 #include "core/mesh/primitives.h"
 #include "gpu/context.h"
 #include "gpu/renderer.h"
+#include "tests/support/draw_calls.h"
 
 #include <benchmark/benchmark.h>
 #include <cmath>
 #include <epoxy/gl.h>
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace trivar::gpu {
 namespace {
@@ -71,6 +73,61 @@ void render_draft_deforming(benchmark::State& state)
     report(state, renderer);
 }
 
+// A field of so many rings of 500 vertices, in one picture's passes.
+Picture field_of(int across, bool copies)
+{
+    Picture picture;
+    picture.camera.eye = {0, -1.2 * across, across};
+    picture.samples = 1;
+    Instance ring;
+    ring.mesh = make_ref(torus_mesh(0.3, 0.12, {24, 19}));
+    std::vector<Copy> places;
+    for (int i = 0; i < across * across; ++i) {
+        const glm::dvec3 place(i % across - across / 2, i / across - across / 2, 0);
+        places.push_back({glm::translate(glm::dmat4(1), place), i + 1});
+    }
+    if (copies) {
+        ring.copies = make_ref(places);
+        picture.instances = {ring};
+        return picture;
+    }
+    for (const Copy& place : places) {
+        ring.to_world = place.to_instance;
+        ring.id = place.id;
+        picture.instances.push_back(ring);
+    }
+    return picture;
+}
+
+void render_field(benchmark::State& state, bool copies)
+{
+    const HeadlessContext context;
+    Renderer renderer;
+    const Picture picture = field_of(100, copies);
+    renderer.draw(picture, {1280, 720});
+    int calls = 0;
+    for (auto _ : state) {
+        const trivar::testing::DrawCalls counted;
+        renderer.draw(picture, {1280, 720});
+        glFinish();
+        calls = counted.count;
+    }
+    report(state, renderer);
+    state.counters["draw calls"] = calls;
+    state.counters["vertices a copy"] =
+        static_cast<double>(picture.instances.front().mesh->vertex_count());
+}
+
+// 10,000 copies of a mesh, and as many instances of it.
+void render_copies(benchmark::State& state)
+{
+    render_field(state, true);
+}
+void render_baseline_instances(benchmark::State& state)
+{
+    render_field(state, false);
+}
+
 // The baseline: an empty picture, only the backdrop and reading back.
 void render_baseline_empty(benchmark::State& state)
 {
@@ -93,6 +150,8 @@ void timed(benchmark::internal::Benchmark* bench)
 BENCHMARK(render_baseline_empty)->Apply(timed);
 BENCHMARK(render_draft)->Arg(100'000)->Arg(1'000'000)->Apply(timed);
 BENCHMARK(render_draft_deforming)->Arg(100'000)->Apply(timed);
+BENCHMARK(render_copies)->Apply(timed);
+BENCHMARK(render_baseline_instances)->Apply(timed);
 BENCHMARK(render_final)->Arg(100'000)->Apply(timed);
 
 } // namespace

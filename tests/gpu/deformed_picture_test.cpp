@@ -67,6 +67,14 @@ constexpr std::array every_way{DeformBy::processor, DeformBy::one_phase, DeformB
 
 class DeformedPictures : public WithContext {
 protected:
+    // How many the picture deforms that is drawn now.
+    std::size_t deformed_vertices(const Picture& picture)
+    {
+        renderer.draw(picture, picture_px);
+        for (const Timings::Stage& stage : renderer.timings().stages)
+            if (stage.name == "deform on device") return stage.vertices;
+        return 0;
+    }
     Renderer renderer;
     const Ref<Mesh> torus = make_ref(torus_mesh(0.6, 0.25, {48, 24}));
 };
@@ -115,18 +123,41 @@ TEST_F(DeformedPictures, ComposeStacksAndShowTheirEdges)
 
 TEST_F(DeformedPictures, AreDeformedAnewOnlyWhenSomethingChanged)
 {
-    const auto deformed_vertices = [&](const Picture& picture) -> std::size_t {
-        renderer.draw(picture, picture_px);
-        for (const Timings::Stage& stage : renderer.timings().stages)
-            if (stage.name == "deform on device") return stage.vertices;
-        return 0;
-    };
     Picture picture = picture_with(torus, {volume_stage(3, 0.2, in_a_box())}, DeformBy::two_phases);
     EXPECT_EQ(deformed_vertices(picture), torus->vertex_count());
     picture.camera.eye = {-2, -4, 3};
     EXPECT_EQ(deformed_vertices(picture), 0u);
     picture.instances.front().stages.front().embedding.to_uvw[3].x += 0.1;
     EXPECT_EQ(deformed_vertices(picture), torus->vertex_count());
+}
+
+TEST_F(DeformedPictures, AreNotDeformedAnewBecauseAnotherIsHiddenOrStandsElsewhere)
+{
+    for (const DeformBy by : every_way) {
+        Picture picture = picture_with(torus, {volume_stage(3, 0.2, in_a_box())}, by);
+        for (int slot = 1; slot < 4; ++slot) {
+            picture.instances.push_back(picture.instances.front());
+            picture.instances.back().part.mesh = slot;
+        }
+        EXPECT_EQ(deformed_vertices(picture), 4 * torus->vertex_count());
+        picture.instances.erase(picture.instances.begin());
+        std::ranges::reverse(picture.instances);
+        EXPECT_EQ(deformed_vertices(picture), 0u);
+        picture.instances.erase(picture.instances.begin() + 1);
+        EXPECT_EQ(deformed_vertices(picture), 0u);
+    }
+}
+
+TEST_F(DeformedPictures, ShowEachOfTwoThatHaveTheSameKey)
+{
+    Picture picture = picture_with(torus, {volume_stage(3, 0.2, in_a_box())}, DeformBy::processor);
+    Picture alone = picture;
+    picture.instances.push_back(picture.instances.front());
+    picture.instances.back().to_world = moved(0, 0, 1);
+    picture.instances.back().stages = {volume_stage(3, 0.2, in_a_box(), 2)};
+    alone.instances.push_back(picture.instances.back());
+    alone.instances.back().part.mesh = 1;
+    EXPECT_EQ(renderer.render(picture, picture_px).rgba, Renderer().render(alone, picture_px).rgba);
 }
 
 TEST_F(DeformedPictures, FallToTheProcessorWhereTheDeviceCannotAndSayWhy)

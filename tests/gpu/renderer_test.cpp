@@ -42,6 +42,27 @@ TEST(Texture, SaysWhereTheCardHasNoRoom)
 }
 
 // A sphere of radius r seen from distance d covers the angle asin(r / d).
+TEST_F(TheRenderer, TellsTheTimeOfThePassesThatThePictureNeeds)
+{
+    Picture picture;
+    picture.camera = looking_at_origin(4);
+    picture.instances = {instance_of(sphere_mesh(1, 24, 12))};
+    picture.samples = 1;
+    const auto passes = [&] {
+        renderer.draw(picture, {64, 48});
+        std::vector<std::string> names;
+        for (const auto& stage : renderer.timings().stages) names.push_back(stage.name);
+        return names;
+    };
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(passes(), (Names{"upload", "shadow map", "contact map", "surfaces", "occlusion",
+                               "light", "backdrop"}));
+    picture.curves = {{.line = make_ref(Polyline{{{-1, 0, 0}, {1, 0, 0}}, {}})}};
+    picture.instances[0].highlighted = true;
+    EXPECT_EQ(passes(),
+              (Names{"upload", "surfaces", "occlusion", "light", "backdrop", "curves", "outline"}));
+}
+
 TEST_F(TheRenderer, PutsASphereWhereTheCameraProjectsIt)
 {
     Picture picture;

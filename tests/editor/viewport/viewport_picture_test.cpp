@@ -134,6 +134,38 @@ TEST(ViewportPicture, StaysAsItWasWhereTheDeviceHasNoRoomForMoreAndOneNoticeSays
     EXPECT_EQ(said(), 0);
 }
 
+TEST(ViewportPicture, DeformsNothingAnewThatStaysWhereOthersAreHidden)
+{
+    Rig rig;
+    rig.editor.preferences.deform = "two_phases";
+    rig.two_objects();
+    AddBox box;
+    box.shape.size = {0.6, 0.3, 0.3};
+    ASSERT_TRUE(rig.editor.session.run(box));
+    for (const Id id : {2, 3}) {
+        rig.editor.session.selected = id;
+        rig.key({'D'});
+        rig.draw(rig.stroke());
+        rig.wait();
+    }
+    const auto& drafts = rig.editor.viewport.drafts();
+    const auto deformed = [&](long since) {
+        bool any = false;
+        for (long i = since + 1; i <= drafts.count(); ++i)
+            any |= std::ranges::any_of(drafts.find(i)->passes.stages, [](const auto& stage) {
+                return stage.name == "deform on device";
+            });
+        return any;
+    };
+    EXPECT_TRUE(deformed(0));
+    const long before = drafts.count();
+    rig.key({ui::key_slash});
+    ASSERT_EQ(rig.editor.session.aside, (std::vector<Id>{1, 2}));
+    rig.wait();
+    EXPECT_GT(drafts.count(), before);
+    EXPECT_FALSE(deformed(before));
+}
+
 TEST(ViewportPicture, OfADarkLookStaysDarkInALightInterface)
 {
     ui::Theme theme;

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/ref.h"
+#include "core/mesh/polyline.h"
+
+namespace trivar::gpu {
+
+// What is drawn of the parts of a curve that something solid hides.
+enum class HiddenParts { dashed, faint, left_out };
+
+// How a polyline is drawn.
+struct CurveStyle {
+    float width_px = 2;
+    float width_world = 0; // above 0 in place of width_px: farther away it is thinner
+    // Shares of the length over which the width grows from 0 at the beginning and at the end.
+    glm::vec2 taper{0};
+    HiddenParts hidden = HiddenParts::dashed;
+    bool operator==(const CurveStyle&) const = default;
+};
+
+// A polyline that is part of the scene as surfaces are: it hides what is behind it and can be
+// picked. It is not lit and casts no shadow.
+struct Curve {
+    Ref<Polyline> line;
+    glm::dmat4 to_world{1};
+    CurveStyle style = {};
+    int id = 0;               // what pick() returns; 0: not pickable
+    bool highlighted = false; // has an outline
+};
+
+} // namespace trivar::gpu

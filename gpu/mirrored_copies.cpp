@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "gpu/mirrored_copies.h"
+
+#include "gpu/to_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace trivar::gpu {
+namespace {
+
+struct Row {
+    std::array<glm::vec4, 3> to_scene; // rows of the matrix
+    std::array<glm::vec3, 3> normal_to_scene;
+    float value;
+    std::uint32_t id;
+};
+
+constexpr unsigned value_location = 7;  // mesh.vert
+constexpr unsigned matrix_location = 8; // place.glsl, as those that follow
+constexpr unsigned normal_location = 11;
+constexpr unsigned id_location = 14;
+
+bool all_finite(const glm::dmat4& m)
+{
+    bool all = true;
+    for (int i = 0; i < 4; ++i)
+        for (int k = 0; k < 4; ++k) all = all && std::isfinite(m[i][k]);
+    return all;
+}
+
+Row row_of(const Copy& copy, const ToScene& there)
+{
+    const glm::mat4 points = glm::transpose(there.points);
+    const glm::mat3 normals = glm::transpose(there.normals);
+    return {{points[0], points[1], points[2]},
+            {normals[0], normals[1], normals[2]},
+            copy.value,
+            static_cast<std::uint32_t>(copy.id)};
+}
+
+} // namespace
+
+void MirroredCopies::feed(const VertexArray& vertices, int first, bool shows_values) const
+{
+    constexpr int stride = sizeof(Row);
+    const std::size_t from = static_cast<std::size_t>(first) * sizeof(Row);
+    for (unsigned i = 0; i < 3; ++i) {
+        vertices.attribute(matrix_location + i, rows, 4, stride, from + i * sizeof(glm::vec4), 1);
+        vertices.attribute(normal_location + i, rows, 3, stride,
+                           from + offsetof(Row, normal_to_scene) + i * sizeof(glm::vec3), 1);
+    }
+    vertices.integers(id_location, rows, 1, stride, from + offsetof(Row, id), 1);
+    if (shows_values)
+        vertices.attribute(value_location, rows, 1, stride, from + offsetof(Row, value), 1);
+}
+
+MirroredCopies uploaded(std::span<const Copy> copies, const CopiesAt& at)
+{
+    MirroredCopies out;
+    out.valued = std::ranges::none_of(copies, [](const Copy& c) { return std::isnan(c.value); });
+    std::vector<Row> rows, mirrored;
+    rows.reserve(copies.size());
+    double scales = 0;
+    for (const Copy& copy : copies) {
+        if (!all_finite(copy.to_instance)) continue;
+        const ToScene there =
+            to_scene(at.to_world * copy.to_instance, at.mesh_origin, at.scene_origin_world);
+        (there.mirrors ? mirrored : rows).push_back(row_of(copy, there));
+        scales += std::cbrt(std::abs(glm::determinant(glm::dmat3(copy.to_instance))));
+    }
+    out.upright = static_cast<int>(rows.size());
+    out.mirrored = static_cast<int>(mirrored.size());
+    rows.insert(rows.end(), mirrored.begin(), mirrored.end());
+    if (!rows.empty()) out.scale = scales / static_cast<double>(rows.size());
+    out.rows.write(std::as_bytes(std::span(rows)));
+    return out;
+}
+
+Box transformed(const Box& box, const glm::dmat4& matrix)
+{
+    Box out;
+    if (box.empty()) return out;
+    for (const glm::dvec3& corner : box.corners())
+        out.add(glm::dvec3(matrix * glm::dvec4(corner, 1)));
+    return out;
+}
+
+Box transformed(const Box& box, const glm::dmat4& to_world, std::span<const Copy> copies)
+{
+    Box out;
+    for (const Copy& copy : copies)
+        if (all_finite(copy.to_instance)) out.add(transformed(box, to_world * copy.to_instance));
+    return out;
+}
+
+Box bounding_box(const Mesh& mesh, const glm::dmat4& to_world, std::span<const Copy> copies)
+{
+    const Box own = bounding_box(mesh);
+    Box out;
+    for (const Copy& copy : copies) {
+        if (!all_finite(copy.to_instance)) continue;
+        const glm::dmat4 matrix = to_world * copy.to_instance;
+        const Box around = transformed(own, matrix);
+        const bool inside = glm::all(glm::greaterThanEqual(around.lo, out.lo)) &&
+                            glm::all(glm::lessThanEqual(around.hi, out.hi));
+        if (!inside) out.add(bounding_box(mesh, matrix));
+    }
+    return out;
+}
+
+} // namespace trivar::gpu

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gpu/passes/segments.h"
+#include "gpu/passes/targets.h"
+#include "gpu/passes/tools.h"
+
+namespace trivar::gpu {
+
+// The lines of a picture, as it is seen.
+class LinePass {
+public:
+    LinePass();
+    void load(const std::vector<Segment>& segments);
+    bool any() const { return count_ > 0; }
+    // Helpers over the finished picture: first where something hides them, then the rest.
+    void draw_over(Tools& tools, const Targets& targets) const;
+    // The same as part of a sample. What is drawn later is hidden by it, and it can be picked.
+    void draw_within(Tools& tools, const Targets& targets) const;
+    // Into the bound mask, one value everywhere.
+    void draw_mask(Tools& tools, float value) const;
+
+private:
+    enum class Parts { hidden, seen, all };
+    void draw(const Program& program, Parts parts) const;
+    Buffer segments_;
+    VertexArray vertices_;
+    int count_ = 0;
+};
+
+ProgramName line_program(const char* define); // of line.frag; empty: none
+
+} // namespace trivar::gpu

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "gpu/passes/lines.h"
+
+namespace trivar::gpu {
+
+// Round what is outlined of a scene and its curves; that of a draft costs a third and is rougher.
+void draw_outline(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
+                  const LinePass& curves, const Outline& outline, bool draft);
+
+} // namespace trivar::gpu
