@@ -20,9 +20,9 @@ struct CurveStyle {
 };
 
 // A polyline that is part of the scene as surfaces are: it hides what is behind it and can be
-// picked. It is not lit and casts no shadow.
+// picked. It is not lit and casts no shadow. Every picture uploads its curves: O(points).
 struct Curve {
-    Ref<Polyline> line;
+    Ref<Polyline> line = {};
     glm::dmat4 to_world{1};
     CurveStyle style = {};
     int id = 0;               // what pick() returns; 0: not pickable

@@ -23,15 +23,15 @@ struct Instance {
     glm::dmat4 to_world{1};
     Ref<std::vector<Material>> materials;
     int id = 0;               // what pick() returns; 0: not pickable
-    PartKey part = {};        // tells it from others of this id; the renderer knows it by both
+    PartKey part = {};        // tells it from others of this id; both tell what is still the same
     bool highlighted = false; // has an outline
     float opacity = 1;        // below 1: a ghost, for previews
     Ref<Mesh> rest = {};      // before it was deformed, vertex by vertex: for solid materials
     Ref<std::vector<float>> values = {}; // one a vertex: see value_colors
     // Drawn by one call: where the mesh stands, many times. Null: once, at to_world.
     Ref<std::vector<Copy>> copies = {};
-    std::vector<std::uint32_t> outlined_copies =
-        {}; // have an outline where not all are highlighted
+    // Places in `copies` of those that have an outline while the instance is not highlighted.
+    std::vector<std::uint32_t> outlined_copies = {};
     // What moves the vertices of `mesh` before that; its result is not looked at. Null: nothing.
     Ref<Posed> posed = {};
     // Volumes that deform `mesh`, one after another, before to_world; `rest` is then not looked at.

@@ -3,6 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "editor/picture/picture.h"
+#include "editor/viewport/picture_selection.h"
 #include "gpu/context.h"
 #include "ui/camera_control.h"
 
@@ -46,12 +47,8 @@ gpu::Picture picture_of(const Session& session, const Evaluated& seen, gpu::Leve
     gpu::Picture picture =
         picture_of(seen, session.document(), session.view.camera, values, style.deform_by);
     gpu::set_level(picture, level);
-    std::erase_if(picture.instances, [&](const gpu::Instance& instance) {
-        return std::ranges::binary_search(session.aside, instance.id);
-    });
-    const Members selected(session.document(), session.selected.ids());
-    for (gpu::Instance& instance : picture.instances)
-        instance.highlighted = selected.contain(instance.id);
+    leave_out(picture, session.aside);
+    outline_selected(picture, Members(session.document(), session.selected.ids()));
     shade(picture, style);
     return picture;
 }

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "editor/session/selection.h"
+#include "gpu/picture.h"
+
+namespace trivar {
+
+// Leaves the instances and curves of these objects out of the picture; ascending ids.
+void leave_out(gpu::Picture& picture, const std::vector<Id>& ids);
+
+// Gives an outline to what is selected: instances and curves by their ids, and copies by theirs
+// where the instance is not selected itself.
+void outline_selected(gpu::Picture& picture, const Members& selected);
+
+} // namespace trivar
