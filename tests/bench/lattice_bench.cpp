@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/memory.h"
+#include "core/evaluation/evaluate.h"
+
+#include <benchmark/benchmark.h>
+
+namespace trivar {
+namespace {
+
+// What one move of the mouse asks for while a control point of a lattice is dragged: the command,
+// the volume with its guard and the model in it, of 20 x 12 x 8 points and some 100,000 vertices.
+// All but the picture. Twisted: no vertex is where it was at rest.
+void lattice_drag(benchmark::State& state, bool twisted, bool deformed_here)
+{
+    keep_freed_memory(); // as the program does
+    Document document =
+        after(Document{}, AddSphere{.shape = {.radius = 0.5, .segments = 448, .rings = 224}});
+    document = after(document, AddLattice{.objects = {1}, .shape = {.grid = {20, 12, 8}}});
+    if (twisted) document = after(document, WarpVolume{2, {.twist_deg = 20}});
+    Evaluator evaluator(std::make_shared<AssetStore>(""));
+    PointShift shift{.points = {{10, 6, 7}}};
+    int step = 0;
+    std::size_t vertices = 0;
+    double height = 0;
+    const auto move = [&] {
+        shift.by.z = 0.001 * (++step % 50); // as a drag that comes and goes
+        Evaluated shown = evaluator(after(document, MovePoints{.object = 2, .shift = shift}), 1);
+        if (deformed_here) deform_parts(shown);
+        if (deformed_here)
+            for (const glm::vec3& p : shown.objects.at(1)->parts.front().mesh()->positions)
+                height = std::max<double>(height, p.z);
+        vertices = shown.objects.at(1)->parts.front().rest->vertex_count();
+    };
+    move();
+    for (auto _ : state) move();
+    state.counters["highest m"] = height; // more than the radius: it was deformed
+    state.counters["vertices"] = static_cast<double>(vertices);
+}
+
+BENCHMARK_CAPTURE(lattice_drag, deformed_by_the_card, false, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(lattice_drag, deformed_here, false, true)
+    ->MeasureProcessCPUTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(lattice_drag, twisted_deformed_by_the_card, true, false)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(lattice_drag, twisted_deformed_here, true, true)
+    ->MeasureProcessCPUTime()
+    ->Unit(benchmark::kMillisecond);
+
+} // namespace
+} // namespace trivar
