@@ -7,8 +7,6 @@
 
 namespace trivar {
 
-inline constexpr const char* lattice_action = "Lattice round selection";
-
 // Puts a lattice round what is selected, and takes the tool that moves its points.
 void add_lattice_actions(std::vector<Action>& actions);
 

@@ -6,6 +6,7 @@
 #include "core/commands/edits.h"
 #include "editor/tools/gesture_keys.h"
 #include "editor/tools/last_shaping.h"
+#include "editor/tools/lattice_round.h"
 #include "editor/tools/placement_handles.h"
 #include "editor/tools/select.h"
 #include "ui/icons.h"
@@ -67,6 +68,21 @@ std::vector<char> flags_of(const Lattice& volume, const std::vector<glm::ivec3>&
     std::vector<char> out(volume.displacement.points.size());
     for (const glm::ivec3& p : points) out[volume.displacement.index(p.x, p.y, p.z)] = 1;
     return out;
+}
+
+// Those within are fainter, so that the box reads as one.
+bool on_shell(const Lattice& volume, const glm::ivec3& p)
+{
+    const glm::ivec3 last = size_of(volume) - 1;
+    return glm::any(glm::equal(p, glm::ivec3(0))) || glm::any(glm::equal(p, last));
+}
+
+// A dot on a dark one, so that it stands out on any ground.
+void paint_point(const ui::Theme& theme, glm::vec2 at, float radius, ui::Color color)
+{
+    const float alpha = static_cast<float>(color >> 24) / 255;
+    ui::paint_dot(at, theme.scale * (radius + 1.25f), ui::faded(theme.color.halo, alpha), 0, 0);
+    ui::paint_dot(at, theme.scale * radius, color, 0, 0);
 }
 
 bool has(const std::vector<glm::ivec3>& points, const glm::ivec3& point)
@@ -277,7 +293,9 @@ std::vector<gpu::Line> LatticePointsTool::lines(const Session& session,
 {
     const EvaluatedObject* laid = selected_volume(session);
     if (!laid || !all_are_shown(laid->placement->volume)) return {};
-    return net_lines(laid->placement->volume, ui::faded(theme.color.lattice, 0.3f), theme.line(1));
+    if (is_lattice(session.document(), laid->id)) return {}; // its net is shown anyway
+    return shell_lines(laid->placement->volume, theme.color.lattice, theme.line(1),
+                       {.edges = 0.26f});
 }
 
 void LatticePointsTool::overlay(const Session& session, const ui::Theme& theme,
@@ -295,12 +313,13 @@ void LatticePointsTool::overlay(const Session& session, const ui::Theme& theme,
                    lit = hovered_ && *hovered_ == p;
         if (!lit && !chosen && glm::distance(at, input.mouse) > reach_px) return;
         if (!lit && ++shown > most_shown) return;
-        ui::paint_dot(input.rect.lo + glm::vec2(at),
-                      theme.scale * (lit      ? 5.5f
-                                     : chosen ? 4.5f
-                                              : 2.5f),
-                      chosen || lit ? theme.color.selected : theme.color.lattice, theme.color.halo,
-                      theme.scale);
+        const glm::vec2 at_window = input.rect.lo + glm::vec2(at);
+        if (lit || chosen)
+            paint_point(theme, at_window, lit ? 5.5f : 4.5f, theme.color.selected);
+        else
+            paint_point(theme, at_window, 3,
+                        on_shell(volume, p) ? theme.color.lattice
+                                            : ui::faded(theme.color.lattice, 0.45f));
     });
     if (box_px_ && glm::distance(*box_px_, input.mouse) >= click_slip_px)
         paint_choice_box(theme, input, *box_px_);
@@ -323,6 +342,16 @@ void LatticePointsTool::options(Session& session, const ui::Theme& theme, float 
 {
     const EvaluatedObject* laid = selected_volume(session);
     std::vector<ui::Option> options;
+    if (!laid && session.selected != 0) {
+        options.push_back({"", 190,
+                           [&](float field) {
+                               if (ui::button(theme, lattice_action, ui::ButtonKind::plain,
+                                              {field, theme.size.row}))
+                                   put_lattice_round_selection(session);
+                           },
+                           "What is selected bends with the control points of a box round it."});
+        return ui::option_bar(theme, options, width);
+    }
     options.push_back({"Mirror", 20, [&](float) { ui::check_box(theme, "mirror", mirror_, ""); },
                        "Points on the other side of the middle go the other way across."});
     options.push_back({"Guard", 20, [&](float) { ui::check_box(theme, "guard", guard_, ""); },

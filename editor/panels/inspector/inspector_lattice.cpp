@@ -38,10 +38,11 @@ void box_rows(Editor& editor, const ui::Theme& theme, Id id)
                                });
         },
         true);
+    constexpr ValueRows::Names xyz{"X", "Y", "Z"};
     rows.triple("Density", s.grid, LatticeShape{}.grid, {.lo = 2, .hi = 1024},
-                RowWords(help("grid")));
+                RowWords(help("grid")), xyz);
     rows.triple("Order", s.orders, LatticeShape{}.orders, {.lo = 2, .hi = 6},
-                RowWords(help("orders")));
+                RowWords(help("orders")), xyz);
     propose_edit(editor, rows.edit, [&] { return SetLattice{id, s}; });
 }
 
