@@ -181,8 +181,7 @@ TEST(Lattices, AreTwistedAsAWhole)
 
 TEST(Lattices, AreBentAlongAnArcOfTheirOwnLength)
 {
-    const Document bent =
-        after(ball_in_box({.grid = {4, 4, 40}}), WarpVolume{2, {.bend_deg = 90}});
+    const Document bent = after(ball_in_box({.grid = {4, 4, 40}}), WarpVolume{2, {.bend_deg = 90}});
     const Lattice volume = all_of(bent).objects.at(2)->placement->volume;
     const double radius = 2 / 3.14159265358979;
     for (int i = 0; i <= 20; ++i) {
@@ -207,6 +206,20 @@ TEST(Lattices, ComeWithTheirStepsWhenTheyAreCopied)
     EXPECT_LT(furthest(points_of(pasted, 4), points_of(bent, 1)), 1e-7);
 }
 
+TEST(Lattices, AreEditedProportionallyTurnedAndScaledInOneStepEach)
+{
+    const MovePoints turn{2,
+                          {.points = {{1, 1, 3}, {2, 2, 3}, {1, 2, 3}},
+                           .weights = {1, 1, 0.5},
+                           .rotation_deg = {0, 0, 30}}};
+    const Document turned = after(ball_in_box(), turn);
+    EXPECT_EQ(object(turned, 2).shaping.size(), 1u);
+    EXPECT_GT(furthest(points_of(turned, 1), points_of(ball_in_box(), 1)), 0.005);
+    EXPECT_EQ(command_from_json_line(to_json_line(turn)), Command(turn));
+    EXPECT_NE(digest(turned),
+              digest(after(ball_in_box(), MovePoints{2, {.points = turn.shift.points}})));
+}
+
 TEST(Lattices, RefuseWhatCannotBeInASentence)
 {
     const auto refused = [](const Command& command, const char* why) {
@@ -223,6 +236,7 @@ TEST(Lattices, RefuseWhatCannotBeInASentence)
     refused(Reorder{.objects = {2}, .parent = 2}, "cannot be in itself");
     refused(WarpVolume{1, {.twist_deg = 5}}, "is no lattice");
     refused(SetMaterial{{2}, {}}, "group");
+    refused(MovePoints{2, {.points = {{0, 0, 0}}, .weights = {1, 1}}}, "2 numbers for 1 points");
 }
 
 } // namespace
