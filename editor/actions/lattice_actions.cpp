@@ -19,6 +19,18 @@ void add_lattice_actions(std::vector<Action>& actions)
                        },
                        something_selected(),
                        true});
+    actions.push_back({"Tools",
+                       "Proportional editing",
+                       {{'O'}},
+                       [](Editor& e) {
+                           if (const auto on = e.active_tool().proportional())
+                               e.active_tool().set_proportional(!*on);
+                       },
+                       {[](const Editor& e) { return e.active_tool().page() == "lattice"; },
+                        "choose the Lattice tool first"}});
+    actions.back().on = [](const Editor& e) {
+        return e.active_tool().proportional().value_or(false);
+    };
 }
 
 } // namespace trivar
