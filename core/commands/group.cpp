@@ -125,7 +125,11 @@ Document applied(Document document, const Reorder& command)
         const Object& group = object(document, parent);
         if (!holds_others(group.source)) throw Rejected(named(document, parent) + " is no group");
         for (Id id = parent; id != 0; id = object(document, id).parent)
-            if (moves(id)) throw Rejected(named(document, id) + " cannot be in itself");
+            if (moves(id))
+                throw Rejected(id == parent
+                                   ? named(document, id) + " cannot be in itself"
+                                   : fmt::format("{} cannot be in {}, which is in it",
+                                                 named(document, id), named(document, parent)));
     }
     if (before != 0 && (object(document, before).parent != parent || moves(before)))
         throw Rejected(
