@@ -113,7 +113,9 @@ Document applied(Document document, const Ungroup& command)
 
 StepTitle title(const Ungroup& c, const StepDocuments& step)
 {
-    return {"Ungroup " + name_in(step.before, c.object), {}};
+    const std::string name = name_in(step.before, c.object);
+    if (is_lattice(step.before, c.object)) return {"Delete " + name, "back to rest"};
+    return {"Ungroup " + name, {}};
 }
 
 Document applied(Document document, const Reorder& command)

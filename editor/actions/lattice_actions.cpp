@@ -3,9 +3,93 @@
 
 #include "editor/actions/actions.h"
 #include "editor/editor.h"
+#include "editor/session/scene_facts.h"
 #include "editor/tools/lattice_round.h"
 
 namespace trivar {
+
+namespace {
+
+// The lattice among what is selected, the active one first; 0: none.
+Id selected_lattice(const Session& session)
+{
+    const Id active = session.selected;
+    if (is_lattice(session.document(), active)) return active;
+    for (const Id id : session.selected.ids())
+        if (is_lattice(session.document(), id)) return id;
+    return 0;
+}
+
+// What is selected beside it and not in it yet.
+std::vector<Id> to_add(const Session& session, Id lattice)
+{
+    std::vector<Id> ids = session.selected.ids();
+    std::erase_if(ids, [&](Id id) {
+        return belongs_to(session.document(), id, lattice) ||
+               belongs_to(session.document(), lattice, id);
+    });
+    return lattice == 0 ? std::vector<Id>{} : topmost(session.document(), ids);
+}
+
+// The innermost lattice that an object stands in; 0: none.
+Id lattice_of(const Document& document, Id id)
+{
+    for (Id up = object(document, id).parent; up != 0; up = object(document, up).parent)
+        if (is_lattice(document, up)) return up;
+    return 0;
+}
+
+// What is selected and stands in the same lattice as the first of them that is in one.
+std::vector<Id> to_take_out(const Session& session)
+{
+    const Document& document = session.document();
+    std::vector<Id> ids = topmost(document, session.selected.ids());
+    std::erase_if(ids, [&](Id id) { return lattice_of(document, id) == 0; });
+    if (ids.empty()) return ids;
+    const Id lattice = lattice_of(document, ids.front());
+    std::erase_if(ids, [&](Id id) { return lattice_of(document, id) != lattice; });
+    return ids;
+}
+
+void add_member_actions(std::vector<Action>& actions)
+{
+    actions.push_back(
+        {"Edit",
+         add_to_lattice_action,
+         {},
+         [](Editor& e) {
+             const Id lattice = selected_lattice(e.session);
+             const std::vector<Id> ids = to_add(e.session, lattice);
+             if (e.session.run(Reorder{.objects = ids, .parent = lattice}))
+                 e.session.selected = lattice;
+         },
+         {[](const Editor& e) { return !to_add(e.session, selected_lattice(e.session)).empty(); },
+          "select a lattice and what is to bend with it"},
+         true});
+    actions.push_back({"Edit",
+                       take_out_of_lattice_action,
+                       {},
+                       [](Editor& e) {
+                           const std::vector<Id> ids = to_take_out(e.session);
+                           const Document& document = e.session.document();
+                           const Id lattice = lattice_of(document, ids.front());
+                           e.session.run(
+                               Reorder{.objects = ids, .parent = object(document, lattice).parent});
+                       },
+                       {[](const Editor& e) { return !to_take_out(e.session).empty(); },
+                        "select an object in a lattice first"}});
+    actions.push_back({"Edit",
+                       back_to_rest_action,
+                       {},
+                       [](Editor& e) { e.session.run(Ungroup{selected_lattice(e.session)}); },
+                       {[](const Editor& e) {
+                            const Id lattice = selected_lattice(e.session);
+                            return lattice != 0 && !locked(e.session.document(), lattice);
+                        },
+                        "select a lattice first"}});
+}
+
+} // namespace
 
 void add_lattice_actions(std::vector<Action>& actions)
 {
@@ -31,6 +115,7 @@ void add_lattice_actions(std::vector<Action>& actions)
     actions.back().on = [](const Editor& e) {
         return e.active_tool().proportional().value_or(false);
     };
+    add_member_actions(actions);
 }
 
 } // namespace trivar

@@ -1,53 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/lattice_points.h"
 
-#include "editor/picture/volume_picture.h"
-
 #include "core/base/rounded.h"
 #include "core/commands/edits.h"
 #include "core/placement/shifting.h"
 #include "editor/tools/gesture_keys.h"
 #include "editor/tools/hand_motion.h"
 #include "editor/tools/last_shaping.h"
-#include "editor/tools/lattice_round.h"
 #include "editor/tools/placement_handles.h"
-#include "editor/tools/point_choice.h"
 #include "editor/tools/select.h"
+#include "editor/tools/shown_points.h"
 #include "ui/icons.h"
-#include "ui/input.h"
-#include "ui/widgets.h"
+#include "ui/keys.h"
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
 #include <imgui.h>
-#include <limits>
 
 namespace trivar {
 namespace {
 
-constexpr double point_reach_px = 10;     // of the mouse, at scale 1
-constexpr std::size_t most_shown = 20000; // at once, of all; of more those round the mouse
-constexpr double shown_reach_px = 90;     // of it, at scale 1
-constexpr double radius_step = 1.1;       // by a notch of the wheel
-
-bool all_are_shown(const Lattice& volume)
-{
-    return volume.displacement.points.size() <= most_shown;
-}
-
-// Calls visit(index, pixel) for each control point before the eye.
-void each_point(const Lattice& volume, const Camera& camera, auto&& visit)
-{
-    const glm::ivec3 n = point_count(volume);
-    for (int i = 0; i < n.x; ++i)
-        for (int j = 0; j < n.y; ++j)
-            for (int k = 0; k < n.z; ++k) {
-                const Projected p = project(camera, control_point(volume, i, j, k));
-                if (p.depth_world > 0) visit(glm::ivec3(i, j, k), p.p_px);
-            }
-}
+constexpr double point_reach_px = 10; // of the mouse, at scale 1
+constexpr double radius_step = 1.1;   // by a notch of the wheel
 
 // The axis of a volume's row through a point that is seen longest, or of the plane through it that
 // looks at the eye most.
@@ -74,21 +49,6 @@ std::vector<char> flags_of(const Lattice& volume, const std::vector<glm::ivec3>&
     std::vector<char> out(volume.displacement.points.size());
     for (const glm::ivec3& p : points) out[volume.displacement.index(p.x, p.y, p.z)] = 1;
     return out;
-}
-
-// Those within are fainter, so that the box reads as one.
-bool on_shell(const Lattice& volume, const glm::ivec3& p)
-{
-    const glm::ivec3 last = point_count(volume) - 1;
-    return glm::any(glm::equal(p, glm::ivec3(0))) || glm::any(glm::equal(p, last));
-}
-
-// A dot on a dark one, so that it stands out on any ground.
-void paint_point(const ui::Theme& theme, glm::vec2 at, float radius, ui::Color color)
-{
-    const float alpha = static_cast<float>(color >> 24) / 255;
-    ui::paint_dot(at, theme.scale * (radius + 1.25f), ui::faded(theme.color.halo, alpha), 0, 0);
-    ui::paint_dot(at, theme.scale * radius, color, 0, 0);
 }
 
 bool has(const std::vector<glm::ivec3>& points, const glm::ivec3& point)
@@ -407,206 +367,6 @@ void LatticePointsTool::take_keys(Session& session)
     // A click elsewhere in the window ends it too, before the panel there sees the click.
     const bool elsewhere = by_key_ && outside_ && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
     if (ended || elsewhere) finish(session);
-}
-
-std::vector<gpu::Line> LatticePointsTool::lines(const Session& session,
-                                                const ui::Theme& theme) const
-{
-    const EvaluatedObject* laid = selected_volume(session);
-    if (!laid || !all_are_shown(laid->placement->volume)) return {};
-    if (is_lattice(session.document(), laid->id)) return {}; // its net is shown anyway
-    return shell_lines(laid->placement->volume, theme.color.lattice, theme.line(1),
-                       {.edges = 0.26f});
-}
-
-void LatticePointsTool::paint_points(const Session& session, const ui::Theme& theme,
-                                     const ViewportInput& input) const
-{
-    const Lattice& volume = selected_volume(session)->placement->volume;
-    std::vector<double> shares(volume.displacement.points.size());
-    const auto share_of = [&](const glm::ivec3& p) -> double& {
-        return shares[volume.displacement.index(p.x, p.y, p.z)];
-    };
-    for (const glm::ivec3& p : chosen_) share_of(p) = 1;
-    if (gesture_ && proportional_.on && shown_.of == point_count(volume))
-        for (std::size_t i = 0; i < shown_.weights.size(); ++i)
-            share_of(shown_.points[i]) = shown_.weights[i];
-    const double reach_px = all_are_shown(volume) ? std::numeric_limits<double>::infinity()
-                                                  : shown_reach_px * input.scale;
-    std::size_t shown = 0;
-    each_point(volume, session.view.camera, [&](const glm::ivec3& p, glm::dvec2 at) {
-        const auto share = static_cast<float>(share_of(p));
-        const bool lit = hovered_ && *hovered_ == p;
-        if (!lit && share <= 0 && glm::distance(at, input.mouse) > reach_px) return;
-        if (!lit && ++shown > most_shown) return;
-        const glm::vec2 at_window = input.rect.lo + glm::vec2(at);
-        if (lit || share >= 1)
-            return paint_point(theme, at_window, lit ? 5.5f : 4.5f, theme.color.selected);
-        paint_point(theme, at_window, 3 + share,
-                    on_shell(volume, p) || share > 0 ? theme.color.lattice
-                                                     : ui::faded(theme.color.lattice, 0.45f));
-        if (share > 0)
-            ui::paint_dot(at_window, theme.scale * (3 + share),
-                          ui::faded(theme.color.selected, share), 0, 0);
-    });
-}
-
-void LatticePointsTool::paint_gesture(const Session& session, const ui::Theme& theme,
-                                      const ViewportInput& input) const
-{
-    const Lattice& volume = selected_volume(session)->placement->volume;
-    const glm::vec2 mouse = input.rect.lo + glm::vec2(input.mouse);
-    if (proportional_.on) {
-        const Projected middle = project(session.view.camera, frame_of(volume).pivot);
-        const double radius_px =
-            proportional_.radius_m / pixel_size_world(session.view.camera, middle.depth_world);
-        constexpr double most_px = 20000; // beyond it is no circle in the picture
-        if (middle.depth_world > 0 && radius_px < most_px)
-            for (const auto& [color, wide] :
-                 {std::pair(theme.color.halo, 3.0f), {theme.color.selected, 1.4f}})
-                ui::paint_dot(input.rect.lo + glm::vec2(middle.p_px), static_cast<float>(radius_px),
-                              0, color, wide * theme.scale);
-    }
-    const Shaping* step = session.proposing() ? last_shaping(session, object_) : nullptr;
-    if (!step) return;
-    const bool short_of = step->would_fold;
-    std::string words = kind_ == MotionKind::move ? amount_words(step->done) : gesture_->amount();
-    if (proportional_.on) words += "  ·  radius " + ui::short_number(proportional_.radius_m) + " m";
-    ui::paint_chip(
-        theme, mouse + glm::vec2(theme.px(18), -theme.px(30)),
-        {words + (short_of ? ", would fold" : ""), short_of ? theme.color.bad : ui::Color{0}});
-}
-
-void LatticePointsTool::overlay(const Session& session, const ui::Theme& theme,
-                                const ViewportInput& input) const
-{
-    const EvaluatedObject* laid = selected_volume(session);
-    if (!laid) return;
-    paint_points(session, theme, input);
-    if (box_px_ && glm::distance(*box_px_, input.mouse) >= click_slip_px)
-        paint_choice_box(theme, input, *box_px_);
-    if (chosen_.empty() || box_px_ || laid->id != object_) return;
-    paint_gizmo(theme, input.rect.lo,
-                gizmo_shapes(gesture_ ? kind_ : MotionKind::move, session.view.camera,
-                             frame_of(laid->placement->volume), input.scale),
-                gesture_ ? gesture_->constraint() : hovered_handle_);
-    if (gesture_) paint_gesture(session, theme, input);
-}
-
-void LatticePointsTool::add_proportional_options(std::vector<ui::Option>& options,
-                                                 const ui::Theme& theme, const Lattice& volume)
-{
-    options.push_back(
-        {"Proportional", 20,
-         [&](float) { ui::check_box(theme, "proportional", proportional_.on, ""); },
-         "Neighbours of the chosen points go with them, the less the further they are away."});
-    if (!proportional_.on) return;
-    options.push_back({"Falloff", 96,
-                       [&](float field) {
-                           int chosen = static_cast<int>(proportional_.kind);
-                           ui::choice(theme, "falloff", chosen, falloff_names, field);
-                           proportional_.kind = static_cast<Falloff>(chosen);
-                       },
-                       "How the motion fades from the chosen points to the radius."});
-    options.push_back({"Radius", 88,
-                       [&](float field) {
-                           double metres = radius(volume);
-                           if (ui::number_field(theme, "radius", metres,
-                                                {.lo = 1e-6, .hi = 1e6, .unit = "m"},
-                                                field) != ui::Edit::none)
-                               proportional_.radius_m = metres;
-                       },
-                       "How far the motion reaches."});
-}
-
-void LatticePointsTool::options(Session& session, const ui::Theme& theme, float width)
-{
-    const EvaluatedObject* laid = selected_volume(session);
-    std::vector<ui::Option> options;
-    if (!laid && session.selected != 0) {
-        options.push_back({"", 190,
-                           [&](float field) {
-                               if (ui::button(theme, lattice_action, ui::ButtonKind::plain,
-                                              {field, theme.size.row}))
-                                   put_lattice_round_selection(session);
-                           },
-                           "What is selected bends with the control points of a box round it."});
-        return ui::option_bar(theme, options, width);
-    }
-    if (laid) add_proportional_options(options, theme, laid->placement->volume);
-    const bool box = laid && is_lattice(session.document(), laid->id);
-    options.push_back(
-        {"Mirror", 84,
-         [&, box](float field) {
-             const ImVec2 at = ImGui::GetCursorScreenPos();
-             const float each = field / 3;
-             for (int a = 0; a < 3; ++a) {
-                 ImGui::SetCursorScreenPos({at.x + static_cast<float>(a) * each, at.y});
-                 if (ui::button(theme, std::string(1, (box ? "XYZ" : "UVW")[a]),
-                                mirror_[a] ? ui::ButtonKind::primary : ui::ButtonKind::plain,
-                                {each - theme.px(4), theme.size.row}))
-                     mirror_[a] = !mirror_[a];
-             }
-         },
-         "Points on the other side of the middle along these axes go the other way."});
-    options.push_back({"Guard", 20, [&](float) { ui::check_box(theme, "guard", guard_, ""); },
-                       "No further than is proven not to fold the volume."});
-    if (laid) {
-        const glm::ivec3 n = point_count(laid->placement->volume);
-        const std::string words = fmt::format("{} of {} x {} x {}", chosen_.size(), n.x, n.y, n.z);
-        options.push_back({"Points", 128,
-                           [&theme, words](float field) {
-                               const ImVec2 at = ImGui::GetCursorScreenPos();
-                               ui::name_text(theme.font.body,
-                                             ui::rect_at({at.x, at.y}, {field, theme.size.row}),
-                                             theme.color.text_2, words);
-                           },
-                           "Control points that are chosen, of those along, across and up."});
-        if (!chosen_.empty())
-            options.push_back({"", 150,
-                               [&](float field) {
-                                   if (ui::button(theme, allow_folds_action, ui::ButtonKind::plain,
-                                                  {field, theme.size.row}))
-                                       allow_folds(session, object_, held_parts(session));
-                               },
-                               "All that bends with the chosen points may fold from then on."});
-    }
-    ui::option_bar(theme, options, width);
-}
-
-std::vector<Hint> LatticePointsTool::hints(const Session& session) const
-{
-    const EvaluatedObject* laid = selected_volume(session);
-    if (gesture_) {
-        const bool box = laid && is_lattice(session.document(), laid->id);
-        std::vector<Hint> hints{{{}, gesture_->words()},
-                                {{"left"}, by_key_ ? "Done" : "Let go when done"},
-                                {{"X", "Y", "Z"}, box ? "Along an axis" : "Along, across, up"},
-                                {{"0", "-", "9"}, "Type it"},
-                                {{"Ctrl"}, "Snap"},
-                                {{"Shift"}, "Fine"},
-                                {{"Esc", "/", "right"}, "Cancel"}};
-        if (proportional_.on) hints.insert(hints.begin() + 2, {{"wheel"}, "Radius"});
-        hints.insert(hints.begin() + 3, {{"O"}, "Neighbours"});
-        return hints;
-    }
-    if (!laid)
-        return {{{}, "Select a placed object or a lattice, or put one round what is selected"},
-                {{"left"}, "Select"},
-                {{"Esc"}, "Select"}};
-    std::vector<Hint> hints{
-        {{"left"}, chosen_.empty() ? "Choose a point" : "Drag a point or handle"},
-        {{"Double click"}, "Row"},
-        {{"Shift", "Double click"}, "Plane"},
-        {{"Ctrl", "left"}, "Add or remove"},
-        {{"left"}, "Drag a box"},
-        {{"@Proportional editing"}, "Neighbours too"},
-        {{"Esc"}, "Select"}};
-    if (!chosen_.empty())
-        hints.insert(hints.begin() + 1, {{"@Move", "@Rotate", "@Scale"}, "With the mouse"});
-    if (!all_are_shown(laid->placement->volume))
-        hints.insert(hints.begin(), {{}, "There are many: those round the mouse are shown"});
-    return hints;
 }
 
 } // namespace trivar

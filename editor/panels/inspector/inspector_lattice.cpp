@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/inspector/inspect.h"
+
+#include "editor/actions/lattice_actions.h"
 #include "editor/panels/inspector/value_rows.h"
 #include "editor/panels/panels.h"
 #include "editor/words/field_words.h"
@@ -46,14 +48,8 @@ void box_rows(Editor& editor, const ui::Theme& theme, Id id)
     propose_edit(editor, rows.edit, [&] { return SetLattice{id, s}; });
 }
 
-} // namespace
-
-void draw_lattice(Editor& editor, const ui::Theme& theme, Id id)
+void draw_bending(Editor& editor, const ui::Theme& theme, Id id)
 {
-    if (ui::section(theme, "Box")) {
-        box_rows(editor, theme, id);
-        ui::gap(theme, 8);
-    }
     if (!ui::section(theme, "Bend the box")) return;
     Warp w = warp_at_hand(editor.session, id);
     auto& next = editor.memory.of<NextWarp>();
@@ -80,6 +76,22 @@ void draw_lattice(Editor& editor, const ui::Theme& theme, Id id)
     const Warp nothing{.axis = w.axis, .toward_deg = w.toward_deg};
     if (w != nothing || editor.session.proposing())
         propose_edit(editor, rows.edit, [&] { return WarpVolume{id, w}; });
+}
+
+} // namespace
+
+void draw_lattice(Editor& editor, const ui::Theme& theme, Id id)
+{
+    if (ui::section(theme, "Box")) {
+        box_rows(editor, theme, id);
+        ui::gap(theme, 8);
+    }
+    draw_bending(editor, theme, id);
+    if (!ui::section(theme, "Delete the lattice")) return;
+    const Action& rest = action(editor, back_to_rest_action);
+    if (ui::button(theme, rest.name, ui::ButtonKind::plain, {}) && is_enabled(editor, rest))
+        rest.run(editor);
+    ui::gap(theme, 8);
 }
 
 } // namespace trivar
