@@ -113,7 +113,9 @@ Document applied(Document document, const Ungroup& command)
 
 StepTitle title(const Ungroup& c, const StepDocuments& step)
 {
-    return {"Ungroup " + name_in(step.before, c.object), {}};
+    const std::string name = name_in(step.before, c.object);
+    if (is_lattice(step.before, c.object)) return {"Delete " + name, "back to rest"};
+    return {"Ungroup " + name, {}};
 }
 
 Document applied(Document document, const Reorder& command)
@@ -125,7 +127,11 @@ Document applied(Document document, const Reorder& command)
         const Object& group = object(document, parent);
         if (!holds_others(group.source)) throw Rejected(named(document, parent) + " is no group");
         for (Id id = parent; id != 0; id = object(document, id).parent)
-            if (moves(id)) throw Rejected(named(document, id) + " cannot be in itself");
+            if (moves(id))
+                throw Rejected(id == parent
+                                   ? named(document, id) + " cannot be in itself"
+                                   : fmt::format("{} cannot be in {}, which is in it",
+                                                 named(document, id), named(document, parent)));
     }
     if (before != 0 && (object(document, before).parent != parent || moves(before)))
         throw Rejected(

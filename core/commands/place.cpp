@@ -134,7 +134,9 @@ Document applied(Document document, const Place& command)
 {
     const Object& placed = object(document, command.object);
     if (is_group(placed))
-        throw Rejected(named(document, command.object) + " is a group; place the objects in it");
+        throw Rejected(fmt::format("{} is a {}; place the objects in it",
+                                   named(document, command.object),
+                                   is_lattice(document, command.object) ? "lattice" : "group"));
     check_sketch(command.sketch);
     check_parameters(command.parameters);
     PlacementStep step{command.sketch, command.parameters,

@@ -7,6 +7,7 @@
 #include "core/commands/field_words.h"
 #include "core/placement/pressing.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace trivar {
@@ -48,6 +49,11 @@ void check(const VolumeEdit& edit)
                 throw Rejected(fmt::format("field \"points\" names {}, {}, {}, but control points "
                                            "are numbered from 0",
                                            p.x, p.y, p.z));
+    if (edit.shift && !edit.shift->weights.empty() &&
+        edit.shift->weights.size() != edit.shift->points.size())
+        throw Rejected(fmt::format("field \"weights\" has {} numbers for {} points; give one for "
+                                   "each, or none",
+                                   edit.shift->weights.size(), edit.shift->points.size()));
     if (edit.allowance)
         for (const VolumePart& box : edit.allowance->boxes)
             for (int i = 0; i < 3; ++i)
@@ -93,11 +99,17 @@ Document applied(Document document, const MovePoints& command)
 
 StepTitle title(const MovePoints& c, const StepDocuments& step)
 {
-    const std::size_t count = c.shift.points.size();
+    const PointShift& s = c.shift;
+    const auto held = std::ranges::count_if(s.weights, [](double w) { return w == 1; });
+    const std::size_t count = held > 0 ? static_cast<std::size_t>(held) : s.points.size();
     const std::string points =
-        count == 1 ? "a control point" : fmt::format("{} control points", count);
-    return {"Move " + points + " of " + name_in(step.before, c.object),
-            in_metres(glm::length(c.shift.by))};
+        (count == 1 ? "a control point" : fmt::format("{} control points", count)) + " of " +
+        name_in(step.before, c.object);
+    if (s.rotation_deg != glm::dvec3(0))
+        return {"Turn " + points, value_words(s.rotation_deg, any_value.in(Unit::degrees))};
+    if (s.factors != glm::dvec3(1))
+        return {"Scale " + points, value_words(s.factors, any_value.in(Unit::times))};
+    return {"Move " + points, in_metres(glm::length(s.by))};
 }
 
 Document applied(Document document, const InsertKnots& command)

@@ -99,6 +99,13 @@ const Object& object(const Document& document, Id id)
     return *found->second;
 }
 
+bool is_lattice(const Document& document, Id id)
+{
+    const auto found = document.objects.find(id);
+    return found != document.objects.end() &&
+           std::holds_alternative<LatticeShape>(found->second->source);
+}
+
 std::string named(Id id, const Object& object)
 {
     return "object " + std::to_string(id) + " (" + excerpt(object.name) + ")";

@@ -125,6 +125,7 @@ struct Document {
 
 // The object, or Rejected naming the id.
 const Object& object(const Document& document, Id id);
+bool is_lattice(const Document& document, Id id); // false also where there is no such object
 // "object 3 (Snake)", for a sentence; a long name is cut.
 std::string named(Id id, const Object& object);
 std::string named(const Document& document, Id id);

@@ -6,13 +6,13 @@
 #include "core/ffd/resolution.h"
 #include "core/placement/finish.h"
 #include "core/placement/level_surface.h"
+#include "core/placement/shifting.h"
 #include "core/placement/warping.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
-#include <map>
 
 namespace trivar {
 namespace {
@@ -101,48 +101,6 @@ LaidVolume allowing(LaidVolume v, const std::vector<VolumePart>& boxes)
     if (constexpr std::size_t most = 256; all.size() > most) // each cell is compared with each
         throw Rejected(fmt::format("the volume may fold in {} parts at most", most));
     return allowing_folds(std::move(v), std::move(all));
-}
-
-// Where the points of a shift go; those mirrored the other way across.
-std::vector<PointMove> moves_of(const Lattice& volume, const PointShift& shift)
-{
-    const std::array<Knots, 3>& axes = volume.displacement.axes;
-    const glm::ivec3 n(axes[0].count(), axes[1].count(), axes[2].count());
-    if (shift.of != glm::ivec3(0) && shift.of != n)
-        throw Rejected(fmt::format("it moves control points of a volume of {} x {} x {}, and there "
-                                   "are {} x {} x {} now",
-                                   shift.of.x, shift.of.y, shift.of.z, n.x, n.y, n.z));
-    for (const glm::ivec3& p : shift.points)
-        for (int a = 0; a < 3; ++a)
-            if (p[a] < 0 || p[a] >= n[a])
-                throw Rejected(fmt::format("there is no control point {}, {}, {} any more; the "
-                                           "volume has {} x {} x {}",
-                                           p.x, p.y, p.z, n.x, n.y, n.z));
-    std::vector<PointMove> out;
-    if (shift.points.empty()) return out;
-    const auto mirrored = [&](const glm::ivec3& p) { return glm::ivec3(p.x, n.y - 1 - p.y, p.z); };
-    const auto side = [&](const glm::ivec3& p) { return 2 * p.y - (n.y - 1); };
-    const auto directions = [&](const glm::ivec3& p) {
-        return volume_directions(volume, greville(volume, p));
-    };
-    const glm::ivec3 first = shift.points.front();
-    const glm::dvec3 here = directions(first).to_world(shift.by);
-    const glm::dvec3 there = directions(mirrored(first)).to_world(shift.by * glm::dvec3(1, -1, 1));
-    std::map<std::array<int, 3>, glm::dvec3> by; // each point once
-    const auto move = [&](const glm::ivec3& p) {
-        glm::dvec3 world = !shift.mirror || side(p) * side(first) >= 0 ? here : there;
-        if (shift.mirror && side(p) == 0) { // the middle keeps its side
-            const glm::dvec3 across = directions(p).across;
-            world -= glm::dot(world, across) * across;
-        }
-        by.emplace(std::array{p.x, p.y, p.z}, world);
-    };
-    for (const glm::ivec3& p : shift.points) {
-        move(p);
-        if (shift.mirror) move(mirrored(p));
-    }
-    for (const auto& [p, world] : by) out.push_back({{p[0], p[1], p[2]}, world});
-    return out;
 }
 
 // The same press but for its samples, of which the first are those.
@@ -239,7 +197,8 @@ Shaper::Done Shaper::pressed(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>&
 Shaper::Done Shaper::shifted(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>& before)
 {
     const PointShift& shift = *edit->shift;
-    std::vector<PointMove> moves = moves_of(*before->volume, shift);
+    const std::vector<PointMove> wanted = moves_of(*before->volume, shift);
+    std::vector<PointMove> moves = wanted;
     std::optional<CellVerdicts> verdicts;
     double share = 1;
     if (shift.guard) {
@@ -249,7 +208,11 @@ Shaper::Done Shaper::shifted(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>&
         moves = scaled(moves, share);
         verdicts = std::move(proven.after);
     }
-    const double asked = glm::length(shift.by);
+    double asked = glm::length(shift.by);
+    if (shift.rotation_deg != glm::dvec3(0) || shift.factors != glm::dvec3(1)) {
+        asked = 0;
+        for (const PointMove& move : wanted) asked = std::max(asked, glm::length(move.by));
+    }
     return {edit,
             make_ref(with_volume(*before, moved(*before->volume, moves), std::move(verdicts))),
             {.asked = asked, .done = share * asked, .would_fold = share < 1}};

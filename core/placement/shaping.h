@@ -32,7 +32,7 @@ struct Press {
     bool operator==(const Press&) const = default;
 };
 
-// Control points moved as one. The first says along, across and up.
+// Control points moved, turned and scaled as one. The first says along, across and up.
 struct PointShift {
     std::vector<glm::ivec3> points = {}; // indices along, across and above the stroke
     glm::dvec3 by{0};                    // metres along, across and up
@@ -41,6 +41,13 @@ struct PointShift {
     // How many the volume has along, across and up that they were numbered in: in another one they
     // would be other points, and nothing is moved. 0: whichever there is.
     glm::ivec3 of{0};
+    // One a point, 0..1: the share of the whole that it takes. None: all of it, each.
+    std::vector<double> weights = {};
+    // About the middle of the points that take all of it, in the first one's directions: scaled
+    // along them, then turned about along, across and up, then moved. A share of a turn is one by
+    // that share of its angles.
+    glm::dvec3 rotation_deg{0}, factors{1};
+    bool mirror_along = false, mirror_up = false; // as `mirror`, along those axes
     bool operator==(const PointShift&) const = default;
 };
 

@@ -64,7 +64,8 @@ std::vector<Action> all_actions()
     add_key_actions(a);
     for (std::size_t i = 0; i < tools.size(); ++i)
         a.push_back({"Tools", tools[i]->name(), tools[i]->keys(), [i](Editor& e) {
-                         if (e.tools[i]->moves() && e.active_tool().grab(e.session)) return;
+                         const std::optional<MotionKind> motion = e.tools[i]->motion();
+                         if (motion && e.active_tool().grab(e.session, *motion)) return;
                          e.choose_tool(i);
                          e.active_tool().begin(e.session);
                      }});

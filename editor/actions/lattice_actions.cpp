@@ -1,56 +1,92 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/lattice_actions.h"
 
-#include "core/commands/numbering.h"
 #include "editor/actions/actions.h"
 #include "editor/editor.h"
 #include "editor/session/scene_facts.h"
-#include "editor/session/session_facts.h"
-
-#include <algorithm>
-#include <cmath>
+#include "editor/tools/lattice_round.h"
 
 namespace trivar {
+
 namespace {
 
-// The group in which all of them are; 0: none.
-Id common_parent(const Document& document, const std::vector<Id>& ids)
+// The lattice among what is selected, the active one first; 0: none.
+Id selected_lattice(const Session& session)
 {
-    const Id parent = object(document, ids.front()).parent;
-    for (const Id id : ids)
-        if (object(document, id).parent != parent) return 0;
-    return parent;
+    const Id active = session.selected;
+    if (is_lattice(session.document(), active)) return active;
+    for (const Id id : session.selected.ids())
+        if (is_lattice(session.document(), id)) return id;
+    return 0;
 }
 
-// The box round objects, in the space of the group that holds them.
-Box box_round(const Session& session, const std::vector<Id>& ids, Id parent)
+// What is selected beside it and not in it yet.
+std::vector<Id> to_add(const Session& session, Id lattice)
 {
-    const glm::dmat4 world_to_parent =
-        parent == 0 ? glm::dmat4(1) : glm::inverse(to_world(session.document(), parent));
-    Box box;
-    for (const auto& [id, each] : session.evaluated().objects)
-        if (std::ranges::any_of(ids, [&](Id of) { return belongs_to(session.document(), id, of); }))
-            for (const Part& part : each->parts)
-                box.add(bounding_box(*part.mesh(), world_to_parent * part.to_world));
-    return box;
+    std::vector<Id> ids = session.selected.ids();
+    std::erase_if(ids, [&](Id id) {
+        return belongs_to(session.document(), id, lattice) ||
+               belongs_to(session.document(), lattice, id);
+    });
+    return lattice == 0 ? std::vector<Id>{} : topmost(session.document(), ids);
 }
 
-AddLattice lattice_round(const Session& session, const std::vector<Id>& ids)
+// The innermost lattice that an object stands in; 0: none.
+Id lattice_of(const Document& document, Id id)
 {
-    const Id parent = common_parent(session.document(), ids);
-    const Box box = box_round(session, ids, parent);
-    AddLattice add{.objects = ids};
-    if (box.empty()) return add;
-    const double longest = std::max({box.size().x, box.size().y, box.size().z, 1e-6});
-    constexpr double least_share = 0.05; // what is flat gets a thickness
-    add.shape.size = glm::max(box.size(), glm::dvec3(least_share * longest));
-    add.transform.translation = box.center();
-    const double shortest = std::min({add.shape.size.x, add.shape.size.y, add.shape.size.z});
-    for (int i = 0; i < 3; ++i)
-        add.shape.grid[i] =
-            std::clamp(static_cast<int>(std::lround(3 * add.shape.size[i] / shortest)) + 1, 4, 8);
-    add.name = Numbering(session.document()).unique(add.name);
-    return add;
+    for (Id up = object(document, id).parent; up != 0; up = object(document, up).parent)
+        if (is_lattice(document, up)) return up;
+    return 0;
+}
+
+// What is selected and stands in the same lattice as the first of them that is in one.
+std::vector<Id> to_take_out(const Session& session)
+{
+    const Document& document = session.document();
+    std::vector<Id> ids = topmost(document, session.selected.ids());
+    std::erase_if(ids, [&](Id id) { return lattice_of(document, id) == 0; });
+    if (ids.empty()) return ids;
+    const Id lattice = lattice_of(document, ids.front());
+    std::erase_if(ids, [&](Id id) { return lattice_of(document, id) != lattice; });
+    return ids;
+}
+
+void add_member_actions(std::vector<Action>& actions)
+{
+    actions.push_back(
+        {"Edit",
+         add_to_lattice_action,
+         {},
+         [](Editor& e) {
+             const Id lattice = selected_lattice(e.session);
+             const std::vector<Id> ids = to_add(e.session, lattice);
+             if (e.session.run(Reorder{.objects = ids, .parent = lattice}))
+                 e.session.selected = lattice;
+         },
+         {[](const Editor& e) { return !to_add(e.session, selected_lattice(e.session)).empty(); },
+          "select a lattice and what is to bend with it"},
+         true});
+    actions.push_back({"Edit",
+                       take_out_of_lattice_action,
+                       {},
+                       [](Editor& e) {
+                           const std::vector<Id> ids = to_take_out(e.session);
+                           const Document& document = e.session.document();
+                           const Id lattice = lattice_of(document, ids.front());
+                           e.session.run(
+                               Reorder{.objects = ids, .parent = object(document, lattice).parent});
+                       },
+                       {[](const Editor& e) { return !to_take_out(e.session).empty(); },
+                        "select an object in a lattice first"}});
+    actions.push_back({"Edit",
+                       back_to_rest_action,
+                       {},
+                       [](Editor& e) { e.session.run(Ungroup{selected_lattice(e.session)}); },
+                       {[](const Editor& e) {
+                            const Id lattice = selected_lattice(e.session);
+                            return lattice != 0 && !locked(e.session.document(), lattice);
+                        },
+                        "select a lattice first"}});
 }
 
 } // namespace
@@ -61,15 +97,25 @@ void add_lattice_actions(std::vector<Action>& actions)
                        lattice_action,
                        {{.key = 'V', .shift = true}},
                        [](Editor& e) {
-                           const Id id = e.session.committed().next_id;
-                           if (!e.session.run(lattice_round(e.session, e.session.selected.ids())))
-                               return;
-                           e.session.selected = id;
+                           if (!put_lattice_round_selection(e.session)) return;
                            for (std::size_t i = 0; i < e.tools.size(); ++i)
                                if (e.tools[i]->page() == "lattice") e.choose_tool(i);
                        },
                        something_selected(),
                        true});
+    actions.push_back({"Tools",
+                       "Proportional editing",
+                       {{'O'}},
+                       [](Editor& e) {
+                           if (const auto on = e.active_tool().proportional())
+                               e.active_tool().set_proportional(!*on);
+                       },
+                       {[](const Editor& e) { return e.active_tool().page() == "lattice"; },
+                        "choose the Lattice tool first"}});
+    actions.back().on = [](const Editor& e) {
+        return e.active_tool().proportional().value_or(false);
+    };
+    add_member_actions(actions);
 }
 
 } // namespace trivar

@@ -7,9 +7,12 @@
 
 namespace trivar {
 
-inline constexpr const char* lattice_action = "Lattice round selection";
+inline constexpr const char* add_to_lattice_action = "Add to the lattice";
+inline constexpr const char* take_out_of_lattice_action = "Take out of the lattice";
+inline constexpr const char* back_to_rest_action = "Delete lattice, back to rest";
 
-// Puts a lattice round what is selected, and takes the tool that moves its points.
+// Puts a lattice round what is selected, and takes the tool that moves its points; takes objects in
+// and out; deletes it.
 void add_lattice_actions(std::vector<Action>& actions);
 
 } // namespace trivar

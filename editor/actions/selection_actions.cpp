@@ -84,22 +84,35 @@ void add_selection_actions(std::vector<Action>& a)
     a.push_back({"Select",
                  "Select all",
                  {{'A'}},
-                 [](Editor& e) { select_keeping_active(e, visible_ones(e)); },
+                 [](Editor& e) {
+                     if (e.active_tool().choose_parts(e.session, PartChoice::all)) return;
+                     select_keeping_active(e, visible_ones(e));
+                 },
                  something_there()});
     a.push_back({"Select",
                  "Select nothing",
                  {{.key = 'A', .alt = true}},
-                 [](Editor& e) { e.session.selected = 0; },
+                 [](Editor& e) {
+                     if (e.active_tool().choose_parts(e.session, PartChoice::none)) return;
+                     e.session.selected = 0;
+                 },
                  something_selected()});
     a.push_back({"Select",
                  "Select the others",
                  {{.key = 'I', .ctrl = true}},
                  [](Editor& e) {
+                     if (e.active_tool().choose_parts(e.session, PartChoice::others)) return;
                      std::vector<Id> ids = topmost(e.session.document(), others(e));
                      std::erase_if(ids, [&](Id id) { return locked(e.session.document(), id); });
                      e.session.selected.set(ids);
                  },
                  something_there()});
+    a.push_back({"Select",
+                 "Select the next points too",
+                 {{ui::key_keypad_plus}, {ui::key_equal}},
+                 [](Editor& e) { e.active_tool().choose_parts(e.session, PartChoice::more); },
+                 {[](const Editor& e) { return e.active_tool().page() == "lattice"; },
+                  "choose control points with the Lattice tool first"}});
     a.push_back({"Select",
                  "Select the same type",
                  {{.key = 'G', .shift = true}},

@@ -21,21 +21,21 @@
 namespace trivar {
 namespace {
 
-// A lattice has no surface: its net is what is seen of it.
+// A lattice has no surface: its edges are what is seen of it, and its sides while it is selected.
 void add_lattices(std::vector<gpu::Line>& lines, const Session& session, const ui::Theme& theme)
 {
-    constexpr std::size_t most_points = 4000; // more are no net any more
+    constexpr std::size_t most_points = 20000; // the sides of more are no net any more
+    constexpr ShellLook selected, many{.sides = 0}, other{.edges = 0.3f, .sides = 0};
     for (const auto& [id, each] : session.evaluated().objects) {
-        const auto there = session.document().objects.find(id);
-        if (there == session.document().objects.end() ||
-            !std::holds_alternative<LatticeShape>(there->second->source) || !each->placement ||
-            each->placement->volume.displacement.points.size() > most_points ||
+        if (!is_lattice(session.document(), id) || !each->placement ||
             std::ranges::binary_search(session.aside, id))
             continue;
-        const float alpha = session.selected.contains(id) ? 0.75f : 0.28f;
-        for (gpu::Line& line : net_lines(each->placement->volume,
-                                         ui::faded(theme.color.lattice, alpha), theme.line(1)))
-            lines.push_back(std::move(line));
+        const Lattice& volume = each->placement->volume;
+        const ShellLook& look = !session.selected.contains(id)                    ? other
+                                : volume.displacement.points.size() > most_points ? many
+                                                                                  : selected;
+        std::ranges::move(shell_lines(volume, theme.color.lattice, theme.line(1), look),
+                          std::back_inserter(lines));
     }
 }
 
@@ -45,16 +45,22 @@ Helpers helpers_of(Editor& editor, const ui::Theme& theme)
     const Tool& tool = editor.active_tool();
     Helpers helpers{tool.lines(editor.session, theme), tool.veils(editor.session, theme)};
     const auto& objects = editor.session.evaluated().objects;
-    add_lattices(helpers.lines, editor.session, theme);
+    // Where the picture shows volumes it shows those of lattices too.
+    const bool shown_already =
+        editor.session.document().render->volumes || editor.session.shown().render->volumes;
+    if (!shown_already) add_lattices(helpers.lines, editor.session, theme);
     const auto found = objects.find(editor.session.selected);
     if (found == objects.end() || !found->second->placement || !tool.shows_volume() ||
-        editor.session.document().render->volumes || // the picture shows them
-        editor.session.shown().render->volumes ||    // they are in the picture
-        std::ranges::binary_search(editor.session.aside, found->first))
+        shown_already || std::ranges::binary_search(editor.session.aside, found->first))
         return helpers;
-    for (gpu::Line& line : placement_lines(*found->second->placement, theme.color, theme.line(1)))
-        helpers.lines.push_back(std::move(line));
-    helpers.veils.push_back(placement_veil(*found->second->placement, theme.color));
+    const Placement& placement = *found->second->placement;
+    if (is_lattice(editor.session.document(), found->first)) {
+        helpers.veils.push_back(shell_veil(placement.volume, theme.color));
+    } else {
+        std::ranges::move(placement_lines(placement, theme.color, theme.line(1)),
+                          std::back_inserter(helpers.lines));
+        helpers.veils.push_back(placement_veil(placement, theme.color));
+    }
     for (const gpu::Translucent& veil :
          editor.viewport.volume_facts().folds(*found->second, theme.color))
         helpers.veils.push_back(veil);

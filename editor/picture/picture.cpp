@@ -73,11 +73,23 @@ void add_points(std::vector<glm::dvec3>& points, const EvaluatedObject& object)
             points.emplace_back(part.to_world * glm::dvec4(p, 1));
 }
 
+void add_seen_points(std::vector<glm::dvec3>& points, const EvaluatedObject& object)
+{
+    add_points(points, object);
+    if (!object.parts.empty() || !object.placement) return;
+    const Lattice& volume = object.placement->volume;
+    const std::array<Knots, 3>& axes = volume.displacement.axes;
+    for (int i = 0; i < axes[0].count(); ++i)
+        for (int j = 0; j < axes[1].count(); ++j)
+            for (int k = 0; k < axes[2].count(); ++k)
+                points.push_back(control_point(volume, i, j, k));
+}
+
 std::vector<glm::dvec3> points_of(const Evaluated& evaluated, const std::vector<Id>& aside)
 {
     std::vector<glm::dvec3> points;
     for (const auto& [id, object] : evaluated.objects)
-        if (!std::ranges::binary_search(aside, id)) add_points(points, *object);
+        if (!std::ranges::binary_search(aside, id)) add_seen_points(points, *object);
     return points;
 }
 

@@ -15,7 +15,9 @@ gpu::Picture picture_of(const Evaluated& evaluated, const Document& document, co
 
 // Adds the vertices of an object, in world space.
 void add_points(std::vector<glm::dvec3>& points, const EvaluatedObject& object);
-// Those of all objects but the ones that are left aside, ascending ids.
+// The same, and of a lattice, which has none, its control points: what a window shows.
+void add_seen_points(std::vector<glm::dvec3>& points, const EvaluatedObject& object);
+// These of all objects but the ones that are left aside, ascending ids.
 std::vector<glm::dvec3> points_of(const Evaluated& evaluated, const std::vector<Id>& aside);
 
 // The bookmark "picture" if there is one, else a view of everything from the front, somewhat from

@@ -42,27 +42,41 @@ std::vector<gpu::Line> placement_lines(const Placement& placement, const ui::Pal
     return lines;
 }
 
-std::vector<gpu::Line> net_lines(const Lattice& volume, ui::Color color, float line_px)
+std::vector<gpu::Line> shell_lines(const Lattice& volume, ui::Color color, float line_px,
+                                   const ShellLook& look)
 {
     std::vector<gpu::Line> out;
     const std::array<Knots, 3>& axes = volume.displacement.axes;
     const glm::ivec3 n(axes[0].count(), axes[1].count(), axes[2].count());
+    const auto at_end = [](int i, int count) { return i == 0 || i == count - 1; };
+    const auto add = [&](int along, glm::ivec3 at, float alpha, float width) {
+        if (alpha <= 0) return;
+        gpu::Line line{{}, ui::linear_light(ui::faded(color, alpha)), width * line_px};
+        for (int k = 0; k < n[along]; ++k) {
+            at[along] = k;
+            line.points.emplace_back(control_point(volume, at.x, at.y, at.z));
+        }
+        out.push_back(std::move(line));
+    };
     for (int along = 0; along < 3; ++along) {
         const int s = (along + 1) % 3, t = (along + 2) % 3;
         for (int i = 0; i < n[s]; ++i)
             for (int j = 0; j < n[t]; ++j) {
-                gpu::Line line{{}, ui::linear_light(color), line_px};
-                for (int k = 0; k < n[along]; ++k) {
-                    glm::ivec3 at(0);
-                    at[along] = k;
-                    at[s] = i;
-                    at[t] = j;
-                    line.points.emplace_back(control_point(volume, at.x, at.y, at.z));
-                }
-                out.push_back(std::move(line));
+                glm::ivec3 at(0);
+                at[s] = i;
+                at[t] = j;
+                if (at_end(i, n[s]) && at_end(j, n[t]))
+                    add(along, at, look.edges, 1.5f);
+                else if (at_end(i, n[s]) || at_end(j, n[t]))
+                    add(along, at, look.sides, 1);
             }
     }
     return out;
+}
+
+gpu::Translucent shell_veil(const Lattice& volume, const ui::Palette& color)
+{
+    return veil_of(volume_surface(volume), ui::faded(color.lattice_fill, 0.25f));
 }
 
 gpu::Translucent placement_veil(const Placement& placement, const ui::Palette& color)
@@ -107,9 +121,12 @@ void add_volumes(gpu::Picture& picture, const Evaluated& evaluated, const Docume
         if (std::ranges::any_of(drawn, [&](const Lattice* other) { return *other == volume; }))
             continue;
         drawn.push_back(&volume);
-        std::ranges::move(placement_lines(*each->placement, color, line_px),
+        const bool box = is_lattice(document, id);
+        std::ranges::move(box ? shell_lines(volume, color.lattice, line_px)
+                              : placement_lines(*each->placement, color, line_px),
                           std::back_inserter(picture.lines));
-        picture.translucent.push_back(placement_veil(*each->placement, color));
+        picture.translucent.push_back(box ? shell_veil(volume, color)
+                                          : placement_veil(*each->placement, color));
         std::ranges::move(fold_veils(*each, color), std::back_inserter(picture.translucent));
         const std::vector<Ref<VolumeEdit>>& steps = object(document, id).shaping;
         if (!steps.empty() && steps.back()->press)

@@ -30,7 +30,7 @@ std::vector<glm::dvec3> points_of(const Session& session, const std::vector<Id>&
     const Members members(session.document(), ids);
     std::vector<glm::dvec3> points;
     for (const auto& [id, object] : session.evaluated().objects)
-        if (members.contain(id)) add_points(points, *object);
+        if (members.contain(id)) add_seen_points(points, *object);
     return points;
 }
 

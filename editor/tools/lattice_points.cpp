@@ -1,64 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/lattice_points.h"
 
-#include "editor/picture/volume_picture.h"
-
+#include "core/base/rounded.h"
 #include "core/commands/edits.h"
+#include "core/placement/shifting.h"
 #include "editor/tools/gesture_keys.h"
+#include "editor/tools/hand_motion.h"
 #include "editor/tools/last_shaping.h"
 #include "editor/tools/placement_handles.h"
 #include "editor/tools/select.h"
+#include "editor/tools/shown_points.h"
 #include "ui/icons.h"
-#include "ui/option_bar.h"
-#include "ui/widgets.h"
+#include "ui/keys.h"
 
 #include <algorithm>
-#include <fmt/format.h>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 #include <imgui.h>
-#include <limits>
 
 namespace trivar {
 namespace {
 
-constexpr double point_reach_px = 10;     // of the mouse, at scale 1
-constexpr std::size_t most_shown = 20000; // at once, of all; of more those round the mouse
-constexpr double shown_reach_px = 90;     // of it, at scale 1
+constexpr double point_reach_px = 10; // of the mouse, at scale 1
+constexpr double radius_step = 1.1;   // by a notch of the wheel
 
-glm::ivec3 size_of(const Lattice& volume)
+// The axis of a volume's row through a point that is seen longest, or of the plane through it that
+// looks at the eye most.
+int clearest_axis(const Lattice& volume, const Camera& camera, const glm::ivec3& p, bool plane)
 {
-    const std::array<Knots, 3>& axes = volume.displacement.axes;
-    return {axes[0].count(), axes[1].count(), axes[2].count()};
+    const VolumeDirections at = volume_directions(volume, greville(volume, p));
+    const glm::dvec3 eye = toward_eye(camera, control_point(volume, p.x, p.y, p.z));
+    const std::array<double, 3> facing{std::abs(glm::dot(at.along, eye)),
+                                       std::abs(glm::dot(at.across, eye)),
+                                       std::abs(glm::dot(at.up, eye))};
+    const auto best = plane ? std::ranges::max_element(facing) : std::ranges::min_element(facing);
+    return static_cast<int>(best - facing.begin());
 }
 
-bool all_are_shown(const Lattice& volume)
+// Rounding by a transform that was undone is no digit of what a hand or keys said.
+glm::dvec3 without_rounding(const glm::dvec3& v)
 {
-    return volume.displacement.points.size() <= most_shown;
-}
-
-// Calls visit(index, pixel) for each control point before the eye.
-void each_point(const Lattice& volume, const Camera& camera, auto&& visit)
-{
-    const glm::ivec3 n = size_of(volume);
-    for (int i = 0; i < n.x; ++i)
-        for (int j = 0; j < n.y; ++j)
-            for (int k = 0; k < n.z; ++k) {
-                const Projected p = project(camera, control_point(volume, i, j, k));
-                if (p.depth_world > 0) visit(glm::ivec3(i, j, k), p.p_px);
-            }
-}
-
-glm::dvec3 middle_of(const Lattice& volume, const std::vector<glm::ivec3>& points)
-{
-    glm::dvec3 sum(0);
-    for (const glm::ivec3& p : points) sum += control_point(volume, p.x, p.y, p.z);
-    return sum / static_cast<double>(points.size());
-}
-
-// The handles stand in the middle, along the directions at the first point.
-MotionFrame frame_of(const Lattice& volume, const std::vector<glm::ivec3>& points)
-{
-    const VolumeDirections at = volume_directions(volume, greville(volume, points.front()));
-    return {middle_of(volume, points), glm::dmat3(at.along, at.across, at.up)};
+    return glm::round(v * 1e9) / 1e9;
 }
 
 // Which of a volume's control points are among those, by their index.
@@ -81,9 +63,32 @@ const char* LatticePointsTool::icon() const
     return ui::icon::volume;
 }
 
-Command LatticePointsTool::command() const
+PointShift LatticePointsTool::held() const
 {
-    return MovePoints{object_, {chosen_, shown_, mirror_, guard_, of_}};
+    return {.points = chosen_,
+            .mirror = mirror_.y,
+            .guard = guard_,
+            .of = of_,
+            .mirror_along = mirror_.x,
+            .mirror_up = mirror_.z};
+}
+
+MotionFrame LatticePointsTool::frame_of(const Lattice& volume) const
+{
+    const VolumeDirections at = volume_directions(volume, greville(volume, chosen_.front()));
+    PointShift shift = held();
+    if (proportional_.on) shift.weights.assign(chosen_.size(), 1);
+    return {middle_of(volume, shift), glm::dmat3(at.along, at.across, at.up)};
+}
+
+double LatticePointsTool::radius(const Lattice& volume) const
+{
+    if (proportional_.radius_m > 0) return proportional_.radius_m;
+    constexpr double share = 0.5; // of the longest side as it was laid
+    double longest = 0;
+    for (int a = 0; a < 3; ++a)
+        longest = std::max(longest, glm::length(glm::dvec3(volume.rest[a])));
+    return rounded(share * longest, 2);
 }
 
 void LatticePointsTool::keep_what_is_there(const Session& session)
@@ -92,7 +97,7 @@ void LatticePointsTool::keep_what_is_there(const Session& session)
     if (!laid || laid->id != object_) chosen_.clear();
     object_ = laid ? laid->id : 0;
     if (!laid) return;
-    const glm::ivec3 n = size_of(laid->placement->volume);
+    const glm::ivec3 n = point_count(laid->placement->volume);
     std::erase_if(chosen_,
                   [&](const glm::ivec3& p) { return p.x >= n.x || p.y >= n.y || p.z >= n.z; });
 }
@@ -112,11 +117,36 @@ std::optional<glm::ivec3> LatticePointsTool::point_at(const Session& session,
     return nearest;
 }
 
-bool LatticePointsTool::grab(Session& session)
+bool LatticePointsTool::grab(Session& session, MotionKind kind)
 {
     keep_what_is_there(session);
-    grabbing_ = !chosen_.empty() && !session.committing();
-    return grabbing_;
+    grabbing_.reset();
+    if (!chosen_.empty() && !session.committing()) grabbing_ = kind;
+    return grabbing_.has_value();
+}
+
+bool LatticePointsTool::choose_parts(Session& session, PartChoice choice)
+{
+    keep_what_is_there(session);
+    const EvaluatedObject* laid = selected_volume(session);
+    if (!laid) return false;
+    const glm::ivec3 n = point_count(laid->placement->volume);
+    switch (choice) {
+    case PartChoice::all: chosen_ = all_points(n); break;
+    case PartChoice::none: chosen_.clear(); break;
+    case PartChoice::others: chosen_ = others(chosen_, n); break;
+    case PartChoice::more: chosen_ = with_next(chosen_, n); break;
+    }
+    return true;
+}
+
+bool LatticePointsTool::resize(Session& session, double factor)
+{
+    const EvaluatedObject* laid = selected_volume(session);
+    if (!laid || !proportional_.on) return false;
+    proportional_.radius_m =
+        std::clamp(rounded(radius(laid->placement->volume) * factor, 3), 1e-6, 1e6);
+    return true;
 }
 
 void LatticePointsTool::use(Session& session, const ViewportInput& input)
@@ -147,21 +177,24 @@ void LatticePointsTool::use(Session& session, const ViewportInput& input)
         box_px_.reset();
         return;
     }
-    if (std::exchange(grabbing_, false) && !chosen_.empty()) {
-        begin(session, input, {});
+    if (const auto kind = std::exchange(grabbing_, std::nullopt); kind && !chosen_.empty()) {
+        begin(session, input, {}, *kind);
         by_key_ = true;
         return;
     }
     if (!input.hovered && !input.pressed) return;
     if (!chosen_.empty())
-        hovered_handle_ = handle_at(gizmo_shapes(MotionKind::move, session.view.camera,
-                                                 frame_of(volume, chosen_), input.scale),
-                                    glm::vec2(input.mouse), input.scale);
+        hovered_handle_ = handle_at(
+            gizmo_shapes(MotionKind::move, session.view.camera, frame_of(volume), input.scale),
+            glm::vec2(input.mouse), input.scale);
     // The middle of the handles covers a single chosen point: both move it.
-    if (hovered_handle_.grip == Grip::none) hovered_ = point_at(session, input);
+    if (hovered_handle_.grip == Grip::none || hovered_handle_.grip == Grip::center ||
+        input.double_clicked)
+        hovered_ = point_at(session, input);
     if (hovered_ || hovered_handle_.grip != Grip::none)
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     if (!input.pressed || session.committing()) return;
+    if (input.double_clicked && hovered_) return choose_line(session);
     if (hovered_handle_.grip != Grip::none)
         begin(session, input, hovered_handle_);
     else if (hovered_)
@@ -181,6 +214,22 @@ void LatticePointsTool::choose(const Session& session, const ViewportInput& inpu
     begin(session, input, {Grip::center, 0});
 }
 
+void LatticePointsTool::choose_line(const Session& session)
+{
+    const ImGuiIO& io = ImGui::GetIO();
+    const Lattice& volume = selected_volume(session)->placement->volume;
+    const bool again = line_at_ == hovered_ && line_is_plane_ == io.KeyShift;
+    line_axis_ = again ? (line_axis_ + 1) % 3
+                       : clearest_axis(volume, session.view.camera, *hovered_, io.KeyShift);
+    line_at_ = hovered_;
+    line_is_plane_ = io.KeyShift;
+    const glm::ivec3 n = point_count(volume);
+    if (!io.KeyCtrl) chosen_.clear();
+    for (const glm::ivec3& p :
+         line_is_plane_ ? plane_of(*hovered_, line_axis_, n) : row_of(*hovered_, line_axis_, n))
+        if (!has(chosen_, p)) chosen_.push_back(p);
+}
+
 void LatticePointsTool::choose_in_box(const Session& session, const ViewportInput& input)
 {
     const glm::dvec2 lo = glm::min(*box_px_, input.mouse), hi = glm::max(*box_px_, input.mouse);
@@ -195,21 +244,62 @@ void LatticePointsTool::choose_in_box(const Session& session, const ViewportInpu
 }
 
 void LatticePointsTool::begin(const Session& session, const ViewportInput& input,
-                              const Handle& handle)
+                              const Handle& handle, MotionKind kind)
 {
     const Lattice& volume = selected_volume(session)->placement->volume;
-    const MotionFrame frame = frame_of(volume, chosen_);
-    of_ = size_of(volume);
+    of_ = point_count(volume);
     by_key_ = false;
+    kind_ = kind;
+    const MotionFrame frame = frame_of(volume);
+    // A lattice's steps are of the box before the object's transform, those of a stroke of the
+    // world.
+    const bool box = is_lattice(session.document(), object_);
+    const glm::dmat4 from_world =
+        box ? glm::inverse(to_world(session.shown(), object_)) : glm::dmat4(1);
+    from_world_ = glm::dmat3(from_world);
+    axes_ = frame.axes;
+    if (box) {
+        Lattice before = volume;
+        before.rest = from_world * before.rest;
+        for (glm::dvec3& d : before.displacement.points) d = from_world_ * d;
+        const VolumeDirections at = volume_directions(before, greville(before, chosen_.front()));
+        axes_ = glm::dmat3(at.along, at.across, at.up);
+    }
+    distances_ = by_distance(volume, held());
+    proportional_.radius_m = radius(volume);
     // The gesture is that of an object which stands there, turned as the volume is.
     const Stand stand{object_,
                       {.translation = frame.pivot,
                        .rotation_deg = decomposed(glm::dmat4(frame.axes)).rotation_deg},
                       glm::dmat4(1)};
-    gesture_.emplace(MotionKind::move, std::vector<Stand>{stand}, object_,
+    gesture_.emplace(kind, std::vector<Stand>{stand}, object_,
                      TransformChoices{.orientation = Orientation::local, .step_m = 0.01},
                      session.view.camera, Grasp{frame.pivot, handle, input.mouse, input.scale});
-    shown_ = glm::dvec3(0);
+    shown_ = {};
+}
+
+PointShift LatticePointsTool::shift() const
+{
+    const Motion motion = gesture_->motion();
+    const glm::dmat3 world = gesture_->frame().axes;
+    const auto along = [&](const glm::dvec3& v) { // of its own directions, from the gesture's
+        return without_rounding(glm::transpose(axes_) * (from_world_ * (world * v)));
+    };
+    const bool same = from_world_ == glm::dmat3(1) && world == axes_;
+    PointShift out = held();
+    if (motion.kind == MotionKind::move) out.by = same ? motion.offset : along(motion.offset);
+    if (motion.kind == MotionKind::scale) out.factors = motion.factors;
+    if (motion.kind == MotionKind::rotate) {
+        const glm::dvec3 axis = without_rounding(glm::normalize(along(motion.turn_axis)));
+        for (int a = 0; a < 3; ++a) // about one of them it may be more than a whole turn
+            if (std::abs(axis[a]) == 1) out.rotation_deg[a] = axis[a] * motion.angle_deg;
+        if (out.rotation_deg == glm::dvec3(0))
+            out.rotation_deg =
+                decomposed(glm::rotate(glm::dmat4(1), glm::radians(motion.angle_deg), axis))
+                    .rotation_deg;
+    }
+    if (!proportional_.on) return out;
+    return with_neighbours(std::move(out), distances_, proportional_.kind, proportional_.radius_m);
 }
 
 void LatticePointsTool::go_on(Session& session, const ViewportInput& input)
@@ -217,22 +307,25 @@ void LatticePointsTool::go_on(Session& session, const ViewportInput& input)
     const ImGuiIO& io = ImGui::GetIO();
     gesture_->move_hand(session.view.camera, input.mouse,
                         {.snap = io.KeyCtrl, .fine = io.KeyShift});
+    if (input.wheel != 0) resize(session, std::pow(radius_step, input.wheel));
     if (by_key_ ? input.pressed : input.released || !input.down) return finish(session);
     if (!by_key_ && !gesture_->typed().open() && gesture_->travelled_px() < click_slip_px) return;
-    const glm::dvec3 wanted = gesture_->motion().offset;
     // One proposal at a time: the next waits until the last one can be seen.
-    if (wanted == shown_ || !session.up_to_date()) return;
-    shown_ = wanted;
+    if (!session.up_to_date()) return;
+    PointShift wanted = shift();
+    if (wanted == shown_ || (gesture_->motion().is_nothing() && shown_.points.empty())) return;
+    shown_ = std::move(wanted);
     session.propose_quietly(command());
 }
 
 void LatticePointsTool::finish(Session& session)
 {
-    shown_ = gesture_->motion().offset;
+    shown_ = shift();
+    const bool moved = !gesture_->motion().is_nothing();
     const bool meant =
         by_key_ || gesture_->travelled_px() >= click_slip_px || gesture_->typed().open();
     gesture_.reset();
-    if (meant && shown_ != glm::dvec3(0) && session.propose(command())) {
+    if (meant && moved && session.propose(command())) {
         told_of_ = object_;
         session.commit();
     } else
@@ -252,7 +345,7 @@ std::vector<VolumePart> LatticePointsTool::held_parts(const Session& session) co
 {
     const EvaluatedObject* laid = selected_volume(session);
     if (!laid || laid->id != object_ || chosen_.empty()) return {};
-    return with_mirrored(bent_by(laid->placement->volume, chosen_), mirror_);
+    return with_mirrored(bent_by(laid->placement->volume, chosen_), mirror_.y);
 }
 
 void LatticePointsTool::cancel(Session& session)
@@ -267,114 +360,13 @@ void LatticePointsTool::take_keys(Session& session)
 {
     if (!gesture_) return;
     const bool ended = take_gesture_keys(*gesture_);
+    const bool typing_formula = gesture_->typed().text(gesture_->typed().at()).starts_with('=');
+    if (!typing_formula && ui::struck({'O'})) proportional_.on = !proportional_.on;
+    for (const auto& [key, steps] : {std::pair(ui::key_page_up, 1), {ui::key_page_down, -1}})
+        if (ui::struck({key}, true)) resize(session, std::pow(radius_step, steps));
     // A click elsewhere in the window ends it too, before the panel there sees the click.
     const bool elsewhere = by_key_ && outside_ && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
     if (ended || elsewhere) finish(session);
-}
-
-std::vector<gpu::Line> LatticePointsTool::lines(const Session& session,
-                                                const ui::Theme& theme) const
-{
-    const EvaluatedObject* laid = selected_volume(session);
-    if (!laid || !all_are_shown(laid->placement->volume)) return {};
-    return net_lines(laid->placement->volume, ui::faded(theme.color.lattice, 0.3f), theme.line(1));
-}
-
-void LatticePointsTool::overlay(const Session& session, const ui::Theme& theme,
-                                const ViewportInput& input) const
-{
-    const EvaluatedObject* laid = selected_volume(session);
-    if (!laid) return;
-    const Lattice& volume = laid->placement->volume;
-    const std::vector<char> flags = flags_of(volume, chosen_);
-    const double reach_px = all_are_shown(volume) ? std::numeric_limits<double>::infinity()
-                                                  : shown_reach_px * input.scale;
-    std::size_t shown = 0;
-    each_point(volume, session.view.camera, [&](const glm::ivec3& p, glm::dvec2 at) {
-        const bool chosen = flags[volume.displacement.index(p.x, p.y, p.z)] != 0,
-                   lit = hovered_ && *hovered_ == p;
-        if (!lit && !chosen && glm::distance(at, input.mouse) > reach_px) return;
-        if (!lit && ++shown > most_shown) return;
-        ui::paint_dot(input.rect.lo + glm::vec2(at),
-                      theme.scale * (lit      ? 5.5f
-                                     : chosen ? 4.5f
-                                              : 2.5f),
-                      chosen || lit ? theme.color.selected : theme.color.lattice, theme.color.halo,
-                      theme.scale);
-    });
-    if (box_px_ && glm::distance(*box_px_, input.mouse) >= click_slip_px)
-        paint_choice_box(theme, input, *box_px_);
-    if (chosen_.empty() || box_px_) return;
-    paint_gizmo(
-        theme, input.rect.lo,
-        gizmo_shapes(MotionKind::move, session.view.camera, frame_of(volume, chosen_), input.scale),
-        gesture_ ? gesture_->constraint() : hovered_handle_);
-    const Shaping* step =
-        gesture_ && session.proposing() ? last_shaping(session, object_) : nullptr;
-    if (!step) return;
-    const bool short_of = step->would_fold;
-    ui::paint_chip(theme,
-                   input.rect.lo + glm::vec2(input.mouse) + glm::vec2(theme.px(18), -theme.px(30)),
-                   {amount_words(step->done) + (short_of ? ", would fold" : ""),
-                    short_of ? theme.color.bad : ui::Color{0}});
-}
-
-void LatticePointsTool::options(Session& session, const ui::Theme& theme, float width)
-{
-    const EvaluatedObject* laid = selected_volume(session);
-    std::vector<ui::Option> options;
-    options.push_back({"Mirror", 20, [&](float) { ui::check_box(theme, "mirror", mirror_, ""); },
-                       "Points on the other side of the middle go the other way across."});
-    options.push_back({"Guard", 20, [&](float) { ui::check_box(theme, "guard", guard_, ""); },
-                       "No further than is proven not to fold the volume."});
-    if (laid) {
-        const glm::ivec3 n = size_of(laid->placement->volume);
-        const std::string words = fmt::format("{} of {} x {} x {}", chosen_.size(), n.x, n.y, n.z);
-        options.push_back({"Points", 128,
-                           [&theme, words](float field) {
-                               const ImVec2 at = ImGui::GetCursorScreenPos();
-                               ui::name_text(theme.font.body,
-                                             ui::rect_at({at.x, at.y}, {field, theme.size.row}),
-                                             theme.color.text_2, words);
-                           },
-                           "Control points that are chosen, of those along, across and up."});
-        if (!chosen_.empty())
-            options.push_back({"", 150,
-                               [&](float field) {
-                                   if (ui::button(theme, allow_folds_action, ui::ButtonKind::plain,
-                                                  {field, theme.size.row}))
-                                       allow_folds(session, object_, held_parts(session));
-                               },
-                               "All that bends with the chosen points may fold from then on."});
-    }
-    ui::option_bar(theme, options, width);
-}
-
-std::vector<Hint> LatticePointsTool::hints(const Session& session) const
-{
-    if (gesture_)
-        return {{{}, gesture_->words()},
-                {{"left"}, by_key_ ? "Done" : "Let go when done"},
-                {{"X", "Y", "Z"}, "Along, across, up"},
-                {{"0", "-", "9"}, "Type it"},
-                {{"Ctrl"}, "Snap"},
-                {{"Shift"}, "Fine"},
-                {{"Esc", "/", "right"}, "Cancel"}};
-    const EvaluatedObject* laid = selected_volume(session);
-    if (!laid)
-        return {{{}, "Select a placed object or a lattice, or put one round what is selected"},
-                {{"left"}, "Select"},
-                {{"Esc"}, "Select"}};
-    std::vector<Hint> hints{
-        {{"left"}, chosen_.empty() ? "Choose a point" : "Drag a point or handle"},
-        {{"Ctrl", "left"}, "Add or remove"},
-        {{"left"}, "Drag a box"},
-        {{"middle"}, "Orbit"},
-        {{"Esc"}, "Select"}};
-    if (!chosen_.empty()) hints.insert(hints.begin() + 1, {{"@Move"}, "Move with the mouse"});
-    if (!all_are_shown(laid->placement->volume))
-        hints.insert(hints.begin(), {{}, "There are many: those round the mouse are shown"});
-    return hints;
 }
 
 } // namespace trivar

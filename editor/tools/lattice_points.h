@@ -2,15 +2,17 @@
 #pragma once
 
 #include "editor/tools/gesture.h"
+#include "editor/tools/proportional.h"
 #include "editor/tools/tool.h"
+#include "ui/option_bar.h"
 
 #include <optional>
 
 namespace trivar {
 
-// Moves control points of the volume of the selected lattice or placed object: a click or a box
-// chooses some, a drag on one of them or on the handles moves them, along the volume's own
-// directions. What is seen is the proposal; a gesture is one step.
+// Moves, turns and scales control points of the volume of the selected lattice or placed object: a
+// click, a double click or a box chooses some, a drag on one of them or on the handles moves them,
+// along the volume's own directions. What is seen is the proposal; a gesture is one step.
 class LatticePointsTool : public Tool {
 public:
     std::string name() const override { return "Lattice"; }
@@ -21,7 +23,12 @@ public:
     }
     std::string page() const override { return "lattice"; }
     std::vector<ui::Chord> keys() const override { return {{'V'}, {'4'}}; }
-    bool grab(Session& session) override;
+    bool grab(Session& session, MotionKind kind) override;
+    bool choose_parts(Session& session, PartChoice choice) override;
+    std::optional<bool> proportional() const override { return proportional_.on; }
+    void set_proportional(bool on) override { proportional_.on = on; }
+    bool takes_wheel() const override { return gesture_ && proportional_.on; }
+    bool resize(Session& session, double factor) override;
     void use(Session& session, const ViewportInput& input) override;
     bool busy() const override { return gesture_.has_value() || box_px_.has_value(); }
     bool shows_volume() const override { return true; }
@@ -38,12 +45,25 @@ private:
     void keep_what_is_there(const Session& session);
     std::optional<glm::ivec3> point_at(const Session& session, const ViewportInput& input) const;
     void choose(const Session& session, const ViewportInput& input);
+    void choose_line(const Session& session);
     void choose_in_box(const Session& session, const ViewportInput& input);
-    void begin(const Session& session, const ViewportInput& input, const Handle& handle);
+    void begin(const Session& session, const ViewportInput& input, const Handle& handle,
+               MotionKind kind = MotionKind::move);
     void go_on(Session& session, const ViewportInput& input);
     void finish(Session& session);
     void tell(Session& session);
-    Command command() const;
+    void paint_points(const Session& session, const ui::Theme& theme,
+                      const ViewportInput& input) const;
+    void paint_gesture(const Session& session, const ui::Theme& theme,
+                       const ViewportInput& input) const;
+    void add_proportional_options(std::vector<ui::Option>& options, const ui::Theme& theme,
+                                  const Lattice& volume);
+    double radius(const Lattice& volume) const; // of proportional editing, metres
+    PointShift held() const;                    // the chosen ones, by nothing as yet
+    PointShift shift() const;                   // what the gesture says now
+    Command command() const { return MovePoints{object_, shown_}; }
+    // The handles stand in the middle, along the directions at the first point.
+    MotionFrame frame_of(const Lattice& volume) const;
 
     Id object_ = 0;
     glm::ivec3 of_{0};               // its control points along, across and up
@@ -52,12 +72,23 @@ private:
     Handle hovered_handle_;
     std::optional<glm::dvec2> box_px_; // where it began
     std::optional<TransformGesture> gesture_;
-    glm::dvec3 shown_{0}; // proposed last, along the volume's directions
-    bool mirror_ = false, guard_ = true;
-    bool grabbing_ = false; // a gesture by its key begins in this frame
-    bool by_key_ = false;   // the gesture goes on till a click
-    bool outside_ = false;  // the mouse is not over the picture
+    MotionKind kind_ = MotionKind::move; // of the gesture
+    // As it began: the volume's directions at the first point before the object's own transform, by
+    // columns, what takes a direction of the world there, and how far all points are.
+    glm::dmat3 axes_{1}, from_world_{1};
+    std::vector<PointDistance> distances_;
+    PointShift shown_; // proposed last
+    Proportional proportional_;
+    glm::bvec3 mirror_{false}; // along, across, up
+    bool guard_ = true;
+    std::optional<MotionKind> grabbing_; // a gesture by its key begins in this frame
+    bool by_key_ = false;                // the gesture goes on till a click
+    bool outside_ = false;               // the mouse is not over the picture
     Id told_of_ = 0;
+    // The row or plane that was chosen last by its point: the same again is along the next axis.
+    std::optional<glm::ivec3> line_at_;
+    bool line_is_plane_ = false;
+    int line_axis_ = 0;
 };
 
 } // namespace trivar

@@ -2,12 +2,14 @@
 #pragma once
 
 #include "editor/session/session.h"
+#include "editor/tools/motion.h"
 #include "gpu/picture.h"
 #include "ui/frame.h"
 #include "ui/keys.h"
 #include "ui/paint.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +44,8 @@ struct ViewportInput {
     std::function<std::vector<Id>(glm::dvec2 lo, glm::dvec2 hi)> seen_in;
 };
 
+enum class PartChoice { all, none, others, more };
+
 // A way of working in the viewport. A gesture shows its result as a proposal, commits at most once
 // and leaves no trace when it is cancelled. A tool is one file in this folder and one line in
 // all_tools().
@@ -56,11 +60,22 @@ public:
     virtual bool crosshair() const { return false; }
 
     virtual void begin(Session& session) { (void)session; } // it was chosen by its key
-    // It moves what is chosen: of the tool at work, where that grabs something, else what is
+    // How it moves what is chosen: of the tool at work, where that grabs something, else what is
     // selected.
-    virtual bool moves() const { return false; }
-    // What it has chosen goes with the mouse from now on; false where it has nothing to move.
-    virtual bool grab(Session& session) { return (void)session, false; }
+    virtual std::optional<MotionKind> motion() const { return {}; }
+    // What it has chosen goes so with the mouse from now on; false where it has nothing to move.
+    virtual bool grab(Session& session, MotionKind kind)
+    {
+        return (void)session, (void)kind, false;
+    }
+    // Chooses among the parts that it works on; false where it has none, and objects are meant.
+    virtual bool choose_parts(Session& session, PartChoice choice)
+    {
+        return (void)session, (void)choice, false;
+    }
+    // Whether neighbours of what it moves go along; nothing where it has no such switch.
+    virtual std::optional<bool> proportional() const { return {}; }
+    virtual void set_proportional(bool on) { (void)on; }
     virtual void use(Session& session, const ViewportInput& input) = 0;
     virtual bool busy() const { return false; }                 // a gesture is going on
     virtual bool shows_volume() const { return !busy(); }       // of the selected placement

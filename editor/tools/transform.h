@@ -24,7 +24,7 @@ public:
     std::string help() const override;
     std::string page() const override { return "move-rotate-scale"; }
     std::vector<ui::Chord> keys() const override;
-    bool moves() const override { return kind_ == MotionKind::move; }
+    std::optional<MotionKind> motion() const override { return kind_; }
     void begin(Session& session) override;
     void use(Session& session, const ViewportInput& input) override;
     bool busy() const override { return gesture_.has_value() || beginning_; }

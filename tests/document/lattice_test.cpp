@@ -254,6 +254,20 @@ TEST(Lattices, ComeWithTheirStepsWhenTheyAreCopied)
     EXPECT_LT(furthest(points_of(pasted, 4), points_of(bent, 1)), 1e-7);
 }
 
+TEST(Lattices, AreEditedProportionallyTurnedAndScaledInOneStepEach)
+{
+    const MovePoints turn{2,
+                          {.points = {{1, 1, 3}, {2, 2, 3}, {1, 2, 3}},
+                           .weights = {1, 1, 0.5},
+                           .rotation_deg = {0, 0, 30}}};
+    const Document turned = after(ball_in_box(), turn);
+    EXPECT_EQ(object(turned, 2).shaping.size(), 1u);
+    EXPECT_GT(furthest(points_of(turned, 1), points_of(ball_in_box(), 1)), 0.005);
+    EXPECT_EQ(command_from_json_line(to_json_line(turn)), Command(turn));
+    EXPECT_NE(digest(turned),
+              digest(after(ball_in_box(), MovePoints{2, {.points = turn.shift.points}})));
+}
+
 TEST(Lattices, RefuseWhatCannotBeInASentence)
 {
     const auto refused = [](const Command& command, const char* why) {
@@ -261,6 +275,10 @@ TEST(Lattices, RefuseWhatCannotBeInASentence)
                     ThrowsMessage<Rejected>(HasSubstr(why)));
     };
     refused(AddLattice{.objects = {}}, "no object");
+    refused(AddLattice{.objects = {7}}, "no object 7");
+    refused(AddLattice{.objects = {1}, .shape = {.orders = {4, 7, 4}}}, "between 2 and 6");
+    refused(AddLattice{.objects = {1}, .shape = {.grid = {1024, 1024, 10}}}, "10485760 control");
+    refused(Place{2, testing::small_sketch(), {}, {1}}, "is a lattice; place the objects in it");
     refused(AddLattice{.objects = {1}, .shape = {.grid = {3, 4, 4}}}, "order 4 needs at least 4");
     refused(AddLattice{.objects = {1}, .shape = {.grid = {1, 4, 4}}}, "between 2 and 1024");
     refused(AddLattice{.objects = {1}, .shape = {.grid = {300, 300, 300}}},
@@ -270,6 +288,35 @@ TEST(Lattices, RefuseWhatCannotBeInASentence)
     refused(Reorder{.objects = {2}, .parent = 2}, "cannot be in itself");
     refused(WarpVolume{1, {.twist_deg = 5}}, "is no lattice");
     refused(SetMaterial{{2}, {}}, "group");
+    refused(MovePoints{2, {.points = {{0, 0, 0}}, .weights = {1, 1}}}, "2 numbers for 1 points");
+}
+
+TEST(Lattices, CannotBeRoundAGroupThatHoldsThem)
+{
+    Document document = after(ball_in_box(), Group{.objects = {2}}); // 3
+    EXPECT_THAT([&] { after(document, Reorder{.objects = {3}, .parent = 2}); },
+                ThrowsMessage<Rejected>(HasSubstr("cannot be in object 2 (Lattice), which is in")));
+}
+
+TEST(Lattices, AreNoWayRoundForStrokesThatWouldLieOnEachOther)
+{
+    Document document = testing::small_document(); // 3, the pot, lies on 1 and 2
+    document = after(document, AddLattice{.objects = {1, 3}, .shape = {.size = {6, 6, 6}}});
+    EXPECT_THAT(
+        [&] {
+            after(document, Place{1, testing::small_sketch(), {}, {3}});
+        },
+        ThrowsMessage<Rejected>(HasSubstr("so the other way round is impossible")));
+    EXPECT_EQ(all_of(document).objects.at(3)->rejected, "");
+}
+
+TEST(Lattices, BendWhatIsFlat)
+{
+    Document document =
+        after(Document{}, AddPlane{.shape = {.size = {0.8, 0.8}, .segments = {4, 4}}});
+    document = after(document, AddLattice{.objects = {1}, .shape = {.size = {1, 1, 0.05}}});
+    const std::vector<glm::vec3> flat = points_of(document, 1);
+    EXPECT_GT(furthest(points_of(after(document, lift(2, {1, 1, 1}, 0.3)), 1), flat), 0.01);
 }
 
 } // namespace

@@ -43,6 +43,18 @@ template <> struct FieldsOf<PointShift> {
               "how many control points the volume has along, across and up: where it has others, "
               "the step is passed over; zeros: whichever there are",
               later.without_keys());
+        field("weights", s.weights,
+              "one for each of the points, 0 to 1: the share of the whole that it takes; none: all "
+              "of it",
+              later_between(0, 1).without_keys());
+        field("rotation_deg", s.rotation_deg,
+              "degrees about along, across and up, about the middle of the points with weight 1",
+              later_between(-3600, 3600).called("Turn").in(Unit::degrees));
+        field("factors", s.factors, "how many times as far from that middle they go",
+              later_between(-1000, 1000).called("Scale").in(Unit::times));
+        field("mirror_along", s.mirror_along, "those on the other side along go the other way too",
+              later);
+        field("mirror_up", s.mirror_up, "those on the other side up go the other way too", later);
     }
 };
 template <> struct FieldsOf<KnotInsertion> {

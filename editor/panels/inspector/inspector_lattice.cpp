@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/inspector/inspect.h"
+
+#include "editor/actions/lattice_actions.h"
 #include "editor/panels/inspector/value_rows.h"
 #include "editor/panels/panels.h"
 #include "editor/words/field_words.h"
@@ -39,21 +41,16 @@ void box_rows(Editor& editor, const ui::Theme& theme, Id id)
                                });
         },
         true);
+    constexpr ValueRows::Names xyz{"X", "Y", "Z"};
     rows.triple("Density", s.grid, LatticeShape{}.grid, {.lo = 2, .hi = 1024},
-                RowWords(help("grid")));
+                RowWords(help("grid")), xyz);
     rows.triple("Order", s.orders, LatticeShape{}.orders, {.lo = 2, .hi = 6},
-                RowWords(help("orders")));
+                RowWords(help("orders")), xyz);
     propose_edit(editor, rows.edit, [&] { return SetLattice{id, s}; });
 }
 
-} // namespace
-
-void draw_lattice(Editor& editor, const ui::Theme& theme, Id id)
+void draw_bending(Editor& editor, const ui::Theme& theme, Id id)
 {
-    if (ui::section(theme, "Box")) {
-        box_rows(editor, theme, id);
-        ui::gap(theme, 8);
-    }
     if (!ui::section(theme, "Bend the box")) return;
     Warp w = warp_at_hand(editor.session, id);
     auto& next = editor.memory.of<NextWarp>();
@@ -83,6 +80,22 @@ void draw_lattice(Editor& editor, const ui::Theme& theme, Id id)
     const Warp nothing{.axis = w.axis, .fixed = w.fixed, .toward_deg = w.toward_deg};
     if (w != nothing || editor.session.proposing())
         propose_edit(editor, rows.edit, [&] { return WarpVolume{id, w}; });
+}
+
+} // namespace
+
+void draw_lattice(Editor& editor, const ui::Theme& theme, Id id)
+{
+    if (ui::section(theme, "Box")) {
+        box_rows(editor, theme, id);
+        ui::gap(theme, 8);
+    }
+    draw_bending(editor, theme, id);
+    if (!ui::section(theme, "Delete the lattice")) return;
+    const Action& rest = action(editor, back_to_rest_action);
+    if (ui::button(theme, rest.name, ui::ButtonKind::plain, {}) && is_enabled(editor, rest))
+        rest.run(editor);
+    ui::gap(theme, 8);
 }
 
 } // namespace trivar

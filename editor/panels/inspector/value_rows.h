@@ -89,8 +89,10 @@ struct ValueRows {
             [&](float width) { return ui::segments(theme, label, value, names, width); });
         use(value);
     }
+    using Names = std::array<const char*, 3>;
     void triple(const std::string& label, glm::ivec3& value, const glm::ivec3& rest,
-                const ui::NumberStyle& style, const RowWords& words)
+                const ui::NumberStyle& style, const RowWords& words,
+                const Names& names = {"U", "V", "W"})
     {
         const RowWords each_axis = words.parameters.empty()
                                        ? words
@@ -98,7 +100,6 @@ struct ValueRows {
         row(
             label, value, rest, each_axis,
             [&](float width) {
-                constexpr std::array<const char*, 3> names{"U", "V", "W"};
                 const float gap = theme.px(4), each = std::floor((width - 2 * gap) / 3);
                 const ImVec2 at = ImGui::GetCursorScreenPos();
                 ui::Edit any = ui::Edit::none;

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "editor/session/session.h"
+
+namespace trivar {
+
+inline constexpr const char* lattice_action = "Lattice round selection";
+
+// A box round what is selected, which is then selected itself; false where that is refused.
+bool put_lattice_round_selection(Session& session);
+
+} // namespace trivar

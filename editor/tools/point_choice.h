@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/ffd/lattice.h"
+
+#include <vector>
+
+namespace trivar {
+
+// Which control points of a volume are meant, by their numbers along its three axes. `count` is how
+// many there are along each.
+using Points = std::vector<glm::ivec3>;
+
+glm::ivec3 point_count(const Lattice& volume);
+Points all_points(const glm::ivec3& count);
+Points row_of(const glm::ivec3& point, int axis, const glm::ivec3& count);   // along the axis
+Points plane_of(const glm::ivec3& point, int axis, const glm::ivec3& count); // across the axis
+Points others(const Points& chosen, const glm::ivec3& count);
+Points with_next(const Points& chosen, const glm::ivec3& count); // one step along each axis
+
+} // namespace trivar

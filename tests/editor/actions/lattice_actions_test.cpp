@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/actions/lattice_actions.h"
+
+#include "editor/actions/actions.h"
+#include "editor/session/outline.h"
+#include "tests/editor/boxes.h"
+
+#include <gmock/gmock.h>
+
+namespace trivar {
+namespace {
+
+using ::testing::ElementsAre;
+
+// Box 1 in lattice 3, box 2 beside it.
+struct InALattice : testing::Boxes {
+    InALattice()
+    {
+        EXPECT_TRUE(editor.session.run(
+            AddLattice{.objects = {1}, .shape = {.size = {2, 2, 2}}, .transform = of(1)}));
+        EXPECT_TRUE(editor.session.run(
+            MovePoints{3, {.points = {{1, 1, 3}, {2, 2, 3}}, .by = {0, 0, 0.4}}}));
+        wait();
+    }
+    void run(const char* name)
+    {
+        ASSERT_TRUE(is_enabled(editor, action(editor, name)));
+        action(editor, name).run(editor);
+        wait();
+    }
+    bool can(const char* name) { return is_enabled(editor, action(editor, name)); }
+    Id parent_of(Id id) const { return object(editor.session.document(), id).parent; }
+    double top(Id id) const { return editor.session.evaluated().objects.at(id)->bounds->hi.z; }
+};
+
+TEST(LatticeActions, AddWhatIsSelectedBesideALatticeToIt)
+{
+    InALattice rig;
+    rig.editor.session.selected = 2;
+    EXPECT_FALSE(rig.can(add_to_lattice_action));
+    rig.editor.session.selected.set({2, 3});
+    rig.run(add_to_lattice_action);
+    EXPECT_EQ(rig.parent_of(2), 3);
+    EXPECT_FALSE(rig.can(add_to_lattice_action)) << "it is in there already";
+}
+
+TEST(LatticeActions, TakeAMemberOutToWhereItStandsUnbent)
+{
+    InALattice rig;
+    EXPECT_GT(rig.top(1), 0.51);
+    rig.editor.session.selected = 1;
+    rig.run(take_out_of_lattice_action);
+    EXPECT_EQ(rig.parent_of(1), 0);
+    EXPECT_NEAR(rig.top(1), 0.5, 1e-6);
+    EXPECT_FALSE(rig.can(take_out_of_lattice_action));
+}
+
+TEST(LatticeActions, DeleteALatticeAndLeaveItsMembersUnbentInOneStep)
+{
+    InALattice rig;
+    rig.editor.session.selected = 3;
+    const std::size_t before = rig.steps();
+    rig.run(back_to_rest_action);
+    EXPECT_EQ(rig.steps(), before + 1);
+    EXPECT_FALSE(rig.editor.session.document().objects.contains(3));
+    EXPECT_NEAR(rig.top(1), 0.5, 1e-6);
+    rig.editor.session.undo();
+    rig.wait();
+    EXPECT_GT(rig.top(1), 0.51);
+}
+
+TEST(LatticeActions, AreNeededNoMoreThanADropOnALatticesRow)
+{
+    InALattice rig;
+    const Document& d = rig.editor.session.document();
+    const auto rows = outline(d, "", {}); // 2 3 1
+    ASSERT_EQ(rows.at(1).id, 3);
+    const RowDrop drop = row_drop(d, rows, {2}, 1.5);
+    EXPECT_THAT(drop.command.objects, ElementsAre(2));
+    EXPECT_EQ(drop.command.parent, 3);
+}
+
+TEST(LatticeActions, PutALatticeRoundWhatIsFlat)
+{
+    testing::Rig rig;
+    rig.two_objects();
+    rig.editor.session.selected = 1; // the plane
+    action(rig.editor, "Lattice round selection").run(rig.editor);
+    rig.wait();
+    EXPECT_GT(std::get<LatticeShape>(object(rig.editor.session.document(), 3).source).size.z, 0);
+    EXPECT_EQ(rig.editor.active_tool().name(), "Lattice");
+}
+
+} // namespace
+} // namespace trivar
