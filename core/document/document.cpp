@@ -31,10 +31,23 @@ Turn turn(double degrees)
 
 template <class T> void add(Digest& digest, const T& value);
 
-template <class T>
-void add_field(Digest& digest, std::string_view name, const T& value, Counted counted)
+template <class T> bool is_default(const T& value, const Rule& rule)
 {
-    if (counted != Counted::always && value == T{}) return;
+    if constexpr (requires {
+                      T(rule.rest);
+                      value == T(rule.rest);
+                  } &&
+                  !is_optional<T> && !is_list<T>)
+        return value == T(rule.rest);
+    else
+        return value == T{};
+}
+
+template <class T>
+void add_field(Digest& digest, std::string_view name, const T& value, const Rule& rule)
+{
+    const Counted counted = rule.counted;
+    if (counted != Counted::always && is_default(value, rule)) return;
     if (counted == Counted::named || counted == Counted::marked) digest.add_text(name);
     if constexpr (is_optional<T>) {
         if (counted == Counted::marked) return add(digest, *value);
@@ -51,9 +64,8 @@ void add_field(Digest& digest, std::string_view name, const T& value, Counted co
 template <class T> void add(Digest& digest, const T& value)
 {
     if constexpr (Nested<T>)
-        each_field(value,
-                   [&](std::string_view name, const auto& field, std::string_view = {},
-                       const Rule& rule = {}) { add_field(digest, name, field, rule.counted); });
+        each_field(value, [&](std::string_view name, const auto& field, std::string_view = {},
+                              const Rule& rule = {}) { add_field(digest, name, field, rule); });
     else if constexpr (std::is_convertible_v<T, std::string_view>)
         digest.add_text(value);
     else if constexpr (is_optional<T>) {

@@ -37,6 +37,7 @@ struct Rule {
     double lo = -1e9, hi = 1e9; // of numbers; no coordinate or size of a scene is beyond
     std::string_view choices{}; // of texts, separated by |; empty: any
     Counted counted = Counted::always;
+    double rest = 0;          // the default of its numbers, where it is not always counted
     std::string_view label{}; // what panels and the history call it; empty: its name in words
     Unit unit = Unit::none;
     std::string_view axes = "X|Y|Z|W";       // what the components of a vector are called
@@ -51,6 +52,7 @@ struct Rule {
     constexpr Rule called(std::string_view name) const { return with(&Rule::label, name); }
     constexpr Rule in(Unit of) const { return with(&Rule::unit, of); }
     constexpr Rule counts(Counted how) const { return with(&Rule::counted, how); }
+    constexpr Rule resting_at(double value) const { return with(&Rule::rest, value); }
     constexpr Rule with_axes(std::string_view names) const { return with(&Rule::axes, names); }
     constexpr Rule says(std::string_view on, std::string_view off) const
     {

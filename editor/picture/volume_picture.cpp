@@ -84,18 +84,47 @@ gpu::Translucent placement_veil(const Placement& placement, const ui::Palette& c
     return veil_of(volume_surface(placement.volume), color.lattice_fill);
 }
 
+namespace {
+
+void add_ball(gpu::Translucent& veil, const Mesh& ball, const glm::dvec3& center, double radius)
+{
+    const auto first = static_cast<std::uint32_t>(veil.points.size());
+    veil.normals.insert(veil.normals.end(), ball.normals.begin(), ball.normals.end());
+    for (const glm::vec3& p : ball.positions)
+        veil.points.emplace_back(center + radius * glm::dvec3(p));
+    for (std::size_t f = 0; f + 1 < ball.face_begin.size(); ++f)
+        for (std::uint32_t c = ball.face_begin[f] + 2; c < ball.face_begin[f + 1]; ++c)
+            for (const std::uint32_t corner :
+                 {ball.corners[ball.face_begin[f]], ball.corners[c - 1], ball.corners[c]})
+                veil.triangles.push_back(first + corner);
+}
+
+// The control points of the outer faces, as small balls.
+gpu::Translucent shell_points(const Lattice& volume, const ui::Palette& color)
+{
+    static const Mesh ball = sphere_mesh(1, 12, 6);
+    constexpr double share = 0.006; // of the box
+    const double radius = share * glm::length(glm::dvec3(glm::dmat3(volume.rest) * glm::dvec3(1)));
+    const std::array<Knots, 3>& axes = volume.displacement.axes;
+    const glm::ivec3 last = glm::ivec3(axes[0].count(), axes[1].count(), axes[2].count()) - 1;
+    gpu::Translucent veil;
+    veil.colors = {ui::linear_light(color.lattice)};
+    for (int i = 0; i <= last.x; ++i)
+        for (int j = 0; j <= last.y; ++j)
+            for (int k = 0; k <= last.z; ++k)
+                if (i % last.x == 0 || j % last.y == 0 || k % last.z == 0)
+                    add_ball(veil, ball, control_point(volume, i, j, k), radius);
+    return veil;
+}
+
+} // namespace
+
 gpu::Translucent ball_veil(const glm::dvec3& center, double radius, const ui::Palette& color)
 {
     static const Mesh ball = sphere_mesh(1, 48, 24);
     gpu::Translucent veil;
     veil.colors = {ui::linear_light(ui::faded(color.sphere, 0.36f))};
-    veil.normals = ball.normals;
-    for (const glm::vec3& p : ball.positions)
-        veil.points.emplace_back(center + radius * glm::dvec3(p));
-    for (std::size_t f = 0; f + 1 < ball.face_begin.size(); ++f)
-        for (std::uint32_t c = ball.face_begin[f] + 2; c < ball.face_begin[f + 1]; ++c)
-            veil.triangles.insert(veil.triangles.end(), {ball.corners[ball.face_begin[f]],
-                                                         ball.corners[c - 1], ball.corners[c]});
+    add_ball(veil, ball, center, radius);
     return veil;
 }
 
@@ -127,6 +156,7 @@ void add_volumes(gpu::Picture& picture, const Evaluated& evaluated, const Docume
                           std::back_inserter(picture.lines));
         picture.translucent.push_back(box ? shell_veil(volume, color)
                                           : placement_veil(*each->placement, color));
+        if (box) picture.translucent.push_back(shell_points(volume, color));
         std::ranges::move(fold_veils(*each, color), std::back_inserter(picture.translucent));
         const std::vector<Ref<VolumeEdit>>& steps = object(document, id).shaping;
         if (!steps.empty() && steps.back()->press)

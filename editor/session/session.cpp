@@ -104,6 +104,7 @@ void Session::refuse(const Command& command, const std::string& why)
 bool Session::propose(Command command)
 {
     check_.reset();
+    if (is_proposed(said(command))) return true;
     return attempt([&] {
         try {
             scene_.propose(said(command));
@@ -117,7 +118,15 @@ bool Session::propose(Command command)
 bool Session::propose_quietly(Command command)
 {
     check_.reset();
+    if (is_proposed(said(command))) return true;
     return attempt([&] { scene_.propose(said(command)); }, true);
+}
+
+// A hand that rests proposes the same in every frame, which is nothing to be evaluated.
+bool Session::is_proposed(const Command& command) const
+{
+    const std::optional<History::Step>& proposal = scene_.history().proposal();
+    return proposal && proposal->command == command;
 }
 
 bool Session::commit()

@@ -108,6 +108,7 @@ private:
     long submit(const Document& document);
     void look_at_frame();
     Command said(const Command& command) const; // as keys, where it changes what is animated
+    bool is_proposed(const Command& command) const;
     void finish_check();
     void tell_what_is_missing();
     void select_returned(const Document& before);

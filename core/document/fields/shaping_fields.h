@@ -51,7 +51,7 @@ template <> struct FieldsOf<PointShift> {
               "degrees about along, across and up, about the middle of the points with weight 1",
               later_between(-3600, 3600).called("Turn").in(Unit::degrees));
         field("factors", s.factors, "how many times as far from that middle they go",
-              later_between(-1000, 1000).called("Scale").in(Unit::times));
+              later_between(-1000, 1000).resting_at(1).called("Scale").in(Unit::times));
         field("mirror_along", s.mirror_along, "those on the other side along go the other way too",
               later);
         field("mirror_up", s.mirror_up, "those on the other side up go the other way too", later);

@@ -52,9 +52,9 @@ const std::vector<InspectorSection>& inspector_sections()
         {is_made_of<TextShape>, draw_text},
         {is_bent_by_lattices_alone, [](Editor& editor, const ui::Theme& theme,
                                        Id id) { draw_refinement(editor, theme, {id}); }},
-        {has_triangles, draw_simplify},
         {always, draw_transform},
         {always, draw_material},
+        {has_triangles, draw_simplify},
         {always, draw_other_numbers},
     };
     return all;

@@ -78,7 +78,7 @@ TEST(Tutorial, EveryOneReplaysWithoutANoticeAndHasANoteOnEachLine)
             }
         }
     }
-    EXPECT_THAT(titles, ElementsAre("First stroke", "One on another", "Arranging"));
+    EXPECT_THAT(titles, ElementsAre("First stroke", "One on another", "Arranging", "In a lattice"));
 }
 
 TEST(Tutorial, GoesForthAndBackByKeysAndDoesNothingToItsScene)
