@@ -149,7 +149,8 @@ std::vector<Command> fitting_commands()
             SetTime{.time = {.first_frame = 0, .last_frame = 99, .frames_per_second = 29.97}},
             AddLattice{.objects = {2}, .shape = {.size = {2, 2, 2}}},
             SetLattice{.object = 7, .shape = {.grid = {4, 4, 6}}},
-            WarpVolume{.object = 7, .warp = {.twist_deg = 30}}};
+            WarpVolume{.object = 7, .warp = {.twist_deg = 30}},
+            KeepShape{.object = 7, .members = {6}, .files = {import_of("shell.obj").file}}};
 }
 
 Command random_command(std::mt19937& random)
