@@ -5,6 +5,7 @@
 #include "core/commands/arrange.h"
 #include "core/commands/group.h"
 #include "core/commands/import.h"
+#include "core/commands/keep_shape.h"
 #include "core/commands/lattice.h"
 #include "core/commands/material.h"
 #include "core/commands/paste.h"
@@ -39,10 +40,11 @@ using AnyCommand =
                  Group, Ungroup, Reorder, Place, PlaceRound, EditPlacement, Unplace, SetTravel,
                  PlayClip, Animate, Refine, ClearRefine, PressVolume, MovePoints, InsertKnots,
                  CoarsenVolume, MendVolume, AllowFolds, Unshape, Paste, SaveCamera, DeleteCamera,
-                 SetRender, SetTime, AddLattice, SetLattice, WarpVolume, Simplify, ClearSimplify>;
+                 SetRender, SetTime, AddLattice, SetLattice, WarpVolume, KeepShape, Simplify,
+                 ClearSimplify>;
 
 // Everything that a person can do to a document, by value. It is a variant, to be visited as one,
-// whose copying and comparing of 47 kinds is compiled once rather than wherever one is copied.
+// whose copying and comparing of all kinds is compiled once rather than wherever one is copied.
 struct Command : AnyCommand {
     template <class C>
     requires is_one_of<std::remove_cvref_t<C>, AnyCommand> Command(C&& command)

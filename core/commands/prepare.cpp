@@ -58,6 +58,8 @@ Command prepare(Command command, const AssetStore& assets, const Progress& progr
             import->name = std::filesystem::path(import->file.path).stem().string();
     } else if (auto* edit = std::get_if<EditImport>(&command)) {
         edit->file = prepared(std::move(edit->file), assets, progress);
+    } else if (auto* kept = std::get_if<KeepShape>(&command)) {
+        for (ImportedFile& file : kept->files) file = prepared(std::move(file), assets, progress);
     } else if (auto* text = std::get_if<AddText>(&command)) {
         prepare_font(text->shape, assets);
     } else if (auto* letters = std::get_if<SetText>(&command)) {

@@ -16,6 +16,8 @@ template <class C> auto files_of(C& command)
     if (auto* edit = std::get_if<EditImport>(&command)) files.push_back(&edit->file);
     if (auto* relink = std::get_if<Relink>(&command))
         for (auto& file : relink->files) files.push_back(&file);
+    if (auto* kept = std::get_if<KeepShape>(&command))
+        for (auto& file : kept->files) files.push_back(&file);
     if (auto* paste = std::get_if<Paste>(&command))
         for (auto& copy : paste->copies)
             if (copy.file) files.push_back(&*copy.file);

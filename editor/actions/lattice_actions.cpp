@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/lattice_actions.h"
 
+#include "core/base/rejected.h"
 #include "editor/actions/actions.h"
 #include "editor/editor.h"
+#include "editor/files/kept_shapes.h"
 #include "editor/session/scene_facts.h"
 #include "editor/tools/lattice_round.h"
 
@@ -87,6 +89,23 @@ void add_member_actions(std::vector<Action>& actions)
                             return lattice != 0 && !locked(e.session.document(), lattice);
                         },
                         "select a lattice first"}});
+    actions.push_back({"Edit",
+                       keep_shape_action,
+                       {},
+                       [](Editor& e) {
+                           try {
+                               e.session.run(kept_shapes(e.session, selected_lattice(e.session)));
+                           } catch (const Rejected& error) {
+                               e.session.notices.say(ui::NoticeKind::error,
+                                                     "The shape was not kept", error.what());
+                           }
+                       },
+                       {[](const Editor& e) {
+                            const Id lattice = selected_lattice(e.session);
+                            return lattice != 0 && !locked(e.session.document(), lattice) &&
+                                   e.session.up_to_date() && !e.session.scene().path().empty();
+                        },
+                        "select a lattice first, in a scene that was saved"}});
 }
 
 } // namespace

@@ -9,6 +9,7 @@ namespace trivar {
 
 inline constexpr const char* add_to_lattice_action = "Add to the lattice";
 inline constexpr const char* take_out_of_lattice_action = "Take out of the lattice";
+inline constexpr const char* keep_shape_action = "Delete lattice, keep shape";
 inline constexpr const char* back_to_rest_action = "Delete lattice, back to rest";
 
 // Puts a lattice round what is selected, and takes the tool that moves its points; takes objects in

@@ -33,7 +33,7 @@ const std::vector<std::string_view> with_objects{"Frame selection",
                                                  "Delete"};
 // Where they can be done.
 const std::vector<std::string_view> with_lattices{add_to_lattice_action, take_out_of_lattice_action,
-                                                  back_to_rest_action};
+                                                  back_to_rest_action, keep_shape_action};
 const std::vector<std::string_view> with_nothing{
     "Frame all", "Select all", "Show all", rule, "Paste", add_action_name, "Import model..."};
 

@@ -150,6 +150,7 @@ std::vector<Command> fitting_commands()
             AddLattice{.objects = {2}, .shape = {.size = {2, 2, 2}}},
             SetLattice{.object = 7, .shape = {.grid = {4, 4, 6}}},
             WarpVolume{.object = 7, .warp = {.twist_deg = 30}},
+            KeepShape{.object = 7, .members = {6}, .files = {import_of("shell.obj").file}},
             Simplify{{1}, {.keep = 0.25}},
             ClearSimplify{{1}}};
 }

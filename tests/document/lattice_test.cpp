@@ -288,6 +288,11 @@ TEST(Lattices, RefuseWhatCannotBeInASentence)
     refused(Reorder{.objects = {2}, .parent = 2}, "cannot be in itself");
     refused(WarpVolume{1, {.twist_deg = 5}}, "is no lattice");
     refused(SetMaterial{{2}, {}}, "group");
+    ImportedFile file;
+    file.path = "kept.glb";
+    refused(KeepShape{1, {1}, {file}}, "is no lattice");
+    refused(KeepShape{2, {1}, {}}, "0 files for 1 members");
+    refused(KeepShape{2, {2}, {file}}, "is not in object 2");
     refused(MovePoints{2, {.points = {{0, 0, 0}}, .weights = {1, 1}}}, "2 numbers for 1 points");
 }
 

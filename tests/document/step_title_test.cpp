@@ -73,6 +73,7 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Put a lattice round Ball 4 × 4 × 4",
         "Density of Lattice 4 × 4 × 6",
         "Twist Lattice 30°",
+        "Delete Lattice and keep its shape",
         "Simplify Table to 25 %",
         "Give Table all triangles back",
     };

@@ -92,9 +92,11 @@ void draw_lattice(Editor& editor, const ui::Theme& theme, Id id)
     }
     draw_bending(editor, theme, id);
     if (!ui::section(theme, "Delete the lattice")) return;
-    const Action& rest = action(editor, back_to_rest_action);
-    if (ui::button(theme, rest.name, ui::ButtonKind::plain, {}) && is_enabled(editor, rest))
-        rest.run(editor);
+    for (const char* name : {keep_shape_action, back_to_rest_action}) {
+        const Action& way = action(editor, name);
+        if (ui::button(theme, way.name, ui::ButtonKind::plain, {}) && is_enabled(editor, way))
+            return way.run(editor);
+    }
     ui::gap(theme, 8);
 }
 

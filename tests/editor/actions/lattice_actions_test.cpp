@@ -4,6 +4,7 @@
 #include "editor/actions/actions.h"
 #include "editor/session/outline.h"
 #include "tests/editor/boxes.h"
+#include "tests/support/fixtures.h"
 
 #include <gmock/gmock.h>
 
@@ -67,6 +68,29 @@ TEST(LatticeActions, DeleteALatticeAndLeaveItsMembersUnbentInOneStep)
     rig.editor.session.undo();
     rig.wait();
     EXPECT_GT(rig.top(1), 0.51);
+}
+
+TEST(LatticeActions, KeepTheShapeOfMembersInFilesWhenALatticeIsDeleted)
+{
+    InALattice rig;
+    rig.editor.session.selected = 3;
+    EXPECT_FALSE(rig.can(keep_shape_action)) << "the scene has no folder yet";
+    const testing::TemporaryFolder folder;
+    rig.editor.session.save_as(folder.file("scene.trivar"));
+    rig.wait();
+    const Box before = *rig.editor.session.evaluated().objects.at(1)->bounds;
+    const std::size_t steps = rig.steps();
+    rig.run(keep_shape_action);
+    EXPECT_EQ(rig.steps(), steps + 1);
+    EXPECT_FALSE(rig.editor.session.document().objects.contains(3));
+    const auto* file = std::get_if<ImportedFile>(&object(rig.editor.session.document(), 1).source);
+    ASSERT_TRUE(file);
+    EXPECT_EQ(file->path, "Box kept_001.glb");
+    const Box after = *rig.editor.session.evaluated().objects.at(1)->bounds;
+    EXPECT_LT(glm::length(after.lo - before.lo) + glm::length(after.hi - before.hi), 1e-5);
+    rig.editor.session.undo();
+    rig.wait();
+    EXPECT_TRUE(rig.editor.session.document().objects.contains(3));
 }
 
 TEST(LatticeActions, AreNeededNoMoreThanADropOnALatticesRow)

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/keep_shape.h"
+
+#include "core/base/rejected.h"
+#include "core/commands/edits.h"
+#include "core/commands/group.h"
+
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+bool stands_in(const Document& document, Id id, Id lattice)
+{
+    for (Id up = object(document, id).parent; up != 0; up = object(document, up).parent)
+        if (up == lattice) return true;
+    return false;
+}
+
+} // namespace
+
+Document applied(Document document, const KeepShape& command)
+{
+    if (!is_lattice(document, command.object))
+        throw Rejected("field \"object\": " + named(document, command.object) + " is no lattice");
+    distinct(document, command.members);
+    if (command.members.size() != command.files.size())
+        throw Rejected(fmt::format("field \"files\" names {} files for {} members; give one each",
+                                   command.files.size(), command.members.size()));
+    for (std::size_t i = 0; i < command.members.size(); ++i) {
+        const Id id = command.members[i];
+        if (!stands_in(document, id, command.object))
+            throw Rejected(fmt::format("field \"members\": {} is not in {}", named(document, id),
+                                       named(document, command.object)));
+        if (holds_others(object(document, id).source))
+            throw Rejected("field \"members\": " + named(document, id) +
+                           " has no shape of its own");
+        if (command.files[i].path.empty()) throw Rejected("field \"path\" names no file");
+    }
+    document = applied(std::move(document), Ungroup{command.object});
+    for (std::size_t i = 0; i < command.members.size(); ++i)
+        document = with_changed(std::move(document), command.members[i], [&](Object& o) {
+            o = {.name = o.name,
+                 .source = command.files[i],
+                 .transform = {},
+                 .surfacing = o.surfacing,
+                 .parent = o.parent,
+                 .hidden = o.hidden,
+                 .locked = o.locked,
+                 .placement = {}};
+        });
+    return document;
+}
+
+StepTitle title(const KeepShape& c, const StepDocuments& step)
+{
+    return {"Delete " + name_in(step.before, c.object) + " and keep its shape", {}};
+}
+
+} // namespace trivar
