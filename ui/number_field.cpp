@@ -100,7 +100,7 @@ void paint_number(const Theme& theme, const Rect& r, double value, const NumberS
     }
     const bool whole = style.step >= 1 && value == std::round(value);
     std::string shown = word    ? style.words.empty() ? style.zero : style.words
-                        : whole ? fmt::format("{:.0f}", value)
+                        : whole ? fmt::format("{:.0f}", value + 0.0) // of 0, not of -0
                                 : short_number(value);
     if (word && text_width(theme.font.body, shown) > text.width()) shown = "–";
     // A narrow field says it less exactly rather than in part.

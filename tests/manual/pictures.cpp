@@ -173,9 +173,12 @@ Image press()
 Image lattice()
 {
     Window window;
-    shape_crocodile(window, "Lattice");
-    const glm::vec2 at = on_volume(window, {0.45, 0.5, 1});
-    window.draw({at - glm::vec2(60, 50), at + glm::vec2(60, 30)});
+    window.open("lattice_bend");
+    without_volumes(window);
+    window.select("Lattice");
+    window.act("Lattice");
+    const glm::vec2 at = on_volume(window, {0, 0.5, 0.8});
+    window.draw({at - glm::vec2(60, 60), at + glm::vec2(60, 60)});
     window.finish();
     return window.taken();
 }
