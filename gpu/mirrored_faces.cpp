@@ -2,7 +2,7 @@
 #include "gpu/mirrored_faces.h"
 
 #include "core/base/digest.h"
-#include "core/mesh/solid.h"
+#include "core/mesh/closed_body.h"
 
 #include <algorithm>
 #include <cassert>
@@ -66,7 +66,7 @@ std::shared_ptr<const MirroredFaces> FacesMirror::operator()(const Mesh& mesh)
     std::shared_ptr<const MirroredFaces>& found = shared_[digest_of_faces(mesh)];
     if (!found) {
         const auto fresh = uploaded(mesh);
-        fresh->solid = is_solid(mesh);
+        fresh->closed = is_closed_body(mesh);
         found = fresh;
     }
     return found;

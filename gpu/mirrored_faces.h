@@ -19,7 +19,7 @@ struct MirroredFaces {
     };
     Buffer indices;
     std::vector<Part> parts;
-    bool solid = false; // is_solid(), as far as it was looked for: of triangles alone
+    bool closed = false; // is_closed_body(), as far as it was looked for: of triangles alone
 };
 
 // Uploads of faces. Meshes of triangles that have equal ones share them, whatever their vertices:

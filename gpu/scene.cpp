@@ -74,8 +74,8 @@ SceneItem item_of(const Instance& instance, const Picture& picture, const Box& b
     const bool shows_values = picture.value_colors && instance.values &&
                               instance.values->size() == instance.mesh->vertex_count();
     item.values = shows_values ? &mirror.values(instance.values) : nullptr;
-    const auto is_solid = [](const Material& m) { return m.solid != Solid::none; };
-    if (instance.materials && std::ranges::any_of(*instance.materials, is_solid)) {
+    const auto is_filled = [](const Material& m) { return m.filling != Filling::none; };
+    if (instance.materials && std::ranges::any_of(*instance.materials, is_filled)) {
         const Ref<Mesh>& rest = faces;
         const Box at_rest = mirror.box_world(rest, glm::dmat4(1));
         const double radius = glm::length(at_rest.size()) / 2;
@@ -156,7 +156,7 @@ bool SceneItem::see_through(const MirroredMesh::Part& part) const
 
 bool SceneItem::is_body() const
 {
-    return mesh->faces->solid && opacity >= 1 &&
+    return mesh->faces->closed && opacity >= 1 &&
            std::ranges::all_of(mesh->parts(), [&](const MirroredMesh::Part& part) {
                return material(part.material).alpha == Material::Alpha::opaque;
            });

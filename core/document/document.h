@@ -32,7 +32,7 @@ struct Transform {
 struct Surfacing { // one material over the whole object, in place of its own
     glm::vec4 base_color{0.8f, 0.8f, 0.8f, 1};
     float metallic = 0, roughness = 0.6f;
-    Solid solid = Solid::none;
+    Filling filling = Filling::none;
     bool operator==(const Surfacing&) const = default;
 };
 

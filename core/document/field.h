@@ -45,7 +45,7 @@ template <>
 inline constexpr std::array<std::string_view, 5> choice_names<Ends>{"stay", "hide", "run_on",
                                                                     "loop", "back_and_forth"};
 template <>
-inline constexpr std::array<std::string_view, 3> choice_names<Solid>{"none", "wood", "flesh"};
+inline constexpr std::array<std::string_view, 3> choice_names<Filling>{"none", "wood", "flesh"};
 template <>
 inline constexpr std::array<std::string_view, 3> choice_names<ColorBy>{"material", "stretch",
                                                                        "error"};

@@ -58,7 +58,7 @@ Ref<std::vector<Material>> surfaced(const std::vector<Material>& own, const Surf
         plain[i].base_color = surfacing.base_color;
         plain[i].metallic = surfacing.metallic;
         plain[i].roughness = surfacing.roughness;
-        plain[i].solid = surfacing.solid;
+        plain[i].filling = surfacing.filling;
         plain[i].double_sided = own[i].double_sided;
         if (surfacing.base_color.a < 1) plain[i].alpha = Material::Alpha::blend;
     }

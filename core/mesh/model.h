@@ -30,7 +30,7 @@ struct Texture {
 
 // A stuff that fills a body, in place of textures: it follows from where a point is before the body
 // is deformed. No file format has it.
-enum class Solid { none, wood, flesh };
+enum class Filling { none, wood, flesh };
 
 // glTF 2.0's metallic-roughness material. Colours are linear.
 struct Material {
@@ -45,7 +45,7 @@ struct Material {
     bool double_sided = false;
     Texture base_color_texture, metallic_roughness_texture, normal_texture, occlusion_texture,
         emissive_texture;
-    Solid solid = Solid::none;
+    Filling filling = Filling::none;
     bool operator==(const Material&) const = default;
 };
 

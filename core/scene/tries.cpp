@@ -22,7 +22,7 @@ bool differ_in_numbers_only(const Command& a, const Command& b)
             else if constexpr (std::is_same_v<C, Duplicate>)
                 return c.objects == d.objects;
             else if constexpr (std::is_same_v<C, SetMaterial>)
-                return c.objects == d.objects && c.surfacing.solid == d.surfacing.solid;
+                return c.objects == d.objects && c.surfacing.filling == d.surfacing.filling;
             else if constexpr (std::is_same_v<C, Place> || std::is_same_v<C, EditPlacement>)
                 return c.object == d.object && c.sketch == d.sketch && c.onto == d.onto;
             else

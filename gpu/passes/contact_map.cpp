@@ -51,7 +51,7 @@ void ContactMap::draw(Tools& tools, const Frame& frame, const Scene& scene, int 
         pass.fragment = "depth";
         pass.scene_to_clip = along_z(frame, height, up);
         pass.reads_material = false;
-        pass.wanted = solid;
+        pass.wanted = opaque;
         tools.draw(scene.items, pass);
     }
     set_state({});

@@ -71,7 +71,7 @@ void draw_surfaces(Tools& tools, const Targets& targets, const Frame& frame, con
     pass.value_variant = pass.plain_variant = true;
     if (clay) pass.defines.emplace_back("CLAY");
     pass.scene_to_clip = frame.view_clip;
-    pass.wanted = solid;
+    pass.wanted = opaque;
     pass.prepare = [&](const Program& program, const SceneItem& item) {
         program.set("id", static_cast<unsigned>(item.id));
         if (clay) program.set("clay_color", glm::vec4(*clay, 1));
@@ -86,7 +86,7 @@ void draw_surfaces(Tools& tools, const Targets& targets, const Frame& frame, con
     tools.draw(scene.items, pass);
     pass.wanted = [&](const SceneItem& item, const MirroredMesh::Part& part) {
         const bool seen = quality.backs_of_bodies || !item.is_body() || may_be_inside(frame, item);
-        return seen && solid(item, part);
+        return seen && opaque(item, part);
     };
     glCullFace(GL_FRONT);
     tools.draw(scene.items, pass);

@@ -131,7 +131,7 @@ void ShadowMap::draw(Tools& tools, const Scene& scene, const Quality& quality)
     pass.fragment = "depth";
     pass.scene_to_clip = fitted_;
     pass.reads_material = false;
-    pass.wanted = solid;
+    pass.wanted = opaque;
     if (!quality.backs_of_bodies)
         pass.without_backs = [](const SceneItem& item, const MirroredMesh::Part&) {
             return item.is_body();

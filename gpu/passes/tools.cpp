@@ -62,7 +62,7 @@ void set_state(const DrawState& state)
     glEnable(GL_FRAMEBUFFER_SRGB);
 }
 
-bool solid(const SceneItem& item, const MirroredMesh::Part& part)
+bool opaque(const SceneItem& item, const MirroredMesh::Part& part)
 {
     return !item.see_through(part);
 }
@@ -142,11 +142,12 @@ void Tools::draw(const SceneItem& item, const MirroredMesh::Part& part, const Me
     const bool reads = pass.reads_material || mask;
     ProgramName name{"mesh", pass.fragment, pass.defines};
     const bool values = item.shows_values() && pass.value_variant;
-    const bool fills = !values && item.rest && pass.reads_material && material.solid != Solid::none;
+    const bool fills =
+        !values && item.rest && pass.reads_material && material.filling != Filling::none;
     if (values)
         name.defines.emplace_back("VALUES");
     else if (fills)
-        name.defines.push_back(fmt::format("SOLID {}", static_cast<int>(material.solid)));
+        name.defines.push_back(fmt::format("SOLID {}", static_cast<int>(material.filling)));
     else if (reads && textures_of(material))
         name.defines.push_back(fmt::format("TEXTURES {}", textures_of(material)));
     else if (pass.plain_variant && !mask && !item.mesh->colored)

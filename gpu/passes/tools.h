@@ -63,7 +63,7 @@ private:
 };
 
 // Whether the part is solid: everything that is not see-through.
-bool solid(const SceneItem& item, const MirroredMesh::Part& part);
+bool opaque(const SceneItem& item, const MirroredMesh::Part& part);
 
 // A full-screen program without variants.
 ProgramName full_screen_program(std::string fragment, std::vector<std::string> defines = {});

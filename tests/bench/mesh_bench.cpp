@@ -2,9 +2,9 @@
 // What asks for the edges of a mesh of half a million triangles.
 #include "core/base/parallel.h"
 #include "core/mesh/adjacency.h"
+#include "core/mesh/closed_body.h"
 #include "core/mesh/primitives.h"
 #include "core/mesh/repair.h"
-#include "core/mesh/solid.h"
 
 #include <benchmark/benchmark.h>
 
@@ -35,12 +35,12 @@ BENCHMARK(edges_adjacency)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
-void edges_is_solid(benchmark::State& state)
+void edges_is_closed_body(benchmark::State& state)
 {
     const Mesh mesh = half_a_million();
-    for (auto _ : state) benchmark::DoNotOptimize(is_solid(mesh));
+    for (auto _ : state) benchmark::DoNotOptimize(is_closed_body(mesh));
 }
-BENCHMARK(edges_is_solid)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(edges_is_closed_body)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void edges_repaired(benchmark::State& state)
 {

@@ -107,8 +107,8 @@ TEST(Animate, LetsCountsChoicesAndSwitchesStayUntilTheNextKey)
     EXPECT_TRUE(object(then, 3).hidden);
     EXPECT_EQ(object(before, 3).travel.followers, 2);
     EXPECT_EQ(object(document_at(document, 11), 3).travel.followers, 6);
-    EXPECT_EQ(object(before, 3).surfacing->solid, Solid::none);
-    EXPECT_EQ(object(then, 3).surfacing->solid, Solid::flesh);
+    EXPECT_EQ(object(before, 3).surfacing->filling, Filling::none);
+    EXPECT_EQ(object(then, 3).surfacing->filling, Filling::flesh);
     EXPECT_EQ(before.render->look, "dark");
     EXPECT_EQ(then.render->look, "clay");
     for (const Track& track : object(document, 3).tracks)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
-#include "core/mesh/solid.h"
+#include "core/mesh/closed_body.h"
 #include "core/text/text_shape.h"
 
 #include <cstdlib>
@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
                                          .tolerance = 0.02,
                                          .max_edge = 0.5},
                                         font);
-        if (body.mesh.face_count() > 0 && !is_solid(body.mesh)) std::abort();
+        if (body.mesh.face_count() > 0 && !is_closed_body(body.mesh)) std::abort();
     } catch (const Rejected&) {
     }
     return 0;

@@ -121,9 +121,9 @@ TEST_F(Values, SolidStuffsStretchWithTheBodyThatTheyFill)
         add_face(mesh, std::array<std::uint32_t, 4>{0, 1, 2, 3});
         return mesh;
     };
-    for (const Solid solid : {Solid::wood, Solid::flesh}) {
+    for (const Filling filling : {Filling::wood, Filling::flesh}) {
         Material material;
-        material.solid = solid;
+        material.filling = filling;
         Picture picture;
         picture.settings.shadows = picture.settings.ambient_occlusion = false;
         picture.settings.ground = false;

@@ -3,7 +3,7 @@
 
 #include "core/base/digest.h"
 #include "core/base/parallel.h"
-#include "core/mesh/solid.h"
+#include "core/mesh/closed_body.h"
 #include "core/text/installed_fonts.h"
 #include "tests/mesh/edges.h"
 
@@ -53,7 +53,7 @@ void expect_closed(const Mesh& mesh)
     EXPECT_EQ(edges.open, 0);
     EXPECT_EQ(edges.against, 0);
     EXPECT_EQ(edges.crowded, 0);
-    EXPECT_TRUE(is_solid(mesh));
+    EXPECT_TRUE(is_closed_body(mesh));
     EXPECT_GT(volume(mesh), 0);
 }
 

@@ -2,7 +2,7 @@
 #include "core/text/text_shape.h"
 
 #include "core/base/rejected.h"
-#include "core/mesh/solid.h"
+#include "core/mesh/closed_body.h"
 #include "core/text/installed_fonts.h"
 #include "core/text/letters.h"
 #include "tests/mesh/edges.h"
@@ -67,7 +67,7 @@ TEST(Text, IsLettersThatAreEachClosed)
     EXPECT_THAT(body.notices, IsEmpty());
     const auto edges = trivar::testing::count_edges(body.mesh);
     EXPECT_EQ(edges.open + edges.against + edges.crowded, 0);
-    EXPECT_TRUE(is_solid(body.mesh));
+    EXPECT_TRUE(is_closed_body(body.mesh));
     validate(body.mesh, "text");
 }
 
@@ -148,7 +148,7 @@ TEST(Text, ShowsABoxForALetterThatTheFontLacksAndSaysSo)
     EXPECT_THAT(body_of("a\U0001F600", inter).notices, // what reads this may lack it as well
                 ElementsAre(::testing::HasSubstr("one letter of the text: U+1F600; a box")));
     EXPECT_GT(body.mesh.face_count(), body_of("ab", inter).mesh.face_count());
-    EXPECT_TRUE(is_solid(body.mesh));
+    EXPECT_TRUE(is_closed_body(body.mesh));
 }
 
 TEST(Text, NamesTheLettersOfAClusterThatTheFontLacksAndNoOthers)
@@ -213,7 +213,7 @@ TEST(Text, RefusesMoreFacesThanAnyoneCanBend)
 TEST(Text, LetsMarksAndSignsOfAllKindsPass)
 {
     const TextBody body = body_of("\u202Eabc\u202C \u0301\u0301\u0301 \U0001F600 \uFFFD\u200D");
-    EXPECT_TRUE(is_solid(body.mesh));
+    EXPECT_TRUE(is_closed_body(body.mesh));
 }
 
 TEST(Text, ReadsBackWhatItWroteAsUtf8)
@@ -270,7 +270,7 @@ TEST(Fonts, ThatAreDamagedAreBoxesOrRefused)
         if (i % 7 == 0) bad.resize((random >> 4) % bad.size());
         try {
             const TextBody body = body_of("aB§é", Font(bad, 0, "bad"));
-            EXPECT_TRUE(body.mesh.face_count() == 0 || is_solid(body.mesh)) << i;
+            EXPECT_TRUE(body.mesh.face_count() == 0 || is_closed_body(body.mesh)) << i;
             ++survived;
         } catch (const Rejected&) {
         }

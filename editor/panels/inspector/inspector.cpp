@@ -286,14 +286,14 @@ void draw_material(Editor& editor, const ui::Theme& theme, Id id)
         value = static_cast<float>(number);
         if (one != ui::Edit::none) edit = one;
     };
-    int solid = static_cast<int>(s.solid);
+    int chosen = static_cast<int>(s.filling);
     const ui::Row filling = ui::label_row(theme, "Filling", false, help("solid"));
     keys.mark(theme, filling, {"material.solid"});
     const ui::Edit filled =
-        ui::segments(theme, "filling", solid, {"None", "Wood", "Flesh"}, filling.width);
+        ui::segments(theme, "filling", chosen, {"None", "Wood", "Flesh"}, filling.width);
     if (filled != ui::Edit::none) edit = filled;
-    s.solid = static_cast<Solid>(solid);
-    if (s.solid == Solid::none) { // the others have their own
+    s.filling = static_cast<Filling>(chosen);
+    if (s.filling == Filling::none) { // the others have their own
         share("Metallic", "metallic", s.metallic);
         share("Roughness", "roughness", s.roughness);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/mesh/closed_body.h"
 #include "core/mesh/primitives.h"
-#include "core/mesh/solid.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -43,28 +43,28 @@ Mesh inside_out(Mesh mesh)
 
 } // namespace
 
-TEST(Solid, IsWhatIsClosedAndLooksOutwards)
+TEST(ClosedBody, IsWhatIsClosedAndLooksOutwards)
 {
-    EXPECT_TRUE(is_solid(box_at(0)));
-    EXPECT_TRUE(is_solid(box_at(1e4))); // wherever it lies
-    EXPECT_FALSE(is_solid(inside_out(box_at(0))));
-    EXPECT_FALSE(is_solid(Mesh{}));
+    EXPECT_TRUE(is_closed_body(box_at(0)));
+    EXPECT_TRUE(is_closed_body(box_at(1e4))); // wherever it lies
+    EXPECT_FALSE(is_closed_body(inside_out(box_at(0))));
+    EXPECT_FALSE(is_closed_body(Mesh{}));
 }
 
-TEST(Solid, NoMeshWithAHoleIs)
+TEST(ClosedBody, NoMeshWithAHoleIs)
 {
     Mesh open = box_at(0);
     open.corners.resize(open.face_begin[open.face_count() - 1]);
     open.face_begin.pop_back();
-    EXPECT_FALSE(is_solid(open));
-    EXPECT_FALSE(is_solid(plane_mesh({1, 1}, {3, 3})));
+    EXPECT_FALSE(is_closed_body(open));
+    EXPECT_FALSE(is_closed_body(plane_mesh({1, 1}, {3, 3})));
 }
 
-TEST(Solid, EveryPieceMustBe)
+TEST(ClosedBody, EveryPieceMustBe)
 {
-    EXPECT_TRUE(is_solid(both(box_at(0), box_at(3))));
-    EXPECT_FALSE(is_solid(both(box_at(0), inside_out(box_at(3)))));
-    EXPECT_TRUE(is_solid(both(box_at(0), box_at(1)))); // they touch in a face
+    EXPECT_TRUE(is_closed_body(both(box_at(0), box_at(3))));
+    EXPECT_FALSE(is_closed_body(both(box_at(0), inside_out(box_at(3)))));
+    EXPECT_TRUE(is_closed_body(both(box_at(0), box_at(1)))); // they touch in a face
 }
 
 } // namespace trivar::testing

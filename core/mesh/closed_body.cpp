@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/mesh/solid.h"
+#include "core/mesh/closed_body.h"
 
 #include "core/mesh/adjacency.h"
 
@@ -24,7 +24,7 @@ std::vector<std::uint32_t> pieces(const Adjacency& adjacency)
 
 } // namespace
 
-bool is_solid(const Mesh& mesh)
+bool is_closed_body(const Mesh& mesh)
 {
     if (mesh.face_count() == 0) return false;
     const Adjacency adjacency(mesh);
