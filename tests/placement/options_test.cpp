@@ -2,7 +2,6 @@
 #include "core/base/rejected.h"
 #include "core/mesh/primitives.h"
 #include "core/placement/placement.h"
-#include "core/placement/preview.h"
 #include "tests/placement/scenes.h"
 
 #include <gmock/gmock.h>
@@ -64,20 +63,6 @@ TEST(Volume, OfF1OverARampRisesTowardTheCamera)
             EXPECT_NEAR(foot.z, 0.3 * foot.x - 0.2 * foot.y, 1e-6);
             EXPECT_LT(glm::distance(roof - foot, {0, 0, 0.25}), 1e-9);
         }
-}
-
-TEST(Preview, AgreesWithTheStripOfThePlacement)
-{
-    const RayScene scene = scene_of(plane_mesh({20, 20}, {4, 4}));
-    const Sketch sketch = stroke(from_above(), {{300, 500}, {1200, 560}});
-    const Placement out = placed(sketch, scene);
-    const auto lines = preview_strip(sketch, out.report.width_world, scene);
-    ASSERT_EQ(lines.size(), out.strip.size());
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        EXPECT_LT(glm::distance(lines[i].front(), out.strip[i].front()), 1e-6);
-        EXPECT_LT(glm::distance(lines[i].back(), out.strip[i].back()), 1e-6);
-    }
-    EXPECT_TRUE(preview_strip(stroke(from_above(), {{300, 500}, {301, 500}}), 0, scene).empty());
 }
 
 TEST(SkipBackFaces, PlacesBehindWhatIsTurnedAway)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/placement/spring_dynamics.h"
+#include "tests/placement/spring_dynamics.h"
 
 #include <algorithm>
 #include <cmath>
