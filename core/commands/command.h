@@ -8,7 +8,6 @@
 #include "core/commands/keep_shape.h"
 #include "core/commands/lattice.h"
 #include "core/commands/material.h"
-#include "core/commands/noise.h"
 #include "core/commands/paste.h"
 #include "core/commands/place.h"
 #include "core/commands/play.h"
@@ -42,7 +41,7 @@ using AnyCommand =
                  PlayClip, Animate, Refine, ClearRefine, PressVolume, MovePoints, InsertKnots,
                  CoarsenVolume, MendVolume, AllowFolds, Unshape, Paste, SaveCamera, DeleteCamera,
                  SetRender, SetTime, AddLattice, SetLattice, WarpVolume, KeepShape, Simplify,
-                 ClearSimplify, AddNoise>;
+                 ClearSimplify>;
 
 // Everything that a person can do to a document, by value. It is a variant, to be visited as one,
 // whose copying and comparing of all kinds is compiled once rather than wherever one is copied.

@@ -4,7 +4,6 @@
 #include "core/commands/import.h"
 #include "core/commands/lattice.h"
 #include "core/commands/material.h"
-#include "core/commands/noise.h"
 #include "core/commands/place.h"
 #include "core/commands/play.h"
 #include "core/commands/primitives.h"
@@ -61,7 +60,6 @@ struct CopiedObject {
     std::optional<Playing> playing;
     std::optional<Refining> refining;
     std::optional<Simplifying> simplifying;
-    std::optional<Noise> noise;
     std::vector<Track> tracks;
     bool operator==(const CopiedObject&) const = default;
 };
@@ -113,7 +111,6 @@ template <> struct FieldsOf<CopiedObject> {
         field("playing", c.playing, "how an imported model moves by a clip of its file");
         field("refining", c.refining, "how finely its triangles are split");
         field("simplifying", c.simplifying, "how its triangles are made fewer");
-        field("noise", c.noise, "how its vertices are shifted");
         field("tracks", c.tracks, "how its parameters go from key to key", later);
     }
 };

@@ -77,13 +77,6 @@ struct Simplifying {
     bool operator==(const Simplifying&) const = default;
 };
 
-// Shifts every vertex a little, after everything else.
-struct Noise {
-    double amount = 0.01; // metres, at most
-    int seed = 1;
-    bool operator==(const Noise&) const = default;
-};
-
 struct Object {
     std::string name;
     Source source;
@@ -100,7 +93,6 @@ struct Object {
     Playing playing = {};                  // if it is an imported file
     std::optional<Refining> refining = {}; // if it lies on a stroke
     std::optional<Simplifying> simplifying = {};
-    std::optional<Noise> noise = {};
     Tracks tracks = {}; // of what changes in time, by parameter
     bool operator==(const Object&) const = default;
 };

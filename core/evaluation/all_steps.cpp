@@ -3,7 +3,6 @@
 #include "core/evaluation/lattices.h"
 #include "core/evaluation/laying.h"
 #include "core/evaluation/moving.h"
-#include "core/evaluation/noising.h"
 #include "core/evaluation/refining.h"
 #include "core/evaluation/simplifying.h"
 
@@ -37,7 +36,6 @@ std::vector<std::unique_ptr<Step>> all_steps()
     steps.push_back(std::make_unique<WithinReach>());
     steps.push_back(std::make_unique<InLattices>());
     steps.push_back(std::make_unique<RefiningStep>());
-    steps.push_back(std::make_unique<Noising>());
     return steps;
 }
 

@@ -152,8 +152,7 @@ std::vector<Command> fitting_commands()
             WarpVolume{.object = 7, .warp = {.twist_deg = 30}},
             KeepShape{.object = 7, .members = {6}, .files = {import_of("shell.obj").file}},
             Simplify{{1}, {.keep = 0.25}},
-            ClearSimplify{{1}},
-            AddNoise{{1}, {}}};
+            ClearSimplify{{1}}};
 }
 
 Command random_command(std::mt19937& random)

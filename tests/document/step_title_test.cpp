@@ -76,7 +76,6 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Delete Lattice and keep its shape",
         "Simplify Table to 25 %",
         "Give Table all triangles back",
-        "Shift vertices of Table 0.01 m",
     };
     const std::vector<Command> commands = testing::fitting_commands();
     ASSERT_EQ(commands.size(), expected.size());

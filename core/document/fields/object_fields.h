@@ -3,7 +3,6 @@
 
 #include "core/document/fields/import_fields.h"
 #include "core/document/fields/lattice_fields.h"
-#include "core/document/fields/noise_fields.h"
 #include "core/document/fields/placement_fields.h"
 #include "core/document/fields/playing_fields.h"
 #include "core/document/fields/primitive_fields.h"
@@ -65,8 +64,6 @@ template <> struct FieldsOf<Object> {
               any_value.counts(Counted::marked));
         field("simplifying", o.simplifying, "how its triangles are made fewer",
               any_value.counts(Counted::marked).without_keys());
-        field("noise", o.noise, "how its vertices are shifted",
-              any_value.counts(Counted::marked));
         field("tracks", o.tracks, "how its numbers go from key to key", later.without_keys());
     }
 };
