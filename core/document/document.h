@@ -48,7 +48,5 @@ std::vector<Id> lattices_round(const Document& document, Id id);
 std::vector<Id> in_row_order(const Document& document);
 // The object's transform under its parents'. What is placed lies in the world without it.
 glm::dmat4 to_world(const Document& document, Id id);
-// Digest of the causes, 32 hexadecimal digits.
-std::string digest(const Document& document);
 
 } // namespace trivar

@@ -3,6 +3,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
+#include "core/document/document_digest.h"
 #include "core/evaluation/lacking.h"
 #include "core/export/animated_nodes.h"
 #include "core/export/places_in_file.h"

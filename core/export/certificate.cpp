@@ -8,6 +8,7 @@
 #include "core/base/text.h"
 #include "core/base/whole_numbers.h"
 #include "core/commands/refine.h"
+#include "core/document/document_digest.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/base/text.h"
+#include "core/document/document_digest.h"
 #include "core/document/named_files.h"
 #include "core/files/file_bytes.h"
 #include "core/files/image.h"

@@ -4,6 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/base/rounded.h"
 #include "core/base/text.h"
+#include "core/document/document_digest.h"
 #include "core/document/parameters.h"
 #include "core/export/certificate.h"
 #include "core/files/file_bytes.h"

@@ -2,6 +2,7 @@
 #include "editor/command_line/verify.h"
 
 #include "core/base/text.h"
+#include "core/document/document_digest.h"
 #include "core/export/certificate.h"
 #include "core/export/film_certificate.h"
 #include "core/files/formats.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "assets/make/models/models.h"
 #include "core/base/text.h"
+#include "core/document/document_digest.h"
 #include "core/scene/log.h"
 
 #include <algorithm>

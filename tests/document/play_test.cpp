@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
+#include "core/document/document_digest.h"
 #include "core/evaluation/evaluate.h"
 #include "core/evaluation/posing.h"
 #include "tests/document/commands.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
+#include "core/document/document_digest.h"
 #include "core/evaluation/evaluate.h"
 #include "tests/document/commands.h"
 #include "tests/support/fixtures.h"
@@ -69,10 +70,16 @@ TEST(SimplifiedObjects, AreCopiedAsTheyAre)
 TEST(SimplifiedObjects, AreNoGroups)
 {
     const Document group = after(ball(), Group{{1}});
-    EXPECT_THAT([&] { after(group, Simplify{{2}, {}}); },
-                ThrowsMessage<Rejected>(HasSubstr("simplify the objects in it")));
-    EXPECT_THAT([&] { after(ball(), Simplify{{1}, {.keep = 0}}); },
-                ThrowsMessage<Rejected>(HasSubstr("keep")));
+    EXPECT_THAT(
+        [&] {
+            after(group, Simplify{{2}, {}});
+        },
+        ThrowsMessage<Rejected>(HasSubstr("simplify the objects in it")));
+    EXPECT_THAT(
+        [&] {
+            after(ball(), Simplify{{1}, {.keep = 0}});
+        },
+        ThrowsMessage<Rejected>(HasSubstr("keep")));
 }
 
 } // namespace

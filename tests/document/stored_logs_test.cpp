@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/text.h"
+#include "core/document/document_digest.h"
 #include "core/scene/log.h"
 
 #include <filesystem>

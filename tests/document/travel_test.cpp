@@ -2,6 +2,7 @@
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
 #include "core/commands/command.h"
+#include "core/document/document_digest.h"
 #include "core/evaluation/evaluate.h"
 #include "tests/document/commands.h"
 

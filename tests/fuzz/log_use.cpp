@@ -3,6 +3,7 @@
 
 #include "core/base/finite.h"
 #include "core/base/text.h"
+#include "core/document/document_digest.h"
 #include "core/evaluation/evaluate.h"
 #include "core/scene/log.h"
 #include "core/scene/scene_file.h"

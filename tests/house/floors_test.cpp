@@ -50,8 +50,7 @@ const std::vector<std::vector<std::string>> floors{
 constexpr int most_lines_header = 150, most_lines_source = 450;
 
 // Files, or folders, whose knots are known: without them no file is above itself.
-const std::vector<std::string> known_knots{"core/document",
-                                           "core/export/animated_nodes",
+const std::vector<std::string> known_knots{"core/export/animated_nodes",
                                            "core/ffd/kernel",
                                            "core/ffd/repair_ways",
                                            "core/files/file_bytes",
