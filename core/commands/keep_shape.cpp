@@ -5,20 +5,10 @@
 #include "core/commands/edits.h"
 #include "core/commands/group.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace trivar {
-namespace {
-
-bool stands_in(const Document& document, Id id, Id lattice)
-{
-    for (Id up = object(document, id).parent; up != 0; up = object(document, up).parent)
-        if (up == lattice) return true;
-    return false;
-}
-
-} // namespace
-
 Document applied(Document document, const KeepShape& command)
 {
     if (!is_lattice(document, command.object))
@@ -29,7 +19,7 @@ Document applied(Document document, const KeepShape& command)
                                    command.files.size(), command.members.size()));
     for (std::size_t i = 0; i < command.members.size(); ++i) {
         const Id id = command.members[i];
-        if (!stands_in(document, id, command.object))
+        if (std::ranges::count(lattices_round(document, id), command.object) == 0)
             throw Rejected(fmt::format("field \"members\": {} is not in {}", named(document, id),
                                        named(document, command.object)));
         if (holds_others(object(document, id).source))

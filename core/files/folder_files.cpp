@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/folder_files.h"
 
+#include "core/files/gltf_uri.h"
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -18,23 +20,6 @@ std::string in_small_letters(std::string text)
 {
     for (char& c : text)
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return text;
-}
-
-// %20 and its like as the characters that they stand for.
-std::string percent_decoded(const std::string& uri)
-{
-    const auto digit = [&](std::size_t at) {
-        return at < uri.size() && std::isxdigit(static_cast<unsigned char>(uri[at])) != 0;
-    };
-    std::string text;
-    for (std::size_t i = 0; i < uri.size(); ++i)
-        if (uri[i] == '%' && digit(i + 1) && digit(i + 2)) {
-            text += static_cast<char>(std::stoi(uri.substr(i + 1, 2), nullptr, 16));
-            i += 2;
-        } else {
-            text += uri[i];
-        }
     return text;
 }
 
@@ -60,7 +45,7 @@ std::optional<NamedFile> FolderFiles::find(std::string_view name)
 {
     if (root_.empty() || name.size() > longest_name) return {};
     if (in_vain_.size() == most_in_vain || in_vain_.contains(name)) return {};
-    const std::string written(name), decoded = percent_decoded(written);
+    const std::string written(name), decoded = without_escapes(written);
     const auto either = [&](auto look) -> std::optional<NamedFile> {
         for (const std::string& each : {written, decoded})
             if (const auto relative = relative_path(each))

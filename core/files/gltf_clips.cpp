@@ -43,7 +43,7 @@ std::string free_name(std::string name, std::size_t number, std::map<std::string
 bool in_reach(const std::vector<float>& values)
 {
     return std::ranges::all_of(values, [](float value) {
-        return std::abs(value) <= static_cast<float>(gltf_most_coordinate);
+        return std::abs(value) <= static_cast<float>(most_coordinate);
     });
 }
 

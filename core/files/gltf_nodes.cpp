@@ -12,10 +12,10 @@ namespace {
 void check_range(const GltfEntry& node, const char* name, const std::vector<double>& values)
 {
     for (const double value : values)
-        if (!(std::abs(value) <= gltf_most_coordinate))
+        if (!(std::abs(value) <= most_coordinate))
             node.fail(
                 fmt::format("'{}' has the number {}, and numbers up to {:g} can be worked with",
-                            name, value, gltf_most_coordinate));
+                            name, value, most_coordinate));
 }
 
 glm::dmat4 affine_matrix(const GltfEntry& node, const std::vector<double>& values)

@@ -2,13 +2,10 @@
 #pragma once
 
 #include "core/files/gltf_file.h"
+#include "core/mesh/extent.h"
 #include "core/mesh/model.h"
 
 namespace trivar {
-
-// Numbers that place something, and places, are of use up to here, in metres: products of two of
-// them keep to single precision.
-inline constexpr double gltf_most_coordinate = 1e15;
 
 // The nodes of the scene that a glTF file shows, each after its parent; `mesh` is the number of a
 // mesh in the file. Where the scene shows no mesh all nodes are taken, and where these show none

@@ -38,7 +38,7 @@ void check_gltf_reach(Model& model, const std::string& file_name, CountedNotices
 {
     const auto in_reach = [&](int node) {
         return furthest_coordinate(model, node, stance_at(model, nullptr, 0)) <=
-               gltf_most_coordinate;
+               most_coordinate;
     };
     for (std::size_t n = 0; n < model.nodes.size(); ++n) {
         Node& node = model.nodes[n];
@@ -62,7 +62,7 @@ void check_gltf_reach(Model& model, const std::string& file_name, CountedNotices
             "is its unit or a scale wrong?",
             file_name,
             node.name.empty() ? "a mesh" : fmt::format("the mesh of node '{}'", excerpt(node.name)),
-            furthest_coordinate(model, index, stance_at(model, nullptr, 0)), gltf_most_coordinate));
+            furthest_coordinate(model, index, stance_at(model, nullptr, 0)), most_coordinate));
     }
 }
 

@@ -13,7 +13,7 @@ void add_gltf_skins(Model& model, GltfAccessors& accessors, const std::vector<in
                     CountedNotices& notices);
 
 // Leaves skins and weights of morph targets out, with notices, where they take a mesh out of reach
-// (gltf_most_coordinate), and throws Rejected where it is there without.
+// (most_coordinate), and throws Rejected where it is there without.
 void check_gltf_reach(Model& model, const std::string& file_name, CountedNotices& notices);
 
 } // namespace trivar
