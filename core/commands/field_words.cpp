@@ -32,6 +32,7 @@ std::string unit_text(Unit unit)
     case Unit::metres_per_second: return "m/s";
     case Unit::frames_per_second: return "fps";
     case Unit::stops: return "stops";
+    case Unit::share: return "%";
     case Unit::times: return "x";
     case Unit::at_frame:
     case Unit::none: break;
@@ -42,6 +43,7 @@ std::string unit_text(Unit unit)
 double shown_factor(Unit unit)
 {
     constexpr double degrees = 57.29577951308232;
+    if (unit == Unit::share) return 100;
     return unit == Unit::radians ? degrees : 1;
 }
 

@@ -16,6 +16,7 @@ enum class Unit {
     metres_per_second,
     frames_per_second,
     stops,
+    share, // shown in percent
     times,
     at_frame
 };

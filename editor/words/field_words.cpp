@@ -29,16 +29,17 @@ Helps all_helps()
     return helps;
 }
 
-std::string without_unit(std::string help)
+} // namespace
+
+std::string without_unit(std::string_view sentence)
 {
+    std::string help(sentence);
     for (const std::string_view unit : {", metres", ", in degrees", ", in radians", ", degrees"}) {
         const std::size_t at = help.find(unit);
         if (at != help.npos) help.erase(at, unit.size());
     }
     return help;
 }
-
-} // namespace
 
 std::string help_of_field(const std::string& verb, const std::string& name)
 {

@@ -4,8 +4,12 @@
 #include "core/commands/field_words.h"
 
 #include <string>
+#include <string_view>
 
 namespace trivar {
+
+// A field's sentence without the unit that is shown beside its number.
+std::string without_unit(std::string_view help);
 
 // What a field of a command means, as docs/commands.md has it, to be shown beside a field that
 // has the unit in it: of "edit_placement" and "parameters.width".

@@ -22,6 +22,10 @@ using AxisField = std::function<ui::Edit(int axis, const ui::NumberStyle& style,
 ui::Edit axis_fields(const ui::Theme& theme, float width, ui::NumberStyle style,
                      const AxisField& field);
 
+// The rows of a plain material.
+ui::Edit draw_surfacing(Editor& editor, const ui::Theme& theme, std::vector<Id> ids,
+                        Surfacing& surfacing);
+
 inline constexpr const char* material_help =
     "the colours and textures of the file, or one plain material";
 

@@ -5,12 +5,11 @@
 #include "core/scene/log.h"
 #include "editor/commands/clipboard.h"
 #include "editor/commands/new_material.h"
+#include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspector_sections.h"
-#include "editor/panels/inspector/key_gutter.h"
 #include "editor/panels/panels.h"
 #include "editor/session/scene_facts.h"
 #include "editor/session/session_facts.h"
-#include "editor/words/field_words.h"
 #include "ui/icons.h"
 #include "ui/sentence.h"
 
@@ -23,22 +22,6 @@
 
 namespace trivar {
 namespace {
-
-ui::Edit vector_row(const ui::Theme& theme, const KeyGutter& keys, const std::string& label,
-                    glm::dvec3& value, const glm::dvec3& rest, const ui::NumberStyle& style,
-                    const RowWords& words)
-{
-    const ui::Row row = ui::label_row(theme, label, value != rest, words.help);
-    keys.mark(theme, row, axes_of(words.parameters.front()), true);
-    if (row.reset) {
-        value = rest;
-        return ui::Edit::changed;
-    }
-    return axis_fields(
-        theme, row.width, style, [&](int axis, const ui::NumberStyle& own, float width) {
-            return ui::number_field(theme, label + own.axis, value[axis], own, width);
-        });
-}
 
 void object_card(const ui::Theme& theme, const Object& each)
 {
@@ -106,16 +89,10 @@ void draw_file(Editor& editor, const ui::Theme& theme, const ImportedFile& file,
         editor.files.ask_relink(id);
     ui::tooltip({file.path, {}, "Click to take another file."});
     EditImport edit{id, file};
-    const ui::Row row = ui::label_row(theme, "Subdivide", file.subdivisions != 0,
-                                      help_of_field("edit_import", "subdivisions"));
-    KeyGutter(editor, {id}).mark(theme, row, {"shape.subdivisions"});
-    ui::Edit one = ui::integer_field(theme, "subdivisions", edit.file.subdivisions,
-                                     {.lo = 0, .hi = 6, .bar_hi = 6}, row.width);
-    if (row.reset) {
-        edit.file.subdivisions = 0;
-        one = ui::Edit::changed;
-    }
-    propose_edit(editor, one, [&] { return edit; });
+    const KeyGutter keys(editor, {id});
+    ValueRows rows{theme, &keys};
+    FieldRows<ImportedFile>(rows, edit.file, "shape")(&ImportedFile::subdivisions);
+    propose_edit(editor, rows.edit, [&] { return edit; });
 }
 
 void facts(Editor& editor, const ui::Theme& theme, const Object& each, Id id)
@@ -222,32 +199,36 @@ void draw_transform(Editor& editor, const ui::Theme& theme, Id id)
     const Object& each = object(editor.session.document(), id);
     if (!ui::section(theme, "Transform", !each.placement)) return;
     Transform t = each.transform;
-    const Transform rest;
-    ui::Edit edit = ui::Edit::none;
-    const auto take = [&edit](ui::Edit one) {
-        if (one != ui::Edit::none) edit = one;
-    };
     const KeyGutter keys(editor, {id});
-    const auto words = [](const std::string& field) {
-        return RowWords(help_of_field("transform", field), "transform." + field);
-    };
+    ValueRows rows{theme, &keys};
+    FieldRows<Transform> fields(rows, t, "transform");
     if (!each.placement) { // the stroke says where a placed object is
-        take(vector_row(theme, keys, "Position", t.translation, rest.translation, {.unit = "m"},
-                        words("translation")));
-        take(vector_row(theme, keys, "Rotation", t.rotation_deg, rest.rotation_deg,
-                        {.lo = -36000, .hi = 36000, .step = 1, .unit = "deg"},
-                        words("rotation_deg")));
+        fields(&Transform::translation);
+        fields(&Transform::rotation_deg);
     }
-    take(vector_row(theme, keys, "Scale", t.scale, rest.scale, {.lo = -1e6, .hi = 1e6},
-                    words("scale")));
+    fields(&Transform::scale);
     const ui::Row row = ui::label_row(theme, "All alike", false, "one factor along X, Y and Z");
     double uniform = t.scale.x;
     const ui::Edit one =
         ui::number_field(theme, "uniform", uniform, {.lo = 1e-6, .hi = 1e6}, row.width);
     if (one == ui::Edit::changed) t.scale = glm::dvec3(uniform);
-    take(one);
+    rows.take(one);
     ui::gap(theme, 8);
-    propose_edit(editor, edit, [&] { return SetTransform{id, t}; });
+    propose_edit(editor, rows.edit, [&] { return SetTransform{id, t}; });
+}
+
+ui::Edit draw_surfacing(Editor& editor, const ui::Theme& theme, std::vector<Id> ids, Surfacing& s)
+{
+    const KeyGutter keys(editor, std::move(ids));
+    ValueRows rows{theme, &keys};
+    FieldRows<Surfacing> fields(rows, s, "material");
+    fields(&Surfacing::base_color);
+    fields(&Surfacing::filling);
+    if (s.filling == Filling::none) { // the others have their own
+        fields(&Surfacing::metallic);
+        fields(&Surfacing::roughness);
+    }
+    return rows.edit;
 }
 
 void draw_material(Editor& editor, const ui::Theme& theme, Id id)
@@ -272,86 +253,29 @@ void draw_material(Editor& editor, const ui::Theme& theme, Id id)
         return;
     }
     Surfacing s = *each.surfacing;
-    const auto help = [](const std::string& field) { return help_of_field("set_material", field); };
-    const KeyGutter keys(editor, {id});
-    const ui::Row color = ui::label_row(theme, "Colour", false, help("base_color"));
-    keys.mark(theme, color, axes_of("material.base_color"));
-    ui::Edit edit = ui::color_field(theme, "color", s.base_color, color.width);
-    const auto share = [&](const char* label, const std::string& field, float& value) {
-        double number = value;
-        const ui::Row row = ui::label_row(theme, label, false, help(field));
-        keys.mark(theme, row, {"material." + field});
-        const ui::Edit one =
-            ui::number_field(theme, label, number, {.lo = 0, .hi = 1, .bar_hi = 1}, row.width);
-        value = static_cast<float>(number);
-        if (one != ui::Edit::none) edit = one;
-    };
-    int chosen = static_cast<int>(s.filling);
-    const ui::Row filling = ui::label_row(theme, "Filling", false, help("solid"));
-    keys.mark(theme, filling, {"material.solid"});
-    const ui::Edit filled =
-        ui::segments(theme, "filling", chosen, {"None", "Wood", "Flesh"}, filling.width);
-    if (filled != ui::Edit::none) edit = filled;
-    s.filling = static_cast<Filling>(chosen);
-    if (s.filling == Filling::none) { // the others have their own
-        share("Metallic", "metallic", s.metallic);
-        share("Roughness", "roughness", s.roughness);
-    }
+    const ui::Edit edit = draw_surfacing(editor, theme, {id}, s);
     ui::gap(theme, 8);
     propose_edit(editor, edit, [&] { return SetMaterial{{id}, s}; });
 }
 
 void draw_picture_settings(Editor& editor, const ui::Theme& theme)
 {
-    constexpr double degrees = 57.29577951308232;
-    RenderSettings s = *editor.session.document().render;
-    const std::vector<std::string> looks{"studio", "clay", "dark"};
-    ui::Edit edit = ui::Edit::none;
-    const auto take = [&edit](ui::Edit one) {
-        if (one != ui::Edit::none) edit = one;
-    };
+    using R = RenderSettings;
     if (!ui::section(theme, "Picture")) return;
+    R s = *editor.session.document().render;
     const KeyGutter keys(editor, {0});
-    const auto row_of = [&](const char* label, const std::string& field) {
-        const ui::Row row = ui::label_row(theme, label, false, help_of_field("set_render", field));
-        keys.mark(theme, row, {"render." + field});
-        return row.width;
-    };
-    int look = 0;
-    for (std::size_t i = 0; i < looks.size(); ++i)
-        if (looks[i] == s.look) look = static_cast<int>(i);
-    take(ui::segments(theme, "look", look, {"Studio", "Clay", "Dark"}, row_of("Look", "look")));
-    s.look = looks[static_cast<std::size_t>(look)];
-    const auto number = [&](const char* label, const char* field, double& value, double factor,
-                            const ui::NumberStyle& style) {
-        double shown = value * factor;
-        const ui::Edit one = ui::number_field(theme, label, shown, style, row_of(label, field));
-        if (one == ui::Edit::changed) value = shown / factor;
-        take(one);
-    };
-    int color_by = static_cast<int>(s.color_by);
-    take(ui::segments(theme, "color by", color_by, {"Material", "Stretch", "Error"},
-                      row_of("Colour by", "color_by")));
-    s.color_by = static_cast<ColorBy>(color_by);
-    number("Exposure", "exposure", s.exposure, 1, {.lo = -4, .hi = 4, .bar_hi = 4});
-    number("Sun round", "sun_azimuth", s.sun_azimuth, degrees,
-           {.lo = -360, .hi = 360, .step = 1, .unit = "deg"});
-    number("Sun height", "sun_elevation", s.sun_elevation, degrees,
-           {.lo = 0, .hi = 90, .bar_hi = 90, .unit = "deg"});
-    row_of("Shadows", "shadows");
-    take(ui::check_box(theme, "shadows", s.shadows, "cast by the sun"));
-    row_of("Corners", "ambient_occlusion");
-    take(ui::check_box(theme, "corners", s.ambient_occlusion, "darker"));
-    row_of("Edges", "wire");
-    take(ui::check_box(theme, "edges", s.wire, "drawn over faces"));
-    row_of("Volumes", "volumes");
-    take(ui::check_box(theme, "volumes", s.volumes, "drawn in cyan"));
-    row_of("Captions", "captions");
-    take(ui::check_box(theme, "captions", s.captions, "under what is refined"));
-    row_of("Ground", "ground");
-    take(ui::check_box(theme, "ground", s.ground, "catches shadows"));
+    ValueRows rows{theme, &keys};
+    FieldRows<R> fields(rows, s, "render");
+    fields(&R::look);
+    fields(&R::color_by);
+    fields(&R::exposure);
+    fields(&R::sun_azimuth);
+    fields(&R::sun_elevation);
+    for (const auto on_or_off :
+         {&R::shadows, &R::ambient_occlusion, &R::wire, &R::volumes, &R::captions, &R::ground})
+        fields(on_or_off);
     ui::gap(theme, 8);
-    propose_edit(editor, edit, [&] { return SetRender{s}; });
+    propose_edit(editor, rows.edit, [&] { return SetRender{s}; });
 }
 
 void draw_inspector(Editor& editor, const ui::Theme& theme, const Layout& layout)

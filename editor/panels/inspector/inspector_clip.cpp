@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspect.h"
-#include "editor/panels/inspector/value_rows.h"
 #include "editor/panels/panels.h"
-#include "editor/words/field_words.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -10,11 +9,6 @@
 
 namespace trivar {
 namespace {
-
-std::string help_of_clip(const char* field)
-{
-    return help_of_field("play_clip", field);
-}
 
 // What every one of them can play, in the order of the active one's file.
 std::vector<std::string> common_clips(const Evaluated& evaluated, const std::vector<Id>& ids)
@@ -49,21 +43,10 @@ std::optional<std::string> clip_row(ValueRows& rows, const std::string& now,
     const int none = mixed ? 1 : 0;
     const auto shown = static_cast<int>(mixed ? 0 : std::ranges::find(clips, now) - clips.begin());
     int chosen = shown;
-    rows.row("Clip", chosen, none, help_of_clip("clip"),
+    rows.row("Clip", chosen, none, without_unit(facts_of(&Playing::clip).help).c_str(),
              [&](float width) { return ui::choice(rows.theme, "clip", chosen, words, width); });
     if (chosen == shown) return std::nullopt;
     return clips[static_cast<std::size_t>(chosen)];
-}
-
-void repeat_row(ValueRows& rows, Repeat& repeat)
-{
-    int chosen = static_cast<int>(repeat);
-    rows.row("Repeat", chosen, static_cast<int>(Playing{}.repeat), help_of_clip("repeat"),
-             [&](float width) {
-                 return ui::choice(rows.theme, "repeat", chosen, {"Once", "Loop", "Back and forth"},
-                                   width);
-             });
-    repeat = static_cast<Repeat>(chosen);
 }
 
 Ref<Walk> walk_of(const Evaluated& evaluated, Id id)
@@ -84,25 +67,22 @@ void draw_clip(Editor& editor, const ui::Theme& theme, const std::vector<Id>& id
     const Document& document = editor.session.document();
     std::vector<Playing> all;
     for (const Id id : ids) all.push_back(object(document, id).playing);
-    const Playing rest, before = all.back(); // the active one's, from which a drag begins
+    const Playing before = all.back(); // the active one's, from which a drag begins
     const std::vector<std::string> clips = common_clips(editor.session.evaluated(), ids);
     if (clips.empty() && before.clip.empty()) return;
     if (!ui::section(theme, "Clip")) return;
-    const auto style = [&](auto Playing::*part, const ui::NumberStyle& own) {
-        return mixed_style(all, before, part, own);
-    };
     Playing p = before;
     const KeyGutter keys(editor, ids);
     ValueRows rows{theme, &keys};
-    const std::optional<std::string> taken =
-        clip_row(rows, before.clip, clips, differs(all, before, &Playing::clip));
+    FieldRows<Playing> fields(rows, p, "playing", all);
+    const bool mixed =
+        std::ranges::any_of(all, [&](const Playing& each) { return each.clip != before.clip; });
+    const std::optional<std::string> taken = clip_row(rows, before.clip, clips, mixed);
     if (taken) p.clip = *taken;
     if (!p.clip.empty()) {
         const bool laid = std::ranges::all_of(
             ids, [&](Id id) { return object(document, id).placement.has_value(); });
-        if (laid || p.foot_lock)
-            rows.check("Foot lock", p.foot_lock, rest.foot_lock, "in step with its travel",
-                       help_of_clip("foot_lock"));
+        if (laid || p.foot_lock) fields(&Playing::foot_lock);
         const Ref<Walk> walk =
             ids.size() == 1 ? walk_of(editor.session.evaluated(), ids.back()) : nullptr;
         if (walk && walk->trouble.empty()) {
@@ -110,33 +90,19 @@ void draw_clip(Editor& editor, const ui::Theme& theme, const std::vector<Id>& id
             ui::fact_row(theme, "Feet moved", of_stride(walk->correction));
             ui::fact_row(theme, "Own speed", ui::short_number(walk->natural_speed) + " m/s");
         }
-        if (!p.foot_lock)
-            rows.number("Speed", p.speed, rest.speed,
-                        style(&Playing::speed, {.lo = -1e3, .hi = 1e3, .unit = "x"}),
-                        help_of_clip("speed"));
-        if (!p.foot_lock) repeat_row(rows, p.repeat);
-        rows.number("Offset", p.offset, rest.offset,
-                    style(&Playing::offset, {.lo = -1e6, .hi = 1e6, .unit = "s"}),
-                    {help_of_clip("offset"), "playing.offset"});
-        if (!p.foot_lock)
-            rows.integer(
-                "Begins", p.start_frame, document.time.first_frame,
-                style(&Playing::start_frame, {.lo = -999999, .hi = 999999, .unit = "frame"}),
-                help_of_clip("start_frame"));
+        if (!p.foot_lock) {
+            fields(&Playing::speed);
+            fields(&Playing::repeat);
+        }
+        fields(&Playing::offset);
+        if (!p.foot_lock) fields.resting_at(document.time.first_frame, &Playing::start_frame);
     }
     ui::gap(theme, 8);
     propose_edit(editor, rows.edit, [&] {
         if (ids.size() == 1) return PlayClip{ids, p};
-        for (Playing& each : all) { // what a hand changed of one, in each of them
-            const auto take = [&](auto Playing::*part) {
-                if (before.*part != p.*part) each.*part = p.*part;
-            };
+        for (Playing& each : all) {
             if (taken) each.clip = *taken; // also where it is the active one's
-            take(&Playing::speed);
-            take(&Playing::repeat);
-            take(&Playing::offset);
-            take(&Playing::start_frame);
-            take(&Playing::foot_lock);
+            fields.put_into(each);
         }
         return PlayClip{ids, {}, all};
     });

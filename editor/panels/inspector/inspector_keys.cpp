@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/number_words.h"
 #include "core/document/parameters.h"
-#include "editor/panels/inspector/inspect.h"
-#include "editor/panels/inspector/key_gutter.h"
+#include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/value_field.h"
 #include "editor/panels/panels.h"
 #include "editor/words/field_words.h"
@@ -67,38 +66,18 @@ void draw_other_numbers(Editor& editor, const ui::Theme& theme, Id id)
 
 void draw_kept_view(Editor& editor, const ui::Theme& theme)
 {
-    constexpr double degrees = 57.29577951308232;
     const auto& bookmarks = editor.session.document().bookmarks;
     const auto kept = bookmarks.find("picture");
     if (kept == bookmarks.end() || !ui::section(theme, "View of pictures")) return;
     Camera camera = kept->second;
     const KeyGutter keys(editor, {0});
-    ui::Edit edit = ui::Edit::none;
-    const auto take = [&edit](ui::Edit one) {
-        if (one != ui::Edit::none) edit = one;
-    };
-    const auto place = [&](const std::string& label, const std::string& part, glm::dvec3& p,
-                           const char* help) {
-        const ui::Row row = ui::label_row(theme, label, false, help);
-        keys.mark(theme, row, axes_of("camera.picture." + part), true);
-        take(axis_fields(theme, row.width, {.unit = "m"},
-                         [&](int axis, const ui::NumberStyle& own, float width) {
-                             return ui::number_field(theme, label + own.axis, p[axis], own, width);
-                         }));
-    };
-    place("From", "eye", camera.eye, "where the camera stands");
-    place("To", "target", camera.target, "what it looks at");
-    if (camera.perspective) {
-        const ui::Row row = ui::label_row(theme, "Angle", false, "from the lower to the upper rim");
-        keys.mark(theme, row, {"camera.picture.fov_y"});
-        double angle = camera.fov_y * degrees;
-        const ui::Edit one = ui::number_field(
-            theme, "angle", angle, {.lo = 1, .hi = 160, .bar_hi = 160, .unit = "deg"}, row.width);
-        if (one == ui::Edit::changed) camera.fov_y = angle / degrees;
-        take(one);
-    }
+    ValueRows rows{theme, &keys};
+    FieldRows<Camera> fields(rows, camera, "camera.picture");
+    fields.resting_at(camera.eye, &Camera::eye);
+    fields.resting_at(camera.target, &Camera::target);
+    if (camera.perspective) fields.resting_at(camera.fov_y, &Camera::fov_y);
     ui::gap(theme, 8);
-    propose_edit(editor, edit, [&] { return SaveCamera{"picture", camera}; });
+    propose_edit(editor, rows.edit, [&] { return SaveCamera{"picture", camera}; });
 }
 
 } // namespace trivar

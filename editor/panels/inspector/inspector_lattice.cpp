@@ -2,9 +2,8 @@
 #include "editor/panels/inspector/inspect.h"
 
 #include "editor/actions/lattice_actions.h"
-#include "editor/panels/inspector/value_rows.h"
+#include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/panels.h"
-#include "editor/words/field_words.h"
 
 namespace trivar {
 namespace {
@@ -30,22 +29,10 @@ void box_rows(Editor& editor, const ui::Theme& theme, Id id)
     LatticeShape s = std::get<LatticeShape>(object(editor.session.document(), id).source);
     const KeyGutter keys(editor, {id});
     ValueRows rows{theme, &keys};
-    const auto help = [](const char* field) { return help_of_field("set_lattice", field); };
-    rows.row(
-        "Size", s.size, s.size, RowWords(help("size"), axes_of("shape.size")),
-        [&](float width) {
-            return axis_fields(theme, width, {.lo = 1e-6, .hi = 1e6, .unit = "m"},
-                               [&](int axis, const ui::NumberStyle& own, float each) {
-                                   return ui::number_field(theme, std::string("size") + own.axis,
-                                                           s.size[axis], own, each);
-                               });
-        },
-        true);
-    constexpr ValueRows::Names xyz{"X", "Y", "Z"};
-    rows.triple("Density", s.grid, LatticeShape{}.grid, {.lo = 2, .hi = 1024},
-                RowWords(help("grid")), xyz);
-    rows.triple("Order", s.orders, LatticeShape{}.orders, {.lo = 2, .hi = 6},
-                RowWords(help("orders")), xyz);
+    FieldRows<LatticeShape> fields(rows, s, "shape");
+    fields.resting_at(s.size, &LatticeShape::size);
+    fields(&LatticeShape::grid);
+    fields(&LatticeShape::orders);
     propose_edit(editor, rows.edit, [&] { return SetLattice{id, s}; });
 }
 
@@ -55,27 +42,23 @@ void draw_bending(Editor& editor, const ui::Theme& theme, Id id)
     Warp w = warp_at_hand(editor.session, id);
     auto& next = editor.memory.of<NextWarp>();
     ValueRows rows{theme};
-    const auto help = [](const char* field) {
-        return RowWords(help_of_field("warp_volume", field), std::vector<std::string>{});
-    };
-    rows.choice("Along", static_cast<int>(next.axis), static_cast<int>(next.axis), {"X", "Y", "Z"},
-                help("axis"), [&](int chosen) { next.axis = static_cast<VolumeAxis>(chosen); });
-    rows.edit = ui::Edit::none; // it is no step by itself
     w.axis = next.axis;
-    const ui::NumberStyle turn{.lo = -3600, .hi = 3600, .step = 1, .unit = "deg"};
-    const ui::NumberStyle share{.lo = -1, .hi = 100, .step = 0.01};
-    rows.number("Twist", w.twist_deg, 0, turn, help("twist_deg"));
-    rows.number("Bend", w.bend_deg, 0, {.lo = -720, .hi = 720, .step = 1, .unit = "deg"},
-                help("bend_deg"));
-    rows.number("Toward", next.toward_deg, 0, {.lo = -360, .hi = 360, .step = 1, .unit = "deg"},
-                help("toward_deg"));
     w.toward_deg = next.toward_deg;
-    rows.number("Fixed at", next.fixed, 0, {.lo = 0, .hi = 1, .bar_hi = 1, .step = 0.01},
-                help("fixed"));
     w.fixed = next.fixed;
-    rows.number("Taper", w.taper, 0, share, help("taper"));
-    rows.number("Shear", w.shear, 0, {.lo = -100, .hi = 100, .step = 0.01}, help("shear"));
-    rows.number("Bulge", w.bulge, 0, share, help("bulge"));
+    FieldRows<Warp> fields(rows, w, "");
+    const int axis = static_cast<int>(w.axis);
+    rows.choice(fields.label(&Warp::axis), axis, axis, {"X", "Y", "Z"},
+                fields.words_of(&Warp::axis),
+                [&](int chosen) { w.axis = static_cast<VolumeAxis>(chosen); });
+    rows.edit = ui::Edit::none; // it is no step by itself
+    fields(&Warp::twist_deg);
+    fields(&Warp::bend_deg);
+    fields(&Warp::toward_deg);
+    fields(&Warp::fixed);
+    fields(&Warp::taper);
+    fields(&Warp::shear);
+    fields(&Warp::bulge);
+    next = {w.axis, w.toward_deg, w.fixed};
     ui::gap(theme, 8);
     const Warp nothing{.axis = w.axis, .fixed = w.fixed, .toward_deg = w.toward_deg};
     if (w != nothing || editor.session.proposing())

@@ -1,40 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rounded.h"
+#include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspect.h"
-#include "editor/panels/inspector/value_rows.h"
 #include "editor/panels/panels.h"
-#include "editor/words/field_words.h"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace trivar {
 namespace {
-
-RowWords help_of_refine(const std::string& field)
-{
-    return {help_of_field("refine", field), "refining." + field};
-}
 
 Command refine_each(const std::vector<Id>& ids, const std::vector<Refining>& all)
 {
     const auto same = [&](const Refining& each) { return each == all.front(); };
     if (std::ranges::all_of(all, same)) return Refine{ids, all.front(), {}};
     return Refine{ids, {}, all};
-}
-
-// What a hand took, if it did.
-std::optional<SplitPoint> split_row(ValueRows& rows, SplitPoint split, bool mixed)
-{
-    std::vector<std::string> words{"By curvature", "Midpoint", "Greville", "Greatest error"};
-    if (mixed) words.insert(words.begin(), "Mixed"); // is shown; to take it changes nothing
-    const int first = mixed ? 1 : 0, shown = mixed ? 0 : static_cast<int>(split);
-    int chosen = shown;
-    rows.row("Split", chosen, first, help_of_refine("split"),
-             [&](float width) { return ui::choice(rows.theme, "split", chosen, words, width); });
-    if (chosen == shown) return std::nullopt;
-    return static_cast<SplitPoint>(chosen - first);
 }
 
 // What came of it, of all together.
@@ -75,7 +55,7 @@ void draw_refinement(Editor& editor, const ui::Theme& theme, const std::vector<I
             ids.push_back(id);
             all.push_back(*refining);
         }
-    const Refining rest, before = all.empty() ? rest : all.back();
+    const Refining before = all.empty() ? Refining{} : all.back();
     bool on = ids.size() == placed.size();
     ui::label_row(theme, "Edges", false, "splits them until the bent surface is certified");
     const ui::Edit turned = ui::check_box(
@@ -89,29 +69,18 @@ void draw_refinement(Editor& editor, const ui::Theme& theme, const std::vector<I
         return;
     }
     Refining r = before;
-    const auto style = [&](auto Refining::*part, const ui::NumberStyle& own) {
-        return mixed_style(all, before, part, own);
-    };
     const KeyGutter keys(editor, ids);
     ValueRows rows{theme, &keys};
-    std::optional<SplitPoint> split;
+    FieldRows<Refining> fields(rows, r, "refining", all);
     if (!ids.empty()) {
-        rows.number("Tolerance", r.tolerance, rest.tolerance,
-                    style(&Refining::tolerance, {.lo = 1e-6, .hi = 1e3, .unit = "m"}),
-                    help_of_refine("tolerance"));
-        split = split_row(rows, r.split, differs(all, before, &Refining::split));
-        rows.integer("Budget", r.budget, rest.budget,
-                     style(&Refining::budget, {.lo = 12, .hi = 20000000}),
-                     help_of_refine("budget"));
+        fields(&Refining::tolerance);
+        fields(&Refining::split);
+        fields(&Refining::budget);
         refined_facts(theme, session.evaluated(), ids);
     }
     ui::gap(theme, 8);
     propose_edit(editor, rows.edit, [&] {
-        for (Refining& each : all) { // what a hand changed of one, in each of them
-            if (before.tolerance != r.tolerance) each.tolerance = r.tolerance;
-            if (split) each.split = *split;
-            if (before.budget != r.budget) each.budget = r.budget;
-        }
+        for (Refining& each : all) fields.put_into(each);
         return refine_each(ids, all);
     });
 }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/commands/new_material.h"
+#include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspect.h"
-#include "editor/panels/inspector/key_gutter.h"
 #include "editor/panels/panels.h"
 #include "editor/session/session_facts.h"
 #include "editor/tools/motion.h"
-#include "editor/words/field_words.h"
 #include "ui/icons.h"
 
 #include <algorithm>
@@ -25,63 +24,22 @@ std::vector<Id> movable(const Session& session)
     return out;
 }
 
-// One number of all: what they have in common, or "mixed". What is typed or dragged is what all
-// get.
-ui::Edit shared_number(const ui::Theme& theme, const std::string& id, std::vector<double*> values,
-                       ui::NumberStyle style, float width)
-{
-    bool same = true;
-    for (const double* value : values) same = same && *value == *values.front();
-    double shown = *values.back(); // the active one's, from which a drag begins
-    if (!same) style.words = "mixed";
-    const ui::Edit edit = ui::number_field(theme, id, shown, style, width);
-    if (edit == ui::Edit::changed)
-        for (double* value : values) *value = shown;
-    return edit;
-}
-
-using Component = glm::dvec3 Transform::*;
-
-ui::Edit shared_row(const ui::Theme& theme, const KeyGutter& keys, const std::string& label,
-                    std::vector<Transform>& transforms, Component part,
-                    const ui::NumberStyle& style, const std::string& field)
-{
-    const glm::dvec3 rest = Transform{}.*part;
-    bool changed = false;
-    for (const Transform& t : transforms) changed = changed || t.*part != rest;
-    const ui::Row row = ui::label_row(theme, label, changed, help_of_field("transform", field));
-    keys.mark(theme, row, axes_of("transform." + field), true);
-    if (row.reset) {
-        for (Transform& t : transforms) t.*part = rest;
-        return ui::Edit::changed;
-    }
-    return axis_fields(theme, row.width, style,
-                       [&](int axis, const ui::NumberStyle& own, float width) {
-                           std::vector<double*> values;
-                           for (Transform& t : transforms) values.push_back(&(t.*part)[axis]);
-                           return shared_number(theme, label + own.axis, values, own, width);
-                       });
-}
-
 void transforms(Editor& editor, const ui::Theme& theme)
 {
     const std::vector<Id> ids = movable(editor.session);
     if (ids.empty() || !ui::section(theme, "Transform")) return;
     std::vector<Transform> all;
     for (const Id id : ids) all.push_back(object(editor.session.document(), id).transform);
-    ui::Edit edit = ui::Edit::none;
-    const auto take = [&edit](ui::Edit one) {
-        if (one != ui::Edit::none) edit = one;
-    };
     const KeyGutter keys(editor, ids);
-    take(shared_row(theme, keys, "Position", all, &Transform::translation, {.unit = "m"},
-                    "translation"));
-    take(shared_row(theme, keys, "Rotation", all, &Transform::rotation_deg,
-                    {.lo = -36000, .hi = 36000, .step = 1, .unit = "deg"}, "rotation_deg"));
-    take(
-        shared_row(theme, keys, "Scale", all, &Transform::scale, {.lo = -1e6, .hi = 1e6}, "scale"));
+    ValueRows rows{theme, &keys};
+    Transform active = all.back(); // from which a drag begins
+    FieldRows<Transform> fields(rows, active, "transform", all);
+    fields(&Transform::translation);
+    fields(&Transform::rotation_deg);
+    fields(&Transform::scale);
+    for (Transform& each : all) fields.put_into(each);
     ui::gap(theme, 8);
-    propose_edit(editor, edit, [&] { return arranged(ids, all); });
+    propose_edit(editor, rows.edit, [&] { return arranged(ids, all); });
 }
 
 void material(Editor& editor, const ui::Theme& theme)
@@ -106,26 +64,7 @@ void material(Editor& editor, const ui::Theme& theme)
     if (!same) ui::fact_row(theme, "Values", "mixed");
     if (!own) {
         Surfacing s = *active.surfacing;
-        const KeyGutter keys(editor, ids);
-        const auto row_of = [&](const char* label, const std::string& field) {
-            const ui::Row row =
-                ui::label_row(theme, label, false, help_of_field("set_material", field));
-            keys.mark(theme, row,
-                      field == "base_color" ? axes_of("material." + field)
-                                            : std::vector{"material." + field});
-            return row.width;
-        };
-        ui::Edit edit =
-            ui::color_field(theme, "color", s.base_color, row_of("Colour", "base_color"));
-        const auto share = [&](const char* label, const char* field, float& value) {
-            double number = static_cast<double>(value);
-            const ui::Edit one = ui::number_field(
-                theme, label, number, {.lo = 0, .hi = 1, .bar_hi = 1}, row_of(label, field));
-            value = static_cast<float>(number);
-            if (one != ui::Edit::none) edit = one;
-        };
-        share("Metallic", "metallic", s.metallic);
-        share("Roughness", "roughness", s.roughness);
+        const ui::Edit edit = draw_surfacing(editor, theme, ids, s);
         propose_edit(editor, edit, [&] { return SetMaterial{ids, s}; });
     }
     ui::gap(theme, 8);

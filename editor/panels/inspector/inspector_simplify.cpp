@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/inspector/inspector_simplify.h"
 
+#include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspect.h"
-#include "editor/panels/inspector/value_rows.h"
-#include "editor/words/field_words.h"
 
 #include <fmt/format.h>
 
@@ -29,14 +28,10 @@ void draw_simplify(Editor& editor, const ui::Theme& theme, Id id)
         return;
     }
     Simplifying s = *now;
-    const auto help = [](const char* field) { return RowWords(help_of_field("simplify", field)); };
     ValueRows rows{theme};
-    double percent = 100 * s.keep;
-    rows.number("Keep", percent, 100 * Simplifying{}.keep,
-                {.lo = 0.01, .hi = 100, .bar_hi = 100, .unit = "%"}, help("keep"));
-    if (percent != 100 * s.keep) s.keep = percent / 100;
-    rows.number("Deviation", s.deviation, 0, {.lo = 0, .hi = 1e3, .unit = "m", .zero = "any"},
-                help("deviation"));
+    FieldRows<Simplifying> fields(rows, s, "");
+    fields(&Simplifying::keep);
+    fields(&Simplifying::deviation);
     const auto effects = session.evaluated().objects.find(id);
     if (effects != session.evaluated().objects.end() && effects->second->triangles_before > 0)
         ui::fact_row(theme, "Left",

@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
 #include "core/text/installed_fonts.h"
+#include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspect.h"
 #include "editor/panels/inspector/letters_as_read.h"
-#include "editor/panels/inspector/value_rows.h"
 #include "editor/panels/panels.h"
-#include "editor/words/field_words.h"
 
 #include <algorithm>
 #include <imgui_stdlib.h>
 
 namespace trivar {
 namespace {
-
-RowWords help_of_text(const std::string& field)
-{
-    return {help_of_field("set_text", field), "shape." + field};
-}
 
 // Others than spaces; what is no UTF-8 is for the command to refuse.
 bool lacks_letters(const std::string& text)
@@ -66,9 +60,9 @@ void font_row(Editor& editor, ValueRows& rows, TextShape& s)
     if (at == words.end()) at = words.insert(words.begin(), s.font); // a family, a file, a lost one
     int chosen = static_cast<int>(at - words.begin());
     const int shown = chosen;
-    rows.take(
-        ui::choice(rows.theme, "font", chosen, words,
-                   ui::label_row(rows.theme, "Font", false, help_of_text("font").help).width));
+    rows.take(ui::choice(
+        rows.theme, "font", chosen, words,
+        ui::label_row(rows.theme, "Font", false, facts_of(&TextShape::font).help).width));
     if (chosen == shown) return;
     s.font = words[static_cast<std::size_t>(chosen)];
     s = std::get<SetText>(prepare(SetText{0, s}, *editor.session.assets())).shape;
@@ -81,7 +75,6 @@ void draw_text(Editor& editor, const ui::Theme& theme, Id id)
     const Object& each = object(editor.session.document(), id);
     if (!ui::section(theme, "Text")) return;
     TextShape s = std::get<TextShape>(each.source);
-    const TextShape rest;
     const KeyGutter keys(editor, {id});
     ValueRows rows{theme, &keys};
     rows.take(letters_field(theme, s.text));
@@ -90,24 +83,16 @@ void draw_text(Editor& editor, const ui::Theme& theme, Id id)
         !effects->second->parts.empty())
         draw_letters_as_read(theme, *effects->second->parts.front().rest, s.size);
     font_row(editor, rows, s);
-    const ui::NumberStyle metres{.lo = 1e-6, .hi = 1e6, .unit = "m"};
-    rows.number("Size", s.size, rest.size, metres, help_of_text("size"));
-    rows.number("Depth", s.depth, rest.depth, metres, help_of_text("depth"));
-    rows.number("Bevel", s.bevel, rest.bevel, {.lo = 0, .hi = 1e6, .unit = "m"},
-                help_of_text("bevel"));
-    rows.integer("Bevel steps", s.bevel_steps, rest.bevel_steps, {.lo = 1, .hi = 16, .bar_hi = 16},
-                 help_of_text("bevel_steps"));
-    rows.number("Tolerance", s.tolerance, rest.tolerance, {.lo = 1e-4, .hi = 0.1},
-                help_of_text("tolerance"));
-    rows.number("Longest edge", s.max_edge, rest.max_edge, {.lo = 0.01, .hi = 10},
-                help_of_text("max_edge"));
-    rows.number("Letter gap", s.letter_spacing, rest.letter_spacing, {.lo = -1, .hi = 10},
-                help_of_text("letter_spacing"));
-    rows.number("Line gap", s.line_spacing, rest.line_spacing, {.lo = -10, .hi = 10},
-                help_of_text("line_spacing"));
-    rows.choice("Align", static_cast<int>(s.align), static_cast<int>(rest.align),
-                {"Left", "Middle", "Right"}, help_of_text("align"),
-                [&](int chosen) { s.align = static_cast<TextAlign>(chosen); });
+    FieldRows<TextShape> fields(rows, s, "shape");
+    fields(&TextShape::size);
+    fields(&TextShape::depth);
+    fields(&TextShape::bevel);
+    fields(&TextShape::bevel_steps);
+    fields(&TextShape::tolerance);
+    fields(&TextShape::max_edge);
+    fields(&TextShape::letter_spacing);
+    fields(&TextShape::line_spacing);
+    fields(&TextShape::align);
     ui::gap(theme, 8);
     propose_edit(editor, rows.edit, [&] { return SetText{id, s}; });
 }

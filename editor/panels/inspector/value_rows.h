@@ -11,21 +11,6 @@
 
 namespace trivar {
 
-// Whether a part of several values is not everywhere as in the active one, and a number's style
-// that says so.
-template <class T, class Part>
-bool differs(const std::vector<T>& all, const T& active, Part T::*part)
-{
-    return std::ranges::any_of(all, [&](const T& each) { return each.*part != active.*part; });
-}
-template <class T, class Part>
-ui::NumberStyle mixed_style(const std::vector<T>& all, const T& active, Part T::*part,
-                            ui::NumberStyle own)
-{
-    if (differs(all, active, part)) own.words = "mixed";
-    return own;
-}
-
 // Rows that change one value each and remember whether any did.
 struct ValueRows {
     const ui::Theme& theme;
@@ -89,7 +74,7 @@ struct ValueRows {
             [&](float width) { return ui::segments(theme, label, value, names, width); });
         use(value);
     }
-    using Names = std::array<const char*, 3>;
+    using Names = std::array<std::string, 3>;
     void triple(const std::string& label, glm::ivec3& value, const glm::ivec3& rest,
                 const ui::NumberStyle& style, const RowWords& words,
                 const Names& names = {"U", "V", "W"})
