@@ -47,6 +47,7 @@ Ref<Image> GltfPictures::read(const GltfEntry& image, std::size_t number)
     try {
         const std::string_view uri = image.text("uri");
         if (uri.empty()) {
+            if (!image.has("bufferView")) image.fail("it has neither a 'uri' nor a 'bufferView'");
             const std::string_view bytes = file_.view(image, "bufferView");
             const auto [known, fresh] = by_place_.try_emplace({bytes.data(), bytes.size()});
             if (fresh) known->second = decoded(bytes, name);
@@ -63,8 +64,8 @@ Ref<Image> GltfPictures::read(const GltfEntry& image, std::size_t number)
                          "{0} pictures are not in its folder, '{1}' for one", 1, excerpt(uri));
         return known->second;
     } catch (const Rejected& why) {
-        std::string_view sentence =
-            why.what(); // which may begin with the file's name as notices do
+        // It may begin with the file's name, which notices are given in any case.
+        std::string_view sentence = why.what();
         const std::string file = file_.name() + ": ";
         if (sentence.starts_with(file)) sentence.remove_prefix(file.size());
         notices_.add("{1}", "{0} of its pictures cannot be read, for one {1}", 1, sentence);

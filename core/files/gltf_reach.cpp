@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whether numbers that are finite each take a mesh to where nothing can be worked with.
+#include "core/base/finite.h"
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/files/gltf_nodes.h"
@@ -9,45 +10,79 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
+#include <map>
+#include <optional>
+#include <tuple>
 #include <utility>
 
 namespace trivar {
 namespace {
 
-// The largest coordinate of the mesh on a node as it stands, in the model; not a number where one
-// is not.
-double furthest_coordinate(const Model& model, int node, const Stance& stance)
+constexpr double beyond_all = std::numeric_limits<double>::infinity();
+
+// The largest coordinate of a box's corners where a matrix takes them.
+double furthest_corner(const Box& box, const glm::dmat4& matrix)
 {
-    const Node& of = model.nodes[static_cast<std::size_t>(node)];
-    const Ref<Mesh>& mesh = model.meshes[static_cast<std::size_t>(of.mesh)];
-    const Pose pose = pose_of(model, node, stance);
-    const glm::dmat4 matrix = mesh_to_model(model, node, stance);
-    const Mesh moved = pose.empty() ? Mesh() : posed(*mesh, pose);
-    double furthest = 0;
-    for (const glm::vec3& p : pose.empty() ? mesh->positions : moved.positions) {
-        const glm::dvec3 there(matrix * glm::dvec4(p, 1));
-        for (int i = 0; i < 3; ++i)
-            if (!(std::abs(there[i]) <= furthest)) furthest = std::abs(there[i]);
+    double out = 0;
+    for (const glm::dvec3& corner : box.corners()) {
+        const glm::dvec3 there = glm::abs(glm::dvec3(matrix * glm::dvec4(corner, 1)));
+        if (!finite(there)) return beyond_all;
+        out = std::max({out, there.x, there.y, there.z});
     }
-    return furthest;
+    return out;
 }
+
+// How far out the meshes of a model are as they stand.
+class Reaches {
+public:
+    explicit Reaches(const Model& model) : model_(model), stance_(stance_at(model, nullptr, 0)) {}
+
+    double of(std::size_t index)
+    {
+        const int node = static_cast<int>(index);
+        if (model_.nodes[index].morph_weights.empty()) stance_.morph_weights[index].clear();
+        const std::optional<Box>& box = box_of(model_.nodes[index], node);
+        if (!box) return beyond_all;
+        return box->empty() ? 0 : furthest_corner(*box, mesh_to_model(model_, node, stance_));
+    }
+
+private:
+    // Nodes that show one mesh with one skin and equal weights have one. Nothing: some vertex is
+    // nowhere.
+    const std::optional<Box>& box_of(const Node& node, int index)
+    {
+        const Key key{node.mesh, node.skin, node.morph_weights};
+        const auto [known, fresh] = boxes_.try_emplace(key);
+        if (!fresh) return known->second;
+        const Ref<Mesh>& mesh = model_.meshes[static_cast<std::size_t>(node.mesh)];
+        const Pose pose = pose_of(model_, index, stance_);
+        const Mesh moved = pose.empty() ? Mesh() : posed(*mesh, pose);
+        const Mesh& shown = pose.empty() ? *mesh : moved;
+        if (std::ranges::all_of(shown.positions, [](const glm::vec3& p) { return finite(p); }))
+            known->second = bounding_box(shown);
+        return known->second;
+    }
+
+    using Key = std::tuple<int, int, std::vector<float>>; // mesh, skin, weights
+    const Model& model_;
+    Stance stance_;
+    std::map<Key, std::optional<Box>> boxes_;
+};
 
 } // namespace
 
 void check_gltf_reach(Model& model, const std::string& file_name, CountedNotices& notices)
 {
-    const auto in_reach = [&](int node) {
-        return furthest_coordinate(model, node, stance_at(model, nullptr, 0)) <=
-               most_coordinate;
-    };
+    Reaches reaches(model);
     for (std::size_t n = 0; n < model.nodes.size(); ++n) {
         Node& node = model.nodes[n];
-        const int index = static_cast<int>(n);
-        if (node.mesh < 0 || in_reach(index)) continue;
+        const auto in_reach = [&] { return reaches.of(n) <= most_coordinate; };
+        if (node.mesh < 0 || in_reach()) continue;
         if (std::exchange(node.skin, -1) >= 0) {
             notices.add("one skin takes its mesh further than 1e15 m and was left out",
                         "{0} skins take their meshes further than 1e15 m and were left out");
-            if (in_reach(index)) continue;
+            if (in_reach()) continue;
         }
         if (!node.morph_weights.empty()) {
             node.morph_weights.clear();
@@ -55,14 +90,16 @@ void check_gltf_reach(Model& model, const std::string& file_name, CountedNotices
                         "1e15 m and were left out",
                         "the weights of the morph targets of {0} nodes take their meshes further "
                         "than 1e15 m and were left out");
-            if (in_reach(index)) continue;
+            if (in_reach()) continue;
         }
+        const double far = reaches.of(n);
         throw Rejected(fmt::format(
-            "{}: {} reaches {:.3g} m from the origin, and places up to {:g} m can be worked with: "
-            "is its unit or a scale wrong?",
+            "{}: {} reaches {} from the origin, and places up to {:g} m can be worked with: is its "
+            "unit or a scale wrong?",
             file_name,
             node.name.empty() ? "a mesh" : fmt::format("the mesh of node '{}'", excerpt(node.name)),
-            furthest_coordinate(model, index, stance_at(model, nullptr, 0)), most_coordinate));
+            far < beyond_all ? fmt::format("{:.3g} m", far) : "further than numbers go",
+            most_coordinate));
     }
 }
 

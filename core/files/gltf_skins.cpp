@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
 
 namespace trivar {
 namespace {
@@ -50,14 +51,12 @@ ReadSkin read_skin(const GltfEntry& from, GltfAccessors& accessors, const std::v
     return out;
 }
 
-void check_joints(const Mesh& mesh, std::size_t joints, const GltfEntry& node)
+std::size_t last_joint(const Mesh& mesh)
 {
+    std::uint16_t out = 0;
     for (const Mesh::Influences& by : mesh.influences)
-        for (const std::uint16_t joint : by.joints)
-            if (joint >= joints)
-                node.fail(fmt::format("a vertex of its mesh goes with joint {}, and its skin has "
-                                      "{} joints, counted from 0",
-                                      joint, joints));
+        out = std::max(out, *std::ranges::max_element(by.joints));
+    return out;
 }
 
 } // namespace
@@ -67,6 +66,7 @@ void add_gltf_skins(Model& model, GltfAccessors& accessors, const std::vector<in
 {
     const GltfFile& file = accessors.file();
     std::vector<bool> whole;
+    std::map<int, std::size_t> last_joints; // by mesh: many nodes may show one
     file.root().each("skins", "skin", [&](const GltfEntry& each) {
         ReadSkin read = read_skin(each, accessors, node_of, notices);
         model.skins.push_back(std::move(read.skin));
@@ -83,7 +83,12 @@ void add_gltf_skins(Model& model, GltfAccessors& accessors, const std::vector<in
         if (mesh.influences.empty() || !whole[number])
             return notices.add("one skin lacks joints or weights and was left out",
                                "{0} skins lack joints or weights and were left out");
-        check_joints(mesh, model.skins[number].joints.size(), from);
+        const auto [last, fresh] = last_joints.try_emplace(node.mesh);
+        if (fresh) last->second = last_joint(mesh);
+        if (const std::size_t count = model.skins[number].joints.size(); last->second >= count)
+            from.fail(fmt::format("a vertex of its mesh goes with joint {}, and its skin has {} "
+                                  "joints, counted from 0",
+                                  last->second, count));
         node.skin = from.index("skin");
     });
 }

@@ -92,6 +92,21 @@ TEST(GltfNumbers, OfATrackThatAreBeyondUseLeaveItOut)
     }
 }
 
+TEST(GltfNumbers, OfAVertexesSharesThatAreNoneCountAsNone)
+{
+    Model model = rigged_model();
+    Mesh mesh = *model.meshes[0];
+    for (Mesh::Influences& by : mesh.influences) {
+        by.joints = {0, 1, 0, 0};
+        by.weights = {no_number, 1, 0, 0};
+    }
+    model.meshes[0] = make_ref(mesh);
+    const Model back = read_model_bytes(gltf_text(model), "a.gltf", "");
+    EXPECT_THAT(back.notices, Contains(HasSubstr("numbers of its vertices are infinite or none")));
+    EXPECT_EQ(back.meshes[0]->influences[0].joints[0], 1);
+    EXPECT_EQ(back.meshes[0]->influences[0].weights, glm::vec4(1, 0, 0, 0));
+}
+
 TEST(GltfNumbers, OfMorphTargetsInNoBufferAreNoDifferences)
 {
     Model model = rigged_model();

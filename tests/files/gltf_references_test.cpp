@@ -39,6 +39,10 @@ TEST(GltfReferences, ToTexturesPicturesAndSamplersThatAreNotThereAreCounted)
     EXPECT_THAT(read_gltf_text(text).notices,
                 ElementsAre(HasSubstr("one texture names a sampler")));
     text = textured_gltf();
+    text["images"][0].erase("uri");
+    EXPECT_THAT(read_gltf_text(text).notices, ElementsAre("a.gltf: image 0: it has neither a 'uri' "
+                                                          "nor a 'bufferView'"));
+    text = textured_gltf();
     text["meshes"][0]["primitives"][0]["material"] = 9;
     EXPECT_THAT(read_gltf_text(text).notices, ElementsAre(HasSubstr("names a material")));
 }
