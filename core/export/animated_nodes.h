@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/export/animated_model.h"
+#include "core/export/film_certificate.h"
 #include "core/export/kept_clip.h"
 #include "core/export/target_keys.h"
 

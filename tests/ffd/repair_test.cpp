@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/ffd/injectivity.h"
+#include "core/ffd/repair.h"
 #include "core/ffd/repair_ways.h"
 #include "tests/ffd/samples.h"
 
