@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/export/common_mesh.h"
-#include "core/export/film_certificate.h"
+#include "core/certificate/common_mesh.h"
+#include "core/certificate/film_certificate.h"
 
 namespace trivar {
 

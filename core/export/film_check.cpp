@@ -2,7 +2,7 @@
 #include "core/export/film_check.h"
 
 #include "core/base/parallel.h"
-#include "core/export/places_in_file.h"
+#include "core/certificate/places_in_file.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
+#include "core/certificate/certificate.h"
 #include "core/document/document_digest.h"
 #include "core/evaluation/evaluate.h"
-#include "core/export/certificate.h"
 #include "tests/document/commands.h"
 
 #include <gmock/gmock.h>

@@ -33,6 +33,7 @@ const std::vector<std::vector<std::string>> floors{
     {"core/document"},
     {"core/commands", "core/evaluation"},
     {"core/scene"},
+    {"core/certificate"},
     {"core/export"},
     {"gpu"},
     {"ui"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/reached_volumes.h"
+#include "core/certificate/reached_volumes.h"
 
 #include "core/ffd/prolong.h"
 

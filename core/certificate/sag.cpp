@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/sag.h"
+#include "core/certificate/sag.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/between.h"
+#include "core/certificate/between.h"
 
-#include "core/export/clip_deviation.h"
+#include "core/certificate/clip_deviation.h"
 
 #include <algorithm>
 #include <cmath>

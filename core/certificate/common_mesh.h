@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/export/between.h"
+#include "core/certificate/between.h"
 #include "core/refinement/born_vertices.h"
 
 namespace trivar {

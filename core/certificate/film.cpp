@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/film.h"
+#include "core/certificate/film.h"
 
 #include "core/base/rejected.h"
 #include "core/base/text.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/kept_clip.h"
+#include "core/certificate/kept_clip.h"
 
+#include "core/certificate/keys.h"
 #include "core/document/parameters.h"
 #include "core/evaluation/posing.h"
-#include "core/export/keys.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/film_certificate.h"
+#include "core/certificate/film_certificate.h"
 
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/base/whole_numbers.h"
-#include "core/export/certificate.h"
+#include "core/certificate/certificate.h"
 
 #include <cmath>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/target_keys.h"
+#include "core/certificate/target_keys.h"
 
-#include "core/export/keys.h"
+#include "core/certificate/keys.h"
 
 #include <algorithm>
 #include <cmath>

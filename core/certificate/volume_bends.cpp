@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/volume_bends.h"
+#include "core/certificate/volume_bends.h"
 
 #include "core/base/index.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/common_mesh.h"
+#include "core/certificate/common_mesh.h"
 
 #include "core/mesh/adjacency.h"
 

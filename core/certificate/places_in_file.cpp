@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/places_in_file.h"
+#include "core/certificate/places_in_file.h"
 
 namespace trivar {
 

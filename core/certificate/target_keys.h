@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/export/common_mesh.h"
+#include "core/certificate/common_mesh.h"
 
 namespace trivar {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/clip_deviation.h"
+#include "core/certificate/clip_deviation.h"
 
 #include "core/base/finite.h"
 #include "core/mesh/foot_lock.h"

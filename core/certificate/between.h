@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/export/film.h"
-#include "core/export/keyed_volume.h"
-#include "core/export/reached_volumes.h"
-#include "core/export/volume_bends.h"
+#include "core/certificate/film.h"
+#include "core/certificate/keyed_volume.h"
+#include "core/certificate/reached_volumes.h"
+#include "core/certificate/volume_bends.h"
 
 #include <optional>
 
@@ -17,8 +17,8 @@ namespace trivar {
 //
 // q(t) is the point in the volume's parameters, d its step from one moment to the other, and dev
 // how far q(t) is from going evenly: by travel (Journey::unevenness_u), and by the clip's pose
-// between the moments at which it has keys (core/export/clip_deviation.h). What keys make of the
-// volume itself comes to it (KeyedVolume).
+// between the moments at which it has keys (core/certificate/clip_deviation.h). What keys make of
+// the volume itself comes to it (KeyedVolume).
 class Between {
 public:
     Between(const Document& document, Id object, const AssetStore& assets);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/certificate.h"
+#include "core/certificate/certificate.h"
 
 #include "core/base/finite.h"
 #include "core/base/parallel.h"

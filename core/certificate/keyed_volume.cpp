@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/keyed_volume.h"
+#include "core/certificate/keyed_volume.h"
 
+#include "core/certificate/volume_bends.h"
 #include "core/document/parameters.h"
-#include "core/export/volume_bends.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/keys.h"
+#include "core/certificate/keys.h"
 
 #include <algorithm>
 #include <cmath>
