@@ -3,8 +3,8 @@
 
 #include "core/base/text.h"
 #include "core/certificate/certificate.h"
+#include "core/certificate/film_check.h"
 #include "core/document/document_digest.h"
-#include "core/export/film_check.h"
 #include "core/files/formats.h"
 #include "core/files/glb_differences.h"
 #include "core/scene/log.h"

@@ -2,8 +2,8 @@
 #include "editor/files/files.h"
 
 #include "core/base/rejected.h"
-#include "core/certificate/certificate.h"
 #include "core/commands/collect.h"
+#include "core/export/still_export.h"
 #include "core/files/file_bytes.h"
 #include "core/files/write_model.h"
 #include "core/scene/files_read.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/certificate/film_check.h"
 #include "core/certificate/keyed_volume.h"
-#include "core/export/film_check.h"
 #include "tests/export/scenes.h"
 
 #include <cmath>

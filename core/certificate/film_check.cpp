@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/film_check.h"
+#include "core/certificate/film_check.h"
 
 #include "core/base/parallel.h"
 #include "core/certificate/places_in_file.h"

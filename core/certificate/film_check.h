@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/export/animated_model.h"
+#include "core/certificate/animated_export.h"
 
 namespace trivar {
 
