@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gpu/shader_variants.h"
+#include "tests/gpu/every_program.h"
 
 #include "gpu/ffd/blind_draw.h"
 #include "gpu/ffd/device_poser.h"
@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-namespace trivar::gpu {
+namespace trivar::gpu::testing {
 namespace {
 
 using Defines = std::vector<std::string>;
@@ -108,4 +108,4 @@ std::vector<ProgramName> every_program()
     return out;
 }
 
-} // namespace trivar::gpu
+} // namespace trivar::gpu::testing
