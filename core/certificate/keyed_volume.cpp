@@ -186,12 +186,16 @@ std::optional<KeyedVolume::Change> KeyedVolume::change(const EvaluatedObject& fr
                                                        double to_frame, const glm::dvec3& slopes)
 {
     if (!from.shaped || !to.shaped) return {};
-    if (from_ == from.shaped && to_ == to.shaped && from_frame_ == from_frame) return change_;
-    from_ = from.shaped;
-    to_ = to.shaped;
-    from_frame_ = from_frame;
-    change_.reset();
-    const Lattice &p = *from.shaped->volume->volume, &q = *to.shaped->volume->volume;
+    return changes_({from.shaped, to.shaped, from_frame}, [&] {
+        return changed(*from.shaped, from_frame, *to.shaped, to_frame, slopes);
+    });
+}
+
+std::optional<KeyedVolume::Change> KeyedVolume::changed(const ShapedVolume& from, double from_frame,
+                                                        const ShapedVolume& to, double to_frame,
+                                                        const glm::dvec3& slopes) const
+{
+    const Lattice &p = *from.volume->volume, &q = *to.volume->volume;
     if (p.rest != q.rest || p.displacement.axes != q.displacement.axes) return {};
     Lattice difference = q;
     difference.rest = glm::dmat4(0);
@@ -204,10 +208,10 @@ std::optional<KeyedVolume::Change> KeyedVolume::change(const EvaluatedObject& fr
         uneven[axis] = off_chord(m.track, from_frame, to_frame, m.lo, m.hi);
     }
     out.uneven = glm::length(uneven);
-    if (guarded_ && !stays_good(*from.shaped, *to.shaped, slopes, out.turn,
-                                steeper_by(p.displacement.axes, out.uneven)))
+    if (guarded_ &&
+        !stays_good(from, to, slopes, out.turn, steeper_by(p.displacement.axes, out.uneven)))
         return {};
-    return change_ = out;
+    return out;
 }
 
 } // namespace trivar

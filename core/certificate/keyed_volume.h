@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/recent.h"
 #include "core/evaluation/evaluate.h"
 
 #include <optional>
@@ -38,10 +39,15 @@ private:
     };
     std::vector<Moving> moving_;
     bool guarded_ = true;
-    // What was found last.
-    Ref<ShapedVolume> from_, to_;
-    double from_frame_ = 0;
-    std::optional<Change> change_;
+    std::optional<Change> changed(const ShapedVolume& from, double from_frame,
+                                  const ShapedVolume& to, double to_frame,
+                                  const glm::dvec3& slopes) const;
+    struct Step {
+        Ref<ShapedVolume> from, to;
+        double from_frame;
+        bool operator==(const Step&) const = default;
+    };
+    Recent<Step, std::optional<Change>> changes_{1};
 };
 
 } // namespace trivar
