@@ -207,14 +207,4 @@ glm::vec4 linear_light(Color color)
             static_cast<float>(color >> 24) / 255.0f};
 }
 
-double contrast(Color a, Color b)
-{
-    const auto luminance = [](Color color) {
-        return 0.2126 * linear_channel(color, 0) + 0.7152 * linear_channel(color, 8) +
-               0.0722 * linear_channel(color, 16);
-    };
-    const double x = luminance(a) + 0.05, y = luminance(b) + 0.05;
-    return std::max(x, y) / std::min(x, y);
-}
-
 } // namespace trivar::ui

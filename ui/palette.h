@@ -68,7 +68,4 @@ glm::vec4 linear_light(Color color);
 enum class Eyes { usual, protanopia, deuteranopia, tritanopia };
 double difference(Color a, Color b, Eyes eyes);
 
-// Contrast of two opaque colours, 1..21 (WCAG 2.1, relative luminance).
-double contrast(Color a, Color b);
-
 } // namespace trivar::ui

@@ -85,10 +85,9 @@ struct Window::State {
     bool full_screen = false;
     glm::ivec2 windowed_at{0}, windowed_size{0}; // before it was full screen
     std::atomic<bool> woken = false;             // by another thread
-    long frames = 0;
-    double listened_s = 0;  // till when events were asked for
-    double deaf_s = 0;      // how long none were, before this time
-    double heard_all_s = 0; // those that had waited have been heard of by then
+    double listened_s = 0;                       // till when events were asked for
+    double deaf_s = 0;                           // how long none were, before this time
+    double heard_all_s = 0;                      // those that had waited have been heard of by then
 
     explicit State(const WindowOptions& wanted)
         : window(open_window(wanted)),
@@ -327,7 +326,6 @@ struct Window::State {
         look = frame.look;
         interface_scale = frame.interface_scale;
         show_full_screen(frame.full_screen);
-        ++frames;
         return !frame.close;
     }
 };
@@ -353,11 +351,6 @@ void Window::set_title(const std::string& title)
 {
     state_->title = title;
     glfwSetWindowTitle(state_->window, title.c_str());
-}
-
-long Window::frames_drawn() const
-{
-    return state_->frames;
 }
 
 } // namespace trivar::ui

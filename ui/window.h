@@ -35,7 +35,6 @@ public:
     // Wakes the loop for one more frame; may be called on any thread while the window lives.
     std::function<void()> waker() const;
     void set_title(const std::string& title);
-    long frames_drawn() const;
 
 private:
     struct State;

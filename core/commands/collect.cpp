@@ -3,7 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/files/companions.h"
-#include "core/files/read_model.h"
+#include "core/files/file_bytes.h"
 
 #include <filesystem>
 #include <fmt/format.h>

@@ -5,6 +5,7 @@
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/files/companions.h"
+#include "core/files/file_bytes.h"
 #include "core/files/sample_models.h"
 
 #include <filesystem>

@@ -60,37 +60,19 @@ double clip_time_s(const Clip& clip, const Playing& playing, double seconds)
     return clip.begin_s + folded(playing.repeat, gone, length);
 }
 
-Ref<Shape> Posing::known(const Known& key)
-{
-    const auto found = std::ranges::find_if(known_, [&](const Known& k) {
-        return k.rest == key.rest && k.clip == key.clip && k.time_s == key.time_s &&
-               k.gait == key.gait;
-    });
-    if (found == known_.end()) return nullptr;
-    std::rotate(known_.begin(), found, found + 1);
-    return known_.front().shape;
-}
-
-Ref<Shape> Posing::kept(Known known, Shape shape)
-{
-    known.shape = make_ref(std::move(shape));
-    known_.insert(known_.begin(), std::move(known));
-    if (known_.size() > kept_) known_.resize(kept_);
-    return known_.front().shape;
-}
-
 Ref<Shape> Posing::at(const Ref<Shape>& rest, const Clip& clip, double time_s,
                       const Ref<Gait>& gait)
 {
-    Known key{rest, clip.name, time_s, gait, nullptr};
-    if (Ref<Shape> there = known(key)) return there;
-    Shape shape = *rest;
-    if (gait)
-        stand(shape, planted(*rest->model, clip, *gait, time_s));
-    else
-        stand(shape, &clip, time_s);
-    if (const std::string words = stillness(clip); !words.empty()) shape.notices.push_back(words);
-    return kept(std::move(key), std::move(shape));
+    return poses_({rest, clip.name, time_s, gait}, [&] {
+        Shape shape = *rest;
+        if (gait)
+            stand(shape, planted(*rest->model, clip, *gait, time_s));
+        else
+            stand(shape, &clip, time_s);
+        if (const std::string words = stillness(clip); !words.empty())
+            shape.notices.push_back(words);
+        return make_ref(std::move(shape));
+    });
 }
 
 Ref<Shape> Posing::operator()(const Ref<Shape>& rest, const Playing& playing, double seconds)
@@ -100,11 +82,11 @@ Ref<Shape> Posing::operator()(const Ref<Shape>& rest, const Playing& playing, do
         std::ranges::find(rest->model->clips, playing.clip, [](const Clip& c) { return c.name; });
     if (clip != rest->model->clips.end())
         return at(rest, *clip, clip_time_s(*clip, playing, seconds));
-    Known key{rest, playing.clip, 0, nullptr, nullptr};
-    if (Ref<Shape> there = known(key)) return there;
-    Shape shape = *rest;
-    shape.notices.push_back(missing_clip(*rest->model, playing.clip));
-    return kept(std::move(key), std::move(shape));
+    return poses_({rest, playing.clip, 0, nullptr}, [&] {
+        Shape shape = *rest;
+        shape.notices.push_back(missing_clip(*rest->model, playing.clip));
+        return make_ref(std::move(shape));
+    });
 }
 
 } // namespace trivar

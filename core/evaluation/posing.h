@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/recent.h"
 #include "core/evaluation/shape.h"
 #include "core/mesh/foot_lock.h"
 
@@ -17,21 +18,17 @@ public:
     // At a time of a clip; with a gait, its planted feet where the ground carries them.
     Ref<Shape> at(const Ref<Shape>& rest, const Clip& clip, double time_s,
                   const Ref<Gait>& gait = nullptr);
-    void keep(std::size_t poses) { kept_ = poses; }
+    void keep(std::size_t poses) { poses_.keep(poses); }
 
 private:
-    struct Known {
+    struct Pose {
         Ref<Shape> rest;
         std::string clip;
         double time_s;
         Ref<Gait> gait;
-        Ref<Shape> shape;
+        bool operator==(const Pose&) const = default;
     };
-    Ref<Shape> known(const Known& key);
-    Ref<Shape> kept(Known known, Shape shape);
-
-    std::vector<Known> known_; // the latest first
-    std::size_t kept_ = 3;
+    Recent<Pose, Ref<Shape>> poses_;
 };
 
 } // namespace trivar

@@ -171,38 +171,28 @@ double Walk::clip_time_s(const Playing& playing, double gone_u) const
     return gait->begin_s + (t - std::floor(t)) * gait->period_s;
 }
 
-Ref<Gait> Walks::gait_of(const Ref<Model>& model, const std::string& clip, const glm::dvec3& up,
-                         double floor)
-{
-    if (!measured_ || measured_->model != model || measured_->clip != clip ||
-        measured_->gait->up != up || measured_->floor != floor)
-        measured_ = {model, clip, floor,
-                     make_ref(trivar::gait_of(*model, *clip_named(*model, clip), up, floor))};
-    return measured_->gait;
-}
-
 Ref<Walk> Walks::operator()(const Ref<Shape>& shape, const Playing& playing, const Ref<Stage>& laid,
                             const Ref<Journey>& journey, const PlacementParameters& parameters,
                             const glm::dmat3& turned)
 {
     if (!playing.foot_lock || !laid->placement || !clip_named(*shape->model, playing.clip))
         return nullptr;
-    if (known_ && known_->shape == shape && known_->laid == laid && known_->journey == journey &&
-        known_->playing == playing)
-        return known_->walk;
-    Walk walk;
-    if (!journey || journey->travel().speed == 0)
-        walk.trouble = "its feet are locked to its travel, and it does not travel";
-    else {
+    return walks_({shape, laid, journey, playing}, [&] {
+        Walk walk;
+        if (!journey || journey->travel().speed == 0) {
+            walk.trouble = "its feet are locked to its travel, and it does not travel";
+            return make_ref(std::move(walk));
+        }
         const glm::dmat4 to_uvw = laid->placement->embedding.to_uvw * glm::dmat4(turned);
-        const glm::dvec3 w = glm::row(glm::dmat3(to_uvw), 2);
+        const glm::dvec3 w = glm::row(glm::dmat3(to_uvw), 2), up = glm::normalize(w);
         const double floor = (laid->placement->ground - to_uvw[3].z) / glm::length(w);
-        walk.gait = gait_of(shape->model, playing.clip, glm::normalize(w), floor);
-        walk = walk_of(
-            {shape->model, playing.clip, walk, playing, laid, journey, parameters, to_uvw, floor});
-    }
-    known_ = {shape, laid, journey, playing, make_ref(std::move(walk))};
-    return known_->walk;
+        const Model& model = *shape->model;
+        walk.gait = gaits_({shape->model, playing.clip, up, floor}, [&] {
+            return make_ref(gait_of(model, *clip_named(model, playing.clip), up, floor));
+        });
+        return make_ref(walk_of(
+            {shape->model, playing.clip, walk, playing, laid, journey, parameters, to_uvw, floor}));
+    });
 }
 
 } // namespace trivar

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/recent.h"
 #include "core/evaluation/stage.h"
 
 namespace trivar {
@@ -14,24 +15,22 @@ public:
                          const glm::dmat3& turned);
 
 private:
-    Ref<Gait> gait_of(const Ref<Model>& model, const std::string& clip, const glm::dvec3& up,
-                      double floor);
-
-    struct Known {
+    struct Walker {
         Ref<Shape> shape;
         Ref<Stage> laid;
         Ref<Journey> journey;
         Playing playing;
-        Ref<Walk> walk;
+        bool operator==(const Walker&) const = default;
     };
-    std::optional<Known> known_;
-    struct Measured {
+    struct Steps { // of a clip over the ground
         Ref<Model> model;
         std::string clip;
+        glm::dvec3 up;
         double floor;
-        Ref<Gait> gait;
+        bool operator==(const Steps&) const = default;
     };
-    std::optional<Measured> measured_;
+    Recent<Walker, Ref<Walk>> walks_{1};
+    Recent<Steps, Ref<Gait>> gaits_{1};
 };
 
 } // namespace trivar

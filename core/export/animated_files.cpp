@@ -2,8 +2,8 @@
 #include "core/export/animated_files.h"
 
 #include "core/base/rejected.h"
+#include "core/certificate/certificate.h"
 #include "core/evaluation/lacking.h"
-#include "core/export/certificate.h"
 #include "core/export/point_cache.h"
 #include "core/export/usd_writer.h"
 #include "core/files/file_bytes.h"

@@ -3,12 +3,12 @@
 
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
+#include "core/certificate/places_in_file.h"
+#include "core/certificate/sag.h"
+#include "core/certificate/target_keys.h"
 #include "core/document/document_digest.h"
 #include "core/evaluation/lacking.h"
 #include "core/export/animated_nodes.h"
-#include "core/export/places_in_file.h"
-#include "core/export/sag.h"
-#include "core/export/target_keys.h"
 
 #include <algorithm>
 #include <cmath>

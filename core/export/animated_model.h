@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/export/common_mesh.h"
-#include "core/export/film_certificate.h"
+#include "core/certificate/animated_export.h"
 
 namespace trivar {
 
@@ -15,13 +14,6 @@ struct AnimatedScene {
     double tolerance = default_tolerance; // metres
     std::string log;                      // the scene's file; empty: it has no name
     bool whole = false;                   // what it lacks is not left out: Lacking is thrown
-};
-
-struct AnimatedExport {
-    Film film;   // at the moments at which it was compared; a strip for each claim
-    Model model; // nodes, skins, morph targets and one clip; a claim in its extras
-    FilmCertificate certificate;
-    std::vector<CommonMesh> common; // of what a volume deforms; else without a mesh
 };
 
 // The scene as one model that moves by itself, within a tolerance at every time:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/animated_nodes.h"
 
-#include "core/export/between.h"
-#include "core/export/keys.h"
+#include "core/certificate/between.h"
+#include "core/certificate/keys.h"
 
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>

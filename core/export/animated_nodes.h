@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/export/animated_model.h"
-#include "core/export/kept_clip.h"
-#include "core/export/target_keys.h"
+#include "core/certificate/film_certificate.h"
+#include "core/certificate/kept_clip.h"
+#include "core/certificate/target_keys.h"
 
 namespace trivar {
 

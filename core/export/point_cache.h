@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/export/film.h"
+#include "core/certificate/film.h"
 #include "core/files/source_files.h"
 
 namespace trivar {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/ffd/sorted_vertices.h"
+#include "core/spline/trivariate.h"
 
 #include <span>
 

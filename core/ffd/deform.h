@@ -2,20 +2,13 @@
 #pragma once
 
 #include "core/base/ref.h"
+#include "core/ffd/embedding.h"
 #include "core/ffd/lattice.h"
 #include "core/mesh/mesh.h"
 
 #include <memory>
 
 namespace trivar {
-
-// How an object lies in a lattice. Both maps are affine, from object space.
-struct Embedding {
-    glm::dmat4 to_uvw{1};
-    glm::dmat4 to_rest{1}; // rest(to_uvw(p)): world before deformation, often known exactly
-
-    bool operator==(const Embedding&) const = default;
-};
 
 // Where a point of the object goes, and the derivative of that by the point: object to world.
 // In double; the reference of Deformer.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/ffd/guard.h"
+#include "core/ffd/repair_options.h"
 
 namespace trivar {
 
@@ -13,15 +13,6 @@ enum class RepairWay {
     monotone_columns,    // layers put back in order along the ground's normal
     evened,              // points round a fold drawn to the middle of their neighbours
     relaxed,             // each fold opened by the least move of the points round it
-};
-
-struct RepairOptions {
-    GuardOptions guard = {};
-    // The layer of control points that lies on what the volume stands on, and the axis across it.
-    // Columns rise from it; it stays unless nothing else helps.
-    int column_axis = 2;
-    int ground_layer = 0;
-    int passes = 150; // of one way, at most
 };
 
 struct RepairAttempt {

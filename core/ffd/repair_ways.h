@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/ffd/repair.h"
+#include "core/ffd/repair_options.h"
 
 namespace trivar {
 

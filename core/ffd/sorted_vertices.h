@@ -2,7 +2,9 @@
 #pragma once
 
 #include "core/ffd/axis_cells.h"
-#include "core/ffd/deform.h"
+#include "core/ffd/embedding.h"
+#include "core/mesh/mesh.h"
+#include "core/spline/knots.h"
 
 namespace trivar {
 

@@ -5,7 +5,6 @@
 #include "core/base/ordinary_file.h"
 #include "core/files/folder_files.h"
 #include "core/files/growing_file.h"
-#include "core/files/read_model.h"
 
 #include <algorithm>
 #include <array>

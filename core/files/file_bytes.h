@@ -13,6 +13,9 @@ namespace trivar {
 // read or has more than `max_bytes`.
 std::string read_bytes(const std::string& path, std::uintmax_t max_bytes);
 
+// The digest of a file's bytes, 32 hexadecimal digits. Throws Rejected.
+std::string file_hash(const std::string& path);
+
 // Writes beside `path` and renames at the end, so that any failure leaves the previous file as it
 // was. Throws Rejected with the system's reason.
 void write_bytes(const std::string& path, std::string_view bytes);

@@ -92,11 +92,6 @@ GlbContent::Node content_of(GlbParts& parts, const GlbJson& node)
 
 } // namespace
 
-GlbContent glb_content(const std::string& path)
-{
-    return glb_content_of(read_text_file(path), path);
-}
-
 std::string glb_extras(const std::string& bytes, const std::string& name)
 {
     try {

@@ -24,9 +24,8 @@ struct GlbContent {
 // Triangles must be indexed by 32 bits and all primitives of a mesh stand on the same vertices, as
 // Trivar writes them. Throws Rejected where the file is no such GLB, its JSON is nested too deep or
 // its nodes together want more than 16 times its bytes.
-GlbContent glb_content(const std::string& path);
-// Its extras alone, whatever else stands in it; empty: none.
-std::string glb_extras(const std::string& bytes, const std::string& name);
 GlbContent glb_content_of(const std::string& bytes, const std::string& name);
+// The extras alone, whatever else stands in the file; empty: none.
+std::string glb_extras(const std::string& bytes, const std::string& name);
 
 } // namespace trivar

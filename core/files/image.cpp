@@ -115,19 +115,9 @@ ImageHead PictureReader::head(const std::string& path, const std::vector<std::st
     return {picture_size(bytes, path), found.bits, found.tags};
 }
 
-Image read_image_bytes(std::string_view bytes, const std::string& name)
-{
-    return PictureReader().read_bytes(bytes, name);
-}
-
 Image read_image(const std::string& path)
 {
     return PictureReader().read(path);
-}
-
-ImageHead image_head(const std::string& path, const std::vector<std::string>& tags)
-{
-    return PictureReader().head(path, tags);
 }
 
 glm::ivec2 picture_size(std::string_view bytes, const std::string& name)

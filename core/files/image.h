@@ -50,10 +50,8 @@ private:
     std::unique_ptr<ApartDecoder> apart_;
 };
 
-// The same, of one picture.
+// A single picture, as PictureReader reads it.
 Image read_image(const std::string& path);
-Image read_image_bytes(std::string_view bytes, const std::string& name);
-ImageHead image_head(const std::string& path, const std::vector<std::string>& tags);
 
 // Width and height, by the file's head alone. Throws Rejected; what it gives may still be damaged.
 glm::ivec2 picture_size(std::string_view bytes, const std::string& name);

@@ -31,7 +31,4 @@ Model read_model(const std::string& path, const ReadOptions& options = {},
 Model read_model_bytes(std::string_view bytes, const std::string& name, const std::string& folder,
                        const ReadOptions& options = {}, const Progress& progress = {});
 
-// Digest of a file's bytes, 32 hexadecimal digits. Throws Rejected.
-std::string file_hash(const std::string& path);
-
 } // namespace trivar

@@ -106,18 +106,6 @@ void Adjacency::take_edges()
     });
 }
 
-std::vector<std::uint32_t> Adjacency::edges_round(std::size_t point) const
-{
-    std::vector<std::uint32_t> out;
-    for (const std::uint32_t c : corners(point)) {
-        out.push_back(edge_of_side_[c]);
-        out.push_back(edge_of_side_[previous(c)]);
-    }
-    std::ranges::sort(out);
-    out.erase(std::unique(out.begin(), out.end()), out.end());
-    return out;
-}
-
 bool Adjacency::has_border() const
 {
     for (std::size_t e = 0; e < edge_count(); ++e)

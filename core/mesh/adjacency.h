@@ -38,8 +38,6 @@ public:
     {
         return {round_.data() + round_begin_[point], round_.data() + round_begin_[point + 1]};
     }
-    // Ascending.
-    std::vector<std::uint32_t> edges_round(std::size_t point) const;
 
     std::uint32_t face(std::uint32_t corner) const
     {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/placement/layout.h"
+#include "core/placement/strip_layout.h"
 #include "core/placement/view.h"
 
 namespace trivar {

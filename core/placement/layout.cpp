@@ -394,18 +394,6 @@ private:
 
 } // namespace
 
-std::vector<glm::dvec3> StripLayout::points() const
-{
-    std::vector<glm::dvec3> out(s.size());
-    for (std::size_t k = 0; k < s.size(); ++k) out[k] = sheet.point(k, s);
-    return out;
-}
-
-bool StripLayout::touches(std::size_t node) const
-{
-    return grid.hit[node] && s[node] <= 1e-6 * height;
-}
-
 RayGrid center_line(const Curve<glm::dvec2>& center, int count, const Camera& camera,
                     const RayScene& scene, bool skip_back_faces)
 {

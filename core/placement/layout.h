@@ -1,32 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/placement/embed.h"
-#include "core/placement/gap.h"
-#include "core/placement/ray_grid.h"
-#include "core/placement/springs.h"
+#include "core/placement/strip_layout.h"
 
 namespace trivar {
-
-// The strip laid on the scene, before and after the springs: everything place() decides before
-// there is a surface. The live animation of the springs starts from it, too.
-struct StripLayout {
-    std::array<Knots, 2> axes; // of the contact surface; node (i, j) sits at Greville (i, j)
-    Strip strip;
-    RayGrid grid{}; // filled
-    SpringSheet sheet{};
-    std::vector<double> s{}; // the nodes' rest on the sheet; 0 without springs
-    std::vector<char> loose{};
-    double length = 0, width = 0, height = 0; // world, as far as the nodes tell
-    double contact_share = 0;                 // of the nodes: hit, and not lifted by the springs
-    int spring_iterations = 0;
-    int narrowed = 0;
-    std::vector<char> on_ridge{};        // #nodes or empty: they lie on an edge of the scene
-    std::vector<SceneSample> features{}; // points of oblique creases that the surface is drawn to
-
-    std::vector<glm::dvec3> points() const; // the nodes, on their springs
-    bool touches(std::size_t node) const;   // it was hit, and the springs do not hold it up
-};
 
 // Throws Rejected for a stroke that meets nothing, or too little, and sizes that do not fit.
 StripLayout lay_out(const Sketch& sketch, const PlacementParameters& parameters,

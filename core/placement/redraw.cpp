@@ -108,17 +108,6 @@ NearestShare nearest_share(const Sketch& sketch, glm::dvec2 p)
     return nearest;
 }
 
-glm::dvec2 at_share(const Sketch& sketch, double at)
-{
-    const std::vector<double> share = shares(sketch.samples);
-    const auto above = std::upper_bound(share.begin(), share.end(), at);
-    if (above == share.begin()) return sketch.samples.front().p_px;
-    if (above == share.end()) return sketch.samples.back().p_px;
-    const auto i = static_cast<std::size_t>(above - share.begin());
-    const double f = (at - share[i - 1]) / (share[i] - share[i - 1]);
-    return glm::mix(sketch.samples[i - 1].p_px, sketch.samples[i].p_px, f);
-}
-
 double length_px(const Samples& samples)
 {
     double sum = 0;

@@ -19,7 +19,6 @@ struct NearestShare {
     double share = 0, distance_px = 0;
 };
 NearestShare nearest_share(const Sketch& sketch, glm::dvec2 p_px);
-glm::dvec2 at_share(const Sketch& sketch, double share);
 double length_px(const std::vector<StrokeSample>& samples);
 
 // The stroke with a piece drawn anew. It leaves the old stroke at the sample nearest to where the

@@ -31,15 +31,6 @@ Region region_of(const ClipperLib::Paths& paths)
 
 } // namespace
 
-std::int64_t doubled_area(const Region& region)
-{
-    std::int64_t sum = 0;
-    for (const Loop& loop : region)
-        for (std::size_t i = 0; i < loop.size(); ++i)
-            sum += turn({0, 0}, loop[i], loop[(i + 1) % loop.size()]);
-    return sum;
-}
-
 Region united(const Region& loops, bool even_odd)
 {
     ClipperLib::Clipper clipper(ClipperLib::ioStrictlySimple);

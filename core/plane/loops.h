@@ -21,8 +21,6 @@ inline std::int64_t turn(const glm::ivec2& a, const glm::ivec2& b, const glm::iv
     return u.x * v.y - u.y * v.x;
 }
 
-std::int64_t doubled_area(const Region& region); // of a disk positive, in square units
-
 // What any of the loops winds round; with `even_odd`, what an odd number of them does. Where loops
 // overlap or cross, their union.
 Region united(const Region& loops, bool even_odd = false);

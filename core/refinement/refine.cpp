@@ -4,6 +4,7 @@
 #include "core/base/finite.h"
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
+#include "core/refinement/error_bounds.h"
 #include "core/refinement/shared_triangles.h"
 #include "core/refinement/split_point.h"
 

@@ -2,9 +2,10 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/ffd/deform.h"
+#include "core/ffd/lattice.h"
 #include "core/refinement/born_vertices.h"
-#include "core/refinement/error_bounds.h"
+#include "core/refinement/methods.h"
+#include "core/refinement/refine_part.h"
 
 namespace trivar {
 
@@ -14,12 +15,6 @@ struct RefineOptions {
     BoundMethod method = BoundMethod::composed_net; // subdivided where that may save a split
     RefinementRule rule = RefinementRule::edge_driven;
     std::size_t budget = 4'000'000; // triangles of all parts
-};
-
-// A mesh and how it lies in the volume: what Deformer takes.
-struct RefinePart {
-    Ref<Mesh> mesh;
-    Embedding embedding;
 };
 
 struct RefinedPart {

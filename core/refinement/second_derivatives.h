@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/refinement/error_bounds.h"
+#include "core/refinement/methods.h"
 #include "core/refinement/simplex_net.h"
 
 namespace trivar {

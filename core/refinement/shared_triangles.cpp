@@ -2,6 +2,7 @@
 #include "core/refinement/shared_triangles.h"
 
 #include "core/base/parallel.h"
+#include "core/ffd/deform.h"
 #include "core/mesh/adjacency.h"
 
 #include <algorithm>

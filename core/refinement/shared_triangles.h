@@ -2,7 +2,8 @@
 #pragma once
 
 #include "core/refinement/born_vertices.h"
-#include "core/refinement/refine.h"
+#include "core/refinement/error_bounds.h"
+#include "core/refinement/refine_part.h"
 
 namespace trivar {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/refinement/refine.h"
+#include "core/refinement/error_bounds.h"
 
 namespace trivar {
 

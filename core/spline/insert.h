@@ -51,10 +51,4 @@ Spline insert_knots(const Spline& f, int axis, std::span<const double> inserted)
     return over_knots(f, axis, with_inserted(axis_of(f, axis), inserted));
 }
 
-// Boehm's insertion of a single knot.
-template <class T> Curve<T> insert_knot(const Curve<T>& c, double t)
-{
-    return insert_knots(c, 0, std::span(&t, 1));
-}
-
 } // namespace trivar

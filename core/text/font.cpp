@@ -73,16 +73,17 @@ constexpr FT_Outline_Funcs walk{
 
 } // namespace
 
-Font::State::~State()
+FontState::~FontState()
 {
     hb_font_destroy(shaper);
     if (face) FT_Done_Face(face);
     if (library) FT_Done_FreeType(library);
 }
 
-Font::Font(std::string bytes, int face, const std::string& name) : state_(std::make_unique<State>())
+Font::Font(std::string bytes, int face, const std::string& name)
+    : state_(std::make_unique<FontState>())
 {
-    State& s = *state_;
+    FontState& s = *state_;
     assert(bytes.size() <= most_bytes);
     s.bytes = std::move(bytes);
     if (FT_Init_FreeType(&s.library) != 0 ||

@@ -10,6 +10,8 @@
 
 namespace trivar {
 
+struct FontState;
+
 // A font file that was read. Not for several threads at once.
 class Font {
 public:
@@ -49,8 +51,7 @@ public:
     const std::string& digest() const; // of the file and the face
 
 private:
-    struct State;
-    std::unique_ptr<State> state_;
+    std::unique_ptr<FontState> state_;
 };
 
 } // namespace trivar

@@ -3,18 +3,11 @@
 
 #include "core/mesh/mesh.h"
 #include "core/plane/loops.h"
+#include "core/text/extrusion.h"
 
 #include <optional>
 
 namespace trivar {
-
-// How a flat region becomes a body. In em.
-struct Extrusion {
-    double depth = 0.2;
-    double bevel = 0;    // how far the front and the back draw in; at most 0.45 of the depth counts
-    int bevel_steps = 1; // 1: a flat chamfer; more: a quarter circle
-    double max_edge = 0.1; // of all edges of the faces and, bevels apart, of the sides
-};
 
 // A closed body over z = 0 .. depth, in em: in front and behind triangles, round the sides quads.
 // Its front is a height over the region: rings inset by the bevel's profile, each at its height, so

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "core/plane/triangulation.h"
-#include "core/text/letter.h"
+#include "core/text/extrusion.h"
+
+#include <optional>
 
 namespace trivar {
 

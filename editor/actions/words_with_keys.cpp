@@ -48,13 +48,4 @@ std::vector<ui::Run> with_keys(const Editor& editor, const std::vector<ui::Run>&
     return result;
 }
 
-std::vector<std::string> unknown_actions(const Editor& editor, std::string_view text)
-{
-    std::vector<std::string> unknown;
-    for (std::size_t at = 0; (at = text.find('@', at)) != text.npos; ++at)
-        if (!named_at(editor, text.substr(at + 1)))
-            unknown.emplace_back(text.substr(at + 1, text.find_first_of(" .,;)", at) - at - 1));
-    return unknown;
-}
-
 } // namespace trivar

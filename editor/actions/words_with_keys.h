@@ -3,8 +3,6 @@
 
 #include "ui/rich_text.h"
 
-#include <string>
-#include <string_view>
 #include <vector>
 
 namespace trivar {
@@ -14,8 +12,5 @@ struct Editor;
 // The runs with @NAME, the name of an action, as the key it has at present, or where it has none as
 // its place in the menus. What no action is called stays as it is.
 std::vector<ui::Run> with_keys(const Editor& editor, const std::vector<ui::Run>& runs);
-
-// The names after @ that no action has.
-std::vector<std::string> unknown_actions(const Editor& editor, std::string_view text);
 
 } // namespace trivar

@@ -3,8 +3,8 @@
 
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
+#include "core/certificate/certificate.h"
 #include "core/export/animated_files.h"
-#include "core/export/certificate.h"
 #include "editor/command_line/drawing.h"
 
 #include <cmath>

@@ -6,7 +6,7 @@
 #include "core/base/text.h"
 #include "core/document/document_digest.h"
 #include "core/document/parameters.h"
-#include "core/export/certificate.h"
+#include "core/export/still_export.h"
 #include "core/files/file_bytes.h"
 #include "core/files/image.h"
 #include "core/files/write_model.h"

@@ -2,9 +2,9 @@
 #include "editor/command_line/verify.h"
 
 #include "core/base/text.h"
+#include "core/certificate/film_certificate.h"
 #include "core/document/document_digest.h"
-#include "core/export/certificate.h"
-#include "core/export/film_certificate.h"
+#include "core/export/still_export.h"
 #include "core/files/formats.h"
 #include "core/files/glb_content.h"
 #include "core/files/glb_differences.h"

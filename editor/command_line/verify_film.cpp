@@ -2,9 +2,9 @@
 #include "editor/command_line/verify_film.h"
 
 #include "core/base/text.h"
+#include "core/certificate/certificate.h"
+#include "core/certificate/film_check.h"
 #include "core/document/document_digest.h"
-#include "core/export/certificate.h"
-#include "core/export/film_check.h"
 #include "core/files/formats.h"
 #include "core/files/glb_differences.h"
 #include "core/scene/log.h"

@@ -3,7 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/commands/collect.h"
-#include "core/export/certificate.h"
+#include "core/export/still_export.h"
 #include "core/files/file_bytes.h"
 #include "core/files/write_model.h"
 #include "core/scene/files_read.h"

@@ -39,17 +39,12 @@ void PointTexture::bind(unsigned unit) const
 
 std::shared_ptr<const DeviceAxes> LatticeMirror::axes(const std::array<Knots, 3>& knots)
 {
-    const auto found = std::ranges::find_if(axes_, [&](const auto& a) { return a.first == knots; });
-    if (found != axes_.end()) {
-        std::rotate(found, found + 1, axes_.end());
-        return axes_.back().second;
-    }
-    auto made = std::make_shared<DeviceAxes>();
-    made->packed = packed_axes(knots);
-    made->cells.write(std::as_bytes(std::span(made->packed.cells)));
-    constexpr std::size_t kept = 16; // a document has few kinds
-    if (axes_.size() >= kept) axes_.erase(axes_.begin());
-    return axes_.emplace_back(knots, std::move(made)).second;
+    return axes_(knots, [&] {
+        auto made = std::make_shared<DeviceAxes>();
+        made->packed = packed_axes(knots);
+        made->cells.write(std::as_bytes(std::span(made->packed.cells)));
+        return std::shared_ptr<const DeviceAxes>(std::move(made));
+    });
 }
 
 LatticeMirror::Entry& LatticeMirror::entry(const Ref<Lattice>& lattice)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/recent.h"
 #include "core/ffd/packed_volume.h"
 #include "gpu/buffer.h"
 
@@ -53,7 +54,8 @@ private:
     Entry& entry(const Ref<Lattice>& lattice);
     std::map<const Lattice*, Entry> lattices_;
     // The last few, the newest at the end.
-    std::vector<std::pair<std::array<Knots, 3>, std::shared_ptr<const DeviceAxes>>> axes_;
+    Recent<std::array<Knots, 3>, std::shared_ptr<const DeviceAxes>> axes_{
+        16}; // a document has few kinds
     std::size_t uploads_ = 0;
 };
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Baselines in the same file: the sum of products written as in the definition, and a search of all
-// cells instead of the tree.
-#include "core/spline/cell_search.h"
+// The baseline in the same file: the sum of products written as in the definition.
 #include "core/spline/fit.h"
-#include "core/spline/invert.h"
 
 #include <benchmark/benchmark.h>
 #include <cmath>
@@ -81,51 +78,6 @@ void evaluate_second_derivatives(benchmark::State& state)
     state.SetItemsProcessed(state.iterations() * 1024);
 }
 BENCHMARK(evaluate_second_derivatives)->Arg(3)->Arg(4)->Arg(6);
-
-void invert_inside(benchmark::State& state)
-{
-    const auto f = shaken(static_cast<int>(state.range(0)), {33, 9, 6});
-    const Inverter inverse(f);
-    std::vector<glm::dvec3> points;
-    for (const glm::dvec3& q : parameters(256)) points.push_back(evaluate(f, q).value);
-    for (auto _ : state)
-        for (const glm::dvec3& p : points) benchmark::DoNotOptimize(inverse.locate(p));
-    state.SetItemsProcessed(state.iterations() * 256);
-}
-BENCHMARK(invert_inside)->Arg(3)->Arg(4);
-
-// Every cell's box looked at, one after the other.
-void invert_without_tree(benchmark::State& state)
-{
-    const auto f = shaken(static_cast<int>(state.range(0)), {33, 9, 6});
-    const auto cells = bezier_cells(f);
-    std::vector<Box> boxes;
-    for (const BezierCell& cell : cells) boxes.push_back(bounds(cell));
-    std::vector<glm::dvec3> points;
-    for (const glm::dvec3& q : parameters(256)) points.push_back(evaluate(f, q).value);
-    for (auto _ : state)
-        for (const glm::dvec3& p : points)
-            for (std::size_t c = 0; c < cells.size(); ++c) {
-                if (boxes[c].distance(p) > 0) continue;
-                const auto s = search_cell(cells[c], p, glm::dvec3(0.5), 1e-12);
-                benchmark::DoNotOptimize(s);
-                if (s.residual < 1e-12) break;
-            }
-    state.SetItemsProcessed(state.iterations() * 256);
-}
-BENCHMARK(invert_without_tree)->Arg(3)->Arg(4);
-
-void invert_outside(benchmark::State& state)
-{
-    const Inverter inverse(shaken(3, {33, 9, 6}));
-    std::vector<glm::dvec3> points;
-    for (const glm::dvec3& q : parameters(64))
-        points.push_back(4.0 * q - 2.0 + glm::dvec3(0, 3, 0));
-    for (auto _ : state)
-        for (const glm::dvec3& p : points) benchmark::DoNotOptimize(inverse.locate(p));
-    state.SetItemsProcessed(state.iterations() * 64);
-}
-BENCHMARK(invert_outside);
 
 void interpolate_surface(benchmark::State& state)
 {

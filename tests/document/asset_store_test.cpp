@@ -4,7 +4,7 @@
 #include "core/base/rejected.h"
 #include "core/commands/command.h"
 #include "core/evaluation/evaluate.h"
-#include "core/files/read_model.h"
+#include "core/files/file_bytes.h"
 #include "tests/support/fixtures.h"
 
 #include <filesystem>

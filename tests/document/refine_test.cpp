@@ -2,7 +2,6 @@
 #include "core/base/rejected.h"
 #include "core/document/document_digest.h"
 #include "core/evaluation/evaluate.h"
-#include "core/export/certificate.h"
 #include "tests/document/commands.h"
 
 #include <gmock/gmock.h>
@@ -88,33 +87,6 @@ TEST(Refining, IsRefusedInASentence)
     EXPECT_THAT(why(Refine{{2}, {}}), HasSubstr("is not placed"));
     EXPECT_THAT(why(Refine{{pot}, {.method = BoundMethod::thesis_circumradius}}),
                 HasSubstr("false"));
-}
-
-TEST(Certificates, ComeBackFromTheirJson)
-{
-    const Document document = small_document();
-    const auto [model, certificate] =
-        export_of(evaluated(refined_to(document, 1e-3)), {document, 1e-3, 1, "here/pot.trivar", 7});
-    ASSERT_TRUE(certificate);
-    Certificate c = *certificate;
-    EXPECT_EQ(to_json(c), model.extras);
-    EXPECT_EQ(c.log, "pot.trivar");
-    EXPECT_TRUE(not_certified(c).empty());
-    c.not_laid = {{9, "Snake", "its file is missing"}};
-    EXPECT_EQ(not_certified(c), std::vector<std::string>{"Snake is not certified: it does not lie "
-                                                         "where it should: its file is missing"});
-    const std::string text = to_json(c);
-    EXPECT_EQ(to_json(certificate_from_json(text)), text);
-    ASSERT_FALSE(c.parts.empty());
-    EXPECT_LE(c.bound, 1e-3);
-    EXPECT_EQ(c.scene, digest(document));
-    const Certificate::PartClaim& part = c.parts.front();
-    EXPECT_EQ(part.object, pot);
-    EXPECT_EQ(model.nodes.at(static_cast<std::size_t>(part.node)).name, "Pot");
-    c.lines = -1;
-    EXPECT_THROW(certificate_from_json(to_json(c)), Rejected);
-    for (const char* text_without : {"", "{}", "{\"trivar_certificate\":{\"version\":9}}"})
-        EXPECT_THROW(certificate_from_json(text_without), Rejected);
 }
 
 } // namespace

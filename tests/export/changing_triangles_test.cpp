@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
 #include "core/base/text.h"
+#include "core/certificate/film_check.h"
 #include "core/commands/text.h"
 #include "core/export/animated_files.h"
-#include "core/export/film_check.h"
 #include "tests/export/scenes.h"
 
 #include <gmock/gmock.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/certificate/film.h"
+#include "core/certificate/film_check.h"
+#include "core/certificate/kept_clip.h"
 #include "core/evaluation/posing.h"
-#include "core/export/film.h"
-#include "core/export/film_check.h"
-#include "core/export/kept_clip.h"
 #include "core/files/read_model.h"
 #include "core/files/write_model.h"
 #include "tests/export/scenes.h"

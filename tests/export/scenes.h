@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/certificate/film_check.h"
 #include "core/export/animated_model.h"
 #include "tests/document/commands.h"
 #include "tests/support/fixtures.h"
@@ -64,6 +65,28 @@ protected:
     {
         return animated_export({document, {1, document.time.last_frame}, tolerance, "a.trivar"},
                                assets_);
+    }
+    // What is proven keeps to its own bound at ten times the frame rate, all else to the tolerance.
+    void expect_holds(const Document& document, const AnimatedExport& made,
+                      int per_frame = 10) const
+    {
+        const std::vector<FilmSample> found = sampled_film(made, document, assets_, per_frame);
+        for (std::size_t p = 0; p < found.size(); ++p) {
+            const FilmCertificate::PartClaim& claim = made.certificate.parts[p];
+            EXPECT_GT(found[p].samples, 0u);
+            constexpr double rounding = 1e-6; // of single precision
+            EXPECT_LE(found[p].furthest,
+                      is_proven(claim) ? claim.bound + rounding : made.certificate.tolerance)
+                << claim.name << " " << claim.way << " at frame " << found[p].at_frame << " "
+                << claim.unproven;
+        }
+    }
+    static std::vector<FilmCertificate::PartClaim> of(const AnimatedExport& made, Id object)
+    {
+        std::vector<FilmCertificate::PartClaim> out;
+        for (const FilmCertificate::PartClaim& claim : made.certificate.parts)
+            if (claim.object == object) out.push_back(claim);
+        return out;
     }
     TemporaryFolder folder_;
     Document still_;

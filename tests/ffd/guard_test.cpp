@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/ffd/guard.h"
-#include "core/ffd/injectivity.h"
+#include "tests/ffd/folds.h"
 #include "tests/ffd/samples.h"
 
 #include <gtest/gtest.h>

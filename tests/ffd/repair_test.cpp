@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/ffd/injectivity.h"
+#include "core/ffd/repair.h"
 #include "core/ffd/repair_ways.h"
+#include "tests/ffd/folds.h"
 #include "tests/ffd/samples.h"
 
 #include <gtest/gtest.h>
@@ -57,7 +58,7 @@ void expect_repaired(const Lattice& folded, const Unfolded& out)
 TEST(Repair, OpensAFoldedRoofAndLeavesTheGround)
 {
     const Lattice folded = bent_box(1, 1.3);
-    ASSERT_EQ(check_injectivity(folded).local, Verdict::proven_bad);
+    ASSERT_EQ(verdict_of(folded), Verdict::proven_bad);
     const Unfolded out = unfolded(folded);
     expect_repaired(folded, out);
     EXPECT_EQ(ground_moved(out), 0);

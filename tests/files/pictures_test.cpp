@@ -20,7 +20,7 @@ using ::testing::HasSubstr;
 std::string refusal_of_picture(const std::string& bytes, const std::string& name)
 {
     try {
-        read_image_bytes(bytes, name);
+        PictureReader().read_bytes(bytes, name);
         return "read";
     } catch (const Rejected& refused) {
         return refused.what();
@@ -140,8 +140,9 @@ TEST(Pictures, DecodedApartTakeNoMoreMemoryThanTheyMay)
 TEST(Jpeg, IsWholeWithoutItsEndAndNotWithoutAPartOfItsPixels)
 {
     const std::string jpeg = sound_pictures("jpg").front();
-    const Image image = read_image_bytes(jpeg, "a.jpg");
-    EXPECT_EQ(read_image_bytes(jpeg.substr(0, jpeg.size() - 2), "a.jpg").rgba, image.rgba);
+    const Image image = PictureReader().read_bytes(jpeg, "a.jpg");
+    EXPECT_EQ(PictureReader().read_bytes(jpeg.substr(0, jpeg.size() - 2), "a.jpg").rgba,
+              image.rgba);
     EXPECT_THAT(refusal_of_picture(jpeg.substr(0, jpeg.size() - 100), "a.jpg"),
                 HasSubstr("a.jpg: this JPEG picture is cut off after"));
 }
@@ -161,7 +162,7 @@ TEST(Png, IsRefusedWithoutAWordWherePixelsAreDamagedAndItsChecksumsRight)
 TEST(Png, InPassesHasItsPixelsWhereTheyBelong)
 {
     const std::string png = sound_pictures("png").front(); // pass 7 has rows 1, 3, 5 and 7
-    const Image image = read_image_bytes(png, "a.png");
+    const Image image = PictureReader().read_bytes(png, "a.png");
     ASSERT_EQ(image.size_px, glm::ivec2(8, 8));
     for (std::size_t x = 0; x < 8; ++x) {
         const auto gray = static_cast<std::uint8_t>(20 * 1 + 30 * x);
@@ -178,7 +179,8 @@ TEST(Png, OfSixteenBitsComesBackWithItsBitsAndWords)
     for (int i = 0; i < 24; ++i) deep.rgba.push_back(static_cast<std::uint16_t>(257 * 10 * i));
     const ImageTags tags{{"trivar:frame", "7"}, {"trivar:log", "abc"}};
     write_file(folder.file("a.png"), encoded_image(deep, ".png", tags));
-    const ImageHead head = image_head(folder.file("a.png"), {"trivar:frame", "none", "trivar:log"});
+    const ImageHead head =
+        PictureReader().head(folder.file("a.png"), {"trivar:frame", "none", "trivar:log"});
     EXPECT_EQ(head.bits, 16);
     EXPECT_EQ(head.tags, tags);
     const Image image = read_image(folder.file("a.png"));
@@ -195,8 +197,8 @@ TEST(Pictures, InPngAndJpegAreReadAndPngWrittenWithoutTheLibraryForTheOthers)
     };
     if (is_loaded()) GTEST_SKIP() << "another test of this process loaded it";
     const std::string png = sound_pictures("png").back();
-    Image image = read_image_bytes(png, "a.png");
-    EXPECT_EQ(read_image_bytes(encoded_image(image, ".png"), "a.png").rgba, image.rgba);
+    Image image = PictureReader().read_bytes(png, "a.png");
+    EXPECT_EQ(PictureReader().read_bytes(encoded_image(image, ".png"), "a.png").rgba, image.rgba);
     EXPECT_FALSE(is_loaded());
 }
 

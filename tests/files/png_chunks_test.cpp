@@ -43,7 +43,7 @@ TEST(PngChunks, RefuseAPictureWithoutAWordOfItsLibrary)
     ::testing::internal::CaptureStderr();
     std::string why;
     try {
-        read_image_bytes(damaged, "a.png");
+        PictureReader().read_bytes(damaged, "a.png");
     } catch (const Rejected& refused) {
         why = refused.what();
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
-#include "core/export/certificate.h"
+#include "core/certificate/certificate.h"
 #include "core/ffd/lattice.h"
 #include "core/files/formats.h"
 #include "core/files/glb_content.h"

@@ -2,9 +2,9 @@
 // The pictures of docs/gallery.md and the README are what these scenes give today.
 
 #include "core/base/text.h"
+#include "core/certificate/film_check.h"
 #include "core/document/parameters.h"
 #include "core/export/animated_model.h"
-#include "core/export/film_check.h"
 #include "core/placement/view.h"
 #include "core/scene/log.h"
 #include "editor/picture/captions.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
 #include "gpu/program.h"
-#include "gpu/shader_variants.h"
+#include "tests/gpu/every_program.h"
 #include "tests/gpu/support.h"
 #include "tests/support/fixtures.h"
 

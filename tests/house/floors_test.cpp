@@ -33,6 +33,7 @@ const std::vector<std::vector<std::string>> floors{
     {"core/document"},
     {"core/commands", "core/evaluation"},
     {"core/scene"},
+    {"core/certificate"},
     {"core/export"},
     {"gpu"},
     {"ui"},
@@ -48,18 +49,6 @@ const std::vector<std::vector<std::string>> floors{
     {"editor/command_line"},
     {"editor/main", "editor/carried"}};
 constexpr int most_lines_header = 150, most_lines_source = 450;
-
-// Files, or folders, whose knots are known: without them no file is above itself.
-const std::vector<std::string> known_knots{"core/export/animated_nodes",
-                                           "core/ffd/kernel",
-                                           "core/ffd/repair_ways",
-                                           "core/files/file_bytes",
-                                           "core/placement/creases",
-                                           "core/refinement/refine",
-                                           "core/refinement/second_derivatives",
-                                           "core/spline/trivariate_impl",
-                                           "core/text/font_state",
-                                           "core/text/letter_front"};
 
 // A header and its source are one thing, which is called by the path of both.
 std::string thing_of(const std::string& path)
@@ -181,14 +170,9 @@ std::vector<std::string> way_back(const Arrows& arrows, const std::string& thing
     return way;
 }
 
-// The things that are above themselves, a sentence for each knot; those that are let off count as
-// not there.
-std::vector<std::string> knots(Arrows arrows, const std::vector<std::string>& let_off)
+// The things that are above themselves, a sentence for each knot.
+std::vector<std::string> knots(const Arrows& arrows)
 {
-    std::erase_if(arrows, [&](const auto& each) {
-        return std::ranges::any_of(let_off,
-                                   [&](const auto& name) { return lies_in(each.first, name); });
-    });
     std::set<std::string> told;
     std::vector<std::string> out;
     for (const auto& [thing, below] : arrows) {
@@ -224,7 +208,7 @@ std::vector<std::string> complaints_about(const std::filesystem::path& top)
 {
     const Files files = files_of(top);
     std::vector<std::string> out = leaks(files);
-    const auto above = knots(arrows_between(files), known_knots);
+    const auto above = knots(arrows_between(files));
     out.insert(out.end(), above.begin(), above.end());
     for (const auto& [path, text] : files) {
         const auto some = complaints(path, text);
@@ -281,22 +265,11 @@ TEST(Knots, AreFoundThroughSourcesToo)
     Files files{{"ui/a.h", "#include \"ui/c.h\"\n"},
                 {"ui/b.h", "#include \"ui/a.h\"\n"},
                 {"ui/b.cpp", "#include \"ui/b.h\"\n"}};
-    EXPECT_TRUE(knots(arrows_between(files), {}).empty());
+    EXPECT_TRUE(knots(arrows_between(files)).empty());
     files["ui/c.cpp"] = "#include \"ui/b.h\"\n";
-    const auto found = knots(arrows_between(files), {});
+    const auto found = knots(arrows_between(files));
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0], "ui/a is above itself: ui/a, ui/c, ui/b, ui/a");
-    EXPECT_TRUE(knots(arrows_between(files), {"ui/b"}).empty());
-}
-
-TEST(Knots, ThatAreKnownAreStillThere)
-{
-    const Arrows arrows = arrows_between(files_of(TRIVAR_SOURCE_DIR));
-    for (const std::string& known : known_knots) {
-        std::vector<std::string> others = known_knots;
-        std::erase(others, known);
-        EXPECT_FALSE(knots(arrows, others).empty()) << known << " can be taken off the list";
-    }
 }
 
 TEST(Floors, IncludesAreFoundHoweverTheyAreSpaced)

@@ -2,7 +2,7 @@
 // Makes random edits with the guard on, each from where the last one was let go, and looks for
 // folds by samples after every one. Arguments: how many lattices of 200 edits each.
 #include "core/ffd/guard.h"
-#include "core/ffd/injectivity.h"
+#include "tests/ffd/folds.h"
 #include "tests/support/splines.h"
 
 #include <algorithm>
@@ -36,12 +36,12 @@ Counts edit_one_lattice(int which, Counts counts)
             const Lattice whole = moved(lattice, moves);
             const auto now = judged_again(verdicts, whole, moves).of;
             counts.proven_to_fold += std::count(now.begin(), now.end(), Verdict::proven_bad) > 0;
-            counts.good_by_samples +=
-                smallest_jacobian(whole, 5) > 0 && smallest_jacobian(whole, 17) > 0;
+            counts.good_by_samples += testing::smallest_jacobian(whole, 5) > 0 &&
+                                      testing::smallest_jacobian(whole, 17) > 0;
         }
         lattice = moved(lattice, scaled(moves, out.share));
         verdicts = std::move(out.after);
-        counts.folded += !(smallest_jacobian(lattice, 5) > 0);
+        counts.folded += !(testing::smallest_jacobian(lattice, 5) > 0);
     }
     return counts;
 }

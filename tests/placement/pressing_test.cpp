@@ -2,8 +2,8 @@
 #include "core/placement/pressing.h"
 
 #include "core/base/rejected.h"
-#include "core/ffd/injectivity.h"
 #include "core/placement/shaper.h"
+#include "tests/ffd/folds.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -172,11 +172,11 @@ TEST(Pressing, WithTheGuardStopsShortOfFolding)
         for (const glm::dvec4 sample :
              {glm::dvec4(0.5, 0.5, 1, 3), {0.5, 0.5, 0.5, -3}, {0.3, 0.2, 0, 3}, {0, 0, 1, 3}}) {
             const Press press = press_at(sample, kind);
-            EXPECT_EQ(check_injectivity(pressed(press)).local, Verdict::proven_good);
+            EXPECT_EQ(testing::verdict_of(pressed(press)), Verdict::proven_good);
         }
     Press unguarded = press_at({0.5, 0.5, 1, 3});
     unguarded.guard = false;
-    EXPECT_EQ(check_injectivity(pressed(unguarded)).local, Verdict::proven_bad);
+    EXPECT_EQ(testing::verdict_of(pressed(unguarded)), Verdict::proven_bad);
 }
 
 Ref<Placement> placed_box()
@@ -355,9 +355,9 @@ TEST(Shaper, MendsWhatFoldsAndLeavesWhatDoesNot)
     const auto mend = make_ref(VolumeEdit{.mending = Mending{}});
     Shaper shaper;
     const auto folded = shaper(placed_box(), {make_ref(fold)});
-    EXPECT_EQ(check_injectivity(folded->placement->volume).local, Verdict::proven_bad);
+    EXPECT_EQ(testing::verdict_of(folded->placement->volume), Verdict::proven_bad);
     const auto after = shaper(placed_box(), {make_ref(fold), mend});
-    EXPECT_EQ(check_injectivity(after->placement->volume).local, Verdict::proven_good);
+    EXPECT_EQ(testing::verdict_of(after->placement->volume), Verdict::proven_good);
     EXPECT_GT(after->steps[1].done, 0);
     const auto nothing = shaper(placed_box(), {mend});
     EXPECT_EQ(nothing->placement->volume, bent_box());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/plane/triangulation.h"
+#include "tests/plane/areas.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -55,7 +56,7 @@ TEST(Triangulation, FillsExactlyWhatItsEdgesEnclose)
             simple &= plane.join(a, b) == Triangulation::Joined::one_edge;
         if (!simple) continue; // rounded onto itself
         plane.fill(edges);
-        EXPECT_EQ(area_inside(plane), doubled_area({loop})) << seed;
+        EXPECT_EQ(area_inside(plane), trivar::testing::doubled_area({loop})) << seed;
     }
 }
 
@@ -69,7 +70,7 @@ TEST(Triangulation, KeepsItsAreaAndItsBoundsWhileItIsRefined)
     plane.fill(edges);
     plane.refine(
         40000, [](const auto&) { return true; }, [](int, const auto&) {});
-    EXPECT_EQ(area_inside(plane), doubled_area({loop}));
+    EXPECT_EQ(area_inside(plane), trivar::testing::doubled_area({loop}));
     for (const auto& v : plane.inside())
         for (std::size_t i = 0; i < 3; ++i) {
             const auto at = [&](int p) {

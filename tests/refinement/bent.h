@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/ffd/deform.h"
 #include "core/mesh/primitives.h"
 #include "core/refinement/refine.h"
 #include "tests/support/splines.h"

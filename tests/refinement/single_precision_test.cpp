@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/rejected.h"
+#include "core/ffd/deform.h"
 #include "tests/refinement/bent.h"
 
 #include <gtest/gtest.h>

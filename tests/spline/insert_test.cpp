@@ -10,6 +10,7 @@ namespace trivar {
 namespace {
 
 using testing::all_axes;
+using testing::insert_knot;
 using testing::inside;
 using testing::Noise;
 using testing::random_curve;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/spline/curve.h"
+#include "core/spline/insert.h"
 #include "core/spline/surface.h"
 #include "core/spline/trivariate.h"
 
@@ -84,6 +85,12 @@ inline std::vector<double> inside(const Knots& k, int count)
     for (int i = 0; i < count; ++i)
         out.push_back(k.begin() + (k.end() - k.begin()) * i / (count - 1));
     return out;
+}
+
+// With one knot more.
+template <class T> Curve<T> insert_knot(const Curve<T>& c, double t)
+{
+    return insert_knots(c, 0, std::span(&t, 1));
 }
 
 } // namespace trivar::testing

@@ -6,6 +6,7 @@
 #include "core/mesh/closed_body.h"
 #include "core/text/installed_fonts.h"
 #include "tests/mesh/edges.h"
+#include "tests/plane/areas.h"
 
 #include <gtest/gtest.h>
 
@@ -31,13 +32,13 @@ Region outline(const Font& font, char32_t letter, double tolerance = 0.001)
 
 double area_em(const Region& region)
 {
-    return static_cast<double>(doubled_area(region)) / 2 / em_units / em_units;
+    return static_cast<double>(trivar::testing::doubled_area(region)) / 2 / em_units / em_units;
 }
 
 int holes(const Region& region)
 {
     int count = 0;
-    for (const Loop& loop : region) count += doubled_area({loop}) < 0 ? 1 : 0;
+    for (const Loop& loop : region) count += trivar::testing::doubled_area({loop}) < 0 ? 1 : 0;
     return count;
 }
 
@@ -209,7 +210,7 @@ TEST(Letter, IsTheUnionOfContoursThatOverlap)
     const int a = em_units / 4;
     const Region cross = united({box(0, a, 3 * a, 2 * a), box(a, 0, 2 * a, 3 * a)});
     EXPECT_EQ(cross.size(), 1u);
-    EXPECT_EQ(doubled_area(cross), std::int64_t(a) * a * 10);
+    EXPECT_EQ(trivar::testing::doubled_area(cross), std::int64_t(a) * a * 10);
     expect_closed(letter_body(cross, {}).value());
 }
 

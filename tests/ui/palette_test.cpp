@@ -13,6 +13,16 @@ struct Pair {
     double least;
 };
 
+// Contrast of two opaque colours, 1..21 (WCAG 2.1, relative luminance).
+double contrast(Color a, Color b)
+{
+    const auto luminance = [](Color color) {
+        return glm::dot(glm::dvec3(linear_light(color)), {0.2126, 0.7152, 0.0722});
+    };
+    const double x = luminance(a) + 0.05, y = luminance(b) + 0.05;
+    return std::max(x, y) / std::min(x, y);
+}
+
 // The least contrasts are those of the specification's table of tokens (WCAG 2.1 AA is 4.5).
 std::vector<Pair> pairs(const Palette& c)
 {

@@ -186,7 +186,8 @@ TEST_F(Sequences, SayWhichLogAndFrameTheyAre)
     const std::string log = digest_of_log(read_text_file(scene));
     for (const auto& [name, bits] :
          std::map<std::string, int>{{"a.07.png", 8}, {"d.07.png", 16}, {"a.07.exr", 16}}) {
-        const ImageHead head = image_head(folder.file(name), {"trivar:log", "trivar:frame"});
+        const ImageHead head =
+            PictureReader().head(folder.file(name), {"trivar:log", "trivar:frame"});
         EXPECT_EQ(head.tags, (ImageTags{{"trivar:log", log}, {"trivar:frame", "7"}})) << name;
         EXPECT_EQ(head.bits, bits) << name;
         EXPECT_EQ(head.size_px, glm::ivec2(64, 36)) << name;
@@ -274,7 +275,7 @@ TEST_F(Sequences, EndAfterTheFrameAtHandWhenInterrupted)
     EXPECT_EQ(static_cast<std::size_t>(std::distance(fs::directory_iterator(folder.file("a")), {})),
               pictures.size()); // nothing else
     for (const auto& [name, bytes] : pictures)
-        EXPECT_NO_THROW(image_head(folder.file("a/" + name), {})) << name;
+        EXPECT_NO_THROW(PictureReader().head(folder.file("a/" + name), {})) << name;
 }
 
 TEST_F(Sequences, LookAsKeysHaveItInEachFrameAndWantAllFilesOfTheScene)

@@ -3,8 +3,8 @@
 
 #include "core/base/text.h"
 #include "editor/actions/show_manual.h"
-#include "editor/actions/words_with_keys.h"
 #include "editor/picture/stored_pictures.h"
+#include "tests/editor/help/unknown_actions.h"
 #include "tests/editor/rig.h"
 
 #include <filesystem>
@@ -46,7 +46,7 @@ TEST(Manual, LeadsNowhereThatIsNotThereAndNamesNoActionThatIsNot)
     for (const ManualPage& page : pages) {
         EXPECT_NE(page.title, page.name);
         for (const ui::Run& run : all_runs(page)) {
-            EXPECT_THAT(unknown_actions(rig.editor, run.text), IsEmpty()) << page.name;
+            EXPECT_THAT(testing::unknown_actions(rig.editor, run.text), IsEmpty()) << page.name;
             if (run.kind != link) continue;
             EXPECT_TRUE(page_of(pages, linked_page(run.target))) << page.name << run.target;
         }

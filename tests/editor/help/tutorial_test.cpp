@@ -9,6 +9,7 @@
 #include "editor/actions/words_with_keys.h"
 #include "editor/session/recent_scenes.h"
 #include "editor/words/markdown.h"
+#include "tests/editor/help/unknown_actions.h"
 #include "tests/editor/rig.h"
 #include "tests/support/fixtures.h"
 
@@ -68,7 +69,7 @@ TEST(Tutorial, EveryOneReplaysWithoutANoticeAndHasANoteOnEachLine)
         Evaluator evaluator(assets);
         for (const History::Step& step : scene.history().steps()) {
             EXPECT_FALSE(step.note.empty()) << path << ": " << to_json_line(step.command);
-            EXPECT_THAT(unknown_actions(rig.editor, step.note), IsEmpty()) << path;
+            EXPECT_THAT(testing::unknown_actions(rig.editor, step.note), IsEmpty()) << path;
             const Evaluated evaluated = evaluator(step.result);
             for (const auto& [id, effects] : evaluated.objects) {
                 EXPECT_THAT(effects->notices, IsEmpty()) << path << ": " << step.note;
@@ -183,7 +184,8 @@ TEST(Tutorial, WordsNameTheKeyThatIsChosenAtPresentOrTheMenu)
     use_keys(rig.editor.actions, {{"Place", {}}});
     EXPECT_THAT(shown("@Place"), ElementsAre(ui::Run{strong, "Tools > Place"}));
     EXPECT_THAT(shown("me@home"), ElementsAre(ui::Run{plain, "me@home"}));
-    EXPECT_THAT(unknown_actions(rig.editor, "me@home, @Plaice."), ElementsAre("home", "Plaice"));
+    EXPECT_THAT(testing::unknown_actions(rig.editor, "me@home, @Plaice."),
+                ElementsAre("home", "Plaice"));
 }
 
 } // namespace

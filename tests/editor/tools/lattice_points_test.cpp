@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/ffd/injectivity.h"
 #include "editor/tools/last_shaping.h"
 #include "tests/editor/rig.h"
+#include "tests/ffd/folds.h"
 
 namespace trivar {
 namespace {
@@ -71,7 +71,7 @@ TEST(LatticePoints, StopBeforeTheVolumeFolds)
     rig.screen.input().push(ui::press(ui::Button::left, false));
     rig.wait();
     ASSERT_EQ(rig.shaped(), 1u);
-    EXPECT_EQ(check_injectivity(rig.volume()).local, Verdict::proven_good);
+    EXPECT_EQ(testing::verdict_of(rig.volume()), Verdict::proven_good);
     const Shaping& step = rig.editor.session.evaluated().objects.at(2)->shaped->steps.back();
     EXPECT_LT(step.done, step.asked);
     const auto& notices = rig.editor.session.notices.all();
@@ -104,7 +104,7 @@ TEST(LatticePoints, MayFoldTheVolumeWhereThatIsAllowed)
     pull();
     const EvaluatedObject& placed = *rig.editor.session.evaluated().objects.at(2);
     EXPECT_EQ(placed.shaped->steps.back().done, placed.shaped->steps.back().asked);
-    EXPECT_EQ(check_injectivity(rig.volume()).local, Verdict::proven_bad);
+    EXPECT_EQ(testing::verdict_of(rig.volume()), Verdict::proven_bad);
     EXPECT_TRUE(rig.editor.viewport.volume_facts().verdicts(placed)->good());
 }
 

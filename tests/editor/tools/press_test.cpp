@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/ffd/injectivity.h"
 #include "tests/editor/rig.h"
+#include "tests/ffd/folds.h"
 
 namespace trivar {
 namespace {
@@ -57,7 +57,7 @@ TEST(PressTool, StopsBeforeTheVolumeFoldsAndSaysSo)
 {
     PressRig rig;
     rig.drag({0, 300});
-    EXPECT_EQ(check_injectivity(rig.laid().volume).local, Verdict::proven_good);
+    EXPECT_EQ(testing::verdict_of(rig.laid().volume), Verdict::proven_good);
     const auto& notices = rig.editor.session.notices.all();
     ASSERT_FALSE(notices.empty());
     EXPECT_EQ(notices.back().title, "The volume would fold here");
