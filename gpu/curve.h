@@ -4,6 +4,8 @@
 #include "core/base/ref.h"
 #include "core/mesh/polyline.h"
 
+#include <cstdint>
+
 namespace trivar::gpu {
 
 // What is drawn of the parts of a curve that something solid hides.
@@ -18,6 +20,9 @@ struct CurveStyle {
     HiddenParts hidden = HiddenParts::dashed;
     bool operator==(const CurveStyle&) const = default;
 };
+
+// Set in the ids of a picture's pixels where a curve shows, to tell it from surfaces.
+inline constexpr std::uint32_t curve_id_bit = 1u << 31;
 
 // A polyline that is part of the scene as surfaces are: it hides what is behind it and can be
 // picked. It is not lit and casts no shadow. Every picture uploads its curves: O(points).

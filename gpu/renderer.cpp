@@ -47,6 +47,7 @@ struct Renderer::State {
     StudioKey studio_key;
     std::optional<Studio> studio;
     std::optional<Work> work;
+    std::string notice; // of the curves
 
     const Studio& studio_of(const Look& look, const RenderSettings& settings)
     {
@@ -125,6 +126,11 @@ struct Renderer::State {
         brushes.lines.load(helpers.all());
         brushes.curves.load(all.all());
         brushes.outlined_curves.load(outlined.all());
+        const std::size_t gone = all.left_out();
+        notice = gone == 0 ? ""
+                           : fmt::format("The curves have more than {} segments, so {} of them "
+                                         "{} not drawn.",
+                                         most_segments, gone, gone == 1 ? "is" : "are");
     }
 
     void draw(const Pass& pass, const Frame& frame)
@@ -248,6 +254,16 @@ int Renderer::pick(glm::ivec2 p_px)
     return ids.empty() ? 0 : ids.front();
 }
 
+int Renderer::pick_near(glm::ivec2 p_px, double reach_px)
+{
+    State& s = *state_;
+    const bool inside = s.whole && glm::clamp(p_px, glm::ivec2(0), s.whole_px - 1) == p_px;
+    if (!inside) return 0;
+    const StateGuard guard;
+    const glm::dvec2 scale = glm::dvec2(s.whole->size_px) / glm::dvec2(s.whole_px);
+    return id_near(*s.whole, glm::ivec2((glm::dvec2(p_px) + 0.5) * scale), reach_px * scale.x);
+}
+
 std::vector<int> Renderer::pick_in(glm::ivec2 lo_px, glm::ivec2 hi_px)
 {
     State& s = *state_;
@@ -271,7 +287,8 @@ std::size_t Renderer::uploaded_bytes() const
 
 const std::string& Renderer::notice() const
 {
-    return state_->brushes.tools.deformed().notice();
+    const std::string& of_volumes = state_->brushes.tools.deformed().notice();
+    return of_volumes.empty() ? state_->notice : of_volumes;
 }
 
 std::string Renderer::shader_trouble() const

@@ -41,6 +41,9 @@ public:
     // The id of the instance under a pixel of the last picture drawn (0, 0 top left, whatever its
     // scale); 0: none.
     int pick(glm::ivec2 p_px);
+    // The same; a curve is picked as far beside it as that, unless what is seen at the pixel lies
+    // clearly in front of it.
+    int pick_near(glm::ivec2 p_px, double reach_px);
     // The ids of all that is seen in a rectangle of it, ascending; `hi_px` is outside.
     std::vector<int> pick_in(glm::ivec2 lo_px, glm::ivec2 hi_px);
 

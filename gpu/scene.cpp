@@ -187,6 +187,7 @@ Scene scene_of(const Picture& picture, Mirror& mirror, const DeformedMeshes& def
         if (const Box box = box_of(curve); !box.empty()) {
             scene.curve_boxes.push_back(box);
             all.add(box);
+            standing.add(box);
         }
     if (all.empty()) return scene;
     scene.origin_world = all.center();

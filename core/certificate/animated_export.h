@@ -12,6 +12,7 @@ struct AnimatedExport {
     Model model; // nodes, skins, morph targets and one clip; a claim in its extras
     FilmCertificate certificate;
     std::vector<CommonMesh> common; // of what a volume deforms; else without a mesh
+    std::string left_out = {};      // which curves, as a sentence; empty: none
 };
 
 } // namespace trivar

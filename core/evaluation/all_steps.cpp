@@ -16,7 +16,7 @@ public:
         return known_(before, [&] {
             Stage stage = *before;
             leave_out_what_is_out_of_reach(stage);
-            return stage.parts.size() == before->parts.size() ? before : make_ref(std::move(stage));
+            return stage.lacks.size() == before->lacks.size() ? before : make_ref(std::move(stage));
         });
     }
 

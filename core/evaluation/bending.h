@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/evaluation/part.h"
 #include "core/ffd/deform.h"
+#include "core/ffd/part.h"
 
 #include <array>
 #include <vector>

@@ -94,7 +94,8 @@ EvaluatedObject finished(Id id, const Ref<Stage>& stage, const Object& object)
     const bool shows_volume = std::holds_alternative<LatticeShape>(object.source);
     result.bounds = Lazy<Box>([stage, shows_volume] {
         Box box;
-        for (const Part& part : stage->parts) box.add(bounding_box(*part.mesh(), part.to_world));
+        for (const Part& part : with_points(stage->parts, stage->curves))
+            box.add(bounding_box(*part.mesh(), part.to_world));
         if (shows_volume) add_control_points(box, *stage->shaped->volume->volume);
         return box;
     });
@@ -143,7 +144,7 @@ Evaluated Evaluator::operator()(const Document& still, double frame, const Progr
         report(progress, static_cast<double>(i) / static_cast<double>(order.size()), ref->name);
         Cache::Kept& kept = cache_->objects[id];
         if (!kept.object || !kept.shape || kept.object->source != ref->source ||
-            kept.shape->meshes.empty()) // a missing file may have come back
+            kept.shape->empty()) // a missing file may have come back
             kept.shape = cache_->shapes(ref->source, result.timings, progress);
         kept.object = ref;
         const StepInput input{document,       id,      *ref, frame, done, cache_->ray_meshes,
@@ -161,18 +162,18 @@ Evaluated Evaluator::operator()(const Document& still, double frame, const Progr
 
 void deform_parts(Evaluated& evaluated)
 {
-    std::vector<const Part*> parts; // whose vertices nobody asked for yet
+    std::vector<Part> parts; // whose vertices nobody asked for yet
     std::size_t vertices = 0;
     for (const auto& [id, object] : evaluated.objects)
-        for (const Part& part : object->parts)
+        for (Part& part : with_points(object->parts, object->curves))
             if (!is_deformed(part)) {
-                parts.push_back(&part);
                 vertices += part.rest->vertex_count();
+                parts.push_back(std::move(part));
             }
     if (parts.empty()) return;
     timed(evaluated.timings, "deform", [&] {
         parallel_blocks(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) parts[i]->mesh();
+            for (std::size_t i = begin; i < end; ++i) parts[i].mesh();
         });
     });
     evaluated.timings.add("deform", 0, vertices);
@@ -189,6 +190,11 @@ std::string digest(const Evaluated& evaluated)
             digest.add(std::span<const glm::vec3>(part.mesh()->normals));
             digest.add(std::span<const std::uint32_t>(part.mesh()->corners));
             digest.add(std::span<const std::uint32_t>(part.mesh()->face_begin));
+        }
+        for (const CurvePart& part : ref->curves) {
+            digest.add(part.points.to_world);
+            digest.add(std::span<const glm::vec3>(part.points.mesh()->positions));
+            digest.add(std::span<const std::uint32_t>(part.curves->begin));
         }
     }
     return digest.hex();

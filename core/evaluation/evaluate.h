@@ -36,10 +36,12 @@ private:
 // Deforms, by the processor, all parts that were not yet; what that took is added to the timings.
 void deform_parts(Evaluated& evaluated);
 
-// Digest of every deformed position, normal and index, in the order of ids.
+// Digest of every deformed position, normal and index, in the order of ids; of curves, too, where
+// there are any.
 std::string digest(const Evaluated& evaluated);
 
-// All of it as one model to write to a file: a node a part, named as the objects are.
+// All of it as one model to write to a file: a node a part, and behind these a node for each curve
+// part, named as the objects are.
 Model model_of(const Evaluated& evaluated, const Document& document);
 
 } // namespace trivar

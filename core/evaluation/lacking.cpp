@@ -24,14 +24,19 @@ bool displaces_within_reach(const Lattice& volume)
 void leave_out_what_is_out_of_reach(Stage& stage)
 {
     std::map<Ref<Lattice>, bool> volumes; // whether they do
-    const std::size_t all = stage.parts.size();
-    const std::size_t gone = std::erase_if(stage.parts, [&](const Part& part) {
+    const auto is_out = [&](const Part& part) {
         if (!part.bent) return !within_reach(part.bounds, part.to_world);
         // A vertex is where `to_rest` has it, and from there further by a mean of displacements.
         const auto [known, fresh] = volumes.try_emplace(part.bent->volume);
         if (fresh) known->second = displaces_within_reach(*part.bent->volume);
         return !known->second || !within_reach(part.bounds, part.bent->embedding.to_rest);
-    });
+    };
+    if (std::erase_if(stage.curves, [&](const CurvePart& c) { return is_out(c.points); }) > 0) {
+        stage.lacks.push_back(fmt::format(
+            "curves are left out: where they lie their numbers are {}", too_large_words));
+        stage.notices.push_back(stage.lacks.back());
+    }
+    const std::size_t all = stage.parts.size(), gone = std::erase_if(stage.parts, is_out);
     if (gone == 0) return;
     stage.lacks.push_back(
         gone == all ? fmt::format("where it lies its numbers are {}", too_large_words)

@@ -66,7 +66,8 @@ Ref<Stage> InLattices::operator()(const Ref<Stage>& before, const StepInput& inp
     if (lattices.empty()) return before;
     return known_({before, lattices}, [&] {
         Stage stage = *before;
-        stage.parts = bent(std::move(stage.parts), lattices);
+        put_back(bent(with_points(std::move(stage.parts), stage.curves), lattices), stage.parts,
+                 stage.curves);
         return make_ref(std::move(stage));
     });
 }

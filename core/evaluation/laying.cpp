@@ -17,6 +17,8 @@ Box box_of(const Shape& shape, const glm::dmat3& turned)
     Box box;
     for (const Shape::Hung& hung : shape.meshes)
         box.add(bounding_box(*hung.mesh(), glm::dmat4(turned) * hung.to_model));
+    for (const Shape::HungCurves& hung : shape.curves)
+        box.add(bounding_box(*hung.curves->points, glm::dmat4(turned) * hung.to_model));
     return box;
 }
 
@@ -129,7 +131,7 @@ Laying::Fallen Laying::fall(const Stroke& stroke, const StepInput& input)
     const Shape& shape = *stroke.before->shape;
     const PlacementStep& step = stroke.step;
     try {
-        if (shape.meshes.empty()) throw Rejected("there is no shape to lay down");
+        if (shape.empty()) throw Rejected("there is no shape to lay down");
         if (stroke.supports.empty())
             throw Rejected("everything this object lay on is gone; place it anew or unplace it");
         const std::optional<Band> band = band_of(input.document, step);
@@ -171,6 +173,10 @@ void Laying::bend(Stage& stage, const glm::dmat3& turned)
     bending_.begin();
     for (const Standing& each : standing(*stage.shape, turned))
         stage.parts.push_back(bending_(each.part, embedded(embedding, each.to_box), volume));
+    for (const StandingCurves& each : standing_curves(*stage.shape, turned)) {
+        const Embedding lies = embedded(embedding, each.to_box);
+        stage.curves.push_back({each.part.curves, bending_(each.part.points, lies, volume)});
+    }
     bending_.end();
 }
 

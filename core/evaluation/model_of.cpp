@@ -13,6 +13,15 @@ Ref<Mesh> with_materials_from(const Ref<Mesh>& mesh, std::uint32_t first)
     return make_ref(std::move(moved));
 }
 
+Ref<Curves> with_materials_from(const Ref<Curves>& curves, std::uint32_t first)
+{
+    if (first == 0) return curves;
+    Curves moved = *curves;
+    moved.material.resize(moved.line_count(), 0);
+    for (std::uint32_t& material : moved.material) material += first;
+    return make_ref(std::move(moved));
+}
+
 // The node of a group, made with those it lies in when it is first asked for. It moves nothing:
 // parts stand in the world, to the last bit.
 int group_node(Model& model, std::map<Id, int>& nodes, const Document& document, Id group)
@@ -49,6 +58,17 @@ Model model_of(const Evaluated& evaluated, const Document& document)
             model.meshes.push_back(with_materials_from(part.mesh(), first->second));
         }
     }
+    for (const auto& [id, ref] : evaluated.objects)
+        for (const CurvePart& part : ref->curves) {
+            const Object& source = object(document, id);
+            model.nodes.push_back({.name = source.name,
+                                   .parent = group_node(model, groups, document, source.parent),
+                                   .to_parent = part.points.to_world,
+                                   .curves = static_cast<int>(model.curves.size())});
+            Curves there{part.points.mesh(), part.curves->begin, part.curves->material};
+            model.curves.push_back(
+                with_materials_from(make_ref(std::move(there)), first_of.at(ref->materials)));
+        }
     if (model.materials.empty()) model.materials.emplace_back();
     return model;
 }

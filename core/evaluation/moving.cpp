@@ -73,6 +73,26 @@ std::vector<Part> parts_of(const Stage& at_rest, const std::vector<Member>& memb
     return out;
 }
 
+// The same of their curves.
+std::vector<CurvePart> curves_of(const Stage& at_rest, const std::vector<Member>& members,
+                                 const Ref<Lattice>& volume, const glm::dmat3& turned)
+{
+    std::vector<CurvePart> out;
+    for (std::size_t m = 0; m < members.size(); ++m) {
+        const auto& [posed, place] = members[m];
+        if (place.hidden) continue;
+        const Embedding box = shifted(at_rest.placement->embedding, *volume, place.shift_u);
+        for (StandingCurves& each : standing_curves(posed ? *posed : *at_rest.shape, turned)) {
+            Part& points = each.part.points;
+            points.key.member = static_cast<int>(m);
+            const Embedding lies = embedded(box, each.to_box);
+            points = in_volume(points, lies, volume, sorted_into(*volume, points, lies));
+            out.push_back(std::move(each.part));
+        }
+    }
+    return out;
+}
+
 } // namespace
 
 Ref<Stage> Moving::operator()(const Ref<Stage>& before, const StepInput& input)
@@ -92,6 +112,10 @@ Ref<Stage> Moving::operator()(const Ref<Stage>& before, const StepInput& input)
                                    nullptr,
                                    {.mesh = hung.slot},
                                    hung.bounds});
+        for (const StandingCurves& each : standing_curves(*posed, glm::dmat3(1))) {
+            stage.curves.push_back(each.part);
+            stage.curves.back().points.to_world = key.to_world * each.to_box;
+        }
         tell_of_pose(stage, *posed);
         if (feet_on_nothing)
             stage.notices.emplace_back(
@@ -146,6 +170,8 @@ Ref<Stage> Moving::gone(const Ref<Stage>& before, const Ref<Shape>& posed, const
             volume = reaching(volume, *key.journey, parameters, places);
         }
         stage.parts = parts_of(*before, key.members, volume, turned);
+        const bool at_rest = key.members == std::vector<Member>{{nullptr, {}}};
+        if (!at_rest) stage.curves = curves_of(*before, key.members, volume, turned);
         tell_of_pose(stage, *posed);
         tell_of_travel(stage);
         return make_ref(std::move(stage));

@@ -20,9 +20,29 @@ void measure(Shape& shape)
     }
 }
 
+// Curves that hang on several nodes are measured once.
+void hang_curves(Shape& shape, const Model& model)
+{
+    std::vector<Box> bounds;
+    for (const Ref<Curves>& curves : model.curves) bounds.push_back(bounding_box(*curves->points));
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        if (model.nodes[i].curves < 0) continue;
+        const auto which = static_cast<std::size_t>(model.nodes[i].curves);
+        shape.curves.push_back({.curves = model.curves[which],
+                                .node = static_cast<int>(i),
+                                .slot = static_cast<int>(shape.curves.size()),
+                                .bounds = bounds[which]});
+    }
+}
+
 // What of it can be worked with where it stands, each mesh with its bounds.
 void leave_out_what_is_too_large(Shape& shape)
 {
+    if (std::erase_if(shape.curves, [](const Shape::HungCurves& hung) {
+            return !within_reach(hung.bounds, hung.to_model);
+        }) > 0)
+        say_lacking(shape,
+                    fmt::format("curves are left out: their numbers are {}", too_large_words));
     const std::size_t all = shape.meshes.size();
     const std::size_t gone = std::erase_if(shape.meshes, [](Shape::Hung& hung) {
         const std::optional<Box> box = hung.extent->posed(hung.posed ? &hung.posed->pose : nullptr);
@@ -52,6 +72,7 @@ Shape shape_of(Ref<Model> from)
         if (const int mesh = model.nodes[i].mesh; mesh >= 0)
             shape.meshes.push_back({.rest = model.meshes[static_cast<std::size_t>(mesh)],
                                     .node = static_cast<int>(i)});
+    hang_curves(shape, model);
     measure(shape);
     shape.materials =
         make_ref(model.materials.empty() ? std::vector<Material>(1) : model.materials);
@@ -74,6 +95,8 @@ void stand(Shape& shape, const Stance& stance)
         Pose pose = bends ? pose_of(model, hung.node, stance) : Pose{};
         hung.posed = pose.empty() ? nullptr : posed_later(hung.rest, std::move(pose));
     }
+    for (Shape::HungCurves& hung : shape.curves)
+        hung.to_model = stance.to_model[static_cast<std::size_t>(hung.node)];
     leave_out_what_is_too_large(shape);
 }
 

@@ -21,16 +21,26 @@ struct Shape {
         Box bounds = {}; // before to_model, as it stands, or larger ones
         const Ref<Mesh>& mesh() const { return posed ? *posed->mesh : rest; }
     };
-    std::vector<Hung> meshes; // those that hang on a node
-    Ref<Model> model;         // never null
+    struct HungCurves {
+        Ref<Curves> curves;
+        glm::dmat4 to_model{1};
+        int node = 0;    // of the model
+        int slot = 0;    // which of its shape's they are
+        Box bounds = {}; // before to_model
+    };
+    std::vector<Hung> meshes;       // those that hang on a node
+    std::vector<HungCurves> curves; // the same; no pose moves them but that of their node
+    Ref<Model> model;               // never null
     Ref<std::vector<Material>> materials;
     std::vector<std::string> notices;
     // Why something of it is missing, of those notices: a file that cannot be read, numbers that
     // are too large.
     std::vector<std::string> lacks;
+
+    bool empty() const { return meshes.empty() && curves.empty(); }
 };
 
-// A shape of all meshes that hang on nodes of the model, as the model came.
+// A shape of all meshes and curves that hang on nodes of the model, as the model came.
 Shape shape_of(Ref<Model> model);
 // Splits its faces by Catmull and Clark. Meshes that hang on several nodes are subdivided once, and
 // skins and morph targets move nothing any more.

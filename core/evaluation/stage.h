@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/evaluation/part.h"
+#include "core/evaluation/curve_part.h"
 #include "core/evaluation/shape.h"
 #include "core/evaluation/walk.h"
 #include "core/placement/shaper.h"
@@ -36,8 +36,10 @@ struct SimplifyingEffects {
 struct Stage : SimplifyingEffects, LayingEffects, TravelEffects, RefiningEffects {
     Ref<Shape> shape;                 // what its source gives, as the file has it; never null
     std::vector<Part> parts;          // in the world; may be none
+    std::vector<CurvePart> curves;    // the same
     std::vector<std::string> notices; // a missing file, a stroke that misses now
     std::vector<std::string> lacks;   // of those, why something is not here, as in Shape
+    bool shows_nothing() const { return parts.empty() && curves.empty(); }
     // Why the stroke gave nothing, as a sentence for the user; the object then stands undeformed
     // where its transform says. A tool shows it and does not commit. Empty: it lies, or has none.
     std::string rejected;

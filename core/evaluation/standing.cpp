@@ -20,6 +20,17 @@ std::vector<Standing> standing(const Shape& shape, const glm::dmat3& turned)
     return out;
 }
 
+std::vector<StandingCurves> standing_curves(const Shape& shape, const glm::dmat3& turned)
+{
+    std::vector<StandingCurves> out;
+    for (const Shape::HungCurves& hung : shape.curves)
+        out.push_back(
+            {{hung.curves,
+              {.rest = hung.curves->points, .key = {.mesh = hung.slot}, .bounds = hung.bounds}},
+             glm::dmat4(turned) * hung.to_model});
+    return out;
+}
+
 Embedding embedded(const Embedding& box, const glm::dmat4& to_box)
 {
     return {box.to_uvw * to_box, box.to_rest * to_box};

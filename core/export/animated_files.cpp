@@ -53,6 +53,7 @@ AnimatedFile write_animated(const AnimatedScene& scene, const Ref<AssetStore>& a
         report(progress, 1, "writing");
         write_model(made.model, path, sources);
         out.lacks = lacks(made.film, scene.document);
+        out.left_out = std::move(made.left_out);
         out.certificate = std::move(made.certificate);
         return out;
     }
@@ -61,15 +62,22 @@ AnimatedFile write_animated(const AnimatedScene& scene, const Ref<AssetStore>& a
         film_of(scene.document, assets, moments_of(scene.frames, 1), between(progress, 0, 0.2));
     out.lacks = lacks(film, scene.document);
     if (scene.whole) check_whole(out.lacks);
-    if (std::ranges::none_of(film.strips, has_faces))
+    const bool usd = extension_of(path) == ".usda";
+    const std::vector<CurveStrip> curves = curve_strips(film, scene.document);
+    if (std::ranges::none_of(film.strips, has_faces) && !(usd && !curves.empty()))
         throw Rejected(path + ": there are no faces to write, so nothing is written");
     const Progress writing = between(progress, 0.2, 1);
-    if (extension_of(path) == ".usda")
-        write_usda(film, per_second, path, writing);
-    else
-        out.files =
-            write_caches(film, extension_of(path) == ".pc2" ? CacheFormat::pc2 : CacheFormat::mdd,
-                         per_second, path, writing, sources);
+    if (usd) {
+        write_usda(film, curves, per_second, path, writing);
+        return out;
+    }
+    out.files =
+        write_caches(film, extension_of(path) == ".pc2" ? CacheFormat::pc2 : CacheFormat::mdd,
+                     per_second, path, writing, sources);
+    std::vector<std::string> names;
+    for (const CurveStrip& strip : curves) names.push_back(strip.name);
+    out.left_out =
+        which_curves_are_left_out(names, extension_of(path) + " files are of meshes alone");
     return out;
 }
 

@@ -19,6 +19,7 @@ struct AnimatedFile {
     int frames = 0;
     std::optional<FilmCertificate> certificate;
     std::vector<std::string> lacks; // what the scene does at some moment
+    std::string left_out;           // what the format has not, as a sentence; empty: nothing
 };
 
 // The frames of a scene to a file, or several, each whole or not there. The tolerance is a .glb's.

@@ -219,7 +219,8 @@ AnimatedExport animated_export(const AnimatedScene& scene, const Ref<AssetStore>
     AnimatedExport out;
     out.film = std::move(plan.film); // strips keep their places
     const Film& film = out.film;
-    if (film.strips.empty()) throw Rejected("there is nothing visible to export");
+    const std::vector<CurveStrip> curves = curve_strips(film, scene.document);
+    if (film.strips.empty() && curves.empty()) throw Rejected("there is nothing visible to export");
     const double per_second = scene.document.time.frames_per_second;
     std::vector<float> times_s;
     for (const double moment : film.moments)
@@ -294,6 +295,11 @@ AnimatedExport animated_export(const AnimatedScene& scene, const Ref<AssetStore>
             certificate.parts.push_back(std::move(claim));
         }
     }
+    std::vector<std::string> bending;
+    for (const CurveStrip& strip : curves)
+        if (!nodes.add_curves(strip)) bending.push_back(strip.name);
+    out.left_out = which_curves_are_left_out(
+        bending, "a .glb has none that bend or shear in time; a .usda has");
     out.model = nodes.finished();
     measure_nodes(scene, out, between(progress, 0.9, 1));
     for (const FilmCertificate::PartClaim& part : certificate.parts)

@@ -22,9 +22,10 @@ struct AnimatedScene {
 //   what moves as it is             a node with keys of its translation, rotation and scale
 //   a model's nodes, in no volume   the same nodes, skins and channels below such a node
 //   what a volume deforms           morph targets, each the place of all vertices at a key
+//   curves in no volume             a node with keys; nothing is claimed of them
 //
-// What comes and goes hangs on a node whose scale is 1 or 0. The same bits for any number of
-// threads. Throws Rejected and Cancelled. See docs/export.md.
+// Curves that bend in time are left out. What comes and goes hangs on a node whose scale is 1 or 0.
+// The same bits for any number of threads. Throws Rejected and Cancelled. See docs/export.md.
 AnimatedExport animated_export(const AnimatedScene& scene, const Ref<AssetStore>& assets,
                                const Progress& progress = {});
 

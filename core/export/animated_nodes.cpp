@@ -40,36 +40,46 @@ int AnimatedNodes::group(Id id)
 
 int AnimatedNodes::holder(const FilmStrip& strip)
 {
-    const int parent = group(object(document_, strip.object).parent);
-    if (std::ranges::none_of(strip.shown, [](const Part* part) { return part == nullptr; }))
-        return parent;
-    const int out = node(strip.name + " shown", parent);
+    std::vector<bool> shown;
+    for (const Part* part : strip.shown) shown.push_back(part != nullptr);
+    return holder(strip.object, strip.name, shown);
+}
+
+int AnimatedNodes::holder(Id of, const std::string& name, const std::vector<bool>& shown)
+{
+    const int parent = group(object(document_, of).parent);
+    if (std::ranges::find(shown, false) == shown.end()) return parent;
+    const int out = node(name + " shown", parent);
     Channel channel;
     channel.node = out;
     channel.of = Channel::Of::scale;
     channel.between = Channel::Between::step;
-    for (std::size_t i = 0; i < strip.shown.size(); ++i) {
-        const float scale = strip.shown[i] ? 1 : 0;
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        const float scale = shown[i] ? 1 : 0;
         if (!channel.values.empty() && channel.values.back() == scale) continue;
         channel.times_s.push_back(not_after((film_.moments[i] - film_.moments.front()) /
                                             document_.time.frames_per_second));
         channel.values.insert(channel.values.end(), 3, scale);
     }
-    model_.nodes[static_cast<std::size_t>(out)].rest.scale = glm::dvec3(strip.shown[0] ? 1 : 0);
+    model_.nodes[static_cast<std::size_t>(out)].rest.scale = glm::dvec3(shown[0] ? 1 : 0);
     clip_.channels.push_back(std::move(channel));
     return out;
 }
 
+std::uint32_t AnimatedNodes::first_material(const Ref<std::vector<Material>>& materials)
+{
+    const auto [first, fresh] =
+        first_material_.try_emplace(materials, static_cast<std::uint32_t>(model_.materials.size()));
+    if (fresh)
+        model_.materials.insert(model_.materials.end(), materials->begin(), materials->end());
+    return first->second;
+}
+
 int AnimatedNodes::mesh(const FilmStrip& strip, Mesh mesh)
 {
-    const auto [first, fresh] = first_material_.try_emplace(
-        strip.materials, static_cast<std::uint32_t>(model_.materials.size()));
-    if (fresh)
-        model_.materials.insert(model_.materials.end(), strip.materials->begin(),
-                                strip.materials->end());
-    if (first->second > 0) {
+    if (const std::uint32_t first = first_material(strip.materials); first > 0) {
         mesh.face_material.resize(mesh.face_count(), 0);
-        for (std::uint32_t& material : mesh.face_material) material += first->second;
+        for (std::uint32_t& material : mesh.face_material) material += first;
     }
     model_.meshes.push_back(make_ref(std::move(mesh)));
     return static_cast<int>(model_.meshes.size()) - 1;
@@ -143,6 +153,38 @@ void AnimatedNodes::add_targets(const FilmStrip& strip, TargetKeys&& keys,
     keys.weights.node = at;
     model_.nodes[static_cast<std::size_t>(at)].morph_weights.assign(keys.weights.components, 0);
     clip_.channels.push_back(std::move(keys.weights));
+}
+
+bool AnimatedNodes::add_curves(const CurveStrip& strip)
+{
+    const CurvePart& first = strip.first();
+    if (!strip.rests() && !strip.is_rigid()) return false;
+    const Model before = model_; // references are shared, so that is cheap
+    const std::size_t channels = clip_.channels.size();
+    std::vector<bool> shown;
+    std::vector<glm::dmat4> matrices;
+    const CurvePart* last = &first;
+    for (const CurvePart* part : strip.shown) {
+        shown.push_back(part != nullptr);
+        if (part) last = part;
+        matrices.push_back(last->points.to_world);
+    }
+    Curves curves{first.points.mesh(), first.curves->begin, first.curves->material};
+    const int at = node(strip.name, holder(strip.object, strip.name, shown));
+    FilmCertificate::PartClaim nobody_reads;
+    if (strip.rests()) {
+        model_.nodes[static_cast<std::size_t>(at)].to_parent = first.points.to_world;
+    } else if (!add_motion(at, matrices, bounding_box(*curves.points), nobody_reads)) {
+        model_ = before;
+        clip_.channels.resize(channels);
+        return false;
+    }
+    curves.material.resize(curves.line_count(), 0);
+    const std::uint32_t first_one = first_material(strip.materials);
+    for (std::uint32_t& material : curves.material) material += first_one;
+    model_.nodes[static_cast<std::size_t>(at)].curves = static_cast<int>(model_.curves.size());
+    model_.curves.push_back(make_ref(std::move(curves)));
+    return true;
 }
 
 Model AnimatedNodes::finished()

@@ -4,6 +4,7 @@
 #include "core/certificate/film_certificate.h"
 #include "core/certificate/kept_clip.h"
 #include "core/certificate/target_keys.h"
+#include "core/export/curve_strips.h"
 
 namespace trivar {
 
@@ -16,12 +17,17 @@ public:
     // What rests, or moves as it is, or is posed; false where it cannot be said so: it shears.
     bool add_moving(const FilmStrip& strip, FilmCertificate::PartClaim& claim);
     void add_targets(const FilmStrip& strip, TargetKeys&& keys, FilmCertificate::PartClaim& claim);
+    // Curves that rest, or move as a whole; false where they do neither.
+    bool add_curves(const CurveStrip& strip);
     Model finished();
 
 private:
     int node(const std::string& name, int parent);
     int group(Id id);
-    int holder(const FilmStrip& strip); // the node to hang a part on
+    // The node to hang a part of an object on, which is shown at some moments.
+    int holder(Id object, const std::string& name, const std::vector<bool>& shown);
+    int holder(const FilmStrip& strip);
+    std::uint32_t first_material(const Ref<std::vector<Material>>& materials);
     int mesh(const FilmStrip& strip, Mesh mesh);
     // The nodes of an object's model below one for the object, as they hang on each other.
     struct Tree {

@@ -46,7 +46,7 @@ AnimatedNodes::Tree& AnimatedNodes::tree(const FilmStrip& strip)
         Node copy = from->nodes[n];
         if (copy.mesh >= 0) tree.with_mesh.push_back(static_cast<int>(n));
         copy.parent = copy.parent < 0 ? tree.object : tree.first + copy.parent;
-        copy.mesh = copy.skin = -1; // as its part is hung there
+        copy.mesh = copy.skin = copy.curves = -1; // as its part is hung there
         copy.morph_weights.clear();
         model_.nodes.push_back(std::move(copy));
     }

@@ -33,7 +33,8 @@ Certificate certificate_of(const Document& document, const Document& shown,
     for (const auto& [id, ref] : evaluated.objects) {
         const Object& source = object(shown, id);
         if (source.placement &&
-            std::ranges::none_of(ref->parts, [](const Part& part) { return part.bent != nullptr; }))
+            std::ranges::none_of(with_points(ref->parts, ref->curves),
+                                 [](const Part& part) { return part.bent != nullptr; }))
             out.not_laid.push_back({id, source.name, why_not_laid(*ref)});
         for (std::size_t p = 0; p < ref->parts.size(); ++p, ++mesh) {
             if (!ref->parts[p].bent) continue;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/usd_writer.h"
 
-#include "core/base/text.h"
+#include "core/export/usd_curves.h"
+#include "core/export/usd_text.h"
 #include "core/files/growing_file.h"
 
 #include <algorithm>
@@ -10,57 +11,6 @@
 
 namespace trivar {
 namespace {
-
-std::string usd_number(float value)
-{
-    return shortest(value + 0.0f); // no -0
-}
-
-template <class Vector> std::string usd_tuple(const Vector& v)
-{
-    std::string out = "(";
-    for (int i = 0; i < Vector::length(); ++i)
-        out += (i > 0 ? ", " : "") + usd_number(static_cast<float>(v[i]));
-    return out + ")";
-}
-
-template <class Vector> std::string usd_list(const std::vector<Vector>& values)
-{
-    std::string out = "[";
-    for (std::size_t i = 0; i < values.size(); ++i)
-        out += (i > 0 ? ", " : "") + usd_tuple(values[i]);
-    return out + "]";
-}
-
-std::string usd_list(const std::vector<std::uint32_t>& values)
-{
-    std::string out = "[";
-    for (std::size_t i = 0; i < values.size(); ++i)
-        out += (i > 0 ? ", " : "") + std::to_string(values[i]);
-    return out + "]";
-}
-
-std::string usd_matrix(const glm::dmat4& m) // its rows are our columns
-{
-    std::string out = "( ";
-    for (int c = 0; c < 4; ++c) {
-        out += c > 0 ? ", (" : "(";
-        for (int r = 0; r < 4; ++r) out += (r > 0 ? ", " : "") + shortest(m[c][r] + 0.0);
-        out += ")";
-    }
-    return out + " )";
-}
-
-std::string usd_name(const std::string& name, std::size_t number)
-{
-    std::string out;
-    for (const char c : name) {
-        const auto u = static_cast<unsigned char>(c);
-        out += u < 128 && std::isalnum(u) ? c : '_';
-    }
-    if (out.empty() || std::isdigit(static_cast<unsigned char>(out.front()))) out = "_" + out;
-    return fmt::format("{}_{}", out, number);
-}
 
 std::string usd_material(const Material& m, std::size_t number)
 {
@@ -114,7 +64,7 @@ public:
 
 private:
     void line(const std::string& text) { file_.append("        " + text + "\n"); }
-    std::string frame(std::size_t moment) const { return shortest(film_.moments[moment]); }
+    std::string frame(std::size_t moment) const { return usd_time(film_, moment); }
 
     void write_points(const Progress& progress)
     {
@@ -205,8 +155,8 @@ private:
 
 } // namespace
 
-void write_usda(const Film& film, double frames_per_second, const std::string& path,
-                const Progress& progress)
+void write_usda(const Film& film, const std::vector<CurveStrip>& curves, double frames_per_second,
+                const std::string& path, const Progress& progress)
 {
     GrowingFile file(path);
     file.append(fmt::format("#usda 1.0\n(\n    defaultPrim = \"Scene\"\n    upAxis = \"Z\"\n"
@@ -218,11 +168,12 @@ void write_usda(const Film& film, double frames_per_second, const std::string& p
                             shortest(film.moments.back())));
     std::map<Ref<std::vector<Material>>, std::size_t> first_of; // looked up only
     std::size_t materials = 0;
-    for (const FilmStrip& strip : film.strips) {
-        if (!first_of.try_emplace(strip.materials, materials).second) continue;
-        for (const Material& material : *strip.materials)
-            file.append(usd_material(material, materials++));
-    }
+    const auto add_materials = [&](const Ref<std::vector<Material>>& own) {
+        if (!first_of.try_emplace(own, materials).second) return;
+        for (const Material& material : *own) file.append(usd_material(material, materials++));
+    };
+    for (const FilmStrip& strip : film.strips) add_materials(strip.materials);
+    for (const CurveStrip& strip : curves) add_materials(strip.materials);
     file.append("    }\n");
     for (std::size_t s = 0; s < film.strips.size(); ++s) {
         const auto count = static_cast<double>(film.strips.size());
@@ -231,6 +182,9 @@ void write_usda(const Film& film, double frames_per_second, const std::string& p
             .write(s, first_of.at(film.strips[s].materials),
                    between(progress, done / count, (done + 1) / count));
     }
+    std::size_t number = film.strips.size();
+    for (const CurveStrip& strip : curves)
+        number = add_usd_curves(file, film, strip, number, first_of.at(strip.materials));
     file.append("}\n");
     file.finish();
 }

@@ -13,7 +13,7 @@ namespace {
 
 using CellKey = SortedVertices::CellKey;
 
-struct Placed {
+struct PlacedVertex {
     CellKey key;
     std::array<float, 3> t{};
 };
@@ -26,10 +26,10 @@ bool goes_round(double t, const Knots& axis)
            std::isfinite(t);
 }
 
-Placed place(glm::dvec3 uvw, const std::array<Knots, 3>& axes,
-             const std::array<AxisCells, 3>& cells)
+PlacedVertex place(glm::dvec3 uvw, const std::array<Knots, 3>& axes,
+                   const std::array<AxisCells, 3>& cells)
 {
-    Placed out;
+    PlacedVertex out;
     for (std::size_t a = 0; a < 3; ++a) {
         double& t = uvw[static_cast<int>(a)];
         if (!goes_round(t, axes[a])) continue;
@@ -67,7 +67,7 @@ std::vector<std::uint32_t> counting_sort(const std::vector<std::uint32_t>& order
     return sorted;
 }
 
-std::vector<std::uint32_t> order_by_cell(const std::vector<Placed>& placed,
+std::vector<std::uint32_t> order_by_cell(const std::vector<PlacedVertex>& placed,
                                          const std::array<AxisCells, 3>& cells)
 {
     std::vector<std::uint32_t> order(placed.size());
@@ -76,7 +76,7 @@ std::vector<std::uint32_t> order_by_cell(const std::vector<Placed>& placed,
         order = counting_sort(order, cells[a].count(),
                               [&](std::uint32_t i) { return placed[i].key.cell[a]; });
     const bool mirrored = std::any_of(placed.begin(), placed.end(),
-                                      [](const Placed& p) { return p.key.mirrored != 0; });
+                                      [](const PlacedVertex& p) { return p.key.mirrored != 0; });
     return mirrored
                ? counting_sort(order, 8, [&](std::uint32_t i) { return placed[i].key.mirrored; })
                : order;
@@ -110,7 +110,7 @@ struct KeyedRun {
 
 // Sorts the vertices from `begin` on, fills in their part of the arrays and returns their runs.
 std::vector<KeyedRun> fill_chunk(SortedVertices& out, std::size_t begin,
-                                 const std::vector<Placed>& placed,
+                                 const std::vector<PlacedVertex>& placed,
                                  const std::vector<std::uint32_t>& order, const Mesh& mesh,
                                  const Embedding& embedding)
 {
@@ -119,7 +119,7 @@ std::vector<KeyedRun> fill_chunk(SortedVertices& out, std::size_t begin,
     const bool normals = !out.normal[0].empty(), tangents = !out.tangent[0].empty();
     for (std::size_t i = 0; i < order.size(); ++i) {
         const std::size_t to = begin + i, v = begin + order[i];
-        const Placed& p = placed[order[i]];
+        const PlacedVertex& p = placed[order[i]];
         const auto place_in_order = static_cast<std::uint32_t>(to);
         if (i == 0 || !same_cell(runs.back().key, p.key))
             runs.push_back({p.key, place_in_order, place_in_order});
@@ -155,7 +155,7 @@ SortedVertices sort_by_cell(const Mesh& mesh, const Embedding& embedding,
     const std::size_t length = chunk_length(cells);
     std::vector<std::vector<KeyedRun>> runs((count + length - 1) / length);
     parallel_blocks(count, length, [&](std::size_t begin, std::size_t end) {
-        std::vector<Placed> placed(end - begin);
+        std::vector<PlacedVertex> placed(end - begin);
         for (std::size_t v = begin; v < end; ++v)
             placed[v - begin] =
                 place(glm::dvec3(embedding.to_uvw * glm::dvec4(mesh.positions[v], 1)), axes, cells);

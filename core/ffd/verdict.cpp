@@ -56,7 +56,7 @@ Verdict verdict_at_once(const CellDeterminant& det, int sign)
 std::vector<DoubtfulPart> doubtful_parts(const CellGrid::Place& cell, const CellDeterminant& det,
                                          int sign, const Halving& halving)
 {
-    struct Part {
+    struct Piece {
         Bernstein f;
         double least;
         glm::dvec3 lo, hi;
@@ -65,9 +65,9 @@ std::vector<DoubtfulPart> doubtful_parts(const CellGrid::Place& cell, const Cell
     if (!std::isfinite(det.mean) || !std::isfinite(det.doubt))
         return {{cell.lo, cell.hi, Verdict::unknown}};
     std::vector<DoubtfulPart> out;
-    std::vector<Part> open{{det.f, signed_least(det.f, sign), cell.lo, cell.hi, 0}};
+    std::vector<Piece> open{{det.f, signed_least(det.f, sign), cell.lo, cell.hi, 0}};
     for (int used = 0; !open.empty(); ++used) {
-        const Part part = std::move(open.back());
+        const Piece part = std::move(open.back());
         open.pop_back();
         if (part.least > det.doubt) continue;
         const bool bad =
@@ -81,14 +81,14 @@ std::vector<DoubtfulPart> doubtful_parts(const CellGrid::Place& cell, const Cell
         const int axis = part.halvings % 3;
         std::array<Bernstein, 2> half = halves(part.f, static_cast<std::size_t>(axis));
         const double middle = (part.lo[axis] + part.hi[axis]) / 2;
-        std::array<Part, 2> next;
+        std::array<Piece, 2> next;
         for (std::size_t i = 0; i < 2; ++i) {
             const double least = signed_least(half[i], sign);
             next[i] = {std::move(half[i]), least, part.lo, part.hi, part.halvings + 1};
         }
         next[0].hi[axis] = next[1].lo[axis] = middle;
         if (next[0].least < next[1].least) std::swap(next[0], next[1]);
-        for (Part& p : next) open.push_back(std::move(p));
+        for (Piece& p : next) open.push_back(std::move(p));
     }
     return out;
 }

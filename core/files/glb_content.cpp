@@ -75,6 +75,8 @@ GlbContent::Node content_of(GlbParts& parts, const GlbJson& node)
     const GlbJson& mesh = parts.json.at("meshes").at(node.at("mesh").get<std::size_t>());
     GlbJson shared;
     for (const GlbJson& primitive : mesh.at("primitives")) {
+        constexpr int triangle_list = 4;
+        if (primitive.value("mode", triangle_list) != triangle_list) continue; // lines
         const GlbJson& positions = primitive.at("attributes").at("POSITION");
         if (shared.is_null())
             out.positions = parts.values<glm::vec3>(positions);

@@ -21,9 +21,9 @@ struct GlbContent {
     std::vector<Node> nodes;
 };
 
-// Triangles must be indexed by 32 bits and all primitives of a mesh stand on the same vertices, as
-// Trivar writes them. Throws Rejected where the file is no such GLB, its JSON is nested too deep or
-// its nodes together want more than 16 times its bytes.
+// Lines are left out. Triangles must be indexed by 32 bits and all primitives of a mesh stand on
+// the same vertices, as Trivar writes them. Throws Rejected where the file is no such GLB, its JSON
+// is nested too deep or its nodes together want more than 16 times its bytes.
 GlbContent glb_content_of(const std::string& bytes, const std::string& name);
 // The extras alone, whatever else stands in the file; empty: none.
 std::string glb_extras(const std::string& bytes, const std::string& name);

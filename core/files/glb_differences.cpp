@@ -121,6 +121,7 @@ private:
                 const std::string whose = printable(mesh.value("name", std::string()));
                 for (const auto& [name, accessor] : primitive.at("attributes").items())
                     if (seen.insert(accessor).second) compare_values(accessor, name, whose);
+                if (!primitive.contains("indices")) continue; // a line
                 seen.insert(primitive.at("indices"));
                 compare_values(primitive.at("indices"), "indices", whose);
                 std::size_t number = 0;

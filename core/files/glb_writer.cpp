@@ -1,34 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/rejected.h"
-#include "core/base/text.h"
 #include "core/files/formats.h"
+#include "core/files/glb_accessors.h"
 #include "core/files/glb_chunks.h"
 #include "core/files/image.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
-#include <nlohmann/json.hpp>
 
 namespace trivar {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-enum : int {
-    array_buffer = 34962,
-    element_array_buffer = 34963,
-    float32 = 5126,
-    uint32 = 5125,
-    uint16 = 5123
-};
-
-// The double whose shortest text is the float's: 0.1, not 0.10000000149011612.
-double plain(float value)
-{
-    if (const auto number = parse_number(shortest(value))) return *number;
-    throw Rejected("a number of the model is not finite, so it cannot be written as glTF");
-}
+using Json = GlbEntries;
 
 class GlbWriter {
 public:
@@ -47,7 +29,10 @@ public:
         std::vector<int> mesh_index;
         for (std::size_t m = 0; m < model_.meshes.size(); ++m)
             mesh_index.push_back(write_mesh(*model_.meshes[m], skinned_[m] != 0));
-        write_nodes(mesh_index);
+        std::vector<int> curves_index;
+        for (const Ref<Curves>& curves : model_.curves)
+            curves_index.push_back(write_curves(*curves));
+        write_nodes(mesh_index, curves_index);
         for (const Skin& skin : model_.skins) write_skin(skin);
         for (const Clip& clip : model_.clips) write_clip(clip);
         if (!model_.extras.empty()) json_["extras"] = Json::parse(model_.extras);
@@ -56,66 +41,15 @@ public:
     }
 
 private:
-    // Appends bytes at a multiple of four; returns the index of their view.
-    int add_view(const void* data, std::size_t size, int target)
-    {
-        binary_.resize((binary_.size() + 3) / 4 * 4, '\0');
-        Json view{{"buffer", 0}, {"byteOffset", binary_.size()}, {"byteLength", size}};
-        if (target != 0) view["target"] = target;
-        binary_.append(static_cast<const char*>(data), size);
-        json_["bufferViews"].push_back(std::move(view));
-        return static_cast<int>(json_["bufferViews"].size()) - 1;
-    }
-
-    template <class T>
-    int add_accessor(const std::vector<T>& values, const char* type, int target = array_buffer,
-                     int component = float32)
-    {
-        Json accessor{{"bufferView", add_view(values.data(), values.size() * sizeof(T), target)},
-                      {"componentType", component},
-                      {"count", values.size()},
-                      {"type", type}};
-        json_["accessors"].push_back(std::move(accessor));
-        return static_cast<int>(json_["accessors"].size()) - 1;
-    }
-
     int add_indices(const std::vector<std::uint32_t>& indices)
     {
-        const int view = add_view(indices.data(), indices.size() * 4, element_array_buffer);
+        const int view =
+            out_.add_view(indices.data(), indices.size() * 4, GlbAccessors::element_array_buffer);
         json_["accessors"].push_back({{"bufferView", view},
-                                      {"componentType", uint32},
+                                      {"componentType", GlbAccessors::uint32},
                                       {"count", indices.size()},
                                       {"type", "SCALAR"}});
         return static_cast<int>(json_["accessors"].size()) - 1;
-    }
-
-    Json attributes(const Mesh& mesh)
-    {
-        Json result;
-        result["POSITION"] = add_accessor(mesh.positions, "VEC3");
-        set_range(mesh.positions);
-        if (!mesh.normals.empty()) result["NORMAL"] = add_accessor(mesh.normals, "VEC3");
-        if (!mesh.tangents.empty()) result["TANGENT"] = add_accessor(mesh.tangents, "VEC4");
-        if (!mesh.colors.empty()) {
-            std::vector<glm::vec4> colors = mesh.colors;
-            for (glm::vec4& color : colors) color = glm::clamp(color, 0.0f, 1.0f);
-            result["COLOR_0"] = add_accessor(colors, "VEC4");
-        }
-        for (std::size_t set = 0; set < mesh.uvs.size(); ++set) {
-            std::vector<glm::vec2> uvs = mesh.uvs[set];
-            for (glm::vec2& uv : uvs) uv.y = 1 - uv.y; // glTF's v goes down
-            result["TEXCOORD_" + std::to_string(set)] = add_accessor(uvs, "VEC2");
-        }
-        return result;
-    }
-
-    // Of the accessor that was added last.
-    void set_range(const std::vector<glm::vec3>& values)
-    {
-        glm::vec3 lo(std::numeric_limits<float>::max()), hi = -lo;
-        for (const glm::vec3& p : values) lo = glm::min(lo, p), hi = glm::max(hi, p);
-        json_["accessors"].back()["min"] = {plain(lo.x), plain(lo.y), plain(lo.z)};
-        json_["accessors"].back()["max"] = {plain(hi.x), plain(hi.y), plain(hi.z)};
     }
 
     // Differences of a morph target: those that are not 0 alone, where that takes less.
@@ -130,19 +64,21 @@ private:
             }
         constexpr std::size_t sparse_bytes = 16, dense_bytes = 12; // a difference
         if (sparse_bytes * where.size() >= dense_bytes * values.size()) {
-            add_accessor(values, "VEC3");
+            out_.add(values, "VEC3");
         } else {
-            Json accessor{{"componentType", float32}, {"count", values.size()}, {"type", "VEC3"}};
+            Json accessor{{"componentType", GlbAccessors::float32},
+                          {"count", values.size()},
+                          {"type", "VEC3"}};
             if (!where.empty()) {
-                const int indices = add_view(where.data(), where.size() * 4, 0);
+                const int indices = out_.add_view(where.data(), where.size() * 4, 0);
                 accessor["sparse"] = {
                     {"count", where.size()},
-                    {"indices", {{"bufferView", indices}, {"componentType", uint32}}},
-                    {"values", {{"bufferView", add_view(what.data(), what.size() * 12, 0)}}}};
+                    {"indices", {{"bufferView", indices}, {"componentType", GlbAccessors::uint32}}},
+                    {"values", {{"bufferView", out_.add_view(what.data(), what.size() * 12, 0)}}}};
             }
             json_["accessors"].push_back(std::move(accessor));
         }
-        set_range(values);
+        out_.set_range(values);
         return static_cast<int>(json_["accessors"].size()) - 1;
     }
 
@@ -171,15 +107,16 @@ private:
                 if (each.weights[k] == 0) joints.back()[static_cast<std::size_t>(k)] = 0;
             weights.push_back(each.weights);
         }
-        attributes["JOINTS_0"] = add_accessor(joints, "VEC4", array_buffer, uint16);
-        attributes["WEIGHTS_0"] = add_accessor(weights, "VEC4");
+        attributes["JOINTS_0"] =
+            out_.add(joints, "VEC4", GlbAccessors::array_buffer, GlbAccessors::uint16);
+        attributes["WEIGHTS_0"] = out_.add(weights, "VEC4");
     }
 
     void write_skin(const Skin& skin)
     {
         std::vector<glm::mat4> matrices(skin.mesh_to_joint.begin(), skin.mesh_to_joint.end());
         Json written{{"joints", skin.joints}};
-        if (!matrices.empty()) written["inverseBindMatrices"] = add_accessor(matrices, "MAT4", 0);
+        if (!matrices.empty()) written["inverseBindMatrices"] = out_.add(matrices, "MAT4", 0);
         json_["skins"].push_back(std::move(written));
     }
 
@@ -188,7 +125,7 @@ private:
     {
         const auto [known, fresh] = shared_.try_emplace({type, values}, 0);
         if (!fresh) return known->second;
-        known->second = add_accessor(values, type, 0);
+        known->second = out_.add(values, type, 0);
         json_["accessors"].back()["count"] = values.size() / components;
         return known->second;
     }
@@ -235,7 +172,7 @@ private:
             for (std::size_t t = mesh.face_begin[f] - 2 * f; t < end; ++t)
                 indices.insert(indices.end(), {all[t].x, all[t].y, all[t].z});
         }
-        Json shared = attributes(mesh);
+        Json shared = out_.attributes(mesh);
         if (skinned && !mesh.influences.empty()) add_influences(shared, mesh);
         const Json all_targets = targets(mesh);
         Json primitives = Json::array();
@@ -245,6 +182,15 @@ private:
             if (!all_targets.empty()) primitive["targets"] = all_targets;
             primitives.push_back(std::move(primitive));
         }
+        json_["meshes"].push_back({{"primitives", std::move(primitives)}});
+        return static_cast<int>(json_["meshes"].size()) - 1;
+    }
+
+    // -1 where there is no line.
+    int write_curves(const Curves& curves)
+    {
+        Json primitives = curve_primitives(out_, curves, model_.materials.size());
+        if (primitives.empty()) return -1;
         json_["meshes"].push_back({{"primitives", std::move(primitives)}});
         return static_cast<int>(json_["meshes"].size()) - 1;
     }
@@ -290,7 +236,13 @@ private:
         return out;
     }
 
-    void write_nodes(const std::vector<int>& mesh_index)
+    void name_mesh(int mesh, const std::string& name)
+    {
+        Json& target = json_["meshes"][static_cast<std::size_t>(mesh)];
+        if (!target.contains("name") && !name.empty()) target["name"] = name;
+    }
+
+    void write_nodes(const std::vector<int>& mesh_index, const std::vector<int>& curves_index)
     {
         const glm::dmat4 z_to_y({1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1});
         const std::vector<bool> moved = moved_nodes(), placeless = placeless_nodes(moved);
@@ -323,8 +275,17 @@ private:
                     for (const float weight : node.morph_weights) weights.push_back(plain(weight));
                     written["weights"] = std::move(weights);
                 }
-                Json& target = json_["meshes"][static_cast<std::size_t>(mesh)];
-                if (!target.contains("name") && !node.name.empty()) target["name"] = node.name;
+                name_mesh(mesh, node.name);
+            }
+            const int curves =
+                node.curves < 0 ? -1 : curves_index.at(static_cast<std::size_t>(node.curves));
+            if (curves >= 0) name_mesh(curves, node.name);
+            if (curves >= 0 && mesh < 0) written["mesh"] = curves;
+            if (curves >= 0 && mesh >= 0) { // a node shows one mesh, and that may have targets
+                written["children"] = Json::array({model_.nodes.size() + holders.size()});
+                Json child{{"mesh", curves}};
+                if (!node.name.empty()) child["name"] = node.name;
+                holders.push_back(std::move(child));
             }
             if (written.is_null()) written = Json::object();
             nodes.push_back(std::move(written));
@@ -407,7 +368,7 @@ private:
         const std::string bytes = as_it_came ? image->source_bytes : encoded_image(*image, ".png");
         Json entry;
         if (!image->name.empty()) entry["name"] = image->name;
-        entry["bufferView"] = add_view(bytes.data(), bytes.size(), 0);
+        entry["bufferView"] = out_.add_view(bytes.data(), bytes.size(), 0);
         entry["mimeType"] = as_it_came ? image->mime : "image/png";
         json_["images"].push_back(std::move(entry));
         return at->second;
@@ -423,8 +384,9 @@ private:
     }
 
     const Model& model_;
-    Json json_;
-    std::string binary_;
+    GlbAccessors out_;
+    Json& json_ = out_.json;
+    std::string& binary_ = out_.binary;
     std::map<const Image*, std::size_t> images_; // looked up only, never walked
     std::vector<char> skinned_;                  // by mesh: some node has a skin for it
     std::map<std::pair<std::string, std::vector<float>>, int> shared_; // accessors, by content

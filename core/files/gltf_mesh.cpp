@@ -9,12 +9,19 @@
 namespace trivar {
 namespace {
 
-enum : std::size_t { triangle_list = 4, triangle_strip = 5, triangle_fan = 6 };
+enum : std::size_t {
+    point_list = 0,
+    line_list = 1,
+    line_loop = 2,
+    triangle_list = 4,
+    triangle_strip = 5,
+    triangle_fan = 6
+};
 constexpr std::size_t max_uv_sets = 8, max_targets = 1024;
 
 // What a vertex and a corner come to beside the values of their own attributes: normals, points,
 // faces, and what the repairs and the copies want meanwhile.
-constexpr std::size_t vertex_bytes = 40, corner_bytes = 32;
+constexpr std::size_t vertex_bytes = 40, corner_bytes = 32, line_point_bytes = 24;
 
 // The accessors that the vertices of a primitive are made of, by name: of its attributes, then of
 // each target.
@@ -56,17 +63,18 @@ GltfMeshes::GltfMeshes(GltfAccessors& accessors, CountedNotices& notices)
 {
 }
 
-Mesh GltfMeshes::read(const GltfEntry& from)
+GltfMeshes::Shapes GltfMeshes::read(const GltfEntry& from)
 {
-    std::map<Sources, Added> read_before;
-    Mesh mesh;
+    std::map<Sources, Added> read_before, points_before;
+    Mesh mesh, points;
+    FileLines lines(most_curve_points - line_points_);
     from.each("primitives", "primitive", [&](const GltfEntry& primitive) {
         const std::size_t mode = primitive.size("mode", triangle_list);
         if (mode > triangle_fan)
             primitive.fail(fmt::format("'mode' is {}, and must be from 0 to 6", mode));
-        if (mode < triangle_list)
-            return notices_.add("one part of a mesh is lines or points and was left out",
-                                "{0} parts of meshes are lines or points and were left out");
+        if (mode == point_list)
+            return notices_.add("one part of a mesh is points and was left out",
+                                "{0} parts of meshes are points and were left out");
         const GltfEntry attributes = primitive.needed_part("attributes");
         if (!attributes.has("POSITION"))
             return notices_.add("one part of a mesh has no positions and was left out",
@@ -77,13 +85,20 @@ Mesh GltfMeshes::read(const GltfEntry& from)
             primitive.fail("it is compressed by KHR_draco_mesh_compression, which is not "
                            "supported: export it without");
         // Primitives that differ in their material only share their vertices.
+        if (mode < triangle_list) {
+            const auto [known, fresh] = points_before.try_emplace(sources_of(primitive));
+            if (fresh) known->second = add_line_points(points, primitive);
+            return add_lines(lines, primitive, mode, known->second);
+        }
         const auto [known, fresh] = read_before.try_emplace(sources_of(primitive));
         if (fresh) known->second = add_vertices(mesh, primitive);
         add_faces(mesh, primitive, mode, known->second);
     });
     mesh = without_loose_vertices(std::move(mesh));
     mesh.points = points_by_position(mesh.positions);
-    return mesh;
+    line_points_ += lines.points();
+    if (lines.without_room() > 0) notices_.say(lines_without_room(lines.without_room()));
+    return {std::move(mesh), lines.curves(points.positions, points.colors)};
 }
 
 GltfAccessors::Table GltfMeshes::table(const GltfEntry& owner, const char* name, std::size_t count,
@@ -188,15 +203,57 @@ void GltfMeshes::add_targets(Mesh& mesh, const GltfEntry& primitive, Added added
     }
 }
 
+GltfMeshes::Added GltfMeshes::add_line_points(Mesh& points, const GltfEntry& primitive)
+{
+    const GltfEntry attributes = primitive.needed_part("attributes");
+    const GltfAccessors::Table positions = accessors_.floats(attributes, "POSITION");
+    if (positions.not_finite > 0)
+        attributes.fail(fmt::format("'POSITION' has numbers that are infinite or none, {} in all",
+                                    positions.not_finite));
+    const Added added{points.vertex_count(), positions.count};
+    accessors_.file().account(primitive, added.count, "points", vertex_bytes);
+    append(points.positions, attributes, "POSITION", added, glm::vec3(0));
+    append(points.colors, attributes, "COLOR_0", added, glm::vec4(1), 3);
+    if (primitive.count("targets") > 0 || attributes.has("JOINTS_0"))
+        notices_.add("one part of a mesh is lines that a skin or morph targets move, which is "
+                     "left out: they go with their node",
+                     "{0} parts of meshes are lines that skins or morph targets move, which is "
+                     "left out: they go with their nodes");
+    return added;
+}
+
+void GltfMeshes::add_lines(FileLines& lines, const GltfEntry& primitive, std::size_t mode,
+                           Added points)
+{
+    std::vector<std::uint32_t> order = order_of(primitive, points);
+    accessors_.file().account(primitive, order.size(), "points", line_point_bytes);
+    for (std::uint32_t& v : order) v += static_cast<std::uint32_t>(points.first);
+    const std::uint32_t material = material_of(primitive);
+    lines.interrupt();
+    if (order.size() < 2 || (mode == line_list && order.size() % 2 != 0))
+        notices_.add("one part of a mesh has a line with one end, which was left out",
+                     "{0} parts of meshes have a line with one end, which was left out");
+    if (mode == line_list) {
+        for (std::size_t i = 0; i + 1 < order.size(); i += 2)
+            lines.add_edge(order[i], order[i + 1], material);
+    } else if (order.size() >= 2) {
+        if (mode == line_loop) order.push_back(order.front());
+        lines.add(order, material);
+    }
+}
+
+std::vector<std::uint32_t> GltfMeshes::order_of(const GltfEntry& primitive, Added vertices)
+{
+    if (primitive.index("indices") >= 0)
+        return accessors_.indices(primitive, "indices", vertices.count);
+    std::vector<std::uint32_t> order(vertices.count);
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::uint32_t>(i);
+    return order;
+}
+
 void GltfMeshes::add_faces(Mesh& mesh, const GltfEntry& primitive, std::size_t mode, Added vertices)
 {
-    std::vector<std::uint32_t> order;
-    if (primitive.index("indices") >= 0) {
-        order = accessors_.indices(primitive, "indices", vertices.count);
-    } else {
-        order.resize(vertices.count);
-        for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::uint32_t>(i);
-    }
+    const std::vector<std::uint32_t> order = order_of(primitive, vertices);
     const bool listed = mode == triangle_list;
     accessors_.file().account(primitive, order.size(), "corners",
                               listed ? corner_bytes : 3 * corner_bytes);

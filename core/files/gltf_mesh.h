@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/files/file_lines.h"
 #include "core/files/gltf_accessor.h"
-#include "core/mesh/mesh.h"
 
 namespace trivar {
 
-// The meshes of a glTF file: faces, attributes, influences, morph targets. Throws Rejected; what
-// can be left out is a notice.
+// The meshes of a glTF file: faces, attributes, influences, morph targets, and lines. Throws
+// Rejected; what can be left out is a notice.
 class GltfMeshes {
 public:
     GltfMeshes(GltfAccessors& accessors, CountedNotices& notices);
-    Mesh read(const GltfEntry& mesh);
+    struct Shapes {
+        Mesh mesh;
+        Curves curves;
+    };
+    Shapes read(const GltfEntry& mesh);
     // Whether a face was given the material after the last one of the file, for it names none.
     bool uses_plain_material() const { return plain_used_; }
 
@@ -25,6 +29,9 @@ private:
     void add_uvs(Mesh& mesh, const GltfEntry& attributes, Added added);
     void add_influences(Mesh& mesh, const GltfEntry& attributes, Added added);
     void add_targets(Mesh& mesh, const GltfEntry& primitive, Added added);
+    Added add_line_points(Mesh& points, const GltfEntry& primitive);
+    void add_lines(FileLines& lines, const GltfEntry& primitive, std::size_t mode, Added points);
+    std::vector<std::uint32_t> order_of(const GltfEntry& primitive, Added vertices);
     void add_faces(Mesh& mesh, const GltfEntry& primitive, std::size_t mode, Added vertices);
     std::uint32_t material_of(const GltfEntry& primitive);
     template <class T>
@@ -37,6 +44,7 @@ private:
     CountedNotices& notices_;
     std::uint32_t material_count_;
     bool plain_used_ = false;
+    std::size_t line_points_ = 0; // of the meshes so far
 };
 
 } // namespace trivar

@@ -12,12 +12,15 @@
 namespace trivar {
 namespace {
 
+// Of all nodes, on which the same lines may hang: no more are drawn.
+constexpr std::size_t most_shown_points = 4 * most_curve_points;
+
 // Reads the meshes that nodes name, in the file's order, and gives the nodes their new numbers.
 void add_named_meshes(Model& model, GltfMeshes& meshes, const GltfFile& file,
                       CountedNotices& notices, const Progress& progress)
 {
     const std::size_t count = file.root().count("meshes");
-    std::vector<int> number(count, -1);
+    std::vector<int> number(count, -1), curves(count, -1);
     for (const Node& node : model.nodes)
         if (node.mesh >= 0) number[static_cast<std::size_t>(node.mesh)] = 0;
     std::size_t unnamed = 0;
@@ -28,10 +31,28 @@ void add_named_meshes(Model& model, GltfMeshes& meshes, const GltfFile& file,
             continue;
         }
         number[i] = static_cast<int>(model.meshes.size());
-        model.meshes.push_back(make_ref(meshes.read(file.root().item("meshes", "mesh", i))));
+        GltfMeshes::Shapes read = meshes.read(file.root().item("meshes", "mesh", i));
+        model.meshes.push_back(make_ref(std::move(read.mesh)));
+        if (read.curves.line_count() == 0) continue;
+        curves[i] = static_cast<int>(model.curves.size());
+        model.curves.push_back(make_ref(std::move(read.curves)));
     }
-    for (Node& node : model.nodes)
-        if (node.mesh >= 0) node.mesh = number[static_cast<std::size_t>(node.mesh)];
+    std::size_t shown = 0, without_room = 0;
+    for (Node& node : model.nodes) {
+        if (node.mesh < 0) continue;
+        node.curves = curves[static_cast<std::size_t>(node.mesh)];
+        if (node.curves >= 0) {
+            const std::size_t points =
+                model.curves[static_cast<std::size_t>(node.curves)]->point_count();
+            const bool room = points <= most_shown_points - shown;
+            shown += room ? points : 0;
+            if (!room) node.curves = -1, ++without_room;
+        }
+        node.mesh = number[static_cast<std::size_t>(node.mesh)];
+    }
+    notices.add("the lines of one node were left out: those of all nodes have too many points",
+                "the lines of {0} nodes were left out: those of all nodes have too many points",
+                without_room);
     notices.add("one mesh hangs on no node of the scene and was left out",
                 "{0} meshes hang on no node of the scene and were left out", unnamed);
 }
@@ -40,11 +61,11 @@ void add_named_meshes(Model& model, GltfMeshes& meshes, const GltfFile& file,
 void check_for_faces(const Model& model, const GltfFile& file, const std::vector<std::string>& said)
 {
     const auto has_faces = [](const Ref<Mesh>& mesh) { return mesh->face_count() > 0; };
-    if (std::ranges::any_of(model.meshes, has_faces)) return;
+    if (std::ranges::any_of(model.meshes, has_faces) || !model.curves.empty()) return;
     std::string why;
     for (const std::string& notice : said)
         why += (why.empty() ? ": " : "; ") + notice.substr(file.name().size() + 2);
-    throw Rejected(fmt::format("{}: there are no faces in it{}", file.name(), why));
+    throw Rejected(fmt::format("{}: there are no faces and no lines in it{}", file.name(), why));
 }
 
 } // namespace

@@ -47,7 +47,8 @@ private:
         if (keyword == "o") return add_event(Kind::object);
         if (keyword == "mtllib") return add_event(Kind::library);
         if (keyword == "t") return add_event(Kind::tag);
-        if (keyword == "l" || keyword == "p") ++block_.lines_and_points;
+        if (keyword == "l") return read_line_element();
+        if (keyword == "p") ++block_.points;
         if (keyword == "curv" || keyword == "curv2" || keyword == "surf") ++block_.free_forms;
         // Everything else sets display attributes or belongs to free forms.
     }
@@ -156,10 +157,26 @@ private:
         block_.face_end.push_back(static_cast<std::uint32_t>(block_.corners.size()));
     }
 
+    // v or v/vt, whose vt a line has no use for. What is no vertex is as one that is not there.
+    void read_line_element()
+    {
+        for (scan_.skip_blanks();; scan_.skip_blanks()) {
+            if (scan_.done() || *scan_.at == '\n' || *scan_.at == '#') break;
+            TextScan word = scan_;
+            const auto read = corner();
+            block_.line_vertices.push_back(read ? read->v : ObjCorner::absent);
+            if (read) continue;
+            word.word();
+            scan_ = word;
+        }
+        block_.line_end.push_back(static_cast<std::uint32_t>(block_.line_vertices.size()));
+    }
+
     void add_event(ObjEvent::Kind kind)
     {
         const auto face = static_cast<std::uint32_t>(block_.face_end.size());
-        block_.events.push_back({kind, face, scan_.rest()});
+        const auto line = static_cast<std::uint32_t>(block_.line_end.size());
+        block_.events.push_back({kind, face, line, scan_.rest()});
     }
 
     TextScan scan_;
@@ -174,13 +191,27 @@ ObjBlock read_obj_block(std::string_view text)
     return BlockReader(text).read();
 }
 
-const char* line_of_face(std::string_view text, std::size_t face)
+namespace {
+
+template <class Is> const char* line_that(std::string_view text, std::size_t number, const Is& is)
 {
     TextScan scan(text);
     for (;; scan.line()) {
         const char* line = scan.at;
-        if (scan.done() || (is_face(scan.word()) && face-- == 0)) return line;
+        if (scan.done() || (is(scan.word()) && number-- == 0)) return line;
     }
+}
+
+} // namespace
+
+const char* line_of_face(std::string_view text, std::size_t face)
+{
+    return line_that(text, face, is_face);
+}
+
+const char* line_of_line(std::string_view text, std::size_t line)
+{
+    return line_that(text, line, [](std::string_view keyword) { return keyword == "l"; });
 }
 
 } // namespace trivar

@@ -19,10 +19,10 @@ struct ObjCorner {
     static constexpr std::int32_t limit = 1 << 30; // more lines than the largest file has
 };
 
-// A statement that sets something for the faces after it.
+// A statement that sets something for the faces and lines after it.
 struct ObjEvent {
     enum class Kind { object, group, material, library, tag } kind;
-    std::uint32_t face; // the number of faces of the block before it
+    std::uint32_t face, line; // the numbers of faces and lines of the block before it
     std::string_view text;
 };
 
@@ -34,11 +34,14 @@ struct ObjBlock {
         std::size_t v, vt, vn;
     } counts{}; // of them, also when they were taken out
     std::vector<ObjCorner> corners;
-    std::vector<std::uint32_t> face_end; // into corners
-    std::vector<std::uint32_t> left_out; // faces, rising
+    std::vector<std::uint32_t> face_end;       // into corners
+    std::vector<std::uint32_t> left_out;       // faces, rising
+    std::vector<std::int32_t> line_vertices;   // as ObjCorner::v; absent, too, where it is none
+    std::vector<std::uint32_t> line_end;       // into line_vertices
+    std::vector<std::uint32_t> lines_left_out; // rising
     std::vector<ObjEvent> events;
-    std::size_t lines_and_points = 0, free_forms = 0; // elements left out
-    std::size_t bad_lines = 0;                        // of vt and vn
+    std::size_t points = 0, free_forms = 0; // elements left out
+    std::size_t bad_lines = 0;              // of vt and vn
     struct Trouble {
         const char* at = nullptr; // the line; null: none
         std::string what;
@@ -48,7 +51,8 @@ struct ObjBlock {
 // Reads whole lines up to the first wrong one. Throws nothing.
 ObjBlock read_obj_block(std::string_view text);
 
-// Where the line of a face begins, by the number of faces before it.
+// Where a face, or a line that is drawn, begins in the text, by the number of those before it.
 const char* line_of_face(std::string_view text, std::size_t face);
+const char* line_of_line(std::string_view text, std::size_t line);
 
 } // namespace trivar

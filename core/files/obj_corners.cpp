@@ -7,9 +7,7 @@
 #include <cmath>
 
 namespace trivar {
-namespace {
 
-// From 0, or ObjCorner::none, or ObjCorner::absent where there are no more than `count`.
 std::int32_t absolute_index(std::int32_t index, std::size_t before, std::size_t count)
 {
     if (index < 0) return index;
@@ -20,14 +18,16 @@ std::int32_t absolute_index(std::int32_t index, std::size_t before, std::size_t 
     return static_cast<std::int32_t>(absolute);
 }
 
-template <class T> bool not_given(const std::vector<T>& values, std::int32_t index)
-{
-    return index >= 0 && std::isnan(values[static_cast<std::size_t>(index)].x);
-}
-
 void count_absent(ObjAbsent& absent, std::size_t block, std::size_t face)
 {
     if (absent.count++ == 0) absent.block = block, absent.face = face;
+}
+
+namespace {
+
+template <class T> bool not_given(const std::vector<T>& values, std::int32_t index)
+{
+    return index >= 0 && std::isnan(values[static_cast<std::size_t>(index)].x);
 }
 
 } // namespace

@@ -9,11 +9,16 @@
 
 namespace trivar {
 
-// What faces name and is not there: how often, and the first face that does, as its block and the
-// number of the block's faces before it.
+// What faces (or lines) name and is not there: how often, and the first face that does, as its
+// block and the number of the block's faces before it.
 struct ObjAbsent {
     std::size_t count = 0, block = 0, face = 0;
 };
+void count_absent(ObjAbsent& absent, std::size_t block, std::size_t face);
+
+// From 0, or ObjCorner::none, or ObjCorner::absent where there are no more than `count`; `before`
+// of them come before the index's block.
+std::int32_t absolute_index(std::int32_t index, std::size_t before, std::size_t count);
 
 // The faces of all blocks, with indices from 0, or below 0: none.
 struct ObjFaces {

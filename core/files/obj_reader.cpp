@@ -5,7 +5,7 @@
 #include "core/files/file_sentences.h"
 #include "core/files/formats.h"
 #include "core/files/obj_blocks.h"
-#include "core/files/obj_corners.h"
+#include "core/files/obj_lines.h"
 #include "core/files/obj_statements.h"
 #include "core/files/plain_text.h"
 
@@ -96,6 +96,13 @@ void fill_attributes(Mesh& mesh, const ObjVertices& vertices, const std::vector<
     }
 }
 
+std::vector<glm::vec4> linear_colors(const std::vector<glm::vec3>& colors)
+{
+    std::vector<glm::vec4> out;
+    for (const glm::vec3& color : colors) out.emplace_back(linear_from_srgb(color), 1);
+    return out;
+}
+
 // What was left out of the faces and what stands between them.
 class ObjNotices {
 public:
@@ -108,11 +115,11 @@ public:
     {
     }
 
-    std::vector<std::string> of(const ObjFaces& faces, std::size_t v_count)
+    std::vector<std::string> of(const ObjFaces& faces, const ObjLines& lines, std::size_t v_count)
     {
         if (faces.left_out.count > 0) {
             const std::string first = line(faces.left_out);
-            if (faces.begin.size() == 1)
+            if (faces.begin.size() == 1 && lines.lines.count() == 0)
                 throw Rejected(file_.name + ": " + no_whole_face(first, v_count));
             say("{}", faces_left_out(faces.left_out.count, first, v_count));
         }
@@ -120,12 +127,13 @@ public:
             say("{} a vt or vn that is not there and {} read without it (the first: {})",
                 counted(faces.details.count, "corner of a face names", "corners of faces name"),
                 faces.details.count == 1 ? "was" : "were", line(faces.details));
-        std::size_t bad = 0, lines_and_points = 0, free_forms = 0;
+        tell_of_lines(lines);
+        std::size_t bad = 0, points = 0, free_forms = 0;
         const ObjBlock::Trouble* first_bad = nullptr;
         for (const ObjBlock& block : blocks_) {
             if (bad == 0 && block.bad_lines > 0) first_bad = &block.first_bad;
             bad += block.bad_lines;
-            lines_and_points += block.lines_and_points;
+            points += block.points;
             free_forms += block.free_forms;
         }
         if (bad > 0)
@@ -133,9 +141,8 @@ public:
                 counted(bad, "normal or texture coordinate was",
                         "normals and texture coordinates were"),
                 plain_.line_of(first_bad->at), first_bad->what);
-        if (lines_and_points > 0)
-            say("{} left out",
-                counted(lines_and_points, "line or point was", "lines and points were"));
+        if (points > 0)
+            say("{} left out", counted(points, "point element was", "point elements were"));
         if (free_forms > 0)
             say("{} left out", counted(free_forms, "free-form curve or surface was",
                                        "free-form curves and surfaces were"));
@@ -143,6 +150,19 @@ public:
     }
 
 private:
+    void tell_of_lines(const ObjLines& lines)
+    {
+        const ObjAbsent& gone = lines.left_out;
+        if (gone.count > 0)
+            say("{} left out, for {} fewer than two vertices or one that is not there (the first: "
+                "line {})",
+                counted(gone.count, "line was", "lines were"),
+                gone.count == 1 ? "it names" : "they name",
+                plain_.line_of(line_of_line(parts_[gone.block], gone.face)));
+        if (lines.lines.without_room() > 0)
+            say("{}", lines_without_room(lines.lines.without_room()));
+    }
+
     std::string line(const ObjAbsent& absent) const
     {
         return fmt::format("line {}",
@@ -177,9 +197,10 @@ Model read_obj(const FileText& file, const Progress& progress)
                colors = joined(blocks, &ObjBlock::colors);
     const auto vt = joined(blocks, &ObjBlock::vt);
     ObjFaces faces = faces_of(blocks, v.size(), vt, vn);
+    const ObjLines lines = lines_of(blocks, v.size());
 
     Model model;
-    model.notices = ObjNotices(blocks, parts, plain, file).of(faces, v.size());
+    model.notices = ObjNotices(blocks, parts, plain, file).of(faces, lines, v.size());
     Mesh mesh;
     mesh.face_begin = std::move(faces.begin);
     ObjVertices vertices = unified(faces.corners, v.size());
@@ -187,9 +208,15 @@ Model read_obj(const FileText& file, const Progress& progress)
     mesh.corners = std::move(vertices.corners);
 
     report(progress, 0.85, "Reading materials");
-    add_obj_statements(model, mesh, blocks, vertices.first_of, file, plain);
+    std::vector<std::uint32_t> line_material =
+        add_obj_statements(model, mesh, blocks, vertices.first_of, file, plain);
     model.meshes = {make_ref(std::move(mesh))};
     model.nodes = {Node{"", -1, glm::dmat4(1), 0}};
+    if (lines.lines.count() == 0) return model;
+    Curves curves = lines.lines.curves(v, linear_colors(colors));
+    curves.material = std::move(line_material);
+    model.curves = {make_ref(std::move(curves))};
+    model.nodes.front().curves = 0;
     return model;
 }
 

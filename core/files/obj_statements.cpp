@@ -58,33 +58,27 @@ public:
 
     void apply(const ObjBlock& block)
     {
-        std::size_t next = 0;
-        auto gone = block.left_out.begin();
-        for (std::uint32_t face = 0; face <= block.face_end.size(); ++face) {
-            for (; next < block.events.size() && block.events[next].face == face; ++next)
-                handle(block.events[next]);
-            if (face == block.face_end.size()) break;
-            if (gone != block.left_out.end() && *gone == face) {
-                ++gone;
-                continue;
-            }
-            if (group_ == none && group_named_) group_ = group(group_name_);
-            mesh_.face_material.push_back(material_);
-            mesh_.face_group.push_back(group_);
+        Left faces{block.left_out}, lines{block.lines_left_out};
+        const auto count = [](const auto& all) { return static_cast<std::uint32_t>(all.size()); };
+        for (const ObjEvent& event : block.events) {
+            go_on(faces, event.face, lines, event.line);
+            handle(event);
         }
+        go_on(faces, count(block.face_end), lines, count(block.line_end));
     }
 
-    void finish()
+    // Returns the materials of the lines.
+    std::vector<std::uint32_t> finish()
     {
         const auto unset = [](std::uint32_t i) { return i == none; };
-        auto& materials = mesh_.face_material;
-        if (model_.materials.empty()) {
-            materials.clear();
-        } else if (std::any_of(materials.begin(), materials.end(), unset)) {
-            std::replace(materials.begin(), materials.end(), none,
-                         static_cast<std::uint32_t>(model_.materials.size()));
-            model_.materials.emplace_back();
+        const auto plain = static_cast<std::uint32_t>(model_.materials.size());
+        bool plain_used = false;
+        for (auto* materials : {&mesh_.face_material, &line_material_}) {
+            if (plain == 0) materials->clear();
+            plain_used = plain_used || std::ranges::any_of(*materials, unset);
+            std::ranges::replace(*materials, none, plain);
         }
+        if (plain_used) model_.materials.emplace_back();
         auto& groups = mesh_.face_group;
         if (mesh_.group_names.empty()) {
             groups.clear();
@@ -102,10 +96,38 @@ public:
                 "{} left out; the first, on line {}, {}",
                 counted(bad_tags_, "crease or corner tag was", "crease and corner tags were"),
                 first_bad_line_, first_bad_tag_));
+        return std::move(line_material_);
     }
 
 private:
     static constexpr std::uint32_t none = ~0u;
+
+    // Which of a block's faces, or lines, are gone, and how far one is.
+    struct Left {
+        const std::vector<std::uint32_t>& out;
+        std::size_t gone = 0;
+        std::uint32_t at = 0;
+        bool next_is_there() // and is passed
+        {
+            const bool there = gone == out.size() || out[gone] != at;
+            if (!there) ++gone;
+            ++at;
+            return there;
+        }
+    };
+
+    // What stands before the next statement is as the statements before it say.
+    void go_on(Left& faces, std::uint32_t face_end, Left& lines, std::uint32_t line_end)
+    {
+        while (faces.at < face_end) {
+            if (!faces.next_is_there()) continue;
+            if (group_ == none && group_named_) group_ = group(group_name_);
+            mesh_.face_material.push_back(material_);
+            mesh_.face_group.push_back(group_);
+        }
+        while (lines.at < line_end)
+            if (lines.next_is_there()) line_material_.push_back(material_);
+    }
 
     void say(const std::string& what)
     {
@@ -197,6 +219,7 @@ private:
     static constexpr std::uintmax_t max_mtl_bytes = 64 << 20;
     Model& model_;
     Mesh& mesh_;
+    std::vector<std::uint32_t> line_material_;
     const std::vector<std::uint32_t>& first_of_;
     const FileText& file_;
     const PlainText& plain_;
@@ -213,14 +236,15 @@ private:
 
 } // namespace
 
-void add_obj_statements(Model& model, Mesh& mesh, const std::vector<ObjBlock>& blocks,
-                        const std::vector<std::uint32_t>& first_of, const FileText& file,
-                        const PlainText& plain)
+std::vector<std::uint32_t> add_obj_statements(Model& model, Mesh& mesh,
+                                              const std::vector<ObjBlock>& blocks,
+                                              const std::vector<std::uint32_t>& first_of,
+                                              const FileText& file, const PlainText& plain)
 {
     ObjStatements statements(model, mesh, first_of, file, plain);
     statements.read_libraries(blocks);
     for (const ObjBlock& block : blocks) statements.apply(block);
-    statements.finish();
+    return statements.finish();
 }
 
 } // namespace trivar

@@ -11,9 +11,11 @@
 namespace trivar {
 
 // Adds what an OBJ's statements between its faces say: materials with their libraries, groups and
-// creases. `first_of` is as ObjVertices has it, `plain` the text of the blocks.
-void add_obj_statements(Model& model, Mesh& mesh, const std::vector<ObjBlock>& blocks,
-                        const std::vector<std::uint32_t>& first_of, const FileText& file,
-                        const PlainText& plain);
+// creases. `first_of` is as ObjVertices has it, `plain` the text of the blocks. Returns what
+// Curves::material is to be.
+std::vector<std::uint32_t> add_obj_statements(Model& model, Mesh& mesh,
+                                              const std::vector<ObjBlock>& blocks,
+                                              const std::vector<std::uint32_t>& first_of,
+                                              const FileText& file, const PlainText& plain);
 
 } // namespace trivar

@@ -28,11 +28,16 @@ public:
         fmt::format_to(to(), "# Trivar\nmtllib {}\n", files_.mtl_name);
         for (std::size_t n = 0; n < model_.nodes.size(); ++n) {
             const Node& node = model_.nodes[n];
-            if (node.mesh < 0) continue;
+            if (node.mesh < 0 && node.curves < 0) continue;
             const glm::dmat4 z_to_y({1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1});
             const glm::dmat4 matrix = z_to_y * node_to_model(model_, static_cast<int>(n));
             fmt::format_to(to(), "o {}\n", plain_name(node.name, fmt::format("object_{}", n)));
-            write_mesh(transformed(*model_.meshes.at(static_cast<std::size_t>(node.mesh)), matrix));
+            if (node.mesh >= 0)
+                write_mesh(
+                    transformed(*model_.meshes.at(static_cast<std::size_t>(node.mesh)), matrix));
+            if (node.curves >= 0)
+                write_curves(
+                    transformed(*model_.curves.at(static_cast<std::size_t>(node.curves)), matrix));
         }
         files_.obj = fmt::to_string(out_);
         return std::move(files_);
@@ -72,10 +77,7 @@ private:
     {
         std::uint32_t material = none, group = none;
         for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-            const std::uint32_t m = mesh.face_material.empty() ? 0 : mesh.face_material[f];
-            if (m != material && m < material_names_.size())
-                fmt::format_to(to(), "usemtl {}\n", material_names_[m]);
-            material = m;
+            use_material(mesh.face_material.empty() ? 0 : mesh.face_material[f], material);
             if (!mesh.face_group.empty() && mesh.face_group[f] != group) {
                 group = mesh.face_group[f];
                 fmt::format_to(to(), "g {}\n",
@@ -93,6 +95,33 @@ private:
             }
             fmt::format_to(to(), "\n");
         }
+    }
+
+    // The last point of a closed line is its first one.
+    void write_curves(const Curves& curves)
+    {
+        const std::vector<glm::vec3>& points = curves.points->positions;
+        std::uint32_t material = none;
+        for (std::size_t l = 0; l < curves.line_count(); ++l) {
+            const std::uint32_t first = curves.begin[l], end = curves.begin[l + 1];
+            const bool closed = end - first > 3 && points[first] == points[end - 1];
+            const std::uint32_t written = end - first - (closed ? 1 : 0);
+            for (std::uint32_t i = first; i < first + written; ++i)
+                fmt::format_to(to(), "v {} {} {}\n", points[i].x, points[i].y, points[i].z);
+            use_material(curves.material_of(l), material);
+            fmt::format_to(to(), "l");
+            for (std::uint32_t i = 0; i < end - first; ++i)
+                fmt::format_to(to(), " {}", v_base_ + i % written + 1);
+            fmt::format_to(to(), "\n");
+            v_base_ += written;
+        }
+    }
+
+    void use_material(std::uint32_t wanted, std::uint32_t& now)
+    {
+        if (wanted != now && wanted < material_names_.size())
+            fmt::format_to(to(), "usemtl {}\n", material_names_[wanted]);
+        now = wanted;
     }
 
     void write_materials()

@@ -2,6 +2,7 @@
 #include "core/base/rejected.h"
 #include "core/files/color.h"
 #include "core/files/corner_uvs.h"
+#include "core/files/file_lines.h"
 #include "core/files/file_sentences.h"
 #include "core/files/formats.h"
 #include "core/files/plain_text.h"
@@ -44,7 +45,8 @@ public:
         for (const PlyElement& element : header_.elements) {
             if (element.properties.empty()) continue;
             values_.check_count(element);
-            if (element.name == "vertex" || element.name == "face" || element.name == "tristrips") {
+            if (element.name == "vertex" || element.name == "face" || element.name == "tristrips" ||
+                element.name == "edge") {
                 if (element.count > 0 && !seen.insert(element.name).second)
                     refuse(fmt::format("the element {} comes twice", element.name));
             }
@@ -54,17 +56,26 @@ public:
                 read_faces(element);
             else if (element.name == "tristrips")
                 read_strips(element);
+            else if (element.name == "edge")
+                read_edges(element);
             else
                 skip(element);
         }
         if (!corner_uvs_.empty()) corner_uvs_.resize(mesh_.corners.size(), glm::vec2(0));
-        leave_out_faces();
+        const Curves curves = lines_.curves(mesh_.positions, mesh_.colors);
+        leave_out_faces(curves.line_count() > 0);
+        // Those that only edges use are no damage to be told of.
+        if (curves.line_count() > 0 && corner_uvs_.empty())
+            mesh_ = without_loose_vertices(std::move(mesh_));
         if (!corner_uvs_.empty()) mesh_ = with_corner_uvs(mesh_, corner_uvs_);
         // The format has no other way to say a seam than two vertices at one place.
         mesh_.points = points_by_position(mesh_.positions);
         say_what_was_left_out();
         Model model = single_mesh_model("", std::move(mesh_));
         model.notices = std::move(notices_);
+        if (curves.line_count() == 0) return model;
+        model.curves = {make_ref(curves)};
+        model.nodes.front().curves = 0;
         return model;
     }
 
@@ -237,8 +248,31 @@ private:
         }
     }
 
+    // Between the vertices vertex1 and vertex2, which may come later.
+    void read_edges(const PlyElement& element)
+    {
+        std::size_t vertices = 0;
+        for (const PlyElement& each : header_.elements)
+            if (each.name == "vertex") vertices = std::max(vertices, each.count);
+        for (std::size_t e = 0; e < element.count; ++e) {
+            values_.begin(element, e);
+            std::array<std::optional<std::uint32_t>, 2> ends;
+            for (const PlyProperty& property : element.properties) {
+                const bool first = property.name == "vertex1";
+                if (property.list || (!first && property.name != "vertex2"))
+                    values_.skip(property);
+                else
+                    ends[first ? 0 : 1] = vertex(property.type);
+            }
+            if (std::ranges::all_of(ends, [&](auto v) { return v && *v < vertices; }))
+                lines_.add_edge(*ends[0], *ends[1]);
+            else
+                ++bad_edges_;
+        }
+    }
+
     // Those that name a vertex that is not there.
-    void leave_out_faces()
+    void leave_out_faces(bool has_lines)
     {
         const auto there = [&](std::uint32_t v) { return v < mesh_.vertex_count(); };
         if (std::ranges::all_of(mesh_.corners, there)) return;
@@ -259,7 +293,7 @@ private:
                            corner_uvs_.begin() + mesh_.face_begin[f + 1]);
         }
         const std::string first = fmt::format("face {}, counted from 0", first_gone);
-        if (corners.empty()) refuse(no_whole_face(first, mesh_.vertex_count()));
+        if (corners.empty() && !has_lines) refuse(no_whole_face(first, mesh_.vertex_count()));
         say(faces_left_out(gone, first, mesh_.vertex_count()));
         mesh_.corners = std::move(corners);
         mesh_.face_begin = std::move(begin);
@@ -276,6 +310,11 @@ private:
             say(fmt::format(
                 "{} left out; they should have two numbers for each corner of the face",
                 counted(bad_uv_lists_, "list of texcoord was", "lists of texcoord were")));
+        if (bad_edges_ > 0)
+            say(fmt::format("{} a vertex that is not there and {} left out",
+                            counted(bad_edges_, "edge names", "edges name"),
+                            bad_edges_ == 1 ? "was" : "were"));
+        if (lines_.without_room() > 0) say(lines_without_room(lines_.without_room()));
         NameList pictures;
         for (const std::string& name : header_.pictures) pictures.add(name);
         if (pictures.count() > 0)
@@ -304,7 +343,8 @@ private:
     std::vector<glm::vec2> corner_uvs_; // #C, or empty: none
     std::vector<std::string> notices_;
     bool texture_numbers_ = false;
-    std::size_t bad_values_ = 0, bad_uv_lists_ = 0;
+    FileLines lines_; // of the edges
+    std::size_t bad_values_ = 0, bad_uv_lists_ = 0, bad_edges_ = 0;
 };
 
 } // namespace

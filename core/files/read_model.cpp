@@ -67,6 +67,28 @@ Repaired finished(Mesh mesh, const FileText& file)
     return result;
 }
 
+void check_size(const std::vector<glm::vec3>& positions, const FileText& file,
+                const ReadOptions& options)
+{
+    if (!std::ranges::all_of(positions, [](const auto& p) { return finite(p); }))
+        throw Rejected(fmt::format("{}: with the scale {} its size is beyond 3.4e38, the largest "
+                                   "number there is",
+                                   file.name, options.scale));
+}
+
+void leave_out_empty_meshes(Model& model)
+{
+    std::vector<int> number;
+    std::vector<Ref<Mesh>> kept;
+    for (const Ref<Mesh>& mesh : model.meshes) {
+        number.push_back(mesh->face_count() == 0 ? -1 : static_cast<int>(kept.size()));
+        if (number.back() >= 0) kept.push_back(mesh);
+    }
+    for (Node& node : model.nodes)
+        if (node.mesh >= 0) node.mesh = number[static_cast<std::size_t>(node.mesh)];
+    model.meshes = std::move(kept);
+}
+
 glm::dmat4 to_world(const ReadOptions& options, bool y_up_format)
 {
     const bool y_up = options.up == UpAxis::y || (options.up == UpAxis::automatic && y_up_format);
@@ -104,17 +126,21 @@ Model read_model_bytes(std::string_view bytes, const std::string& name, const st
         faces += mesh.face_count();
         if (!gltf && matrix != glm::dmat4(1)) {
             mesh = transformed(mesh, matrix);
-            if (!std::ranges::all_of(mesh.positions, [](const auto& p) { return finite(p); }))
-                throw Rejected(fmt::format("{}: with the scale {} its size is beyond 3.4e38, the "
-                                           "largest number there is",
-                                           file.name, options.scale));
+            check_size(mesh.positions, file, options);
         }
         ref = make_ref(std::move(mesh));
     }
-    if (faces == 0)
+    std::size_t lines = 0;
+    for (Ref<Curves>& ref : model.curves) {
+        if (!gltf && matrix != glm::dmat4(1)) ref = make_ref(transformed(*ref, matrix));
+        check_size(ref->points->positions, file, options);
+        validate(*ref, file.name);
+        lines += ref->line_count();
+    }
+    if (faces == 0 && lines == 0)
         throw Rejected(file.name + (repairs.dropped > 0
                                         ? ": none of its faces has three different corners"
-                                        : ": there are no faces in it"));
+                                        : ": there are no faces and no lines in it"));
     for (const std::string& sentence : sentences(repairs))
         model.notices.push_back(fmt::format("{}: {}", file.name, sentence));
     if (model.materials.empty()) model.materials.emplace_back();
@@ -124,9 +150,8 @@ Model read_model_bytes(std::string_view bytes, const std::string& name, const st
             node.outer = matrix * node.outer;
         }
         if (node.name.empty()) node.name = std::filesystem::path(file.name).stem().string();
-        if (node.mesh >= 0 && model.meshes[static_cast<std::size_t>(node.mesh)]->face_count() == 0)
-            node.mesh = -1;
     }
+    leave_out_empty_meshes(model);
     if (model.notices.size() > max_notices) {
         const std::size_t more = model.notices.size() - max_notices;
         model.notices.resize(max_notices);

@@ -98,6 +98,7 @@ GlbContent::Node tiny_content_of(TinyParts& parts, const tinygltf::Node& node)
     int shared = -1;
     for (const tinygltf::Primitive& primitive :
          TinyParts::at(parts.model.meshes, node.mesh).primitives) {
+        if (primitive.mode != TINYGLTF_MODE_TRIANGLES) continue; // lines
         const auto position = primitive.attributes.find("POSITION");
         if (position == primitive.attributes.end()) TinyParts::fail("a primitive has no positions");
         if (shared < 0)

@@ -33,8 +33,15 @@ bool has_a_face(const Mesh& mesh, const glm::dmat4& matrix)
 
 } // namespace
 
+bool holds_curves(const std::string& path)
+{
+    const std::string extension = extension_of(path);
+    return extension == ".glb" || extension == ".obj";
+}
+
 void check_writable(const Model& model, const std::string& path)
 {
+    if (holds_curves(path) && line_count(model) > 0) return;
     // GLB keeps the places of nodes beside the meshes, the others have meshes where they stand.
     const bool in_place = extension_of(path) != ".glb";
     for (std::size_t n = 0; n < model.nodes.size(); ++n) {

@@ -5,6 +5,7 @@
 #include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "core/files/file_bytes.h"
+#include "core/files/file_sentences.h"
 #include "core/files/formats.h"
 #include "core/files/image.h"
 #include "core/files/writable.h"
@@ -20,6 +21,7 @@ namespace {
 
 void check_faces(const Model& model, const std::string& path)
 {
+    if (holds_curves(path) && line_count(model) > 0) return;
     for (const Node& node : model.nodes)
         if (node.mesh >= 0 &&
             model.meshes.at(static_cast<std::size_t>(node.mesh))->face_count() > 0)
@@ -70,6 +72,14 @@ void check_model_name(const std::string& path)
     if (std::ranges::find(known, extension_of(path)) == known.end())
         throw Rejected(
             fmt::format("{}: models are written as .glb, .obj, .ply, .stl and .off", path));
+}
+
+std::string curves_left_out(const Model& model, const std::string& path)
+{
+    const std::size_t lines = line_count(model);
+    if (holds_curves(path) || lines == 0) return {};
+    return fmt::format("{} files have no curves, and {} left out; .glb and .obj have them",
+                       extension_of(path), counted(lines, "line was", "lines were"));
 }
 
 void write_model(const Model& model, const std::string& path, const SourceFiles& sources)

@@ -84,6 +84,11 @@ bool too_large(const Model& model)
     const Stance stance = stance_at(model, nullptr, 0);
     for (std::size_t i = 0; i < model.nodes.size(); ++i) {
         const int node = static_cast<int>(i), mesh = model.nodes[i].mesh;
+        if (const int curves = model.nodes[i].curves;
+            curves >= 0 &&
+            !within_reach(bounding_box(*model.curves[static_cast<std::size_t>(curves)]->points),
+                          stance.to_model[i]))
+            return true;
         if (mesh < 0) continue;
         const Pose pose = pose_of(model, node, stance);
         const std::optional<Box> box =

@@ -35,7 +35,7 @@ private:
     Lazy<std::vector<Box>> targets_;
 };
 
-// Whether a mesh that hangs on a node of the model is out of reach there, as it came.
+// Whether a mesh or a curve that hangs on a node of the model is out of reach there, as it came.
 bool too_large(const Model& model);
 
 } // namespace trivar

@@ -17,6 +17,15 @@ glm::dmat4 node_to_model(const Model& model, int node)
     return result;
 }
 
+std::size_t line_count(const Model& model)
+{
+    std::size_t out = 0;
+    for (const Node& node : model.nodes)
+        if (node.curves >= 0)
+            out += model.curves.at(static_cast<std::size_t>(node.curves))->line_count();
+    return out;
+}
+
 Model single_mesh_model(std::string name, Mesh mesh, std::vector<Material> materials)
 {
     Model model;

@@ -3,7 +3,7 @@
 
 #include "core/base/ref.h"
 #include "core/mesh/clip.h"
-#include "core/mesh/mesh.h"
+#include "core/mesh/curves.h"
 
 #include <array>
 #include <glm/glm.hpp>
@@ -56,6 +56,7 @@ struct Node {
     int mesh = -1;                         // index into Model::meshes, or none
     int skin = -1;                         // index into Model::skins, or none: of the mesh
     std::vector<float> morph_weights = {}; // of the mesh's targets; the others' are 0
+    int curves = -1;                       // index into Model::curves, or none; no skin moves them
     // Where a clip moves the node, to_parent is outer * the matrix of what it makes of `rest`.
     glm::dmat4 outer{1};
     Placed rest = {};
@@ -67,10 +68,11 @@ struct Skin {
     std::vector<glm::dmat4> mesh_to_joint; // as the mesh was made: "inverse bind matrices"
 };
 
-// What a file or a primitive gives: meshes hung on a tree of nodes. World: Z up, metres.
+// What a file or a primitive gives: meshes and curves hung on a tree of nodes. World: Z up, metres.
 struct Model {
     std::vector<Node> nodes;
     std::vector<Ref<Mesh>> meshes;
+    std::vector<Ref<Curves>> curves;
     std::vector<Material> materials; // at least one
     std::vector<Skin> skins;
     std::vector<Clip> clips;
@@ -80,6 +82,9 @@ struct Model {
 
 // Node to model space: the product of to_parent up to the root.
 glm::dmat4 node_to_model(const Model& model, int node);
+
+// How many lines hang on its nodes.
+std::size_t line_count(const Model& model);
 
 // One mesh, one root node, one default material if there is none.
 Model single_mesh_model(std::string name, Mesh mesh, std::vector<Material> materials = {});

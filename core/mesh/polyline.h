@@ -6,7 +6,8 @@
 
 namespace trivar {
 
-// Points that are joined in their order. Where the last one is the first the line is closed.
+// Points that are joined in their order. Where the last one is the first the line is closed. One
+// that is not finite is a gap.
 struct Polyline {
     std::vector<glm::vec3> points;
     std::vector<glm::vec4> colors; // linear, a coverage; one a point, or one for all; empty: white

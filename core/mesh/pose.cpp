@@ -148,6 +148,9 @@ Box bounding_box(const Model& model, const Clip* clip, double time_s)
     const Stance stance = stance_at(model, clip, time_s);
     Box out;
     for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        if (const int curves = model.nodes[i].curves; curves >= 0)
+            out.add(bounding_box(*model.curves[static_cast<std::size_t>(curves)]->points,
+                                 stance.to_model[i]));
         if (model.nodes[i].mesh < 0) continue;
         const int node = static_cast<int>(i);
         const Mesh& mesh = *model.meshes[static_cast<std::size_t>(model.nodes[i].mesh)];

@@ -34,7 +34,7 @@ glm::dmat4 mesh_to_model(const Model& model, int node, const Stance& stance);
 Mesh posed(const Mesh& mesh, const Pose& pose);
 glm::vec3 posed_point(const Mesh& mesh, const Pose& pose, std::uint32_t vertex); // the same bits
 
-// The box of all meshes of the model, in its space, as they stand. O(#V).
+// The box of all meshes and curves of the model, in its space, as they stand. O(#V).
 Box bounding_box(const Model& model, const Clip* clip = nullptr, double time_s = 0);
 
 // The box of the posed mesh, or a larger one, without looking at all vertices of a skin.

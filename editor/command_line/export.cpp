@@ -23,6 +23,7 @@ void say(const std::vector<std::string>& sentences, const Streams& streams)
 Status tell(const AnimatedFile& written, const ExportOptions& options, const Streams& streams)
 {
     say(written.lacks, streams);
+    if (!written.left_out.empty()) say({written.left_out}, streams);
     for (const std::string& path : written.files)
         streams.talk << fmt::format("trivar: {}: {}\n", path,
                                     written.frames == 1 ? "one frame"

@@ -54,6 +54,7 @@ Facts model_facts(const std::string& path)
                 {"vertices", vertices},
                 {"faces", faces},
                 {"triangles", triangles},
+                {"curves", line_count(model)},
                 {"materials", model.materials.size()},
                 {"textures", images},
                 {"uv_sets", uv_sets},

@@ -121,7 +121,7 @@ void check_result(Replayed& replayed, const ReplayOptions& options, const Stream
                 fmt::format("{}: one thread gives another result than all of them",
                             options.scene.path));
     for (const auto& [id, ref] : replayed.evaluated.objects)
-        if ((ref->parts.empty() && !ref->placement) || !ref->rejected.empty() ||
+        if ((ref->shows_nothing() && !ref->placement) || !ref->rejected.empty() ||
             !ref->lacks.empty())
             differs(replayed, streams,
                     fmt::format("{}: {} is not as it was meant: {}", options.scene.path,
@@ -219,6 +219,8 @@ Status write_all(const ReplayOptions& options, Replayed& replayed, const Streams
         go_on(interrupts);
         timed(replayed.timings, "export",
               [&] { write_model(result.model, path, replayed.sources); });
+        if (const std::string words = curves_left_out(result.model, path); !words.empty())
+            streams.talk << "trivar: " << path << ": " << words << "\n";
     }
     go_on(interrupts);
     if (!options.image.empty()) draw(options, replayed, streams);

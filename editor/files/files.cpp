@@ -337,9 +337,12 @@ void Files::write_model_to(const std::string& path)
              report(progress, 0.3, "writing");
              write_model(result.model, path,
                          source_files(exported.document, *assets, exported.log));
-             return [this, path, words = words_of_export(path, exported.log, result.certificate)] {
-                 session_->notices.say(words.kind, words.title, words.body);
-             };
+             ExportWords words = words_of_export(path, exported.log, result.certificate);
+             if (const std::string out = curves_left_out(result.model, path); !out.empty()) {
+                 words.kind = ui::NoticeKind::warning;
+                 words.body += (words.body.empty() ? "" : " ") + out + ".";
+             }
+             return [this, words] { session_->notices.say(words.kind, words.title, words.body); };
          },
          [this, path](const std::string& why) {
              session_->notices.say(ui::NoticeKind::error, file_name(path) + " was not written",

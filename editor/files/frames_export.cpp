@@ -41,6 +41,7 @@ void FramesExport::tell(const std::string& path, const AnimatedFile& made, bool 
         fmt::format("Exported {} frame{} to {}", made.frames, made.frames == 1 ? "" : "s", name);
     std::vector<std::string> lines;
     for (const std::string& sentence : made.lacks) lines.push_back("Left out: " + sentence);
+    if (!made.left_out.empty()) lines.push_back(made.left_out + ".");
     const auto well = lines.empty() ? ui::NoticeKind::good : ui::NoticeKind::warning;
     if (!made.certificate) {
         if (const std::size_t others = made.files.size() - 1; others > 0)

@@ -34,6 +34,12 @@ Model model_then(const EvaluatedObject& object, const Document& then)
         part = {.rest = make_ref(transformed(*part.mesh(), from_world * part.to_world)),
                 .key = part.key};
     }
+    for (CurvePart& part : there.curves) {
+        Curves kept = in_world(part);
+        kept = transformed(kept, from_world);
+        part.curves = make_ref(std::move(kept));
+        part.points = {.rest = part.curves->points, .key = part.points.key};
+    }
     Evaluated one;
     one.objects.emplace(object.id, make_ref(std::move(there)));
     return model_of(one, then);
@@ -48,7 +54,7 @@ Command kept_shapes(const Session& session, Id lattice)
     const Document then = after(document, Ungroup{lattice});
     const std::filesystem::path folder = session.assets()->folder();
     for (const auto& [id, each] : session.evaluated().objects) {
-        if (id == lattice || each->parts.empty() || !belongs_to(document, id, lattice)) continue;
+        if (id == lattice || each->shows_nothing() || !belongs_to(document, id, lattice)) continue;
         const std::filesystem::path file =
             folder / (as_file_name(name_of(document, id) + " kept") + ".glb");
         const std::string path = numbered_name(file.string());

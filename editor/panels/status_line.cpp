@@ -19,7 +19,8 @@ std::string facts(const Session& session)
     std::size_t vertices = 0;
     for (const auto& [id, object] : session.evaluated().objects)
         if (session.selected == 0 || selected.contain(id))
-            for (const Part& part : object->parts) vertices += part.rest->vertex_count();
+            for (const Part& part : with_points(object->parts, object->curves))
+                vertices += part.rest->vertex_count();
     const std::size_t count = session.document().objects.size();
     const std::string what = session.selected != 0
                                  ? fmt::format("{} selected", session.selected.size())

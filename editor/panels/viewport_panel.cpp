@@ -77,7 +77,7 @@ std::string aside_words(const Editor& editor)
     if (session.aside.empty()) return {};
     std::vector<Id> shown;
     for (const auto& [id, each] : session.evaluated().objects)
-        if (!each->parts.empty() && !std::ranges::binary_search(session.aside, id))
+        if (!each->shows_nothing() && !std::ranges::binary_search(session.aside, id))
             shown.push_back(id);
     const std::string key = key_text(action(editor, isolate_action));
     const std::string back = "  ·  " + (key.empty() ? "Isolate" : key) + " brings the others back";

@@ -37,7 +37,7 @@ std::string words_of(const Refined& refined, const Refining& refining)
 std::vector<glm::dvec3> points_of(const EvaluatedObject& object)
 {
     std::vector<glm::dvec3> out;
-    for (const Part& part : object.parts) {
+    for (const Part& part : with_points(object.parts, object.curves)) {
         const std::vector<glm::vec3>& p = part.before_volume()->positions;
         const std::size_t step = 1 + p.size() / most_sampled;
         for (std::size_t i = 0; i < p.size(); i += step)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/picture/picture.h"
 
+#include "editor/picture/curves_picture.h"
 #include "editor/picture/volume_picture.h"
 #include "ui/camera_control.h"
 
@@ -9,6 +10,8 @@
 namespace trivar {
 
 namespace {
+
+constexpr float curve_width_px = 1.6f; // in a picture of the usual height
 
 std::optional<gpu::ValueColors> colors_of(ColorBy by)
 {
@@ -57,18 +60,21 @@ gpu::Picture picture_of(const Evaluated& evaluated, const Document& document, co
             instance.values = values_of(*ref, p, document, values);
             picture.instances.push_back(std::move(instance));
         }
+    constexpr double usual_height_px = 720;
+    const auto wider = static_cast<float>(std::max(1.0, camera.size_px.y / usual_height_px));
+    for (const auto& [id, ref] : evaluated.objects)
+        for (gpu::Curve& curve : curves_of(*ref, curve_width_px * wider))
+            picture.curves.push_back(std::move(curve));
     if (document.render->volumes) {
-        constexpr double usual_height_px = 720;
         const ui::Palette color = ui::palette_of({.light = document.render->look != "dark"});
-        const double wider = std::max(1.0, camera.size_px.y / usual_height_px);
-        add_volumes(picture, evaluated, document, color, static_cast<float>(wider));
+        add_volumes(picture, evaluated, document, color, wider);
     }
     return picture;
 }
 
 void add_points(std::vector<glm::dvec3>& points, const EvaluatedObject& object)
 {
-    for (const Part& part : object.parts)
+    for (const Part& part : with_points(object.parts, object.curves))
         for (const glm::vec3& p : part.mesh()->positions)
             points.emplace_back(part.to_world * glm::dvec4(p, 1));
 }
@@ -76,7 +82,7 @@ void add_points(std::vector<glm::dvec3>& points, const EvaluatedObject& object)
 void add_seen_points(std::vector<glm::dvec3>& points, const EvaluatedObject& object)
 {
     add_points(points, object);
-    if (!object.parts.empty() || !object.placement) return;
+    if (!object.shows_nothing() || !object.placement) return;
     const Lattice& volume = object.placement->volume;
     const std::array<Knots, 3>& axes = volume.displacement.axes;
     for (int i = 0; i < axes[0].count(); ++i)

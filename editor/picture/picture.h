@@ -13,7 +13,7 @@ namespace trivar {
 gpu::Picture picture_of(const Evaluated& evaluated, const Document& document, const Camera& camera,
                         ShownValues& values, gpu::DeformBy by = gpu::DeformBy::processor);
 
-// Adds the vertices of an object, in world space.
+// Adds the vertices of an object and the points of its curves, in world space.
 void add_points(std::vector<glm::dvec3>& points, const EvaluatedObject& object);
 // The same, and of a lattice, which has none, its control points: what a window shows.
 void add_seen_points(std::vector<glm::dvec3>& points, const EvaluatedObject& object);

@@ -318,7 +318,7 @@ void Session::tell_what_is_missing()
 {
     std::vector<std::string> reasons;
     for (const auto& [id, effects] : evaluated_.objects)
-        if (effects->parts.empty() && !effects->placement && !effects->notices.empty())
+        if (effects->shows_nothing() && !effects->placement && !effects->notices.empty())
             reasons.push_back(name_of(document(), id) + ": " + effects->notices.front());
     const bool first = std::exchange(opened_, false); // else it was told
     if (reasons.empty()) notices.forget(of_missing);

@@ -27,7 +27,7 @@ Box box_round(const Session& session, const std::vector<Id>& ids, Id parent)
     Box box;
     for (const auto& [id, each] : session.evaluated().objects)
         if (std::ranges::any_of(ids, [&](Id of) { return belongs_to(session.document(), id, of); }))
-            for (const Part& part : each->parts)
+            for (const Part& part : with_points(each->parts, each->curves))
                 box.add(bounding_box(*part.mesh(), world_to_parent * part.to_world));
     return box;
 }

@@ -25,4 +25,17 @@ void outline_selected(gpu::Picture& picture, const Members& selected)
     }
 }
 
+gpu::Outline outline_for(const gpu::Picture& picture, gpu::Outline outline)
+{
+    constexpr float thin = 0.5f; // or it would be more than what it goes round
+    const auto has_one = [](const gpu::Instance& instance) {
+        return instance.highlighted || !instance.outlined_copies.empty();
+    };
+    const bool surfaces = std::ranges::any_of(picture.instances, has_one);
+    if (surfaces || std::ranges::none_of(picture.curves, &gpu::Curve::highlighted)) return outline;
+    outline.width_px *= thin;
+    outline.halo_px *= thin;
+    return outline;
+}
+
 } // namespace trivar

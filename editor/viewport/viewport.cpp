@@ -90,7 +90,10 @@ ViewportInput Viewport::take_input(Session& session, const ui::Frame& frame, con
     const bool moves_camera = emulates_middle() && !tool.busy();
     if (ImGui::IsItemActive() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !moves_camera) {
         left_down_ = input.pressed = true;
-        if (renderer_ && shown_) input.under = renderer_->pick(glm::ivec2(input.mouse));
+        constexpr double curve_reach_px = 6; // beside which a thin line is still meant
+        if (renderer_ && shown_)
+            input.under =
+                renderer_->pick_near(glm::ivec2(input.mouse), curve_reach_px * frame.theme.scale);
         if (!can_be_picked(session.document(), input.under)) input.under = 0;
     }
     input.seen_at = [this](glm::dvec2 p_px) {
@@ -192,7 +195,7 @@ void Viewport::draw_wanted(const Shown& wanted, const Session& session, ui::Fram
             wanted.draft ? std::min(pace_->level(), style_.level) : style_.level, style_, values_);
         picture.backdrop = style_.backdrop;
         picture.grid = style_.backdrop.has_value() && style_.grid;
-        picture.outline = style_.outline;
+        picture.outline = outline_for(picture, style_.outline);
         picture.shaders = shaders_;
         Helpers shown = helpers();
         std::ranges::move(shown.lines, std::back_inserter(picture.lines));

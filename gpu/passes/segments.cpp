@@ -68,6 +68,10 @@ void Segments::add(const Curve& curve)
 void Segments::add(const Polyline& line, const glm::dmat4& to_world, const CurveStyle& style,
                    int id)
 {
+    if (line.points.size() > most_segments - all_.size()) {
+        ++left_out_;
+        return;
+    }
     glm::dmat4 to_scene = to_world;
     to_scene[3] -= glm::dvec4(origin_world_, 0);
     const bool in_world = style.width_world > 0;
@@ -76,7 +80,7 @@ void Segments::add(const Polyline& line, const glm::dmat4& to_world, const Curve
     Segment segment{};
     segment.width_taper = {in_world ? 0 : style.width_px * scale_,
                            in_world ? style.width_world * size : 0, style.taper};
-    segment.id = static_cast<std::uint32_t>(id);
+    segment.id = id == 0 ? 0 : static_cast<std::uint32_t>(id) | curve_id_bit;
     segment.hidden = static_cast<std::uint32_t>(style.hidden);
     for (const Path& path : paths_of(line, to_scene)) {
         if (path.empty()) continue;

@@ -16,6 +16,9 @@ struct Segment {
     std::uint32_t id, hidden;          // HiddenParts
 };
 
+// What one picture draws of lines at most; it takes half a GB of the card's memory.
+inline constexpr std::size_t most_segments = 4'000'000;
+
 // The segments of lines in a picture; `frame` is without a sample's shift. Widths in pixels are
 // times `scale`. Parts of a line with a point that is not finite are left out.
 class Segments {
@@ -29,6 +32,7 @@ public:
     void add(const Line& line);
     void add(const Curve& curve);
     const std::vector<Segment>& all() const { return all_; }
+    std::size_t left_out() const { return left_out_; } // for which there was no room
 
 private:
     void add(const Polyline& line, const glm::dmat4& to_world, const CurveStyle& style, int id);
@@ -36,6 +40,7 @@ private:
     glm::dvec3 origin_world_;
     float scale_;
     std::vector<Segment> all_;
+    std::size_t left_out_ = 0;
 };
 
 } // namespace trivar::gpu

@@ -36,5 +36,8 @@ Image read_back(const Targets& targets);
 DeepImage read_back_deep(const Targets& targets);
 // The ids in a rectangle of it, ascending, less 0; the first pixel is top left.
 std::vector<int> ids_in(const Targets& targets, glm::ivec2 first_px, glm::ivec2 size_px);
+// The id at a pixel of it; where a curve is within reach and what is at the pixel itself does not
+// lie clearly in front of it, that of the nearest one. 0: none.
+int id_near(const Targets& targets, glm::ivec2 p_px, double reach_px);
 
 } // namespace trivar::gpu

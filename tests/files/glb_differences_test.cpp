@@ -3,6 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/files/glb_chunks.h"
+#include "tests/files/curves.h"
 #include "tests/files/sample_models.h"
 
 #include <cstring>
@@ -36,6 +37,20 @@ TEST(GlbDifferences, AreNoneHoweverTheJsonIsSpaced)
     EXPECT_THAT(glb_differences(written(), written()), IsEmpty());
     EXPECT_THAT(differences_with([](AnyJson&) {}), IsEmpty());
     EXPECT_THAT(differences_with([](AnyJson& file) { file["extras"]["any"] = 1; }), IsEmpty());
+}
+
+TEST(GlbDifferences, TellOfPointsOfCurvesThatWereMoved)
+{
+    const std::string wires = write_glb(testing::curves_model());
+    EXPECT_THAT(glb_differences(wires, wires), IsEmpty());
+    Model moved = testing::curves_model();
+    Curves curves = *moved.curves[0];
+    Mesh points = *curves.points;
+    points.positions[2].y = 0.5f;
+    curves.points = make_ref(std::move(points));
+    moved.curves[0] = make_ref(std::move(curves));
+    EXPECT_THAT(glb_differences(write_glb(moved), wires),
+                ::testing::Contains(HasSubstr("POSITION")));
 }
 
 TEST(GlbDifferences, NameWhatIsNotThePlainForm)

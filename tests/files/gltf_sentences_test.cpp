@@ -77,10 +77,9 @@ TEST(GltfSentences, CutTheNamesOfFilesThatAreEndless)
 TEST(GltfSentences, SayWhyThereAreNoFaces)
 {
     GltfText text = triangle_gltf();
-    text["meshes"][0]["primitives"][0]["mode"] = 1;
-    EXPECT_EQ(gltf_refusal(text),
-              "a.gltf: there are no faces in it: one part of a mesh is lines or "
-              "points and was left out");
+    text["meshes"][0]["primitives"][0]["mode"] = 0;
+    EXPECT_EQ(gltf_refusal(text), "a.gltf: there are no faces and no lines in it: one part of a "
+                                  "mesh is points and was left out");
 }
 
 // Whatever stands anywhere in the JSON.

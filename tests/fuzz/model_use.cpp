@@ -46,6 +46,11 @@ void check_model(const Model& model, const std::string& name)
     check_sentences(model.notices);
     if (model.materials.empty()) throw Broken("what was read has no material");
     for (const Ref<Mesh>& mesh : model.meshes) check_mesh(*mesh, name);
+    for (const Ref<Curves>& curves : model.curves) {
+        promised("curves that were read are not sound", [&] { validate(*curves, name); });
+        for (const std::uint32_t material : curves->material)
+            if (material >= model.materials.size()) throw Broken("a line has no material");
+    }
     check_stance(model, nullptr, 0);
     for (const Clip& clip : model.clips)
         for (const double time_s : {clip.begin_s, (clip.begin_s + clip.end_s) / 2, clip.end_s})

@@ -2,6 +2,7 @@
 #include "tests/fuzz/sound_models.h"
 
 #include "core/mesh/primitives.h"
+#include "tests/files/curves.h"
 #include "tests/files/sample_models.h"
 #include "tests/support/rigged.h"
 
@@ -38,11 +39,20 @@ Model concave_polygon()
     return single_mesh_model("corner", std::move(mesh));
 }
 
+Model wired_box()
+{
+    Model model =
+        single_mesh_model("box", box_mesh({1, 1, 1}, {1, 1, 1}), curves_model().materials);
+    model.curves = curves_model().curves;
+    model.nodes.front().curves = 0;
+    return model;
+}
+
 } // namespace
 
 std::vector<Model> sound_models()
 {
-    return {textured_box(), colored_ball(), concave_polygon(), rigged_model()};
+    return {textured_box(), colored_ball(), concave_polygon(), rigged_model(), wired_box()};
 }
 
 } // namespace trivar::testing

@@ -313,5 +313,27 @@ TEST_F(Curves, LookTheSameFarFromTheOrigin)
     EXPECT_EQ(image.rgba, here.rgba);
 }
 
+TEST_F(Curves, ArePickedAFewPixelsBesideThem)
+{
+    draw({curve_through({{-3, 0, 0}, {3, 0, 0}}, {.width_px = 1})});
+    EXPECT_EQ(renderer.pick({80, 65}), 0);
+    EXPECT_EQ(renderer.pick_near({80, 65}, 6), 5);
+    EXPECT_EQ(renderer.pick_near({80, 68}, 6), 0);
+    EXPECT_EQ(renderer.pick_near({-1, 60}, 6), 0);
+    EXPECT_EQ(renderer.pick_in({78, 64}, {82, 70}), std::vector<int>{}) << "a box is exact";
+}
+
+TEST_F(Curves, AreNotPickedBesideWhatLiesInFrontOfThem)
+{
+    hide_the_left();
+    const CurveStyle thin{.width_px = 1};
+    draw({curve_through({{0.05f, 0, -3}, {0.05f, 0, 3}}, thin)}); // beside the block's edge
+    EXPECT_EQ(renderer.pick_near({77, 60}, 6), 9);
+    EXPECT_EQ(renderer.pick_near({84, 60}, 6), 5);
+    draw({curve_through({{0.05f, -3.5f, -3}, {0.05f, -3.5f, 3}}, thin)}); // at its front
+    EXPECT_EQ(renderer.pick_near({77, 60}, 6), 5);
+    EXPECT_EQ(renderer.pick_near({70, 60}, 6), 9);
+}
+
 } // namespace
 } // namespace trivar::gpu::testing

@@ -2,6 +2,9 @@
 #include "tests/golden/pictures.h"
 #include "tests/gpu/support.h"
 
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+
 namespace trivar::gpu::testing {
 
 using trivar::testing::matches_picture;
@@ -85,6 +88,45 @@ TEST_F(GoldenPictures, OfWorkInProgress)
     picture.lines = {line};
     EXPECT_TRUE(
         matches_picture(renderer.render(picture, {480, 270}), "tests/golden/work_in_progress.png"));
+}
+
+// How far from its axis a vase is at a height from 0 to 1.
+double of_vase(double height)
+{
+    return 0.24 + 0.16 * std::sin(5.2 * height + 0.1) * (1 - 0.35 * height);
+}
+
+glm::vec3 on_vase(double turn, double height)
+{
+    const double angle = 2 * glm::pi<double>() * turn, r = of_vase(height);
+    return {r * std::cos(angle), r * std::sin(angle), height};
+}
+
+// Of wire round a ball: rings in one colour and ribs in another.
+TEST_F(GoldenPictures, OfAVaseOfWire)
+{
+    Picture picture;
+    picture.instances = {instance_of(sphere_mesh(0.22, 48, 24), moved(0, 0, 0.4),
+                                     painted({0.55f, 0.53f, 0.5f}, 0.5f)),
+                         instance_of(plane_mesh({8, 8}, {1, 1}), moved(0, 0, 0),
+                                     painted({0.3f, 0.29f, 0.28f}, 0.85f))};
+    const auto add = [&](int count, const glm::vec4& color, const auto& line_of) {
+        for (int i = 0; i < count; ++i) {
+            Polyline line{{}, {color}};
+            for (int k = 0; k <= 48; ++k) line.points.push_back(line_of(i, k / 48.0));
+            picture.curves.push_back({.line = make_ref(std::move(line)),
+                                      .style = {.width_px = 1.6f, .hidden = HiddenParts::left_out},
+                                      .id = 3});
+        }
+    };
+    add(13, {0.75f, 0.2f, 0.05f, 1}, [](int i, double t) { return on_vase(t, i / 12.0); });
+    add(16, {0.03f, 0.1f, 0.3f, 1}, [](int i, double t) { return on_vase(i / 16.0, t); });
+    picture.camera.eye = {0.7, -3.2, 1.4};
+    picture.camera.target = {0, 0, 0.47};
+    picture.camera.fov_y = 0.4;
+    picture.settings.sun_azimuth = -2.1;
+    EXPECT_TRUE(
+        matches_picture(renderer.render(picture, {480, 270}), "tests/golden/wire_vase.png"));
 }
 
 } // namespace trivar::gpu::testing

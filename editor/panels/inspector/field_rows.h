@@ -8,9 +8,16 @@
 
 #include <algorithm>
 #include <functional>
-#include <utility>
 
 namespace trivar {
+
+// How the number of a field is shown: range, step, unit and what 0 means, from its rule. `mixed`:
+// it differs among the objects that change together. `zero` replaces what the rule says of 0.
+ui::NumberStyle number_style(const Rule& rule, bool mixed, std::string_view zero);
+
+// A row for a text that is one of those that its rule lists.
+void text_choice(ValueRows& rows, const std::string& label, std::string& value,
+                 const std::string& rest, const Rule& rule, const RowWords& words);
 
 // Rows for members of a value, from its list of fields: label, range, unit, words, sentence and
 // the names of its keys come from there. Where several objects change together, what differs
@@ -58,22 +65,6 @@ private:
         if (field.rule.fixed || parameter_.empty()) return RowWords(help);
         return {help, parameter_ + "." + field.name};
     }
-    ui::NumberStyle style_of(const Rule& rule, bool mixed, std::string_view zero) const
-    {
-        constexpr double most_of_a_bar = 160;
-        const double factor = shown_factor(rule.unit);
-        const double hi = rule.works_to[0] > 0 ? rule.works_to[0] : rule.hi;
-        ui::NumberStyle style{.lo = rule.lo * factor, .hi = hi * factor};
-        const bool bar = rule.lo >= 0 && style.hi <= most_of_a_bar;
-        if (bar) style.bar_hi = style.hi;
-        const bool angle = rule.unit == Unit::degrees || rule.unit == Unit::radians;
-        if (!bar && angle) style.step = 1;
-        if (!bar && rule.unit == Unit::none && rule.lo < 0 && hi <= 100) style.step = 0.01;
-        style.unit = rule.unit == Unit::at_frame ? "frame" : unit_text(rule.unit);
-        style.zero = zero.empty() ? std::string(rule.zero) : std::string(zero);
-        if (mixed) style.words = "mixed";
-        return style;
-    }
     template <class V> void row(V T::*member, const V& rest, std::string_view zero)
     {
         const ui::Edit others = std::exchange(rows_.edit, ui::Edit::none);
@@ -94,14 +85,14 @@ private:
         const std::string label = label_of(field.name, field.rule);
         const bool mixed = std::ranges::any_of(
             all_, [&](const T& each) { return !(each.*member == before_.*member); });
-        const ui::NumberStyle style = style_of(field.rule, mixed, zero);
+        const ui::NumberStyle style = number_style(field.rule, mixed, zero);
         V& value = value_.*member;
         if constexpr (std::is_same_v<V, bool>)
             rows_.check(label, value, rest, std::string(field.rule.yes), words(field));
         else if constexpr (std::is_enum_v<V>)
             choice(label, value, rest, choices_in_words<V>(), mixed, words(field));
         else if constexpr (std::is_same_v<V, std::string>)
-            text_choice(label, value, rest, field);
+            text_choice(rows_, label, value, rest, field.rule, words(field));
         else if constexpr (std::is_same_v<V, int>)
             rows_.integer(label, value, rest, style, words(field));
         else if constexpr (std::is_same_v<V, glm::ivec3>)
@@ -146,26 +137,6 @@ private:
         const int first = mixed ? 1 : 0, shown = mixed ? 0 : static_cast<int>(value);
         rows_.choice(label, shown, static_cast<int>(rest) + first, names, words, [&](int chosen) {
             if (chosen != shown) value = static_cast<E>(chosen - first);
-        });
-    }
-    // A text that is one of those that its rule lists.
-    void text_choice(const std::string& label, std::string& value, const std::string& rest,
-                     const FieldFacts& field)
-    {
-        std::vector<std::string> texts;
-        for (std::string_view left = field.rule.choices; !left.empty();) {
-            const std::size_t end = std::min(left.find('|'), left.size());
-            texts.emplace_back(left.substr(0, end));
-            left.remove_prefix(std::min(end + 1, left.size()));
-        }
-        std::vector<std::string> names;
-        for (const std::string& text : texts) names.push_back(in_words(text));
-        const auto at = [&](const std::string& text) {
-            const auto found = std::ranges::find(texts, text);
-            return found == texts.end() ? 0 : static_cast<int>(found - texts.begin());
-        };
-        rows_.choice(label, at(value), at(rest), names, words(field), [&](int chosen) {
-            if (chosen != at(value)) value = texts[static_cast<std::size_t>(chosen)];
         });
     }
     ValueRows& rows_;

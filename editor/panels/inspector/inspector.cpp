@@ -102,20 +102,21 @@ void facts(Editor& editor, const ui::Theme& theme, const Object& each, Id id)
         draw_file(editor, theme, *file, id);
     const Session& session = editor.session;
     const glm::dvec3 size = bounds_of(session, id).size();
-    std::size_t faces = 0, vertices = 0, members = 0;
+    std::size_t faces = 0, vertices = 0, curves = 0, members = 0;
     for (const auto& [each_id, effects] : session.evaluated().objects) {
         if (!belongs_to(session.document(), each_id, id)) continue;
         for (const Part& part : effects->parts) {
             faces += part.rest->face_count();
             vertices += part.rest->vertex_count();
         }
+        for (const CurvePart& part : effects->curves) curves += part.curves->line_count();
     }
     if (holds_others(each.source)) {
         for (const auto& [each_id, ref] : session.document().objects)
             members += each_id != id && belongs_to(session.document(), each_id, id) ? 1 : 0;
         ui::fact_row(theme, "Objects", ui::with_commas(members));
     }
-    if (vertices == 0) {
+    if (vertices + curves == 0) {
         ui::fact_row(theme, "Size",
                      !visible(session.document(), id) ? "hidden"
                      : holds_others(each.source)      ? "nothing to see"
@@ -128,6 +129,7 @@ void facts(Editor& editor, const ui::Theme& theme, const Object& each, Id id)
                              ui::short_number(size.z)));
     ui::fact_row(theme, "Faces", ui::with_commas(faces));
     ui::fact_row(theme, "Vertices", ui::with_commas(vertices));
+    if (curves > 0) ui::fact_row(theme, "Curves", ui::with_commas(curves));
     ui::gap(theme, 8);
 }
 

@@ -75,15 +75,16 @@ void facts(Editor& editor, const ui::Theme& theme)
     if (!ui::section(theme, "Shape")) return;
     const Session& session = editor.session;
     const Members members(session.document(), session.selected.ids());
-    std::size_t faces = 0, vertices = 0;
+    std::size_t faces = 0, vertices = 0, curves = 0;
     for (const auto& [id, effects] : session.evaluated().objects) {
         if (!members.contain(id)) continue;
         for (const Part& part : effects->parts) {
             faces += part.rest->face_count();
             vertices += part.rest->vertex_count();
         }
+        for (const CurvePart& part : effects->curves) curves += part.curves->line_count();
     }
-    if (vertices == 0) {
+    if (vertices + curves == 0) {
         const auto seen = [&](Id id) { return visible(session.document(), id); };
         const bool any = std::ranges::any_of(session.selected.ids(), seen);
         return ui::fact_row(theme, "Size", any ? "not there yet" : "hidden");
@@ -95,6 +96,7 @@ void facts(Editor& editor, const ui::Theme& theme)
                                  ui::short_number(size.y), ui::short_number(size.z)));
     ui::fact_row(theme, "Faces", ui::with_commas(faces));
     ui::fact_row(theme, "Vertices", ui::with_commas(vertices));
+    if (curves > 0) ui::fact_row(theme, "Curves", ui::with_commas(curves));
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "editor/panels/panels.h"
 
 #include <algorithm>
+#include <imgui.h>
 #include <imgui_stdlib.h>
 
 namespace trivar {

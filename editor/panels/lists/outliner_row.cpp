@@ -143,7 +143,7 @@ std::string trouble_of(const Session& session, Id id)
     const EvaluatedObject* effects = effects_of(session, id);
     if (!effects) return {};
     if (!effects->rejected.empty()) return effects->rejected;
-    return effects->parts.empty() && !effects->notices.empty() ? effects->notices.front() : "";
+    return effects->shows_nothing() && !effects->notices.empty() ? effects->notices.front() : "";
 }
 
 } // namespace

@@ -115,5 +115,30 @@ TEST(LatticeActions, PutALatticeRoundWhatIsFlat)
     EXPECT_EQ(rig.editor.active_tool().name(), "Lattice");
 }
 
+TEST(LatticeActions, KeepTheCurvesOfAMemberAsTheyAreBent)
+{
+    const testing::TemporaryFolder folder;
+    testing::write_file(folder.file("line.obj"), "v 0 0 0\nv 0.2 0 0\nv 0.2 0.5 0\nl 1 2 3\n");
+    InALattice rig;
+    ImportModel import;
+    import.file.path = folder.file("line.obj");
+    import.transform = object(rig.editor.session.document(), 1).transform;
+    ASSERT_TRUE(rig.editor.session.run(import));
+    rig.editor.session.selected.set({4, 3});
+    rig.run(add_to_lattice_action);
+    rig.editor.session.save_as(folder.file("a.trivar"));
+    rig.wait();
+    const auto points = [&] {
+        return in_world(rig.editor.session.evaluated().objects.at(4)->curves.at(0))
+            .points->positions;
+    };
+    const std::vector<glm::vec3> bent = points();
+    rig.editor.session.selected = 3;
+    rig.run(keep_shape_action);
+    ASSERT_FALSE(rig.editor.session.document().objects.contains(3));
+    for (std::size_t i = 0; i < bent.size(); ++i)
+        EXPECT_LT(glm::distance(points().at(i), bent[i]), 1e-6f);
+}
+
 } // namespace
 } // namespace trivar

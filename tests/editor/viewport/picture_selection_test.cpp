@@ -35,6 +35,16 @@ TEST(PictureSelection, OutlinesInstancesCurvesAndSingleCopies)
     EXPECT_FALSE(picture.curves[0].highlighted);
 }
 
+TEST(PictureSelection, OutlinesCurvesAloneMoreThinly)
+{
+    const Document document;
+    gpu::Picture picture = picture_of_three();
+    outline_selected(picture, Members(document, {1, 3}));
+    EXPECT_EQ(outline_for(picture, {.width_px = 2}).width_px, 2);
+    outline_selected(picture, Members(document, {3}));
+    EXPECT_EQ(outline_for(picture, {.width_px = 2}).width_px, 1);
+}
+
 TEST(PictureSelection, LeavesOutInstancesAndCurves)
 {
     gpu::Picture picture = picture_of_three();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/evaluation/part.h"
+#include "core/ffd/part.h"
 
 namespace trivar {
 
