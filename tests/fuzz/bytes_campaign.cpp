@@ -6,6 +6,8 @@
 #include "tests/fuzz/model_use.h"
 #include "tests/fuzz/sound_files.h"
 
+#include <algorithm>
+
 namespace trivar::testing {
 namespace {
 
@@ -33,9 +35,9 @@ Campaign bytes_campaign(const std::string& kind)
     const auto damaged = [kind, sound](std::uint64_t seed, int number) {
         Dice dice(seed, number);
         FileSet out = dice.one_of(sound);
-        const std::size_t at = damaged_file(kind, dice);
+        const std::size_t at = std::min(damaged_file(kind, dice), out.size() - 1);
         std::vector<std::string> others;
-        for (const FileSet& set : sound) others.push_back(set[at].bytes);
+        for (const FileSet& set : sound) others.push_back(set[std::min(at, set.size() - 1)].bytes);
         out[at].bytes = damaged_bytes(kind, out[at].bytes, others, dice);
         return out;
     };
