@@ -33,7 +33,7 @@ struct Instance {
     // Places in `copies` of those that have an outline while the instance is not highlighted.
     std::vector<std::uint32_t> outlined_copies = {};
     // What moves the vertices of `mesh` before that; its result is not looked at. Null: nothing.
-    Ref<Posed> posed = {};
+    Ref<PosedMesh> posed = {};
     // Volumes that deform `mesh`, one after another, before to_world; `rest` is then not looked at.
     std::vector<Stage> stages = {};
 };

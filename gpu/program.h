@@ -49,14 +49,14 @@ public:
     std::string trouble() const;
 
 private:
-    struct Compiled {
+    struct CompiledProgram {
         Program program;
         Ref<ShaderTexts> from;
         std::string trouble = {};
     };
-    Compiled compiled(const ProgramName& name) const;
+    CompiledProgram compiled(const ProgramName& name) const;
     Ref<ShaderTexts> texts_;
-    std::map<ProgramName, Compiled> compiled_;
+    std::map<ProgramName, CompiledProgram> compiled_;
 };
 
 } // namespace trivar::gpu

@@ -26,11 +26,11 @@ struct RichStyle {
 float rich_height(const Theme& theme, const RichStyle& style, const std::vector<Run>& runs,
                   float width);
 // Draws it, and returns its height and the target of the link that was clicked.
-struct RichDrawn {
+struct DrawnText {
     float height = 0;
     std::string clicked;
 };
-RichDrawn draw_rich(const Theme& theme, const RichStyle& style, const std::vector<Run>& runs,
+DrawnText draw_rich(const Theme& theme, const RichStyle& style, const std::vector<Run>& runs,
                     glm::vec2 at, float width);
 
 } // namespace trivar::ui

@@ -28,11 +28,11 @@ Ray ray_through(const Camera& camera, glm::dvec2 p_px);
 
 // Where a world point appears, in pixels, and its distance along the view direction (negative:
 // behind the camera).
-struct Projected {
+struct PicturePoint {
     glm::dvec2 p_px;
     double depth_world;
 };
-Projected project(const Camera& camera, const glm::dvec3& p_world);
+PicturePoint project(const Camera& camera, const glm::dvec3& p_world);
 
 // World length of one pixel at the given depth along the view direction.
 double pixel_size_world(const Camera& camera, double depth_world);

@@ -16,7 +16,7 @@ inline void report(const Progress& progress, double fraction, std::string_view s
 }
 
 // Of a piece of that work, which is all of it from one fraction to another.
-inline Progress between(const Progress& progress, double from, double to)
+inline Progress part_of(const Progress& progress, double from, double to)
 {
     if (!progress) return {};
     return [=, &progress](double fraction, std::string_view stage) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/certificate/between.h"
+#include "core/certificate/motion_bound.h"
 #include "core/refinement/born_vertices.h"
 
 namespace trivar {
@@ -19,7 +19,7 @@ struct CommonMesh {
 // The strips of one object that a volume deforms. Refined at one moment after the other until
 // nothing is split any more, or four times round. Throws Rejected as refine() does, and Cancelled.
 std::vector<CommonMesh> common_meshes(const Film& film, const std::vector<const FilmStrip*>& strips,
-                                      Between& between, double tolerance,
+                                      MotionBound& motion, double tolerance,
                                       const Progress& progress = {});
 
 // The mesh with its faces cut, as refine() and a GLB cut them.

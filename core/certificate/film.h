@@ -35,9 +35,9 @@ bool same_faces(const Mesh& a, const Mesh& b); // and as many vertices
 // moment before.
 struct Film {
     std::vector<double> moments;
-    std::vector<Evaluated> evaluated; // by moment
-    std::vector<FilmStrip> strips;    // by object, key and piece
-    std::size_t kept = 0;             // such parts, and the moments
+    std::vector<Evaluation> evaluated; // by moment
+    std::vector<FilmStrip> strips;     // by object, key and piece
+    std::size_t kept = 0;              // such parts, and the moments
 };
 inline constexpr std::size_t most_kept = 4'000'000; // of a film: several GB
 

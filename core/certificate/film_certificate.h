@@ -28,7 +28,7 @@ struct FilmCertificate {
         int moments = 1;      // to a frame, at which it is compared
         std::size_t triangles_before = 0, triangles = 0;
         double space = 0;          // of its triangles, at every moment
-        double between = 0;        // from one moment to the next; 0 where that is not proven
+        double motion = 0;         // from one moment to the next; 0 where that is not proven
         double bound = 0;          // of all together: at every time if proven, else at every moment
         std::string unproven = {}; // why it is known at the moments alone; empty: it is proven
     };

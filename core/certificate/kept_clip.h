@@ -21,10 +21,10 @@ struct PlayedTime {
     // The tenth or sixteenth of a frame that is as near to a time as single precision tells them
     // apart, and where the clip is then; nothing: there is none. A jump is put to the side of it on
     // which it is seen.
-    struct Seen {
+    struct SeenTime {
         double film_s, clip_s;
     };
-    std::function<std::optional<Seen>(double film_s)> seen;
+    std::function<std::optional<SeenTime>(double film_s)> seen;
 };
 
 // Of an object that plays the clip and lies in no volume, between the first and the last of some

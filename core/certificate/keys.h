@@ -21,15 +21,15 @@ float not_after(double time_s);
 float not_before(double time_s);
 
 // An affine matrix as its parts; nothing where they do not give it, as when it shears.
-std::optional<Placed> as_parts(const glm::dmat4& matrix);
+std::optional<NodeTransform> as_parts(const glm::dmat4& matrix);
 // Between two, as a viewer has it: rotations the shorter way round.
-Placed between_parts(const Placed& a, const Placed& b, double share);
+NodeTransform between_parts(const NodeTransform& a, const NodeTransform& b, double share);
 
 // Channels of a node that moves by these matrices at these times: keys so that the corners of a box
 // are nowhere further off than a tolerance at any of the times. Nothing where a matrix shears.
 struct NodeMotion {
     std::vector<Channel> channels; // none where it rests
-    Placed first;
+    NodeTransform first;
     std::size_t keys = 1;
     double off = 0; // at most, of the corners at those times
 };

@@ -13,7 +13,7 @@ namespace trivar {
 // volume is the same function as all of those.
 class ReachedVolumes {
 public:
-    struct Reached {
+    struct ReachedVolume {
         Ref<Lattice> volume;
         double shift_u = 0;   // of what lies there in it
         double seam = 0;      // metres: no further is a point in it from where the scene has it,
@@ -22,8 +22,8 @@ public:
     // Of what lies from u = `from` to `to` at all times between two moments, with `laps` begun
     // meanwhile that its u does not show, and in these volumes at the two. Nothing: it is not
     // known.
-    std::optional<Reached> over(const EvaluatedObject& object, double from, double to, double laps,
-                                const std::array<Ref<Lattice>, 2>& at_moments);
+    std::optional<ReachedVolume> over(const EvaluatedObject& object, double from, double to,
+                                      double laps, const std::array<Ref<Lattice>, 2>& at_moments);
 
 private:
     struct Longer {

@@ -13,11 +13,11 @@ namespace trivar {
 // there already. What is there with the same content is taken as it is, with another content it
 // stays and the copy gets another name. Throws Rejected (a file is missing, the disk is full) or
 // Cancelled, and what was copied is gone again.
-struct Collected {
+struct Collection {
     std::optional<Relink> command;
     std::size_t copied = 0, reused = 0; // files
 };
-Collected collect_files(const Document& document, const AssetStore& assets,
-                        const std::string& folder, const Progress& progress = {});
+Collection collect_files(const Document& document, const AssetStore& assets,
+                         const std::string& folder, const Progress& progress = {});
 
 } // namespace trivar

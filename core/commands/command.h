@@ -39,7 +39,7 @@ using AnyCommand =
                  SetMaterial, ClearMaterial, Rename, Hide, Show, Lock, Unlock, Delete, Duplicate,
                  Group, Ungroup, Reorder, Place, PlaceRound, EditPlacement, Unplace, SetTravel,
                  PlayClip, Animate, Refine, ClearRefine, PressVolume, MovePoints, InsertKnots,
-                 CoarsenVolume, MendVolume, AllowFolds, Unshape, Paste, SaveCamera, DeleteCamera,
+                 CoarsenVolume, MendVolume, AllowFolds, Unshape, Paste, KeepView, ForgetView,
                  SetRender, SetTime, AddLattice, SetLattice, WarpVolume, KeepShape, Simplify,
                  ClearSimplify>;
 

@@ -23,7 +23,7 @@ enum class CommandIcon {
 };
 
 // How a person comes to a command.
-enum class Asked {
+enum class Invocation {
     with_values, // by filling in its fields
     at_once,     // the selected objects say all that it needs
     by_actions   // actions and tools of the window give it its values
@@ -31,7 +31,7 @@ enum class Asked {
 
 struct CommandNature {
     CommandIcon icon = CommandIcon::values;
-    Asked asked = Asked::with_values;
+    Invocation asked = Invocation::with_values;
 };
 
 // The nature of a type of command: its own, or else the usual one.

@@ -18,7 +18,8 @@ void check_own_depth(const Document& document, Id id); // of that one alone
 struct Group {
     static constexpr std::string_view verb = "group",
                                       summary = "Put objects into a new group; they stay in place.";
-    static constexpr CommandNature nature{.icon = CommandIcon::group, .asked = Asked::by_actions};
+    static constexpr CommandNature nature{.icon = CommandIcon::group,
+                                          .asked = Invocation::by_actions};
     std::vector<Id> objects;
     std::string name = "Group";
     bool operator==(const Group&) const = default;
@@ -35,7 +36,8 @@ struct Ungroup {
     static constexpr std::string_view verb = "ungroup",
                                       summary = "Dissolve a group; what is in it stays in place, "
                                                 "but for shear.";
-    static constexpr CommandNature nature{.icon = CommandIcon::group, .asked = Asked::by_actions};
+    static constexpr CommandNature nature{.icon = CommandIcon::group,
+                                          .asked = Invocation::by_actions};
     Id object = 0;
     bool operator==(const Ungroup&) const = default;
     static void fields(auto& c, auto&& field) { field("object", c.object, "id", required); }

@@ -122,7 +122,7 @@ struct Paste {
                                           "the copy of that, or on that itself where the scene "
                                           "has it; else it is laid over all that is there, and "
                                           "stands straight where nothing is.";
-    static constexpr CommandNature nature{.asked = Asked::by_actions};
+    static constexpr CommandNature nature{.asked = Invocation::by_actions};
     std::vector<CopiedObject> copies;
     bool operator==(const Paste&) const = default;
     static void fields(auto& c, auto&& field)

@@ -9,7 +9,8 @@ namespace trivar {
 struct Place {
     static constexpr std::string_view verb = "place",
                                       summary = "Lay an object along a stroke over the scene.";
-    static constexpr CommandNature nature{.icon = CommandIcon::place, .asked = Asked::by_actions};
+    static constexpr CommandNature nature{.icon = CommandIcon::place,
+                                          .asked = Invocation::by_actions};
     Id object = 0;
     Sketch sketch;
     PlacementParameters parameters;
@@ -84,7 +85,8 @@ StepTitle title(const EditPlacement& c, const StepDocuments& step);
 struct Unplace {
     static constexpr std::string_view verb = "unplace",
                                       summary = "Take an object off its stroke, straight again.";
-    static constexpr CommandNature nature{.icon = CommandIcon::place, .asked = Asked::by_actions};
+    static constexpr CommandNature nature{.icon = CommandIcon::place,
+                                          .asked = Invocation::by_actions};
     Id object = 0;
     bool operator==(const Unplace&) const = default;
     static void fields(auto& c, auto&& field) { field("object", c.object, "id", required); }

@@ -22,7 +22,7 @@ public:
     AssetStore(const AssetStore&) = delete;
     AssetStore& operator=(const AssetStore&) = delete;
 
-    struct Loaded {
+    struct LoadedModel {
         Ref<Model> model;                 // null: missing or unreadable
         std::string hash;                 // of the file's content; empty: missing
         std::string content;              // digest of it and of all files that it names
@@ -30,7 +30,7 @@ public:
                                           // that was meant, what was repaired
     };
     // Throws Cancelled only.
-    Loaded load(const ImportedFile& file, const Progress& progress = {}) const;
+    LoadedModel load(const ImportedFile& file, const Progress& progress = {}) const;
     void forget(const std::string& path) const; // it is read again when it is next asked for
     std::string resolve(const std::string& path) const; // the file that would be opened
     // What --set may call the file of that path: the path itself, or its last part.

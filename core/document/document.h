@@ -23,7 +23,7 @@ struct Time {
 struct Document {
     ObjectMap objects;
     Id next_id = 1;
-    std::map<std::string, Camera> bookmarks;
+    std::map<std::string, Camera> kept_views;
     Ref<RenderSettings> render = make_ref(RenderSettings{});
     Time time = {};
     Ref<std::vector<Track>> tracks = make_ref(std::vector<Track>{}); // of its own numbers

@@ -23,7 +23,7 @@ enum class Unit {
 
 // How the digest of a document counts a field. Scenes were made before some fields existed, and
 // their digests stay.
-enum class Counted {
+enum class Counting {
     always,
     named,  // not where it has its default; else its name and its value
     marked, // the same, but of a switch the name alone, of a list its entries without their number
@@ -37,7 +37,7 @@ struct Rule {
     bool required = false;      // in JSON; else what is left out has its default
     double lo = -1e9, hi = 1e9; // of numbers; no coordinate or size of a scene is beyond
     std::string_view choices{}; // of texts, separated by |; empty: any
-    Counted counted = Counted::always;
+    Counting counted = Counting::always;
     double rest = 0;          // the default of its numbers, where it is not always counted
     std::string_view label{}; // what panels and the history call it; empty: its name in words
     Unit unit = Unit::none;
@@ -52,7 +52,7 @@ struct Rule {
 
     constexpr Rule called(std::string_view name) const { return with(&Rule::label, name); }
     constexpr Rule in(Unit of) const { return with(&Rule::unit, of); }
-    constexpr Rule counts(Counted how) const { return with(&Rule::counted, how); }
+    constexpr Rule counts(Counting how) const { return with(&Rule::counted, how); }
     constexpr Rule resting_at(double value) const { return with(&Rule::rest, value); }
     constexpr Rule with_axes(std::string_view names) const { return with(&Rule::axes, names); }
     constexpr Rule says(std::string_view on, std::string_view off) const
@@ -73,22 +73,22 @@ private:
 };
 constexpr Rule any_value{};
 constexpr Rule required{.required = true};
-constexpr Rule required_between(double lo, double hi)
+constexpr Rule required_in_range(double lo, double hi)
 {
     return {.required = true, .lo = lo, .hi = hi};
 }
-constexpr Rule between(double lo, double hi)
+constexpr Rule in_range(double lo, double hi)
 {
     return {.lo = lo, .hi = hi};
 }
-constexpr Rule works_between(double lo, std::array<int, 3> works_to, double hi)
+constexpr Rule works_in_range(double lo, std::array<int, 3> works_to, double hi)
 {
     return {.lo = lo, .hi = hi, .works_to = works_to};
 }
-constexpr Rule later{.counted = Counted::named};
-constexpr Rule later_between(double lo, double hi)
+constexpr Rule later{.counted = Counting::named};
+constexpr Rule later_in_range(double lo, double hi)
 {
-    return {.lo = lo, .hi = hi, .counted = Counted::named};
+    return {.lo = lo, .hi = hi, .counted = Counting::named};
 }
 constexpr Rule positive{.lo = 1e-9};
 constexpr Rule not_negative{.lo = 0};

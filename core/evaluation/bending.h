@@ -21,19 +21,19 @@ class Bending {
 public:
     // Those that are bent between begin() and end() are remembered for the next time.
     void begin() { used_.clear(); }
-    // `again`: as Bent::again.
+    // `again`: as Deformation::again.
     Part operator()(const Part& part, const Embedding& embedding, const Ref<Lattice>& volume,
                     bool again = false);
     void end() { sorted_ = std::move(used_); }
 
 private:
-    struct Sorted {
+    struct SortedPart {
         Part part;
         Embedding embedding;
         std::array<Knots, 3> axes;
         Lazy<Deformer> deformer;
     };
-    std::vector<Sorted> sorted_, used_;
+    std::vector<SortedPart> sorted_, used_;
 };
 
 } // namespace trivar

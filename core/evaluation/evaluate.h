@@ -22,8 +22,8 @@ public:
     ~Evaluator();
     // At a frame of the document's time, or between two: what it shows does not depend on what was
     // evaluated before. Without a frame: at the first one.
-    Evaluated operator()(const Document& document, double frame, const Progress& progress = {});
-    Evaluated operator()(const Document& document, const Progress& progress = {})
+    Evaluation operator()(const Document& document, double frame, const Progress& progress = {});
+    Evaluation operator()(const Document& document, const Progress& progress = {})
     {
         return (*this)(document, document.time.first_frame, progress);
     }
@@ -34,14 +34,14 @@ private:
 };
 
 // Deforms, by the processor, all parts that were not yet; what that took is added to the timings.
-void deform_parts(Evaluated& evaluated);
+void deform_parts(Evaluation& evaluated);
 
 // Digest of every deformed position, normal and index, in the order of ids; of curves, too, where
 // there are any.
-std::string digest(const Evaluated& evaluated);
+std::string digest(const Evaluation& evaluated);
 
 // All of it as one model to write to a file: a node a part, and behind these a node for each curve
 // part, named as the objects are.
-Model model_of(const Evaluated& evaluated, const Document& document);
+Model model_of(const Evaluation& evaluated, const Document& document);
 
 } // namespace trivar

@@ -17,7 +17,7 @@ struct EvaluatedObject : Stage {
 };
 
 // The effects of a document. Objects that did not change keep their pointer.
-struct Evaluated {
+struct Evaluation {
     std::map<Id, Ref<EvaluatedObject>> objects; // visible ones
     // Of this evaluation: import, subdivide, rays, springs, lift, volume, and deform, as far as the
     // parts were deformed for it.

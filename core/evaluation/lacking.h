@@ -12,14 +12,14 @@ void leave_out_what_is_out_of_reach(Stage& stage);
 
 // What the evaluated objects lack, "NAME: WHY" each: models and fonts named by their file that
 // could not be read, and what is too large to be worked with. By id.
-std::vector<std::string> lacks(const Evaluated& evaluated, const Document& document);
+std::vector<std::string> lacks(const Evaluation& evaluated, const Document& document);
 
 // That a scene is not whole, by such sentences.
-struct Lacking : Rejected {
-    explicit Lacking(std::vector<std::string> all);
+struct IncompleteScene : Rejected {
+    explicit IncompleteScene(std::vector<std::string> all);
     std::vector<std::string> sentences;
 };
-// Throws Lacking where there are any.
+// Throws IncompleteScene where there are any.
 void check_whole(std::vector<std::string> lacks);
 
 } // namespace trivar

@@ -30,23 +30,23 @@ private:
         std::vector<Support> supports;
         bool operator==(const Stroke&) const = default;
     };
-    struct Fallen {
+    struct Landing {
         Ref<Placement> placement; // null: rejected
         Ref<RayScene> scene;
         std::string rejected;
     };
-    struct Shaped {
+    struct ShapedStroke {
         Stroke stroke;
         std::vector<Ref<VolumeEdit>> shaping;
-        bool operator==(const Shaped&) const = default;
+        bool operator==(const ShapedStroke&) const = default;
     };
     Ref<Stage> laid_on(Stroke stroke, const StepInput& input);
-    Fallen fall(const Stroke& stroke, const StepInput& input);
+    Landing fall(const Stroke& stroke, const StepInput& input);
     Ref<RayScene> scene_of(const std::vector<Support>& supports, const StepInput& input);
     void bend(Stage& stage, const glm::dmat3& turned);
 
-    Recent<Stroke, Fallen> fallen_;
-    Recent<Shaped, Ref<Stage>> laid_;
+    Recent<Stroke, Landing> fallen_;
+    Recent<ShapedStroke, Ref<Stage>> laid_;
     Recent<std::vector<Support>, Ref<RayScene>> scenes_{1};
     Shaper shaper_;
     Bending bending_;

@@ -22,20 +22,20 @@ public:
     Ref<Stage> operator()(const Ref<Stage>& before, const StepInput& input) override;
 
 private:
-    struct Gone {
+    struct TravelKey {
         Ref<Stage> before;
         Ref<Shape> posed; // as the first stands, for what is told of it
         std::vector<Member> members;
         Ref<Journey> journey;
         Ref<Walk> walk;
-        bool operator==(const Gone&) const = default;
+        bool operator==(const TravelKey&) const = default;
     };
-    struct Free {
+    struct FreeKey {
         Ref<Stage> before;
         Ref<Shape> posed;
         glm::dmat4 to_world;
         bool feet_on_nothing; // they are to be locked to a travel, and there is no stroke
-        bool operator==(const Free&) const = default;
+        bool operator==(const FreeKey&) const = default;
     };
     Ref<Stage> gone(const Ref<Stage>& before, const Ref<Shape>& posed, const StepInput& input);
     Ref<Journey> journey(const Ref<Stage>& laid, const Object& object);
@@ -43,8 +43,8 @@ private:
     Posing posing_;
     Walks walks_;
     Recent<std::pair<Ref<Stage>, Travel>, Ref<Journey>> journeys_;
-    Recent<Gone, Ref<Stage>> gone_;
-    Recent<Free, Ref<Stage>> free_;
+    Recent<TravelKey, Ref<Stage>> gone_;
+    Recent<FreeKey, Ref<Stage>> free_;
 };
 
 } // namespace trivar

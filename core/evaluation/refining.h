@@ -22,13 +22,13 @@ bool lies_in_a_volume(const Stage& stage);
 // Parts that lie in one volume with their triangles split, in that volume. Throws Rejected as
 // refine() does.
 struct SplitParts {
-    Ref<Refined> refined;
+    Ref<RefinementResult> refined;
     std::vector<Part> parts;
 };
 SplitParts split(const std::vector<Part>& parts, const RefineOptions& options,
                  const Progress& progress = {});
 
 // What is to be said of it: what is not certified, and why. Empty: all of it is.
-std::string notice_of(const Refined& refined, const Refining& refining);
+std::string notice_of(const RefinementResult& refined, const Refining& refining);
 
 } // namespace trivar

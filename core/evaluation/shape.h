@@ -11,25 +11,25 @@ namespace trivar {
 
 // What a source gives, subdivided, ready to be drawn or laid.
 struct Shape {
-    struct Hung {
+    struct NodeMesh {
         Ref<Mesh> rest;
         glm::dmat4 to_model{1};
-        Ref<Posed> posed = nullptr; // where a skin or morph targets move the vertices
-        int node = 0;               // of the model
-        int slot = 0;               // which of its shape's it is, whichever stand in a pose
+        Ref<PosedMesh> posed = nullptr; // where a skin or morph targets move the vertices
+        int node = 0;                   // of the model
+        int slot = 0;                   // which of its shape's it is, whichever stand in a pose
         Ref<Extent> extent = nullptr;
         Box bounds = {}; // before to_model, as it stands, or larger ones
         const Ref<Mesh>& mesh() const { return posed ? *posed->mesh : rest; }
     };
-    struct HungCurves {
+    struct NodeCurves {
         Ref<Curves> curves;
         glm::dmat4 to_model{1};
         int node = 0;    // of the model
         int slot = 0;    // which of its shape's they are
         Box bounds = {}; // before to_model
     };
-    std::vector<Hung> meshes;       // those that hang on a node
-    std::vector<HungCurves> curves; // the same; no pose moves them but that of their node
+    std::vector<NodeMesh> meshes;   // those that hang on a node
+    std::vector<NodeCurves> curves; // the same; no pose moves them but that of their node
     Ref<Model> model;               // never null
     Ref<std::vector<Material>> materials;
     std::vector<std::string> notices;

@@ -24,7 +24,7 @@ struct TravelEffects {
     Ref<Walk> walk;       // null: its feet are not locked to its travel
 };
 struct RefiningEffects {
-    Ref<Refined> refined; // null: its triangles are those of the model
+    Ref<RefinementResult> refined; // null: its triangles are those of the model
 };
 
 struct SimplifyingEffects {

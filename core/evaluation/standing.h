@@ -9,13 +9,13 @@
 namespace trivar {
 
 // A mesh of a shape before it is laid, and the matrix from it to the box of the model.
-struct Standing {
+struct StandingMesh {
     Part part;
     glm::dmat4 to_box;
 };
 // The meshes of a shape with the object's own turn and size. Those that these mirror are turned
 // round first, so that no mirror stands between them and a volume.
-std::vector<Standing> standing(const Shape& shape, const glm::dmat3& turned);
+std::vector<StandingMesh> standing(const Shape& shape, const glm::dmat3& turned);
 
 // The same of its curves, which may be mirrored: lines have no front.
 struct StandingCurves {

@@ -22,7 +22,7 @@ double view_tolerance(const Camera& camera, const Box& bounds, double tolerance_
 // each triangle is proven to be seen within some pixels of the true surface. The document, and what
 // is made of its effects elsewhere, know nothing of it.
 struct SeenEffects {
-    Evaluated evaluated;
+    Evaluation evaluated;
     std::size_t triangles = 0; // of what lies in volumes
     std::size_t open = 0;      // of them, those that are not proven: the budget is spent
 };
@@ -32,17 +32,17 @@ class ViewRefining {
 public:
     // The budget of triangles is shared evenly by what lies in volumes; nothing has fewer than it
     // has. Some 8 us a triangle that comes into being, nothing for what was seen so before.
-    SeenEffects operator()(const Evaluated& evaluated, const Camera& camera, double tolerance_px,
+    SeenEffects operator()(const Evaluation& evaluated, const Camera& camera, double tolerance_px,
                            const Progress& progress = {}, std::size_t budget = 400'000);
 
 private:
-    struct Known {
+    struct KnownView {
         Ref<EvaluatedObject> object;
         double tolerance = 0;
         std::size_t budget = 0;
         Ref<EvaluatedObject> seen;
     };
-    std::vector<Known> known_; // the latest first
+    std::vector<KnownView> known_; // the latest first
 };
 
 } // namespace trivar

@@ -13,7 +13,7 @@ struct AnimatedScene {
     FrameRange frames;
     double tolerance = default_tolerance; // metres
     std::string log;                      // the scene's file; empty: it has no name
-    bool whole = false;                   // what it lacks is not left out: Lacking is thrown
+    bool whole = false;                   // a scene that lacks something throws IncompleteScene
 };
 
 // The scene as one model that moves by itself, within a tolerance at every time:

@@ -24,6 +24,6 @@ struct Export {
     std::optional<Certificate> certificate;
 };
 // `evaluated` from the document, or from refined_to() of it where there is a tolerance.
-Export export_of(const Evaluated& evaluated, const ExportedScene& scene);
+Export export_of(const Evaluation& evaluated, const ExportedScene& scene);
 
 } // namespace trivar

@@ -20,7 +20,7 @@ DeformedPoint deform(const glm::dvec3& p_object, const Embedding& embedding,
                      const Lattice& lattice);
 
 // The arrays of a mesh that a deformation changes; empty where the mesh has none.
-struct Deformed {
+struct DeformedArrays {
     std::vector<glm::vec3> positions, normals; // #V, world; normals unit
     std::vector<glm::vec4> tangents;           // #V, xyz unit and orthogonal to the normal
 };
@@ -48,7 +48,7 @@ public:
 
     // The same without the copies. Storage is taken over from `reuse`, whatever it holds: moving
     // the last result in saves the allocation of the next one.
-    Deformed arrays(const Lattice& lattice, Deformed reuse = {}) const;
+    DeformedArrays arrays(const Lattice& lattice, DeformedArrays reuse = {}) const;
 
 private:
     struct State;

@@ -11,7 +11,7 @@ namespace trivar {
 // How a mesh lies in a volume, and what comes out of it in the world: worked out by the processor
 // when it is first asked for, by whichever thread, with one deformation of its vertices
 // (core/ffd/deform.h). Who draws by the graphics card does not ask.
-struct Bent {
+struct Deformation {
     Embedding embedding;
     Ref<Lattice> volume;
     Lazy<Ref<Mesh>> mesh;
@@ -22,8 +22,8 @@ struct Bent {
 struct Part {
     Ref<Mesh> rest;         // has the same faces, corners and number of vertices as what it becomes
     glm::dmat4 to_world{1}; // identity where a volume deforms it
-    Ref<Posed> posed = nullptr; // null where no skin and no morph target moves its vertices
-    Ref<Bent> bent = nullptr;   // null where no volume does
+    Ref<PosedMesh> posed = nullptr;  // null where no skin and no morph target moves its vertices
+    Ref<Deformation> bent = nullptr; // null where no volume does
     PartKey key = {};
     Box bounds = {}; // before to_world or the volume, of its vertices as they are posed; or larger
 

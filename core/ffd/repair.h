@@ -25,14 +25,14 @@ struct RepairAttempt {
 // The smallest change found after which every cell is proven good. All ways are tried, each going
 // only as far as it needs, and the one that moves control points least (root of the mean square) is
 // taken. Control points whose sites lie in a declared exception stay. The same on every machine.
-struct Unfolded {
+struct UnfoldedLattice {
     Lattice lattice;              // as given where nothing helped or nothing was wrong
     bool certified = false;       // all cells are proven good
     std::vector<PointMove> moves; // from the given lattice; few, where folds are few
     RepairAttempt taken;          // of no move where nothing was wrong
     std::vector<RepairAttempt> tried;
 };
-Unfolded unfolded(const Lattice& lattice, const RepairOptions& options = {},
-                  const Progress& progress = {});
+UnfoldedLattice unfolded(const Lattice& lattice, const RepairOptions& options = {},
+                         const Progress& progress = {});
 
 } // namespace trivar

@@ -28,11 +28,11 @@ AxisKnots knots_for_sphere(const Lattice& lattice, const glm::dvec3& center_worl
 // An axis with fewer control points, their knots spread as the old ones are: what lies nearest by
 // least squares. Clamped ends keep their layers. Throws Rejected unless order <= count < the
 // axis's. O(control points x samples of an axis): 4 for each of its control points.
-struct Coarsened {
+struct CoarserLattice {
     Lattice lattice;
     double deviation; // world; no point of the domain moves further
 };
-Coarsened coarsened(const Lattice& lattice, int axis, int count);
+CoarserLattice coarsened(const Lattice& lattice, int axis, int count);
 
 // An upper bound of |F_a(uvw) - F_b(uvw)| over the domain, by their control points over the knots
 // of both. The lattices have the same orders, closures, domains and rest maps.

@@ -26,7 +26,7 @@ struct ImageHead {
 };
 
 class ApartDecoder;
-struct Decoded;
+struct DecodeResult;
 
 // Decodes pictures one after another into 8-bit RGBA: PNG and JPEG here, the other kinds in
 // a process of their own that is started for the first of them (pictures/apart.h). Every function
@@ -44,9 +44,9 @@ public:
     ImageHead head(const std::string& path, const std::vector<std::string>& tags);
 
 private:
-    Decoded decoded(std::string_view bytes, const std::string& name,
-                    const std::vector<std::string>& tags,
-                    const std::function<void(std::span<const std::uint8_t>)>& take);
+    DecodeResult decoded(std::string_view bytes, const std::string& name,
+                         const std::vector<std::string>& tags,
+                         const std::function<void(std::span<const std::uint8_t>)>& take);
     std::unique_ptr<ApartDecoder> apart_;
 };
 

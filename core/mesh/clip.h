@@ -9,21 +9,21 @@
 namespace trivar {
 
 // A place as its parts: first scaled, then turned, then moved.
-struct Placed {
+struct NodeTransform {
     glm::dvec3 translation{0};
     glm::dquat rotation{1, 0, 0, 0}; // unit
     glm::dvec3 scale{1};
     glm::dmat4 matrix() const;
-    bool operator==(const Placed&) const = default;
+    bool operator==(const NodeTransform&) const = default;
 };
 
 // How one property of a node changes in time (glTF 2.0, 3.11).
 struct Channel {
     enum class Of { translation, rotation, scale, morph_weights };
-    enum class Between { step, linear, cubic }; // cubic: Hermite
-    int node = 0;                               // index into Model::nodes
+    enum class Interpolation { step, linear, cubic }; // cubic: Hermite
+    int node = 0;                                     // index into Model::nodes
     Of of = Of::translation;
-    Between between = Between::linear;
+    Interpolation interpolation = Interpolation::linear;
     std::vector<float> times_s; // of the keys, ascending; at least one
     // For each key `components` numbers, for cubic thrice as many: tangent in, value, tangent out.
     // Rotations are x, y, z, w.

@@ -59,7 +59,7 @@ struct Node {
     int curves = -1;                       // index into Model::curves, or none; no skin moves them
     // Where a clip moves the node, to_parent is outer * the matrix of what it makes of `rest`.
     glm::dmat4 outer{1};
-    Placed rest = {};
+    NodeTransform rest = {};
 };
 
 // The nodes that move the vertices of a mesh.

@@ -43,11 +43,11 @@ Box posed_bounds(const Box& mesh, const std::vector<Box>& targets, const Pose& p
 std::vector<Box> target_bounds(const Mesh& mesh); // of the differences of positions, each with 0
 
 // A mesh with what moves it, worked out by the processor when it is asked for.
-struct Posed {
+struct PosedMesh {
     Ref<Mesh> rest;
     Pose pose;
     Lazy<Ref<Mesh>> mesh;
 };
-Ref<Posed> posed_later(const Ref<Mesh>& rest, Pose pose);
+Ref<PosedMesh> posed_later(const Ref<Mesh>& rest, Pose pose);
 
 } // namespace trivar

@@ -20,7 +20,7 @@ struct Repairs {
 // A sentence for each kind, with its number; none where nothing was damaged.
 std::vector<std::string> sentences(const Repairs& repairs);
 
-struct Repaired {
+struct RepairedMesh {
     Mesh mesh;
     Repairs repairs;
 };
@@ -29,6 +29,6 @@ struct Repaired {
 // point before them, faces left with fewer than three different ones, vertices no face has, and
 // faces turned against the rest of their component (where the component can be turned consistently
 // at all: a Moebius band stays as it is). O(#C log valence).
-Repaired repaired(Mesh mesh);
+RepairedMesh repaired(Mesh mesh);
 
 } // namespace trivar

@@ -14,7 +14,7 @@ struct LiftOptions {
     bool never_overshoot = false;
 };
 
-struct Lifted {
+struct LiftedSurface {
     Surface<glm::dvec3> contact;
     double penetration = 0; // largest left, metres
     double largest_gap = 0; // metres between contact surface and scene, along the rays
@@ -27,7 +27,7 @@ struct Lifted {
 // deepest first; and it is judged again. One that never overshoots can be satisfied too: with all
 // its control points level with the sample, so is the surface. Rays do most of it before in less
 // time, and check it independently.
-Lifted lifted(Surface<glm::dvec3> contact, const Camera& camera, const RayScene& scene,
-              const LiftOptions& options);
+LiftedSurface lifted(Surface<glm::dvec3> contact, const Camera& camera, const RayScene& scene,
+                     const LiftOptions& options);
 
 } // namespace trivar

@@ -16,7 +16,7 @@ namespace trivar {
 struct NearScene {
     struct Vertex {
         glm::dvec3 p_world;
-        Projected at;
+        PicturePoint at;
     };
     std::vector<Vertex> vertices;
     std::vector<std::array<std::uint32_t, 3>> triangles;

@@ -39,12 +39,12 @@ public:
     std::vector<PointMove> moves(const glm::dvec4& sample) const;
     // How far the ball came, between 0 and the sample's amount, as far as any control point could
     // follow it; and whether it was kept from folding the volume.
-    struct Came {
+    struct BallMotion {
         double metres = 0;
         bool would_fold = false;
     };
     // Moves them, where guarded as far as that is proven not to fold.
-    Came add(const glm::dvec4& sample);
+    BallMotion add(const glm::dvec4& sample);
 
     double farthest() const; // that any control point went, metres
     const Lattice& volume() const { return volume_; }

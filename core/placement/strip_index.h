@@ -92,8 +92,8 @@ private:
     std::size_t bucket(glm::dvec2 p_px) const;
     std::optional<glm::dvec2> in_quad(int first_corner, glm::dvec2 p_px) const;
     glm::dvec2 along_quad(int first_corner, glm::dvec2 p_px) const;
-    struct Seen;
-    int plain_quad(std::size_t bucket, const std::vector<Seen>& quads) const;
+    struct SeenQuad;
+    int plain_quad(std::size_t bucket, const std::vector<SeenQuad>& quads) const;
 
     glm::ivec2 steps_;
     std::vector<glm::dvec2> corners_px_; // (steps.x + 1) x (steps.y + 1)

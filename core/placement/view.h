@@ -18,7 +18,7 @@ public:
     {
     }
 
-    Projected project(const glm::dvec3& p_world) const
+    PicturePoint project(const glm::dvec3& p_world) const
     {
         const glm::dvec3 p(world_to_view_ * glm::dvec4(p_world, 1));
         const double pixels = 1 / pixel_size(-p.z);

@@ -15,11 +15,11 @@ Warp part_of(Warp warp, double share);
 // A volume after a warp, and the share of it that was done: where guarded the largest of 64 that is
 // proven not to fold. Throws Rejected where the volume was no box when it was laid. O(#control
 // points), and judges the volume up to seven times.
-struct Warped {
+struct WarpedVolume {
     LaidVolume volume;
     double share = 1;
     double moved = 0; // metres that any control point went, at most
 };
-Warped warped(const LaidVolume& volume, const Warp& warp);
+WarpedVolume warped(const LaidVolume& volume, const Warp& warp);
 
 } // namespace trivar

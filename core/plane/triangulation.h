@@ -24,8 +24,8 @@ public:
     int insert(const glm::ivec2& p);
     // Makes a - b an edge that stays: several, one after another, where points lie on it. It ends
     // at an edge that stays and would be crossed.
-    enum class Joined { one_edge, several, crosses };
-    Joined join(int a, int b);
+    enum class JoinResult { one_edge, several, crosses };
+    JoinResult join(int a, int b);
 
     // Takes for inside what lies left of those edges, which stay and enclose it.
     void fill(const std::vector<std::pair<int, int>>& edges);

@@ -29,7 +29,7 @@ struct RefinedPart {
     std::vector<float> bound_at;  // by vertex of `mesh`: the greatest bound of its triangles
 };
 
-struct Refined {
+struct RefinementResult {
     std::vector<RefinedPart> parts;
     double bound = 0;    // the greatest of the parts
     double rounding = 0; // its share that is single precision's: of vertices and their deformation
@@ -46,10 +46,10 @@ struct Refined {
 // Each triangle that comes into being is bounded once, 2 to 5 us tri-cubic; the same bits for any
 // number of threads. Throws Rejected for a tolerance that is not above 0, or finer than rounding;
 // progress is the share of the edges that need no split, over and over.
-Refined refine(const std::vector<RefinePart>& parts, const Lattice& lattice,
-               const RefineOptions& options, const Progress& progress = {});
+RefinementResult refine(const std::vector<RefinePart>& parts, const Lattice& lattice,
+                        const RefineOptions& options, const Progress& progress = {});
 // What is proven of the triangles as they are: nothing is split.
-Refined bounded(const std::vector<RefinePart>& parts, const Lattice& lattice,
-                const RefineOptions& options, const Progress& progress = {});
+RefinementResult bounded(const std::vector<RefinePart>& parts, const Lattice& lattice,
+                         const RefineOptions& options, const Progress& progress = {});
 
 } // namespace trivar

@@ -20,7 +20,7 @@ public:
 
 private:
     static constexpr std::uint32_t none = ~0u;
-    struct Made {
+    struct MadeVertex {
         std::uint32_t vertex;
         glm::vec3 normal;
         std::uint32_t next; // of the same old vertex
@@ -29,7 +29,7 @@ private:
 
     const Mesh& mesh_;
     std::vector<std::uint32_t> list_; // by old vertex, the first made of it
-    std::vector<Made> made_;
+    std::vector<MadeVertex> made_;
 };
 
 } // namespace trivar

@@ -56,11 +56,11 @@ public:
     double greville(int i) const;
 
     // Stored index of unwrapped control point i, and whether the other axes are mirrored there.
-    struct Wrapped {
+    struct WrappedIndex {
         int index;
         bool mirrored;
     };
-    Wrapped wrapped(int i) const
+    WrappedIndex wrapped(int i) const
     {
         if (closure_ == Closure::open) return {i, false};
         return {i % count_, closure_ == Closure::twisted && (i / count_) % 2 == 1};

@@ -21,7 +21,7 @@ template <class T> struct Surface {
     // By unwrapped indices: closed axes repeat, a twisted one mirrors the other.
     const T& point(int i, int j) const
     {
-        const Knots::Wrapped u = axes[0].wrapped(i), v = axes[1].wrapped(j);
+        const Knots::WrappedIndex u = axes[0].wrapped(i), v = axes[1].wrapped(j);
         return points[index(v.mirrored ? axes[0].count() - 1 - u.index : u.index,
                             u.mirrored ? axes[1].count() - 1 - v.index : v.index)];
     }

@@ -24,7 +24,8 @@ template <class T> struct Trivariate {
     // By unwrapped indices: closed axes repeat, twisted ones mirror the other two.
     const T& point(int i, int j, int k) const
     {
-        const Knots::Wrapped u = axes[0].wrapped(i), v = axes[1].wrapped(j), w = axes[2].wrapped(k);
+        const Knots::WrappedIndex u = axes[0].wrapped(i), v = axes[1].wrapped(j),
+                                  w = axes[2].wrapped(k);
         const bool flip_u = v.mirrored != w.mirrored, flip_v = u.mirrored != w.mirrored,
                    flip_w = u.mirrored != v.mirrored;
         return points[index(flip_u ? axes[0].count() - 1 - u.index : u.index,

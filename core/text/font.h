@@ -31,14 +31,14 @@ public:
     Glyph glyph(unsigned index, double tolerance) const;
 
     static constexpr int box_width = em_units * 6 / 10; // of what the font has no glyph for
-    struct Put {
+    struct PlacedGlyph {
         unsigned glyph = 0; // 0: none
         glm::ivec2 at{0};   // units from where the line begins
         std::size_t letter; // the first one in the line that it stands for
     };
     struct Line {
-        std::vector<Put> glyphs; // from left to right
-        int width = 0;           // units
+        std::vector<PlacedGlyph> glyphs; // from left to right
+        int width = 0;                   // units
     };
     // One line of letters as they are read: runs of one direction [1] and script, shaped by the
     // font's tables, `spacing` units more after each letter. Without `spacing` ligatures are taken.

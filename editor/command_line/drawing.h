@@ -42,10 +42,10 @@ void check_camera(const DrawingOptions& options, const Document& document);
 class Drawing {
 public:
     Drawing(const DrawingOptions& options, const Streams& streams);
-    // The bookmark that the options name, which check_camera() found, else what picture_camera()
+    // The kept view that the options name, which check_camera() found, else what picture_camera()
     // says.
-    Camera camera(const Evaluated& evaluated, const Document& document) const;
-    const Still& draw(const Evaluated& evaluated, const Document& shown, const Camera& camera,
+    Camera camera(const Evaluation& evaluated, const Document& document) const;
+    const Still& draw(const Evaluation& evaluated, const Document& shown, const Camera& camera,
                       bool deep = false);
 
 private:

@@ -29,8 +29,8 @@ void check_relinked(const SceneLog& scene, const Document& document);
 
 // The files that what is written may not replace: none with --overwrite.
 SourceFiles kept_sources(const SceneLog& scene, const Document& document, const AssetStore& assets);
-// What a scene lacks ends a command, unless --keep-going was said. Throws Lacking.
-void check_whole(const SceneLog& scene, const Evaluated& evaluated, const Document& document);
+// What a scene lacks ends a command, unless --keep-going was said. Throws IncompleteScene.
+void check_whole(const SceneLog& scene, const Evaluation& evaluated, const Document& document);
 void say_not_whole(const SceneLog& scene, const Streams& streams);
 
 // Throws Rejected where a file that is to be written has the name of what is none.

@@ -69,12 +69,12 @@ private:
     // Files that came together: what cannot be read of them is told once, at the end.
     struct Batch {
         std::size_t coming = 0;
-        struct Lost {
+        struct LostFile {
             std::string name, why;
         };
-        std::vector<Lost> lost;
+        std::vector<LostFile> lost;
     };
-    struct Asked {
+    struct PendingQuestion {
         ui::Question question;
         std::function<void(int)> answer;
     };
@@ -106,7 +106,7 @@ private:
     std::string import_folder_; // of the last model that was imported by the dialog
     Purpose purpose_ = Purpose::open;
     Id relinked_ = 0;
-    std::optional<Asked> question_;
+    std::optional<PendingQuestion> question_;
     std::function<void()> after_save_;
     bool close_agreed_ = false;
 };

@@ -30,11 +30,11 @@ public:
     std::optional<Jobs::Status> status() const { return jobs_.status(); } // while it runs
 
     // What is not certified of one that a person wants to read about.
-    struct Open {
+    struct OpenPoints {
         std::string file;
         std::vector<std::string> sentences;
     };
-    std::optional<Open> reading;
+    std::optional<OpenPoints> reading;
 
 private:
     void tell(const std::string& path, const AnimatedFile& made, bool named);

@@ -28,10 +28,10 @@ std::string linked_page(std::string_view target);
 
 // Where all the words are found, whatever their case, the best place of each page: its title, a
 // heading, then any block.
-struct Found {
+struct FoundPassage {
     std::string page, words; // the words round it
     std::size_t block = 0;
 };
-std::vector<Found> found_in(const std::vector<ManualPage>& pages, std::string_view words);
+std::vector<FoundPassage> found_in(const std::vector<ManualPage>& pages, std::string_view words);
 
 } // namespace trivar

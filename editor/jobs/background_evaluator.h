@@ -27,7 +27,7 @@ public:
 
     struct Result {
         long ticket = 0;
-        Evaluated evaluated;
+        Evaluation evaluated;
         std::string problem;  // why there is no result; empty: there is one
         bool stopped = false; // that is why
     };
@@ -36,7 +36,7 @@ public:
     // Splits effects as finely as a camera wants them, whenever there is no document to evaluate;
     // one that comes meanwhile is evaluated first. The newest request counts here, too.
     struct ViewRequest {
-        Evaluated evaluated;
+        Evaluation evaluated;
         Camera camera;
         double tolerance_px = 1;
         bool deform_parts = true;
@@ -68,12 +68,12 @@ private:
     std::function<void()> wake_;
     mutable std::mutex mutex_;
     std::condition_variable_any something_new_;
-    struct Asked {
+    struct Request {
         Document document;
         double frame;
         bool deform_parts;
     };
-    std::optional<Asked> waiting_;
+    std::optional<Request> waiting_;
     std::optional<Result> finished_;
     std::optional<ViewRequest> view_waiting_;
     std::optional<SeenResult> view_finished_;

@@ -17,8 +17,8 @@ struct Caption {
 
 // Of all that is refined and not aside: how many triangles there are now, how they were split, and
 // what of their error is certified, rounded up. Some hundred points each, deformed when asked.
-std::vector<Caption> captions_of(const Evaluated& evaluated, const Document& document,
-                                 std::span<const Id> aside = {});
+std::vector<Caption> captions_of(const Evaluation& evaluated, const Document& document,
+                                 std::span<const Id> hidden_here = {});
 
 // The labels in the picture: each under the middle of what it speaks of, inside of the view, below
 // the other ones where they would overlap. Nothing where that is behind the eye.

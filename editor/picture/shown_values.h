@@ -25,11 +25,11 @@ private:
     // What the numbers depend on beside the part; a tolerance of 0 is for the stretch.
     using By = std::tuple<double, BoundMethod, RefinementRule>;
     Ref<std::vector<float>> kept(const Part& part, const By& by, auto&& work_out);
-    struct Known {
-        std::weak_ptr<const Bent> alive;
+    struct KnownValues {
+        std::weak_ptr<const Deformation> alive;
         Ref<std::vector<float>> values;
     };
-    std::map<std::pair<const Bent*, By>, Known> known_;
+    std::map<std::pair<const Deformation*, By>, KnownValues> known_;
 };
 
 // What colours tell apart, the error over the tolerance by log2: from an eighth to eight times.

@@ -22,10 +22,10 @@ struct StillOptions {
 class Still {
 public:
     // Throws Rejected.
-    void begin(const Evaluated& evaluated, const Document& document, const Camera& camera,
+    void begin(const Evaluation& evaluated, const Document& document, const Camera& camera,
                const StillOptions& options);
     bool advance(double budget_ms) { return renderer_.advance(budget_ms); }
-    void draw(const Evaluated& evaluated, const Document& document, const Camera& camera,
+    void draw(const Evaluation& evaluated, const Document& document, const Camera& camera,
               const StillOptions& options); // all of it
     Image image() const;                    // when it is whole
     DeepImage deep_image() const;

@@ -31,7 +31,7 @@ std::vector<gpu::Translucent> balls_of(const Press& press, const Lattice& volume
 
 // Adds all volumes, those that are the same once, and the ball of each one's last step where that
 // was a press.
-void add_volumes(gpu::Picture& picture, const Evaluated& evaluated, const Document& document,
+void add_volumes(gpu::Picture& picture, const Evaluation& evaluated, const Document& document,
                  const ui::Palette& color, float line_px);
 
 } // namespace trivar

@@ -26,7 +26,7 @@ public:
     // frame.
     const Document& document() const { return now_; }
     const Document& committed() const { return scene_.history().committed(); } // as it was said
-    const Evaluated& evaluated() const { return evaluated_; } // may be a moment behind
+    const Evaluation& evaluated() const { return evaluated_; } // may be a moment behind
     // Counts up with every new evaluation; equal numbers mean equal effects.
     long evaluation() const { return evaluation_; }
     const Timings& timings() const { return timings_; } // of the last that had something to do
@@ -64,11 +64,11 @@ public:
     bool proposing() const { return scene_.history().proposal().has_value(); }
     bool committing() const { return check_.has_value(); }
     // What was refused, of the present scene: for the log, not in the file.
-    struct Refused {
+    struct RefusedCommand {
         std::size_t after = 0; // lines of the file
         std::string line, why;
     };
-    const std::vector<Refused>& refused() const { return refused_; }
+    const std::vector<RefusedCommand>& refused() const { return refused_; }
 
     // Another scene, with what its notices offer. Selection and effects start anew.
     void replace_scene(SceneFile scene, std::vector<ui::Notices::Action> offers = {});
@@ -92,8 +92,8 @@ public:
     const BackgroundEvaluator& evaluator() const { return *evaluator_; }
     // The person's own; not part of the document and of no undo step.
     Selection selected;
-    std::vector<Id> aside;     // ascending: left out of the picture while others are worked on
-    void select_new(Id first); // all from that id up, but not what is in groups among them
+    std::vector<Id> hidden_here; // ascending: left out of the picture while others are worked on
+    void select_new(Id first);   // all from that id up, but not what is in groups among them
     SceneView view;
     bool deform_on_processor = true; // else who draws does it: parts are left to be asked for
     bool auto_key = false;           // every change of a number that can have keys is one
@@ -120,13 +120,13 @@ private:
     std::string unnamed_folder_, told_trouble_;
     SceneFile scene_;
     double next_try_s_ = 0, next_look_s_ = 0;
-    std::vector<Refused> refused_;
+    std::vector<RefusedCommand> refused_;
     bool opened_ = false; // and not evaluated yet
     Ref<AssetStore> assets_;
     std::unique_ptr<BackgroundEvaluator> evaluator_;
     Jobs jobs_;
     long scenes_ = 0;
-    Evaluated evaluated_;
+    Evaluation evaluated_;
     Timings timings_;
     long evaluation_ = 0, evaluated_ticket_ = 0, asked_ticket_ = 0;
     std::optional<Check> check_;

@@ -51,11 +51,11 @@ public:
     TransformGesture(MotionKind kind, std::vector<Stand> stands, Id active,
                      const TransformChoices& choices, const Camera& camera, const Grasp& grasp);
 
-    struct Held {
+    struct HeldKeys {
         bool snap = false, fine = false;
     };
     // Where the camera moved instead, the mouse only goes with it.
-    void move_hand(const Camera& camera, glm::dvec2 to_px, Held held);
+    void move_hand(const Camera& camera, glm::dvec2 to_px, HeldKeys held);
     // An axis by its key: that one; the same again: of the other orientation; again: none.
     void choose_axis(int axis, bool plane);
     TypedAmounts& typed() { return typed_; }
@@ -98,7 +98,7 @@ private:
     glm::dvec2 from_px_, hand_px_, mouse_px_; // the hand goes slower than the mouse while fine
     glm::dvec3 offset_before_{0};             // what was done before the camera moved, in the world
     double factor_before_ = 1, turned_deg_ = 0, travelled_px_ = 0;
-    Held held_;
+    HeldKeys held_;
     TypedAmounts typed_;
 };
 

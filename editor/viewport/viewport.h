@@ -90,20 +90,20 @@ public:
     std::optional<std::string> new_shader_trouble();
 
 private:
-    struct Shown { // what the present picture was drawn from
+    struct PictureState { // what the present picture was drawn from
         Camera camera;
         long effects = 0; // number of the refined view
         Selection selected;
-        std::vector<Id> aside;
+        std::vector<Id> hidden_here;
         glm::ivec2 size_px{0};
         int state = 0;
         bool draft = false;
         const RenderSettings* settings = nullptr;
         ViewportStyle style;
         Ref<gpu::ShaderTexts> shaders;
-        bool operator==(const Shown&) const = default;
+        bool operator==(const PictureState&) const = default;
     };
-    void draw_wanted(const Shown& wanted, const Session& session, ui::Frame& frame,
+    void draw_wanted(const PictureState& wanted, const Session& session, ui::Frame& frame,
                      const std::function<Helpers()>& helpers);
     enum class Move { none, orbit, pan, zoom };
     void navigate(Session& session, const ViewportInput& input, glm::dvec2 drag_px);
@@ -123,8 +123,8 @@ private:
     VolumeFacts volume_facts_;
     std::unique_ptr<gpu::Renderer> renderer_; // made at the first picture
     std::optional<DraftPace> pace_;           // as well
-    std::optional<Shown> shown_;
-    std::optional<Shown> begun_; // the full picture that is being drawn
+    std::optional<PictureState> shown_;
+    std::optional<PictureState> begun_; // the full picture that is being drawn
     ui::TimingHistory drafts_;
     long timed_evaluation_ = 0; // the last one that is in the history
     Timings full_timings_;

@@ -28,12 +28,12 @@ public:
     void begin() { next_ = 0; }
     bool running() const { return next_ < deform_words.size(); }
     // In the window's context.
-    void advance(const Evaluated& evaluated, const Document& document,
+    void advance(const Evaluation& evaluated, const Document& document,
                  const Ref<gpu::ShaderTexts>& shaders = {});
     void forget_gpu();
     // To be shown: all of them, with times where they were measured; none where nothing is
     // deformed.
-    std::vector<ui::TimedWay> rows(const Evaluated& evaluated, gpu::DeformBy used) const;
+    std::vector<ui::TimedWay> rows(const Evaluation& evaluated, gpu::DeformBy used) const;
 
 private:
     std::unique_ptr<gpu::WayTimer> timer_;

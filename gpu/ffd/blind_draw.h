@@ -22,7 +22,7 @@ public:
     // As they are, or in one phase with the volume_defines() of what DeviceDeformer::bind() bound.
     void operator()(const std::vector<std::string>& volume_defines, Wanted wanted);
     // The same, and what came out: positions less the origin of bind().
-    Deformed captured(const std::vector<std::string>& volume_defines);
+    DeformedArrays captured(const std::vector<std::string>& volume_defines);
     Programs& programs() { return programs_; }
 
 private:

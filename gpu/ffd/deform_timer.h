@@ -31,7 +31,7 @@ struct DeformErrors {
     double diagonal = 0; // scene units
 };
 // What the processor's evaluator says is taken for true.
-DeformErrors errors_of(const Deformed& found, const Deformed& exact);
+DeformErrors errors_of(const DeformedArrays& found, const DeformedArrays& exact);
 DeformErrors worst(const DeformErrors& a, const DeformErrors& b);
 
 // Deforms one mesh again and again by a volume, three times at least and until `enough_ms` are

@@ -48,7 +48,7 @@ private:
     };
     struct Entry {
         std::weak_ptr<const Mesh> alive;
-        Ref<Posed> posed;
+        Ref<PosedMesh> posed;
         std::vector<Stage> stages;
         DeformBy by;
         bool wire;

@@ -36,7 +36,7 @@ struct VertexSource {
     Box bounds;
 };
 DeviceVertices uploaded_vertices(const Mesh& mesh);
-Deformed read_back(const DeviceVertices& vertices);
+DeformedArrays read_back(const DeviceVertices& vertices);
 
 // What deforming asks of a device.
 struct DeviceLimits {

@@ -25,7 +25,7 @@ public:
 
     // `from` are the vertices of posed.rest. What is in `to` may be read by any pass and by the
     // deformer; nothing is read back. Throws Rejected where the device has no room.
-    void pose(const VertexSource& from, DeviceVertices& to, const Posed& posed);
+    void pose(const VertexSource& from, DeviceVertices& to, const PosedMesh& posed);
     void drop_dead(); // rigs of meshes that nobody else holds
 
 private:

@@ -25,7 +25,7 @@ struct DecodeTask {
 // Takes whole rows from the top, RGBA, 8 bits a channel; colours of floating point as sRGB.
 using TakeRows = std::function<void(std::span<const std::uint8_t>)>;
 
-struct Decoded {
+struct DecodeResult {
     bool whole = false; // else it is damaged, or has another size
     int bits = 0;       // a channel of the file
     ImageTags tags;     // those that were asked for and are there
@@ -40,7 +40,7 @@ struct EncodeTask {
 };
 
 struct Codec {
-    Decoded (*decode)(const DecodeTask& task, const TakeRows& take);
+    DecodeResult (*decode)(const DecodeTask& task, const TakeRows& take);
     std::string (*encode)(const EncodeTask& task); // empty: it could not
     bool (*writes)(const std::string& extension);
     void (*keep_to_one_thread)(); // from now on, in all of the process

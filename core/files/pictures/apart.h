@@ -27,7 +27,7 @@ public:
 
     // As Codec::decode. Throws Rejected, the rest of a sentence, where the program did not survive
     // the picture; it can then take no more.
-    Decoded decode(const DecodeTask& task, const ApartLimits& limits, const TakeRows& take);
+    DecodeResult decode(const DecodeTask& task, const ApartLimits& limits, const TakeRows& take);
     bool ended() const { return id_ < 0; }
 
 private:

@@ -32,7 +32,7 @@ PictureHead tiff_head(const ByteView& file, Look look);
 PictureHead dds_head(const ByteView& file, Look look);
 PictureHead tga_head(const ByteView& file, Look look);
 
-using DecodeHere = Decoded (*)(const DecodeTask& task, const TakeRows& take);
+using DecodeHere = DecodeResult (*)(const DecodeTask& task, const TakeRows& take);
 
 struct PictureKind {
     const char* word;   // PNG, JPEG, ...

@@ -13,7 +13,7 @@ namespace trivar {
 // The rows of the palette: what was found of the entries, under a caption in capitals.
 struct PaletteRows {
     std::vector<PaletteEntry> entries;
-    std::vector<Ranked> found;
+    std::vector<RankedName> found;
     const char* caption = "";
 };
 // The index in `found` that was clicked. `chosen` follows the mouse; nothing need be chosen.

@@ -19,9 +19,9 @@ namespace trivar {
 // how far q(t) is from going evenly: by travel (Journey::unevenness_u), and by the clip's pose
 // between the moments at which it has keys (core/certificate/clip_deviation.h). What keys make of
 // the volume itself comes to it (KeyedVolume).
-class Between {
+class MotionBound {
 public:
-    Between(const Document& document, Id object, const AssetStore& assets);
+    MotionBound(const Document& document, Id object, const AssetStore& assets);
 
     // Why nothing is proven of it, a sentence's end; empty: something is.
     const std::string& unknown() const { return unknown_; }
