@@ -6,8 +6,8 @@
 
 namespace trivar {
 
-// The meshes of a glTF file: faces, attributes, influences, morph targets, and lines. Throws
-// Rejected; what can be left out is a notice.
+// GltfMeshes reads the meshes of a glTF file: faces, attributes, influences, morph targets, and
+// lines. Throws Rejected; parts that can be left out become notices.
 class GltfMeshes {
 public:
     GltfMeshes(GltfAccessors& accessors, CountedNotices& notices);
@@ -16,11 +16,13 @@ public:
         Curves curves;
     };
     Shapes read(const GltfEntry& mesh);
-    // Whether a face was given the material after the last one of the file, for it names none.
+    // Whether a face got the material that follows the file's last one, because it names no
+    // material.
     bool uses_plain_material() const { return plain_used_; }
 
 private:
-    // The vertices of a primitive, which are the last ones of the mesh while it is read.
+    // A VertexRange is the vertices of a primitive, which are the last ones of the mesh while it is
+    // read.
     struct VertexRange {
         std::size_t first, count;
         std::size_t end() const { return first + count; }
