@@ -8,12 +8,13 @@
 
 namespace trivar {
 
-// The document with `holder` as the parent of those objects, which stay where they stand.
+// The document with `holder` as the parent of those objects, which keep their places in the world.
 Document with_parent_of(Document document, const std::vector<Id>& objects, Object holder);
 
-// Throws Rejected where groups nest too deep below it.
+// Throws Rejected where groups below this one nest too deep.
 void check_depth(const Document& document, Id group);
-void check_own_depth(const Document& document, Id id); // of that one alone
+// checks only how deep the group itself stands
+void check_own_depth(const Document& document, Id id);
 
 struct Group {
     static constexpr std::string_view verb = "group",

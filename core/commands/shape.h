@@ -6,10 +6,10 @@
 
 namespace trivar {
 
-// Throws Rejected for what no step of shaping can be, whatever the volume.
+// Throws Rejected for values that no step of shaping can have, in any volume.
 void check(const VolumeEdit& edit);
-// Of the shaping of one object. A hand makes a few hundred; every one is done again when the stroke
-// changes.
+// The largest number of steps of shaping of one object. A person makes a few hundred; every step is
+// done again when the stroke changes.
 inline constexpr std::size_t most_shaping_steps = 4096;
 
 struct PressVolume {
