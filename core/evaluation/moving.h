@@ -8,15 +8,15 @@
 
 namespace trivar {
 
-// One of a procession, or the only one.
+// A Member is one model of a procession, or the only model.
 struct Member {
-    Ref<Shape> posed; // null: as the model came
+    Ref<Shape> posed; // null: in the pose of its file
     Journey::Place place;
     bool operator==(const Member&) const = default;
 };
 
-// Lets an object stand as its clip has it at a frame: in the world, or where it is laid, with all
-// that follow it, as far along the stroke as they have gone.
+// Moving puts an object into the pose that its clip has at a frame: in the world, or where it is
+// laid, with all its followers, as far along the stroke as they have gone.
 class Moving : public Step {
 public:
     Ref<Stage> operator()(const Ref<Stage>& before, const StepInput& input) override;
@@ -24,7 +24,7 @@ public:
 private:
     struct TravelKey {
         Ref<Stage> before;
-        Ref<Shape> posed; // as the first stands, for what is told of it
+        Ref<Shape> posed; // pose of the first member, for the notices
         std::vector<Member> members;
         Ref<Journey> journey;
         Ref<Walk> walk;
@@ -34,7 +34,7 @@ private:
         Ref<Stage> before;
         Ref<Shape> posed;
         glm::dmat4 to_world;
-        bool feet_on_nothing; // they are to be locked to a travel, and there is no stroke
+        bool feet_on_nothing; // its feet should be locked to a travel, and there is no stroke
         bool operator==(const FreeKey&) const = default;
     };
     Ref<Stage> gone(const Ref<Stage>& before, const Ref<Shape>& posed, const StepInput& input);
