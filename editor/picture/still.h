@@ -17,8 +17,8 @@ struct StillOptions {
     Ref<gpu::ShaderTexts> shaders = {};
 };
 
-// A picture of a scene as it goes into a file, with what stands written over it, and the next one
-// after it. In the current OpenGL context. It may be drawn in pieces: see gpu::Renderer.
+// A Still is a picture of a scene as it goes into a file, with its captions, and then the next one.
+// In the current OpenGL context. It may be drawn in pieces: see gpu::Renderer.
 class Still {
 public:
     // Throws Rejected.
