@@ -53,8 +53,8 @@ public:
     void undo();
     void redo();
     void go_to_step(std::size_t position); // by undo and redo
-    // Goes to the branch of that number and to `count` of its steps; the steps in force beyond the
-    // branch become a branch themselves.
+    // Goes to the branch of that number and to `count` of its steps; the steps in force from the
+    // branch's beginning on become a branch themselves.
     void go_to_branch(std::size_t branch, std::size_t count);
     // Shows another document in the picture and nowhere else, until the next change; null: ends
     // that.

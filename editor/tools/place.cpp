@@ -75,7 +75,7 @@ std::optional<Refusal> refusal(const Session& session, Id model)
                        "Drop a second one into the window, or add one: of the two, one is laid on "
                        "the other."};
     if (!session.hidden_here.empty() && bases_for_stroke(session, model).empty())
-        return Refusal{"What it could lie on is set aside",
+        return Refusal{"What it could lie on is hidden here",
                        "Bring the other objects back, then draw the stroke again."};
     return {};
 }
