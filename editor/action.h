@@ -11,7 +11,8 @@ namespace trivar {
 
 struct Editor;
 
-// When an action can run, and what is missing where it cannot: "select an object first".
+// A Condition says when an action can run, and what is missing where it cannot: "select an object
+// first".
 struct Condition {
     Condition() = default;
     template <class Holds>
@@ -24,25 +25,25 @@ struct Condition {
     std::string otherwise;
 };
 
-// Where keys count. `picture`: while no tutorial runs and no list has the keyboard.
+// KeysIn says where keys count. `picture`: while no tutorial runs and no list has the keyboard.
 enum class KeysIn { anywhere, picture, tutorial };
 constexpr bool meet(KeysIn a, KeysIn b)
 {
     return a == b || a == KeysIn::anywhere || b == KeysIn::anywhere;
 }
 
-// Something that can be done from a menu or by a key. The one table of them makes menus, keys,
-// tooltips and the list of keys in Help.
+// An Action is something that can be done from a menu or by a key. The one table of actions makes
+// menus, keys, tooltips and the list of keys in Help.
 struct Action {
     std::string menu, name;
     std::vector<ui::Chord> keys; // the first is shown
     std::function<void(Editor&)> run;
     Condition enabled = {};
     bool group_begins = false;              // a rule above it in the menu
-    std::vector<ui::Chord> usual_keys = {}; // before anybody changed them
+    std::vector<ui::Chord> usual_keys = {}; // before a person changed them
     KeysIn keys_in = KeysIn::anywhere;
     bool repeats = false;                       // while its key is held
-    std::function<bool(const Editor&)> on = {}; // of what is switched: whether it has a tick
+    std::function<bool(const Editor&)> on = {}; // for a switch: whether it has a tick
 };
 
 } // namespace trivar

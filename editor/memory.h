@@ -7,8 +7,9 @@
 
 namespace trivar {
 
-// What single parts of the window remember between two frames: of each type one value, made when it
-// is first asked for. The type stands with its part, so that nobody else depends on it.
+// A Memory holds what single parts of the window remember between two frames: one value per type,
+// made when it is first asked for. The type stands with its part, so that nobody else depends on
+// it.
 class Memory {
 public:
     template <class State> State& of()

@@ -6,7 +6,8 @@
 
 namespace trivar::gpu {
 
-// A GL buffer object. Needs the context it was made in to be current, as all wrappers here do.
+// A Buffer is a GL buffer object. Like all wrappers here it needs the context in which it was made
+// to be current.
 class Buffer {
 public:
     Buffer() = default;
@@ -14,13 +15,13 @@ public:
     Buffer& operator=(Buffer&& other) noexcept;
     ~Buffer();
 
-    // Replaces the contents; the old storage is orphaned, so nothing waits for draws under way.
-    // Throws Rejected where there is no room for much.
+    // Replaces the contents; the old storage is orphaned, so nothing waits for draws in progress.
+    // Throws Rejected where the device has no room for large contents.
     void write(std::span<const std::byte> bytes);
-    // So many bytes of anything, kept where there are that many already. Throws Rejected where the
-    // device has no room.
+    // Makes room for `bytes` bytes, unless there is that much already; the contents are undefined.
+    // Throws Rejected where the device has no room.
     void reserve(std::size_t bytes);
-    // Waits until what is written there has been written.
+    // Reads the contents; waits until pending writes are done.
     void read(std::span<std::byte> into) const;
     unsigned name() const { return name_; }
     std::size_t bytes() const { return bytes_; }

@@ -8,24 +8,26 @@
 
 namespace trivar::gpu {
 
-// What is drawn of the parts of a curve that something solid hides.
+// HiddenParts says how those parts of a curve are drawn that something solid hides.
 enum class HiddenParts { dashed, faint, left_out };
 
-// How a polyline is drawn.
+// A CurveStyle says how a polyline is drawn.
 struct CurveStyle {
     float width_px = 2;
-    float width_world = 0; // above 0 in place of width_px: farther away it is thinner
+    // above 0: used in place of width_px, so that a curve further away is thinner
+    float width_world = 0;
     // Shares of the length over which the width grows from 0 at the beginning and at the end.
     glm::vec2 taper{0};
     HiddenParts hidden = HiddenParts::dashed;
     bool operator==(const CurveStyle&) const = default;
 };
 
-// Set in the ids of a picture's pixels where a curve shows, to tell it from surfaces.
+// This bit is set in the ids of a picture's pixels where a curve shows, to tell curves from
+// surfaces.
 inline constexpr std::uint32_t curve_id_bit = 1u << 31;
 
-// A polyline that is part of the scene as surfaces are: it hides what is behind it and can be
-// picked. It is not lit and casts no shadow. Every picture uploads its curves: O(points).
+// A Curve is a polyline that is part of the scene as surfaces are: it hides what is behind it and
+// can be picked. It is not lit and casts no shadow. Every picture uploads its curves: O(#points).
 struct Curve {
     Ref<Polyline> line = {};
     glm::dmat4 to_world{1};

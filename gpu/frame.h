@@ -7,7 +7,8 @@
 
 namespace trivar::gpu {
 
-// The uniform block of shaders/frame.glsl, field by field in std140 order; units are said there.
+// A Frame is the uniform block of shaders/frame.glsl, field by field in std140 order; that file
+// states the units.
 struct Frame {
     glm::mat4 view, clip, view_clip, from_view, key_clip;
     glm::vec4 eye, size_px, key_dir, key_light;
@@ -21,13 +22,13 @@ struct Frame {
 };
 static_assert(sizeof(Frame) == 5 * 64 + 16 * (4 + 9 + 12 + 7 + 3 + 2 + 4 + 1));
 
-// Everything but key_clip and shadow_map, which the shadow map fills in. Throws Rejected for a
+// All fields but key_clip and shadow_map, which the shadow map fills in. Throws Rejected for a
 // camera that looks nowhere.
 Frame frame_of(const Picture& picture, const Camera& camera, const Scene& scene, const Look& look,
                const Studio& studio);
 
-// The frame of sample `index` of `count`: shifted inside the pixel by a Hammersley point, other
-// noise. A single sample lies in the pixel's middle.
+// The frame of sample `index` of `count`: shifted inside the pixel by a Hammersley point, with
+// other noise. A single sample lies in the pixel's middle.
 Frame sample_of(const Frame& frame, int index, int count);
 
 } // namespace trivar::gpu

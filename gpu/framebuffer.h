@@ -7,8 +7,8 @@
 
 namespace trivar::gpu {
 
-// A GL framebuffer object over textures that others own; over none where only the vertices of a
-// draw matter.
+// A Framebuffer is a GL framebuffer object over textures of other owners; over no texture where
+// only the vertices of a draw matter.
 class Framebuffer {
 public:
     Framebuffer() = default;
@@ -17,7 +17,7 @@ public:
     Framebuffer& operator=(Framebuffer&& other) noexcept;
     ~Framebuffer();
 
-    // Draws go here from now on, over the whole of it.
+    // Makes draws go here from now on, over the whole framebuffer.
     void bind() const;
     unsigned name() const { return name_; }
 

@@ -10,20 +10,21 @@
 
 namespace trivar::gpu {
 
-// A rectangular lamp far away, in the studio's own azimuth: 0 is the sun's.
+// A Softbox is a rectangular lamp far away; its azimuth is relative to the sun.
 struct Softbox {
     float azimuth, elevation; // radians; the key's are the document's sun
     glm::vec2 half_size;      // at distance 1
-    glm::vec3 radiance;       // linear; albedo 0.76 under 1 / pi is where the tone curve bends
-    float softness;           // of its edge, at distance 1
+    // linear; a surface of albedo 0.76 under 1 / pi lies where the tone curve bends
+    glm::vec3 radiance;
+    float softness; // of its edge, at distance 1
 };
 
-// A named way to light and stage a scene.
+// A Look is a named way to light and stage a scene.
 struct Look {
     std::array<Softbox, 3> boxes;     // key, fill, rim
     glm::vec3 zenith, horizon, floor; // radiance of the dome; floor: as lit over a ground
     Backdrop backdrop;
-    std::optional<glm::vec3> clay; // every material is matt and has this colour
+    std::optional<glm::vec3> clay; // where set, every material is matt and has this colour
 };
 
 // "studio", "clay", "dark"; any other name gives the studio.

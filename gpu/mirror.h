@@ -13,7 +13,7 @@
 
 namespace trivar::gpu {
 
-// A mesh as the GPU has it.
+// A MirroredMesh is a mesh on the GPU.
 struct MirroredMesh {
     using Part = MirroredFaces::Part;
     struct Attribute {
@@ -29,10 +29,11 @@ struct MirroredMesh {
     // The buffer of an attribute, or null.
     const Buffer* attribute(unsigned location) const;
     bool colored = false;     // has vertex colours
-    std::uint64_t serial = 0; // no two uploads have the same
+    std::uint64_t serial = 0; // unique for each upload
 };
 
-// The edges between a mesh's faces, each once, as lines; a polygon's diagonals are none.
+// EdgeIndices are the edges between a mesh's faces, each once, as lines; diagonals of polygons are
+// not among them.
 struct EdgeIndices {
     Buffer buffer;
     int count = 0;
@@ -42,28 +43,28 @@ struct MirroredEdges {
     std::shared_ptr<const EdgeIndices> indices;
 };
 
-// Uploads of immutable values, keyed by Ref identity. The mirror owns none of the values: what
-// nobody else holds any more is freed by drop_dead().
+// A Mirror uploads immutable values, by Ref identity. It owns none of the values: drop_dead() frees
+// those that nobody else holds any more.
 class Mirror {
 public:
     const MirroredMesh& mesh(const Ref<Mesh>& mesh);
-    // `faces` has the same faces, and so the same edges: a mesh and what it becomes by deformation
-    // share theirs. O(#C log valence) when first asked for.
+    // `faces` has the same faces, and so the same edges: a mesh and its deformed results share
+    // them. O(#C log valence) at the first call.
     const MirroredEdges& edges(const Ref<Mesh>& mesh, const Ref<Mesh>& faces);
     std::shared_ptr<const EdgeIndices> edge_indices(const Ref<Mesh>& faces);
-    // Kept while the next picture wants them too: they are uploaded anew where they stand
-    // elsewhere.
+    // The copies on the GPU; they are kept while the next picture wants them too, and uploaded anew
+    // where they have moved.
     const MirroredCopies& copies(const Ref<std::vector<Copy>>& copies, const CopiesAt& at);
-    // bounding_box() of the mesh, or of all its copies, remembered for the last few matrices and
-    // copies that it was seen with.
+    // The bounding_box() of the mesh, or of all its copies, remembered for the last few matrices
+    // and copies.
     Box box_world(const Ref<Mesh>& mesh, const glm::dmat4& to_world,
                   const Ref<std::vector<Copy>>& copies = {});
     const Buffer& values(const Ref<std::vector<float>>& values);
     const Texture2D& texture(const Ref<Image>& image, bool srgb);
     void drop_dead();
-    std::uint64_t next_serial() { return ++uploads_; } // of what somebody else uploads
+    std::uint64_t next_serial() { return ++uploads_; } // for uploads of others
 
-    std::size_t bytes() const; // of all uploads
+    std::size_t bytes() const; // memory of all uploads
     std::size_t mesh_count() const { return meshes_.size(); }
     std::size_t texture_count() const { return textures_.size(); }
 

@@ -10,35 +10,35 @@
 
 namespace trivar::gpu {
 
-// Where the copies of an instance stand together; see to_scene().
+// CopiesAt says where the copies of an instance stand together; see to_scene().
 struct CopiesAt {
     glm::dmat4 to_world{1};
     glm::dvec3 mesh_origin{0}, scene_origin_world{0};
     bool operator==(const CopiesAt&) const = default;
 };
 
-// The copies of an instance as the GPU has them, for instanced draws.
+// MirroredCopies are the copies of an instance on the GPU, for instanced draws.
 struct MirroredCopies {
-    Buffer rows;                   // a row for every copy; those that mirror come last
+    Buffer rows;                   // one row per copy; the mirroring ones come last
     int upright = 0, mirrored = 0; // number of copies that do not turn faces round, and that do
-    double scale = 1;              // mean size of a copy over that of the mesh
+    double scale = 1;              // mean size of a copy relative to the mesh
     bool valued = false;           // every copy has a value
-    std::uint64_t serial = 0;      // no two uploads have the same
+    std::uint64_t serial = 0;      // unique for each upload
 
-    // Makes the rows from `first` on the attributes of place.glsl; their values those of
-    // values.glsl if `shows_values`.
+    // Binds the rows from `first` on to the attributes of place.glsl; if `shows_values`, their
+    // values to those of values.glsl.
     void feed(const VertexArray& vertices, int first, bool shows_values) const;
 };
 
 // Leaves out copies whose matrix is not finite, as all functions here do.
 MirroredCopies uploaded(std::span<const Copy> copies, const CopiesAt& at);
 
-// The box of a box.
+// The box of a transformed box.
 Box transformed(const Box& box, const glm::dmat4& matrix);
-// The box of the copies of a box: no smaller than that of what is in it.
+// A box that holds all copies of a box's contents.
 Box transformed(const Box& box, const glm::dmat4& to_world, std::span<const Copy> copies);
-// The box of the copies of a mesh. O(#V + #copies) where few of them stand at the rim, O(#V
-// #copies) at most.
+// The box of the copies of a mesh. O(#V + #copies) where few of them stand at the rim, at most O(#V
+// #copies).
 Box bounding_box(const Mesh& mesh, const glm::dmat4& to_world, std::span<const Copy> copies);
 
 } // namespace trivar::gpu

@@ -11,7 +11,7 @@
 
 namespace trivar::gpu {
 
-// The faces of a mesh as the GPU has them: triangles sorted by material.
+// MirroredFaces are the faces of a mesh on the GPU: triangles sorted by material.
 struct MirroredFaces {
     struct Part {
         std::uint32_t material = 0;
@@ -19,17 +19,17 @@ struct MirroredFaces {
     };
     Buffer indices;
     std::vector<Part> parts;
-    bool closed = false; // is_closed_body(), as far as it was looked for: of triangles alone
+    bool closed = false; // is_closed_body(), which is asked only for meshes of triangles
 };
 
-// Uploads of faces. Meshes of triangles that have equal ones share them, whatever their vertices:
-// what is deformed or posed anew for every picture uploads nothing else. (How a polygon with more
-// corners is cut depends on where they lie.)
+// A FacesMirror uploads faces. Meshes of equal triangles share them, with any vertices: a mesh that
+// is deformed or posed anew for every picture uploads no faces. (How a polygon with more corners is
+// cut depends on the places of its corners.)
 class FacesMirror {
 public:
     std::shared_ptr<const MirroredFaces> operator()(const Mesh& mesh);
-    // Those that nobody has held since the last call, so that the next frame finds those of the
-    // one before.
+    // Frees faces that nobody has held since the last call, so that the next frame still finds
+    // those of the previous one.
     void drop_dead();
 
 private:

@@ -5,8 +5,8 @@
 
 namespace trivar::gpu {
 
-// Times the passes of a picture: by fences on software GL, whose timer queries read zero, by
-// timestamp queries elsewhere, read back when asked for.
+// A PassClock measures the passes of a picture: by fences on software GL, whose timer queries read
+// zero, elsewhere by timestamp queries, which are read back when the times are asked for.
 class PassClock {
 public:
     PassClock();
@@ -15,7 +15,7 @@ public:
     PassClock& operator=(const PassClock&) = delete;
 
     void start_picture();
-    // `vertices`: how many it works on, where that is what it does.
+    // `vertices` is the number of vertices that the pass works on, where it works on vertices.
     template <class Body> void pass(const char* name, Body&& body, std::size_t vertices = 0)
     {
         const std::size_t at = begin(name, vertices);

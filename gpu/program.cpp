@@ -149,7 +149,7 @@ const Program& Programs::use(const ProgramName& name)
     return found->second.program;
 }
 
-Programs::Compiled Programs::compiled(const ProgramName& name) const
+Programs::CompiledProgram Programs::compiled(const ProgramName& name) const
 {
     if (!texts_) return {Program(name), nullptr};
     try {

@@ -10,11 +10,11 @@
 
 namespace trivar::gpu {
 
-// A linked GL program. Its uniforms are set by name while it is in use; a name the compiler has
-// dropped is ignored, as GL does.
+// A Program is a linked GL program. Its uniforms are set by name while it is in use; a name that
+// the compiler dropped is ignored, as GL does.
 class Program {
 public:
-    // Throws Rejected where a driver does not take it.
+    // Throws Rejected where a driver does not accept it.
     explicit Program(const ProgramName& name, const ShaderTexts* texts = nullptr);
     Program(Program&& other) noexcept;
     Program& operator=(Program&& other) noexcept;
@@ -36,27 +36,27 @@ private:
     mutable std::map<std::string, int, std::less<>> locations_;
 };
 
-// The programs compiled so far, each once and when it is first wanted.
+// Programs holds the programs compiled so far; each is compiled once, when it is first needed.
 class Programs {
 public:
     // Makes the program current and returns it.
     const Program& use(const ProgramName& name);
 
-    // Texts in place of the embedded ones; null: none. What they change is compiled anew, and what
-    // then does not compile stays as it was, or is taken from the embedded text.
+    // Replaces the embedded texts; null: none is replaced. Programs whose texts change are compiled
+    // anew; where that fails, the earlier program or the embedded text stays in use.
     void take(const Ref<ShaderTexts>& texts);
-    // Why something is not as the texts say, in a sentence; empty: all is.
+    // A sentence that says why a program does not follow the texts; empty: all do.
     std::string trouble() const;
 
 private:
-    struct Compiled {
+    struct CompiledProgram {
         Program program;
         Ref<ShaderTexts> from;
         std::string trouble = {};
     };
-    Compiled compiled(const ProgramName& name) const;
+    CompiledProgram compiled(const ProgramName& name) const;
     Ref<ShaderTexts> texts_;
-    std::map<ProgramName, Compiled> compiled_;
+    std::map<ProgramName, CompiledProgram> compiled_;
 };
 
 } // namespace trivar::gpu

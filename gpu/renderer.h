@@ -10,7 +10,7 @@
 
 namespace trivar::gpu {
 
-// Draws pictures into the current OpenGL context, a window's or a headless one alike.
+// A Renderer draws pictures into the current OpenGL context, of a window or headless.
 class Renderer {
 public:
     Renderer();
@@ -18,43 +18,43 @@ public:
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    // Draws into a texture of its own, `size_px` large times the picture's scale (the camera's
-    // aspect follows it), and returns that texture's name: RGBA8, sRGB-encoded, row 0 at the
-    // bottom; valid till the next call. On software GL the ground of a draft may be as it was in
-    // the one before.
+    // Draws into a texture of its own, of `size_px` times the picture's scale (the camera's aspect
+    // follows it), and returns the texture's name: RGBA8, sRGB-encoded, row 0 at the bottom; valid
+    // until the next call. On software GL the ground of a draft may be that of the draft before.
     unsigned draw(const Picture& picture, glm::ivec2 size_px);
 
-    // The same in pieces, so that a window on a slow machine stays awake, and with nothing left of
-    // what was drawn before: begin() drops what was begun, each advance() draws on for about so
-    // long (a pass at least) and tells whether the picture is whole. Until then texture() stays
-    // the last whole picture.
+    // Draws in pieces, so that a window on a slow machine stays responsive, and nothing of earlier
+    // drawings is left. begin() drops an unfinished picture; each advance() draws for about the
+    // given time (at least one pass) and tells whether the picture is complete. Until then
+    // texture() is the last complete picture.
     void begin(const Picture& picture, glm::ivec2 size_px);
     bool advance(double budget_ms);
     unsigned texture() const;
 
-    Image image() const;          // the last whole picture, read back
-    DeepImage deep_image() const; // the same, as finely as it was drawn
+    Image image() const;          // the last complete picture, read back
+    DeepImage deep_image() const; // the same at the depth in which it was drawn
 
-    // The same as draw(), read back.
+    // Draws as draw() does and reads the picture back.
     Image render(const Picture& picture, glm::ivec2 size_px);
 
-    // The id of the instance under a pixel of the last picture drawn (0, 0 top left, whatever its
+    // The id of the instance under a pixel of the last drawn picture ((0, 0) is top left, at any
     // scale); 0: none.
     int pick(glm::ivec2 p_px);
-    // The same; a curve is picked as far beside it as that, unless what is seen at the pixel lies
+    // The same, but a curve is picked within `reach_px` of the pixel, unless the surface there lies
     // clearly in front of it.
     int pick_near(glm::ivec2 p_px, double reach_px);
-    // The ids of all that is seen in a rectangle of it, ascending; `hi_px` is outside.
+    // The ids of everything that is seen in a rectangle of the picture, ascending; `hi_px` is
+    // outside.
     std::vector<int> pick_in(glm::ivec2 lo_px, glm::ivec2 hi_px);
 
-    // How long the passes of the last picture took (by fences on software GL).
+    // The times of the passes of the last picture (by fences on software GL).
     const Timings& timings() const;
-    // What of the last picture was not drawn as it was asked, as a sentence; empty: nothing.
+    // A sentence that says what of the last picture was not drawn as asked; empty: everything was.
     const std::string& notice() const;
-    // Why some shader of the picture is not the one that was given with it, as a sentence with file
-    // and line; empty: all are.
+    // A sentence with file and line that says why a shader of the picture is not the given one;
+    // empty: all are.
     std::string shader_trouble() const;
-    std::size_t uploaded_bytes() const; // of meshes and their textures
+    std::size_t uploaded_bytes() const; // memory of meshes and their textures
 
 private:
     struct State;

@@ -8,31 +8,32 @@
 
 namespace trivar::gpu {
 
-// An instance ready to be drawn. Scene space is world space moved to the middle of the scene, so
-// that single precision is enough wherever in the world the scene lies.
+// A SceneItem is an instance ready to be drawn. Scene space is world space moved to the middle of
+// the scene, so that single precision suffices wherever in the world the scene lies.
 struct SceneItem {
     const MirroredMesh* mesh;
     const MirroredEdges* edges;           // null unless the edges are drawn
-    Ref<std::vector<Material>> materials; // may be null: the default material
+    Ref<std::vector<Material>> materials; // null: the default material
     glm::mat4 to_scene;
     glm::mat3 normal_to_scene;
     bool mirrored; // the matrices turn faces round
     int id;
     float opacity;
-    glm::vec3 lo, hi;                      // box in scene space
-    float extent;                          // how large it is, or one of its copies
-    const MirroredCopies* copies;          // null: there is one, where the matrices say
-    int first_copy, copy_count;            // which of them are drawn, all turned round or none
-    const Buffer* values;                  // one a vertex, or null
-    bool values_by_copy;                   // in place of these
-    const Buffer* rest;                    // positions that solid materials follow, or null
-    glm::vec4 rest_middle;                 // and 1 / radius of these
-    const DeformedMesh* deformed_as_drawn; // null where it is not
+    glm::vec3 lo, hi;             // box in scene space
+    float extent;                 // size of the item, or of one of its copies
+    const MirroredCopies* copies; // null: it is drawn once, by the matrices
+    // the copies that are drawn: either all or none of them turn faces round
+    int first_copy, copy_count;
+    const Buffer* values;                  // one per vertex, or null
+    bool values_by_copy;                   // the copies' values are used in place of these
+    const Buffer* rest;                    // the positions that solid materials follow, or null
+    glm::vec4 rest_middle;                 // of `rest`, and 1 / radius
+    const DeformedMesh* deformed_as_drawn; // null: it is not deformed in one phase
 
     const Material& material(std::uint32_t index) const;
-    // Whether a part lets what is behind shine through.
+    // Whether a part lets things behind it shine through.
     bool see_through(const MirroredMesh::Part& part) const;
-    // Whether it is the skin of bodies without gaps, whose backs are seen from within alone (or
+    // Whether it is the skin of bodies without gaps, whose backs are seen only from within (or
     // where a deformation folds it).
     bool is_body() const;
     bool shows_values() const { return values || values_by_copy; }
@@ -40,18 +41,19 @@ struct SceneItem {
 
 struct Scene {
     glm::dvec3 origin_world{0};
-    std::vector<SceneItem> items;    // one or, where some copies mirror, two of an instance
-    std::vector<Box> curve_boxes;    // world; of the picture's curves that are somewhere
-    std::vector<SceneItem> outlined; // what has an outline of it: the same items, or some copies
-    std::vector<std::shared_ptr<const MirroredCopies>> own_copies; // of these
-    glm::vec3 lo{0}, hi{0}; // of all items and curves; nothing where there are none
-    float ground_z = 0;     // the lowest point of what stands there
+    std::vector<SceneItem> items;    // one per instance, or two where some of its copies mirror
+    std::vector<Box> curve_boxes;    // world; of the picture's finite curves
+    std::vector<SceneItem> outlined; // what is outlined of it: the same items, or some copies
+    std::vector<std::shared_ptr<const MirroredCopies>> own_copies; // of the outlined copies
+    glm::vec3 lo{0}, hi{0}; // of all items and curves; unset where there are none
+    float ground_z = 0;     // the lowest point of the scene
     float radius = 1;       // half the diagonal
     std::array<glm::vec4, map_steps + 1> map_colors{};
     glm::vec4 map_range{0}; // values.glsl
 };
 
-// What the maps that do not depend on the camera were drawn from: equal keys, equal maps.
+// A CasterKey tells from what the maps were drawn that do not depend on the camera: equal keys mean
+// equal maps.
 struct CasterKey {
     struct Caster {
         std::uint64_t mesh_serial;
@@ -66,8 +68,8 @@ struct CasterKey {
 };
 CasterKey casters_of(const Scene& scene);
 
-// Uploads what is missing. Instances without a mesh, without triangles or with a matrix that is
-// not finite are left out.
+// Uploads what is missing. Instances without a mesh, without triangles or with a matrix that is not
+// finite are left out.
 Scene scene_of(const Picture& picture, Mirror& mirror, const DeformedMeshes& deformed);
 
 } // namespace trivar::gpu

@@ -8,13 +8,15 @@
 
 namespace trivar::gpu {
 
-// The shader files of a checkout, for those who work on them: gpu/shaders and core/kernel.
+// A ShaderFolder watches the shader files of a checkout, for developers: gpu/shaders and
+// core/kernel.
 class ShaderFolder {
 public:
-    explicit ShaderFolder(const std::string& checkout); // throws Rejected where it is none
+    // throws Rejected where it is not a checkout
+    explicit ShaderFolder(const std::string& checkout);
 
-    // The texts as they are now: another Ref as soon as a file's time stamp or size has changed, or
-    // a file has come or gone. Asked more than four times a second, it does not look again.
+    // The present texts: another Ref as soon as the time stamp or size of a file has changed, or a
+    // file has come or gone. The files are looked at most four times per second.
     const Ref<ShaderTexts>& texts(double time_s);
     static constexpr double look_every_s = 0.25;
 

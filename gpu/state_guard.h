@@ -5,7 +5,7 @@
 
 namespace trivar::gpu {
 
-// Leaves the context as ImGui and other guests expect it, whatever was drawn.
+// A StateGuard restores the context's state as ImGui and other guests expect it, after any drawing.
 class StateGuard {
 public:
     StateGuard();

@@ -5,7 +5,7 @@
 
 namespace trivar::gpu {
 
-// A look turned to a sun, ready for the shaders.
+// A Studio is a look turned to a sun, ready for the shaders.
 struct Studio {
     struct Box {
         glm::vec3 direction, right, up; // unit, world

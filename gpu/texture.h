@@ -9,7 +9,7 @@
 
 namespace trivar::gpu {
 
-// A two-dimensional GL texture with fixed storage.
+// A Texture2D is a two-dimensional GL texture with fixed storage.
 class Texture2D {
 public:
     Texture2D() = default;
@@ -32,8 +32,8 @@ private:
     glm::ivec2 size_px_{0};
 };
 
-// A buffer read as texels of four floats. Which buffer is said at every binding, for writing one
-// may give it another storage.
+// Texels are a buffer that is read as texels of four floats. Every binding names the buffer again,
+// because writing may give it another storage.
 class Texels {
 public:
     Texels();
@@ -46,7 +46,7 @@ private:
     unsigned name_ = 0;
 };
 
-// How a texture is read, apart from the texture.
+// A Sampler says how a texture is read, apart from the texture.
 class Sampler {
 public:
     enum class Edge { repeat, clamp, white_border };
@@ -62,7 +62,7 @@ private:
     unsigned name_ = 0;
 };
 
-// The longest side of a texture, by the current context and what pictures here may have.
+// The longest side of a texture, by the current context and by the limit for pictures here.
 int largest_texture_px();
 
 } // namespace trivar::gpu

@@ -6,15 +6,15 @@
 
 namespace trivar::gpu {
 
-// How what is drawn of a mesh stands in scene space; see gpu/scene.h.
+// A ToScene says how a mesh stands in scene space; see gpu/scene.h.
 struct ToScene {
     glm::mat4 points{1};
     glm::mat3 normals{1};
     bool mirrors = false; // turns faces round
 };
 
-// From where the mesh stands in the world, what its positions are relative to, and the world's
-// point that is the scene's origin.
+// Computes it from the mesh's matrix in the world, the origin of its positions, and the world point
+// that is the scene's origin.
 inline ToScene to_scene(glm::dmat4 to_world, const glm::dvec3& mesh_origin,
                         const glm::dvec3& scene_origin_world)
 {

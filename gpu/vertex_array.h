@@ -5,7 +5,7 @@
 
 namespace trivar::gpu {
 
-// A GL vertex array object: which buffers feed which attributes.
+// A VertexArray is a GL vertex array object: it says which buffers feed which attributes.
 class VertexArray {
 public:
     VertexArray();
@@ -17,7 +17,7 @@ public:
     // a divisor of 1 it advances per instance.
     void attribute(unsigned location, const Buffer& buffer, int components, int stride,
                    std::size_t offset = 0, unsigned divisor = 0) const;
-    // The same of whole numbers without sign, 4 bytes each.
+    // The same for whole numbers without sign, 4 bytes each.
     void integers(unsigned location, const Buffer& buffer, int components, int stride,
                   std::size_t offset = 0, unsigned divisor = 0) const;
     void indices(const Buffer& buffer);

@@ -7,30 +7,32 @@
 
 namespace trivar::ui {
 
-// How a hand moves a camera; each is a pure function. The horizon stays level: nothing rolls.
+// Each of these pure functions is a way in which a hand moves a camera. The horizon stays level:
+// nothing rolls.
 
-// Turns about a world point, which keeps its place in the picture; a drag of the picture's height
-// turns by half a circle. Looking straight up or down is the limit.
+// Turns the camera about a world point, which keeps its place in the picture; a drag as long as the
+// picture is high turns by half a circle. Turning ends at looking straight up or down.
 Camera orbited(const Camera& camera, const glm::dvec3& pivot_world, glm::dvec2 drag_px);
 
-// Slides sideways so that a point at the anchor's depth follows the drag exactly.
+// Slides the camera sideways so that a point at the anchor's depth follows the drag exactly.
 Camera panned(const Camera& camera, const glm::dvec3& anchor_world, glm::dvec2 drag_px);
 
-// Comes nearer (factor below 1) or goes away; the anchor keeps its place in the picture. Between
-// 1e-4 and 1e6 metres from the target the factor is obeyed, beyond that it is cut.
+// Moves the camera nearer (factor below 1) or further away; the anchor keeps its place in the
+// picture. The distance from the target stays between 1e-4 and 1e6 metres.
 Camera zoomed(const Camera& camera, const glm::dvec3& anchor_world, double factor);
 
-// The same direction, so near that the points just fit the picture with a margin of a tenth at each
-// side, and turned about at the depth of their middle. No points give the camera as it was.
+// Keeps the direction and moves the camera so near that the points just fit the picture with a
+// margin of a tenth at each side; afterwards it turns about the depth of their middle. Without
+// points the camera stays.
 Camera framed(const Camera& camera, std::span<const glm::dvec3> points);
 
-// The same view in a picture of another shape, wide enough for all that was in it.
+// The same view in a picture of another shape, wide enough for everything that was in it.
 Camera reshaped(const Camera& camera, glm::dvec2 size_px);
 
 // The same target and distance, seen from a direction (unit, from the target to the eye).
 Camera seen_from(const Camera& camera, const glm::dvec3& direction);
 
-// From perspective to orthographic and back; what lies at the target's depth keeps its size.
+// Switches between perspective and orthographic; things at the target's depth keep their size.
 Camera with_perspective(const Camera& camera, bool perspective);
 
 // The point under a pixel at the depth of the target: an anchor where the ray hits nothing.

@@ -11,24 +11,24 @@
 
 namespace trivar::ui {
 
-// What a file dialog is asked for.
+// A FileRequest says what a file dialog asks for.
 struct FileRequest {
     std::string title;                   // "Open a scene"
     std::string action;                  // on the button: "Open"
     std::vector<std::string> extensions; // with the dot, lower case; empty: all files
-    bool saving = false; // a new name may be typed; the first extension is added where none is
-    bool folder = false; // and saving: a folder is chosen, there or not
+    bool saving = false; // a new name may be typed; it gets the first extension where it has none
+    bool folder = false; // with saving: a folder is chosen, which need not exist
     std::string name;    // suggested
 };
 
-// Browses folders inside the window: click and double click, arrows, Enter, Backspace for the
-// folder above, or a path typed or pasted into its field. Tab goes to its buttons. Esc closes it. A
-// file that is there is replaced by its button or by Ctrl Enter, not by Enter alone.
+// A FileDialog browses folders inside the window: click and double click, arrows, Enter, Backspace
+// for the folder above, or a path typed or pasted into its field. Tab goes to its buttons. Esc
+// closes it. An existing file is replaced by the button or by Ctrl Enter, not by Enter alone.
 class FileDialog {
 public:
     void open(FileRequest request, const std::filesystem::path& start = {});
     bool is_open() const { return open_; }
-    // Draws it if it is open; the chosen path in the frame in which it was chosen.
+    // Draws the dialog if it is open; returns the chosen path in the frame in which it was chosen.
     std::optional<std::string> draw(const Theme& theme);
 
 private:
@@ -36,7 +36,7 @@ private:
     void move_focus();
     std::optional<std::string> take(const std::string& typed, bool replace = false);
     std::optional<std::string> take_folder();
-    bool replaces() const; // a file that is there has the typed name
+    bool replaces() const; // a file with the typed name exists
     std::optional<std::string> draw_list(const Theme& theme, float height);
     std::filesystem::path absolute(const std::string& typed) const;
     std::filesystem::path with_extension(std::filesystem::path path) const; // where it has none

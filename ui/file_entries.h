@@ -15,13 +15,13 @@ struct FileEntry {
     bool operator==(const FileEntry&) const = default;
 };
 
-// Folders first, then the files with one of the extensions, both in the order people expect
-// (model2 before model10, no difference of case). Hidden ones are left out. An unreadable folder
-// is empty.
+// The folders, followed by the files with one of the extensions, both in the order people expect
+// (model2 before model10, in any case of letters). Hidden files are left out. An unreadable folder
+// counts as empty.
 std::vector<FileEntry> entries_of(const std::filesystem::path& folder,
                                   const std::vector<std::string>& extensions);
 bool natural_less(const std::string& a, const std::string& b);
-// Whatever its case; none at all: any name.
+// Whether a name has one of the extensions, in any case of letters; without extensions always true.
 bool has_extension(const std::string& name, const std::vector<std::string>& extensions);
 
 } // namespace trivar::ui

@@ -149,14 +149,15 @@ Fonts load_fonts(float scale)
     f.tool = add(regular, 16, 18);
     f.large_icon = add(regular, 16, 28);
     if (!atlas.Build()) throw Rejected("The font texture could not be built.");
-    struct Built {
+    struct BuiltFont {
         ImFont* font;
         const std::string& file;
         float line;
     };
-    for (const Built& b : {Built{f.body, regular, 16}, Built{f.strong, strong, 16},
-                           Built{f.small, medium, 14}, Built{f.small_strong, strong, 14},
-                           Built{f.title, strong, 20}, Built{f.display, strong, 32}}) {
+    for (const BuiltFont& b :
+         {BuiltFont{f.body, regular, 16}, BuiltFont{f.strong, strong, 16},
+          BuiltFont{f.small, medium, 14}, BuiltFont{f.small_strong, strong, 14},
+          BuiltFont{f.title, strong, 20}, BuiltFont{f.display, strong, 32}}) {
         restore_advances(b.font, b.file, std::round(b.line * scale));
         make_figures_tabular(b.font);
     }

@@ -9,7 +9,7 @@
 
 namespace trivar::ui {
 
-// What the program that draws a frame is given, and what it asks for in return.
+// A Frame is what the program that draws a frame is given, and what it asks for in return.
 struct Frame {
     const Theme& theme;
     const std::vector<Event>& events; // what hands did since the last frame
@@ -26,13 +26,13 @@ struct Frame {
 };
 using DrawFrame = std::function<void(Frame&)>;
 
-// Decides when the next frame is due, so that an idle window draws nothing at all.
+// A Pace decides when the next frame is due, so that an idle window draws nothing at all.
 class Pace {
 public:
-    // After input a few frames are owed: ImGui needs them for hovering and popups to settle.
+    // After input a few frames are due: ImGui needs them for hovering and popups to settle.
     void input_came() { owed_ = 3; }
-    // Another thread has something to show: a frame now. Those that settle it are left till no
-    // more comes, for what plays brings one thing after the other.
+    // Another thread has a result to show: one frame is due now. The frames that settle it wait
+    // until no more results come, because playing brings one result after the other.
     void result_came(double time_s)
     {
         constexpr double patience_s = 0.15;
@@ -48,7 +48,7 @@ public:
         }
         due_s_ = frame.again_in_s < 1e9 ? frame.time_s + frame.again_in_s : 1e300;
     }
-    // Seconds until a frame is due: 0 now, above 1e9 not before something happens.
+    // The seconds until a frame is due: 0 means now, above 1e9 not before something happens.
     double wait_s(double time_s) const
     {
         return owed_ > 0 ? 0 : std::max(0.0, std::min(due_s_, settles_s_) - time_s);

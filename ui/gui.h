@@ -7,8 +7,8 @@
 
 namespace trivar::ui {
 
-// ImGui on the current OpenGL context, a window's or a headless one alike. It lives as long as
-// the context stays current on this thread.
+// A Gui is ImGui on the current OpenGL context, of a window or headless. It lives as long as the
+// context stays current on this thread.
 class Gui {
 public:
     explicit Gui(const ThemeOptions& options = {});
@@ -20,8 +20,7 @@ public:
     const Theme& theme() const { return theme_; }
     void set_theme(const ThemeOptions& options); // between frames only
 
-    // Drops all GPU objects; they are made again, in the context that is current then, by the next
-    // frame.
+    // Drops all GPU objects; the next frame makes them again in the context that is current then.
     void forget_gpu();
 
     // One frame into the bound framebuffer: input, body, pixels.
@@ -36,8 +35,8 @@ private:
     friend Input& hands();
     friend Tooltips& tooltips();
     double last_time_s_ = -1;
-    std::vector<unsigned> popups_; // that were open at the last frame
-    bool by_key_ = false;          // the last thing that hands did was to press a key
+    std::vector<unsigned> popups_; // popups that were open at the last frame
+    bool by_key_ = false;          // the last input was a key press
 };
 
 } // namespace trivar::ui

@@ -9,8 +9,8 @@
 
 namespace trivar::ui {
 
-// Frames without a screen: the same input, the same drawing, an image instead of a window. Time
-// stands still between frames and moves by 1/60 s at each.
+// HeadlessFrames draws frames without a screen: the same input, the same drawing, an image in place
+// of a window. Time stands still between frames and advances by 1/60 s at each.
 class HeadlessFrames {
 public:
     explicit HeadlessFrames(glm::ivec2 size_px, const ThemeOptions& options = {});
@@ -21,12 +21,12 @@ public:
     Input& input() { return gui_.input(); }
     const Theme& theme() const { return gui_.theme(); }
     void frames(int count, const DrawFrame& body);
-    // Draws as a window would, until nothing more is due or the limit is reached; returns how many
-    // frames that took. Waits for later frames are skipped, not slept through.
+    // Draws frames as a window would, until no more is due or the limit is reached; returns the
+    // number of frames. Waits for later frames are skipped, not slept through.
     int settle(const DrawFrame& body, int limit = 100);
     Image picture() const; // of the last frame
-    // As when the graphics card is reset: `forget` drops what the body made, the context goes and
-    // another one comes.
+    // Simulates a reset of the graphics card: `forget` drops what the body made, the context ends
+    // and another one begins.
     void lose_context(const std::function<void()>& forget);
     int count() const { return count_; }
 
@@ -43,9 +43,9 @@ private:
     Pace pace_;
 };
 
-// The image with what `body` draws over it: one frame of an interface of its own, in the current
-// OpenGL context, whose state stays, beside whatever other interface there is. Throws Rejected
-// where fonts are missing.
+// The image with the drawing of `body` over it: one frame of an interface of its own, in the
+// current OpenGL context, whose state stays, beside any other interface. Throws Rejected where
+// fonts are missing.
 Image drawn_over(const Image& image, const ThemeOptions& options, const DrawFrame& body);
 
 } // namespace trivar::ui

@@ -56,7 +56,7 @@ int value_at(const HeightPlot& plot, const HeightStyle& style, glm::vec2 mouse, 
     return nearest;
 }
 
-Color between(Color a, Color b, float share)
+Color mixed_color(Color a, Color b, float share)
 {
     Color out = 0xFF000000u;
     for (int shift = 0; shift < 24; shift += 8) {
@@ -71,7 +71,7 @@ Color between(Color a, Color b, float share)
 void paint_surface(const Theme& theme, const HeightPlot& plot, const HeightStyle& style)
 {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const Color dark = between(theme.color.field_active, style.color, 0.25f);
+    const Color dark = mixed_color(theme.color.field_active, style.color, 0.25f);
     const auto height = [&](int i, int j) {
         return style.at(static_cast<double>(i) / steps_u, static_cast<double>(j) / steps_v);
     };
@@ -92,7 +92,8 @@ void paint_surface(const Theme& theme, const HeightPlot& plot, const HeightStyle
                                       seen(i, j + 1)};
             draw.AddConvexPolyFilled(
                 corners, 4,
-                between(dark, style.color, static_cast<float>(std::clamp(0.6 * light, 0.0, 1.0))));
+                mixed_color(dark, style.color,
+                            static_cast<float>(std::clamp(0.6 * light, 0.0, 1.0))));
         }
     draw.Flags = flags;
     const auto line = [&](bool along, double at, float alpha) {

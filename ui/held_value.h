@@ -5,10 +5,10 @@
 
 namespace trivar::ui {
 
-// What all fields share whose values are dragged in a picture, asked for after the picture's button
-// and the drag: its mouse button may be held on by a click, a double click that dragged nothing has
-// the next number field take what is typed, Esc ends it. `edit` is what the drag did, `held` that
-// it has a value in the hand; what became of the edit.
+// Handles what all fields share whose values are dragged in a picture; it is called after the
+// picture's button and the drag. A click may hold the mouse button on; after a double click that
+// dragged nothing the next number field takes what is typed; Esc ends the drag. `edit` is what the
+// drag did, `held` says that a value is in the hand. Returns what becomes of the edit.
 Edit after_drag(Edit edit, bool held);
 
 } // namespace trivar::ui

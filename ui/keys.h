@@ -49,14 +49,15 @@ enum Key : int {
     key_count = 349
 };
 
-// A key with what is held beside it.
+// A Chord is a key with the modifiers that are held with it.
 struct Chord {
     int key = 0;
     bool ctrl = false, shift = false, alt = false;
     bool operator==(const Chord&) const = default;
 };
 
-// As people write it: "Ctrl+Shift+S", "Esc", "F10"; and what stands on each of its keys.
+// The text of a chord as people write it: "Ctrl+Shift+S", "Esc", "F10"; and the words on each of
+// its keys.
 std::string text_of(const Chord& chord);
 std::vector<std::string> caps_of(const Chord& chord);
 std::optional<Chord> chord_from(std::string_view text); // the inverse of text_of
@@ -64,12 +65,12 @@ std::optional<Chord> chord_from(std::string_view text); // the inverse of text_o
 // Whether the chord was struck in this frame and nobody types text; with `again` also while it is
 // held, as letters are repeated.
 bool struck(const Chord& chord, bool again = false);
-// The same while somebody types, of chords that are no letter.
+// The same while somebody types, for chords that are no letters.
 bool struck_while_typing(const Chord& chord);
 bool is_down(int key);
-// Who asks later in this frame hears of no key that was struck in it.
+// Hides the keys of this frame from everybody who asks later in the frame.
 void swallow_keys();
-// Whichever was struck in this frame: a key that is not only held beside others.
+// The chord that was struck in this frame: a key that is no modifier.
 std::optional<Chord> struck_chord();
 
 } // namespace trivar::ui

@@ -39,13 +39,13 @@ void begin_card(const Theme& theme, const char* name, const Rect& rect)
 
 // No higher than that, but for a line of its body: the rest of this is in a tooltip.
 // Returns the card's rectangle; `close` says whether its cross was pressed, `act` which button.
-struct Drawn {
+struct DrawnCard {
     Rect rect;
     bool close = false, hovered = false;
     std::function<void()> act = {};
 };
-Drawn draw_one(const Theme& theme, const Notices::Notice& notice, glm::vec2 lower_right,
-               float width, float most_height, const char* name)
+DrawnCard draw_one(const Theme& theme, const Notices::Notice& notice, glm::vec2 lower_right,
+                   float width, float most_height, const char* name)
 {
     const Palette& c = theme.color;
     const Color color = notice.kind == NoticeKind::good      ? c.good
@@ -78,7 +78,7 @@ Drawn draw_one(const Theme& theme, const Notices::Notice& notice, glm::vec2 lowe
     if (cut) body.back().back() += " …";
     const float height = height_of_all();
     const glm::vec2 size{width, height};
-    Drawn drawn{.rect = {lower_right - size, lower_right}};
+    DrawnCard drawn{.rect = {lower_right - size, lower_right}};
     begin_card(theme, name, drawn.rect);
     const Rect& r = drawn.rect;
     paint_box(
@@ -168,7 +168,7 @@ void Notices::draw(Frame& frame, const Rect& in)
         Notice& notice = notices_[i];
         if (notice.left_s < 0) notice.left_s = lifetime_s(notice);
         const std::string name = "notice " + std::to_string(i);
-        const Drawn drawn =
+        const DrawnCard drawn =
             draw_one(theme, notice, corner, width, 0.4f * in.height(), name.c_str());
         corner.y = drawn.rect.lo.y - theme.px(8);
         if (!drawn.hovered) notice.left_s -= passed;

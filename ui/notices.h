@@ -13,23 +13,24 @@ namespace trivar::ui {
 
 enum class NoticeKind { good, warning, error };
 
-// Sentences for the user that come up at the lower right and leave again: success after 4 s,
-// warnings after 10 s, errors when they are closed. The same sentence twice counts up; what is said
-// about a topic takes the place of what was said about it before.
+// Notices are sentences for the user that appear at the lower right and leave again: success after
+// 4 s, warnings after 10 s, errors when they are closed. A repeated sentence is counted; a sentence
+// on a topic replaces the earlier one on that topic.
 class Notices {
 public:
-    // What can be done about it, on a button; the notice leaves when it is pressed.
+    // An Action is a remedy on a button; the notice leaves when the button is pressed.
     struct Action {
         std::string words;
         std::function<void()> act;
     };
     void say(NoticeKind kind, std::string title, std::string body = {}, std::string topic = {},
              std::vector<Action> actions = {});
-    // Several things about one: a title, and a line for each. One line that says it all needs none.
+    // Says several things in one notice: a title, and one line per thing. A single line that is
+    // complete needs no title.
     void say_all(NoticeKind kind, std::string title, const std::vector<std::string>& lines,
                  std::string topic = {}, std::vector<Action> actions = {});
-    void forget(std::string_view topic); // it is not so any more
-    // Draws at most three over the lower right of the rectangle.
+    void forget(std::string_view topic); // what was said on the topic is no longer true
+    // Draws at most three notices over the lower right of the rectangle.
     void draw(Frame& frame, const Rect& in);
 
     struct Notice {
@@ -42,7 +43,7 @@ public:
     };
     const std::vector<Notice>& all() const { return notices_; }
     void clear() { notices_.clear(); }
-    // Where they are drawn: what lies left of it is free.
+    // The left edge of the notices: what lies left of it is free.
     static float left_of(const Theme& theme, const Rect& in);
 
 private:
@@ -50,13 +51,13 @@ private:
     double last_s_ = 0;
 };
 
-// A card at the lower middle of the rectangle that says how far long work is. `fraction` below 0:
-// unknown.
+// A ProgressCard is a card at the lower middle of the rectangle that says how far long work is.
+// `fraction` below 0: unknown.
 struct ProgressCard {
     Rect rect;
     bool cancelled = false;
 };
-Rect progress_place(const Theme& theme, const Rect& in); // where it will lie
+Rect progress_place(const Theme& theme, const Rect& in); // the place where it will lie
 ProgressCard draw_progress(const Theme& theme, const Rect& in, const std::string& what,
                            const std::string& stage, double fraction);
 

@@ -9,8 +9,8 @@
 
 namespace trivar::ui {
 
-// A setting of the tool at hand: its label, its field of a width at scale 1, and the sentence of
-// their tooltip.
+// An Option is a setting of the current tool: its label, its field of a width at scale 1, and the
+// sentence of their tooltip.
 struct Option {
     std::string words;
     float width = 0;
@@ -18,8 +18,8 @@ struct Option {
     std::string help = {};
 };
 
-// Beside each other from ImGui's cursor on; those that do not fit move, whole, into a menu behind
-// a button at the end.
+// Draws the options beside each other from ImGui's cursor on; those that do not fit move into a
+// menu behind a button at the end.
 void option_bar(const Theme& theme, const std::vector<Option>& options, float room_px);
 
 } // namespace trivar::ui

@@ -8,7 +8,8 @@
 #include <string_view>
 #include <vector>
 
-// Shapes and text on the current window's draw list, in pixels. Text starts on whole pixels.
+// These functions draw shapes and text on the current window's draw list, in pixels. Text starts on
+// whole pixels.
 
 namespace trivar::ui {
 
@@ -30,11 +31,11 @@ constexpr Rect rect_at(glm::vec2 at, glm::vec2 size)
 }
 
 float text_width(const ImFont* font, std::string_view text);
-// Middle of the rectangle's height, from its left, right or centre.
+// Text stands in the middle of the rectangle's height, at its left, right or centre.
 enum class Align { left, center, right };
 void paint_text(const ImFont* font, const Rect& in, Color color, std::string_view text,
                 Align align = Align::left);
-// The text, or as much of it as fits before an ellipsis.
+// The text, or its beginning with an ellipsis where it does not fit.
 std::string elided(const ImFont* font, std::string text, float width);
 // The text broken into lines at spaces; a word that is too long stands alone.
 std::vector<std::string> wrapped(const ImFont* font, std::string_view text, float width);
@@ -42,16 +43,16 @@ std::vector<std::string> wrapped(const ImFont* font, std::string_view text, floa
 void paint_box(const Rect& rect, Color color, float rounding = 0);
 void paint_rim(const Rect& rect, Color color, float rounding, float thickness);
 void paint_dot(glm::vec2 center, float radius, Color color, Color rim = 0, float rim_width = 0);
-// Of glass, lit from above left: seen through in the middle, hardly at its rim.
+// A ball of glass, lit from above left: transparent in the middle, nearly opaque at its rim.
 void paint_ball(glm::vec2 center, float radius, Color color, float rim_width);
-// On a corner; `fill` or `rim` 0: without it.
+// A diamond on a corner; `fill` or `rim` 0: without it.
 void paint_diamond(glm::vec2 center, float radius, Color fill, Color rim, float rim_width);
 void paint_line(glm::vec2 a, glm::vec2 b, Color color, float thickness);
 void paint_path(const std::vector<glm::vec2>& points, Color color, float thickness,
                 bool closed = false);
 // A card: soft shadow, raised surface, rim. The shadow may fall outside the current window.
 void paint_card(const Theme& theme, const Rect& rect);
-// Round a rectangle and as far out as it reaches, pixels; `strength` is how dark it is inside.
+// A shadow round a rectangle; `reach` is its width in pixels, `strength` how dark it is inside.
 void paint_shadow(const Rect& rect, float rounding, float reach, float strength);
 
 // A small label on the picture with an optional dot or icon before it; returns its rectangle.

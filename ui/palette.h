@@ -45,10 +45,10 @@ struct Palette {
 Palette dark_palette();
 Palette light_palette();
 
-// What a person chose. High contrast: no text is quieter than another, and overlays are wider.
-// Other hues: overlays that differ from each other for eyes of every kind. Lines on the picture are
-// so many times wider; a mouse that rests gets a tooltip after so long, and two clicks within so
-// long are a double click.
+// A Look is what a person chose. High contrast: no text is quieter than another, and overlays are
+// wider. Other hues: overlays that differ from each other for eyes of every kind. Lines on the
+// picture are `lines` times wider; the tooltip comes after the mouse has rested for that many
+// seconds, and two clicks within that many seconds are a double click.
 struct Look {
     bool light = false, high_contrast = false, other_hues = false;
     double lines = 1, tooltip_s = 0.5, double_click_s = 0.3;
@@ -63,8 +63,8 @@ Palette with_overlays(Palette palette, const Look& look);
 // Linear light with straight alpha, for what the renderer draws.
 glm::vec4 linear_light(Color color);
 
-// How differently two opaque colours are seen (CIE 1976, distance in L*a*b*), by eyes as most have
-// them or without one kind of cones (Machado, Oliveira, Fernandes 2009, severity 1).
+// The visible difference of two opaque colours (CIE 1976, distance in L*a*b*), for usual eyes or
+// without one kind of cones (Machado, Oliveira, Fernandes 2009, severity 1).
 enum class Eyes { usual, protanopia, deuteranopia, tritanopia };
 double difference(Color a, Color b, Eyes eyes);
 

@@ -81,10 +81,10 @@ float rich_height(const Theme& theme, const RichStyle& style, const std::vector<
     return laid_out(theme, style, words_of(theme, style, runs), width, [](auto&&...) {});
 }
 
-RichDrawn draw_rich(const Theme& theme, const RichStyle& style, const std::vector<Run>& runs,
+DrawnText draw_rich(const Theme& theme, const RichStyle& style, const std::vector<Run>& runs,
                     glm::vec2 at, float width)
 {
-    RichDrawn drawn;
+    DrawnText drawn;
     int links = 0;
     const std::vector<Word> words = words_of(theme, style, runs);
     drawn.height = laid_out(theme, style, words, width, [&](const Word& word, float x, float y) {

@@ -8,7 +8,8 @@
 
 namespace trivar::ui {
 
-// A piece of a paragraph. A key is drawn as a cap, or as several where it names several: "Ctrl Z".
+// A Run is a piece of a paragraph. A key is drawn as a cap, or as several caps where it names
+// several keys: "Ctrl Z".
 struct Run {
     enum class Kind { plain, strong, key, link } kind = Kind::plain;
     std::string text;
@@ -22,15 +23,15 @@ struct RichStyle {
     float line; // height, pixels
 };
 
-// A paragraph in a column, broken between words; its height.
+// The height of a paragraph in a column, broken between words.
 float rich_height(const Theme& theme, const RichStyle& style, const std::vector<Run>& runs,
                   float width);
-// Draws it, and returns its height and the target of the link that was clicked.
-struct RichDrawn {
+// A DrawnText is the height of a drawn paragraph and the target of the link that was clicked.
+struct DrawnText {
     float height = 0;
     std::string clicked;
 };
-RichDrawn draw_rich(const Theme& theme, const RichStyle& style, const std::vector<Run>& runs,
+DrawnText draw_rich(const Theme& theme, const RichStyle& style, const std::vector<Run>& runs,
                     glm::vec2 at, float width);
 
 } // namespace trivar::ui

@@ -5,7 +5,8 @@
 
 namespace trivar::ui {
 
-// With a capital, unless it begins with a file's name; and with a full stop as well.
+// The text with a capital first letter, unless it begins with a file's name; the second function
+// adds a full stop too.
 std::string capitalised(std::string text);
 std::string sentence(std::string text);
 

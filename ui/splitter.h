@@ -6,11 +6,11 @@
 
 namespace trivar::ui {
 
-// The line between two panels, to be dragged: 1 px to see, 6 px to grip. It lies over the panels
-// when it is drawn before them.
+// A Splitter is the line between two panels, to be dragged: 1 px to see, 6 px to grip. It lies over
+// the panels when it is drawn before them.
 struct Splitter {
-    bool dragged = false, restored = false; // restored: clicked twice
-    float at = 0;                           // dragged: where the line is wanted, in pixels
+    bool dragged = false, restored = false; // restored: it was double-clicked
+    float at = 0; // while dragged: the wanted place of the line, in pixels
 };
 Splitter splitter(Frame& frame, const char* name, const Rect& line);
 

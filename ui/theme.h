@@ -7,9 +7,9 @@ struct ImFont;
 
 namespace trivar::ui {
 
-// Sizes in pixels of the framebuffer: already multiplied by the scale and rounded.
+// Metrics are sizes in pixels of the framebuffer: already multiplied by the scale and rounded.
 struct Metrics {
-    float unit; // 4 px at scale 1: every distance is a multiple of it
+    float unit; // 4 px at scale 1; every distance is a multiple of it
     float row, row_gap, group, top_bar, options_bar, status_bar, tool_strip, tool_button;
     float dock, label, outliner, icon_button, padding;
     float rounding, rounding_small, rounding_card, hairline;
@@ -35,14 +35,14 @@ struct Theme {
     float px(float at_scale_1) const;   // scaled and rounded to whole pixels
 };
 
-// The monitor's scale times the person's, as far as the interface follows.
+// The monitor's scale times the person's, within the limits of the interface.
 float combined_scale(double content, double interface);
 
 // Sets style, colours and fonts of the current ImGui context; call again when the scale changes,
 // then renew the font texture. Throws Rejected naming each font that is missing and its package.
 Theme apply_theme(const ThemeOptions& options);
 
-// The part of it that reads font files; the atlas of the current ImGui context is built anew.
+// Reads font files; the atlas of the current ImGui context is built anew.
 Fonts load_fonts(float scale);
 
 } // namespace trivar::ui

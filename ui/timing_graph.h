@@ -6,11 +6,11 @@
 
 namespace trivar::ui {
 
-// Good within a frame of 60 Hz, tolerable within one of 30.
+// The colour of a time: good within a frame of 60 Hz, tolerable within one of 30.
 Color timing_color(const Theme& theme, double ms);
 
-// A bar a picture, the newest at the right: the passes stand on the evaluation. Lines show the
-// frames of 60 and of 30 Hz. The picture of the number `marked` is marked; 0: none.
+// Draws a bar per picture, the newest at the right: its passes stand on its evaluation. Lines show
+// the frames of 60 and of 30 Hz. `marked` is the number of the marked picture; 0: none.
 void draw_timing_graph(const Theme& theme, const TimingHistory& history, const Rect& in,
                        long marked);
 

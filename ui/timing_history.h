@@ -7,8 +7,8 @@
 
 namespace trivar::ui {
 
-// What one picture took: the evaluation it is the first to show, where there is one, and its
-// passes.
+// A TimedPicture holds the times of one picture: of the evaluation that it is the first to show, if
+// there is one, and of its passes.
 struct TimedPicture {
     Timings evaluation, passes;
 };
@@ -16,15 +16,15 @@ struct TimedPicture {
 double total_ms(const Timings& timings);
 double total_ms(const TimedPicture& picture);
 
-// The last pictures somebody waited for, the newest last.
+// A TimingHistory holds the last pictures for which somebody waited, the newest last.
 class TimingHistory {
 public:
     static constexpr std::size_t length = 80;
     void add(TimedPicture picture);
     const std::deque<TimedPicture>& pictures() const { return pictures_; }
-    const TimedPicture* find(long number) const; // counted from 1; nothing where it is forgotten
-    long count() const { return count_; }        // of all there ever were
-    double median_ms() const;                    // of the last fifteen; 0 of none
+    const TimedPicture* find(long number) const; // counted from 1; null where it is forgotten
+    long count() const { return count_; }        // of all pictures so far
+    double median_ms() const;                    // of the last fifteen; 0 if there are none
 
 private:
     std::deque<TimedPicture> pictures_;

@@ -8,40 +8,39 @@
 
 namespace trivar::ui {
 
-// One way to do a work, beside others that do the same.
+// A TimedWay is one of several ways to do the same work.
 struct TimedWay {
     std::string name, sentence;
     bool used = false;
-    std::optional<double> time_ms = {}; // none: not measured
+    std::optional<double> time_ms = {}; // empty: not measured
     std::size_t vertices = 0;
-    std::string off = {}; // from the exact result; empty: not compared
+    std::string off = {}; // difference from the exact result; empty: not compared
 };
 
 struct TimingSources {
     const TimingHistory& history;
-    const Timings& evaluation; // the last that had something to compute
-    const Timings& at_rest;    // the passes of the last full picture, which nobody waits for
+    const Timings& evaluation; // the last one that computed something
+    const Timings& at_rest;    // the passes of the last full picture, for which nobody waits
     std::size_t program_bytes = 0, uploaded_bytes = 0;
-    std::vector<TimedWay> ways = {}; // to deform
+    std::vector<TimedWay> ways = {}; // of deforming
 };
 
-// What the overlay keeps between frames.
+// A TimingView is what the overlay remembers between frames.
 struct TimingView {
     bool open = false;
-    long held = 0; // number of the picture that is shown instead of the newest, from 1; 0: none
-    // Asked for in this frame: another way, by its place, and that all are measured.
+    long held = 0; // number, from 1, of the picture that is shown in place of the newest; 0: none
+    // What was asked for in this frame: another way, by its number; and that all ways are measured.
     std::optional<std::size_t> other_way = {};
     bool measure_ways = false;
 };
 
-// A pill with the median; pressed, it opens a card with a bar for each of the last pictures and
-// the stages of one with their times and shares: the newest, the one under the mouse, or the one
-// that was clicked.
-// `key` opens and closes it as well.
+// Draws a pill with the median; pressed, it opens a card with a bar for each of the last pictures,
+// and with the stages of one picture with their times and shares: the newest, the one under the
+// mouse, or the one that was clicked. `key` opens and closes it as well.
 void draw_timing(const Theme& theme, glm::vec2 at, float max_height, const TimingSources& sources,
                  TimingView& view, const std::string& key);
 
-// All of the card as text, with the names that `--timings` writes.
+// The whole card as text, with the names that `--timings` writes.
 std::string timing_text(const TimingSources& sources);
 
 } // namespace trivar::ui

@@ -9,24 +9,24 @@
 
 namespace trivar::ui {
 
-// What is said of the thing under the mouse: its name with its key, and a sentence under them.
+// A Tip is what is said of the thing under the mouse: its name with its key, and a sentence below.
 struct Tip {
     std::string name, key = {}, sentence = {};
 };
 
-enum class Side { below, right }; // of the thing, where there is room
+enum class Side { below, right }; // side of the thing, where there is room
 
-// Over the last item, once the mouse rests there.
+// Shows the tip for the last item, once the mouse rests on it.
 void tooltip(Tip tip, Side side = Side::below);
-// Over a part of the current window, whatever is in it; what is in it may say more.
+// Shows the tip for a part of the current window; items inside of it may show their own.
 void tooltip_in(const Rect& part, Tip tip);
 
-// Where words of a size stand beside a thing: inside the window, and neither on the thing nor
+// The place for a tip of that size beside a thing: inside the window, and neither on the thing nor
 // under the mouse.
 glm::vec2 tooltip_place(const Rect& thing, glm::vec2 mouse, glm::vec2 size, glm::vec2 window,
                         Side side, float scale);
 
-// One for all the things of a window: of those that the mouse is over, the last that was drawn.
+// Tooltips shows one tip per window: that of the last drawn thing among those under the mouse.
 class Tooltips {
 public:
     struct Offer {

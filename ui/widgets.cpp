@@ -18,13 +18,13 @@ glm::vec2 cursor()
     return {p.x, p.y};
 }
 
-struct Pressed {
+struct PressState {
     Rect rect;
     bool hovered = false, held = false, clicked = false;
 };
-Pressed press_area(const std::string& id, glm::vec2 size)
+PressState press_area(const std::string& id, glm::vec2 size)
 {
-    Pressed p;
+    PressState p;
     p.rect = rect_at(cursor(), size);
     p.clicked =
         ImGui::InvisibleButton(id.c_str(), {std::max(1.0f, size.x), std::max(1.0f, size.y)});
@@ -79,7 +79,7 @@ Edit check_box(const Theme& theme, const std::string& id, bool& value, const std
     const Palette& c = theme.color;
     const float side = theme.px(16);
     const float width = side + theme.px(8) + text_width(theme.font.body, effect);
-    const Pressed p = press_area(id, {width, theme.size.row});
+    const PressState p = press_area(id, {width, theme.size.row});
     const Rect box = rect_at({p.rect.lo.x, p.rect.lo.y + theme.px(4)}, glm::vec2(side));
     paint_box(box, value ? (p.hovered ? c.accent_hover : c.accent) : c.field_hover,
               theme.size.rounding_small);
@@ -108,7 +108,7 @@ Edit segments(const Theme& theme, const std::string& id, int& chosen,
     };
     const ImFont* font = fit(theme.font.body, 8) ? theme.font.body : theme.font.small;
     if (!fit(font, 2)) return choice(theme, id, chosen, names, width);
-    const Pressed p = press_area(id, {width, theme.size.row});
+    const PressState p = press_area(id, {width, theme.size.row});
     paint_box(p.rect, c.field, theme.size.rounding_small);
     const float mouse = ImGui::GetIO().MousePos.x - p.rect.lo.x;
     const int under = p.hovered ? static_cast<int>(mouse / each) : -1;
@@ -131,7 +131,7 @@ Edit choice(const Theme& theme, const std::string& id, int& chosen,
 {
     const Palette& c = theme.color;
     ImGui::PushID(id.c_str());
-    const Pressed p = press_area("open", {width, theme.size.row});
+    const PressState p = press_area("open", {width, theme.size.row});
     paint_box(p.rect, p.hovered ? c.field_hover : c.field, theme.size.rounding_small);
     Rect text = {p.rect.lo + glm::vec2(theme.px(8), 0), p.rect.hi - glm::vec2(theme.px(8), 0)};
     paint_text(theme.font.body, text, c.text_2, icon::open, Align::right);
@@ -223,7 +223,7 @@ bool button(const Theme& theme, const std::string& text, ButtonKind kind, glm::v
     const Palette& c = theme.color;
     if (size.x <= 0) size.x = button_width(theme, text) + (icon ? theme.px(22) : 0);
     if (size.y <= 0) size.y = theme.px(32);
-    const Pressed p = press_area(text, size);
+    const PressState p = press_area(text, size);
     const bool filled = kind == ButtonKind::primary || kind == ButtonKind::danger;
     const Color rest = kind == ButtonKind::primary  ? c.accent
                        : kind == ButtonKind::danger ? c.bad_fill
@@ -253,7 +253,7 @@ bool icon_button(const Theme& theme, const std::string& id, const char* icon, gl
                  const Tip& tip, IconState state)
 {
     const Palette& c = theme.color;
-    const Pressed p = press_area(id, size);
+    const PressState p = press_area(id, size);
     const bool tool = size.y >= theme.size.tool_button;
     if (state.on)
         paint_box(p.rect, p.hovered ? c.accent_hover : c.accent, theme.size.rounding);

@@ -16,9 +16,9 @@ struct WindowOptions {
                                 // monitor's content scale
 };
 
-// A window with an OpenGL core context, current on this thread while it lives: 4.3, or else what
-// gpu::lacking() is content with. Its loop sleeps until something happens. Throws Rejected where
-// there is no display or no such OpenGL.
+// A Window is a window with an OpenGL core context, current on this thread while it lives: OpenGL
+// 4.3, or else what gpu::lacking() accepts. Its loop sleeps until something happens. Throws
+// Rejected where there is no display or no such OpenGL.
 class Window {
 public:
     explicit Window(const WindowOptions& options = {});
@@ -27,12 +27,13 @@ public:
     Window& operator=(const Window&) = delete;
 
     // Draws frames when they are due, until a frame asks for the end. Where the graphics card is
-    // reset, `forget` is asked to drop all that was made in the context; then a window with another
-    // context takes the place of this one.
+    // reset, `forget` must drop everything that was made in the context; then a window with another
+    // context replaces this one.
     void run(
         const DrawFrame& body, const std::function<void()>& forget = [] {});
 
-    // Wakes the loop for one more frame; may be called on any thread while the window lives.
+    // A function that wakes the loop for one more frame; any thread may call it while the window
+    // lives.
     std::function<void()> waker() const;
     void set_title(const std::string& title);
 
@@ -41,7 +42,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
-// The scale that the environment or `asked` (above 0) demands, or nothing.
+// The scale that the environment or `asked` (above 0) demands; empty: none.
 std::optional<double> scale_override(double asked);
 
 } // namespace trivar::ui

@@ -6,7 +6,7 @@
 
 namespace trivar {
 
-// An axis-aligned box; as it is made, an empty one.
+// A Box is axis-aligned; it is empty when it is made.
 struct Box {
     glm::dvec3 lo{1e300}, hi{-1e300};
     bool empty() const { return lo.x > hi.x; }
@@ -22,7 +22,7 @@ struct Box {
         lo = glm::min(lo, other.lo);
         hi = glm::max(hi, other.hi);
     }
-    std::array<glm::dvec3, 8> corners() const // of an empty one none that means anything
+    std::array<glm::dvec3, 8> corners() const // meaningless for an empty box
     {
         return {{lo,
                  {hi.x, lo.y, lo.z},

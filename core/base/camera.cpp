@@ -38,7 +38,7 @@ Ray ray_through(const Camera& camera, glm::dvec2 p_px)
     return {camera.eye + across, f.forward};
 }
 
-Projected project(const Camera& camera, const glm::dvec3& p_world)
+PicturePoint project(const Camera& camera, const glm::dvec3& p_world)
 {
     const Frame f = frame_of(camera);
     const glm::dvec3 d = p_world - camera.eye;

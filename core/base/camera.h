@@ -5,7 +5,7 @@
 
 namespace trivar {
 
-// A point of view, by value. World space is right-handed with Z up, in metres.
+// A Camera is a point of view, by value. World space is right-handed with Z up, in metres.
 struct Camera {
     glm::dvec3 eye{4, -6, 3};
     glm::dvec3 target{0, 0, 0};
@@ -13,7 +13,7 @@ struct Camera {
     bool perspective = true;
     double fov_y = 0.6;            // radians, the full vertical angle; perspective only
     double height_world = 4;       // world height of the picture; orthographic only
-    glm::dvec2 size_px{1280, 720}; // the picture its pixel coordinates are meant in
+    glm::dvec2 size_px{1280, 720}; // the picture to which its pixel coordinates refer
 
     bool operator==(const Camera&) const = default;
 };
@@ -26,13 +26,13 @@ struct Ray {
 // The ray through a pixel position; (0, 0) is the top left corner of the picture, y goes down.
 Ray ray_through(const Camera& camera, glm::dvec2 p_px);
 
-// Where a world point appears, in pixels, and its distance along the view direction (negative:
-// behind the camera).
-struct Projected {
+// A PicturePoint is where a world point appears, in pixels, and its distance along the view
+// direction (negative: behind the camera).
+struct PicturePoint {
     glm::dvec2 p_px;
     double depth_world;
 };
-Projected project(const Camera& camera, const glm::dvec3& p_world);
+PicturePoint project(const Camera& camera, const glm::dvec3& p_world);
 
 // World length of one pixel at the given depth along the view direction.
 double pixel_size_world(const Camera& camera, double depth_world);

@@ -10,8 +10,9 @@
 
 namespace trivar {
 
-// A running 128-bit digest (XXH3) of values, in the order they are added. It tells contents apart;
-// it is no defence against somebody who wants two contents to have one digest.
+// A Digest is a running 128-bit digest (XXH3) of values in the order in which they are added. It
+// tells contents apart; it is no defence against a person who wants two contents to have one
+// digest.
 class Digest {
 public:
     Digest();

@@ -6,7 +6,8 @@
 
 namespace trivar {
 
-// What a number that somebody types is of; says which units it may carry, and what it is in.
+// A Measure says what a typed number measures: which units it may carry, and in which unit the
+// result is.
 enum class Measure {
     plain,  // no unit
     length, // mm cm m km in ft; metres
@@ -15,8 +16,8 @@ enum class Measure {
 
 // The value of a number as people type it: "1.25", "3 * (2 + 1)", "-2^2", "12 mm + 0.5 in",
 // "sqrt(2)", "max(1, pi)". Functions take and give the field's own number: sin(30) of an angle is
-// 0.5. "+=", "-=", "*=" and "/=" before it work on `present`; a plain "=" is passed over. Nothing
-// where it cannot be read, or where the result is not finite.
+// 0.5. A leading "+=", "-=", "*=" or "/=" changes `present`; a plain "=" is ignored. Empty where
+// the text cannot be read or the result is not finite.
 std::optional<double> evaluate_expression(std::string_view text, Measure measure,
                                           double present = 0);
 

@@ -8,7 +8,7 @@ namespace trivar {
 
 inline constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// No component of a vector of glm is infinite or not a number.
+// Whether no component of a glm vector is infinite or not a number.
 template <class Vector> bool finite(const Vector& v)
 {
     for (int i = 0; i < Vector::length(); ++i)

@@ -5,7 +5,7 @@
 
 namespace trivar {
 
-// Numbers that are counted with are int; the standard's containers want size_t. i >= 0.
+// Converts an int, which counts here, to the size_t of the standard's containers. i >= 0.
 constexpr std::size_t at(int i)
 {
     return static_cast<std::size_t>(i);

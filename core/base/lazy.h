@@ -10,19 +10,19 @@
 
 namespace trivar {
 
-// A value that is worked out when it is first asked for: once for all copies, whichever threads
-// ask. The function must be pure, so that nothing but the time tells when that was, and must not
-// ask for this same value. Costs an atomic read once it is there.
+// A Lazy value is computed when it is first asked for: once for all copies, on any thread. The
+// function must be pure, so that its time of running shows in no result, and must not ask for the
+// same value. Afterwards an access costs an atomic read.
 template <class T> class Lazy {
 public:
-    Lazy() = default; // is not asked
+    Lazy() = default; // must not be asked for its value
     explicit Lazy(std::function<T()> compute) : state_(std::make_shared<State>())
     {
         state_->compute = std::move(compute);
     }
 
-    // Waits where another thread is at it. What the function throws is thrown, and the next call
-    // tries again.
+    // Waits where another thread computes the value. An exception of the function is passed on, and
+    // the next call tries again.
     const T& operator*() const
     {
         assert(state_);
@@ -31,7 +31,7 @@ public:
         const std::lock_guard lock(state.mutex);
         if (!state.ready) {
             state.value.emplace(state.compute());
-            state.compute = nullptr; // and what it holds
+            state.compute = nullptr; // frees what the function holds
             state.ready = true;
         }
         return *state.value;

@@ -5,11 +5,12 @@
 
 namespace trivar {
 
-// Memory this process holds at the moment; 0 where the system does not tell. To be shown only.
+// The memory that this process holds at present; 0 where the system does not tell. Only to be
+// shown.
 std::size_t resident_bytes();
 
-// What is freed from now on stays with the process, up to 256 MB, for the next who asks. The meshes
-// of a scene that plays come and go with every picture, and the system would clear each page anew.
+// Lets the process keep freed memory, up to 256 MB, for later use. The meshes of a scene that plays
+// come and go with every picture, and the system would clear each page anew.
 void keep_freed_memory();
 
 } // namespace trivar

@@ -7,8 +7,8 @@
 
 namespace trivar {
 
-// A file that has an end, open to be read. Folders, pipes, sockets and devices, of which one waits
-// for what never comes and another never ends, are refused at once; links are followed.
+// An OrdinaryFile is a file with an end, open to be read. Folders, pipes, sockets and devices are
+// refused at once, because reading some of them never ends; links are followed.
 class OrdinaryFile {
 public:
     explicit OrdinaryFile(const std::string& path); // throws Rejected
@@ -16,8 +16,9 @@ public:
     OrdinaryFile(const OrdinaryFile&) = delete;
     OrdinaryFile& operator=(const OrdinaryFile&) = delete;
 
-    std::uintmax_t size() const { return size_; } // as it was when it was opened
-    // The next bytes of these, as many as fit; 0 at the end. Throws Rejected.
+    std::uintmax_t size() const { return size_; } // when the file was opened
+    // Reads the next bytes, as many as fit, and returns their number; 0 at the end. Throws
+    // Rejected.
     std::size_t read(std::span<char> bytes);
 
 private:
@@ -26,11 +27,11 @@ private:
     std::uintmax_t size_ = 0, left_ = 0;
 };
 
-// All of an ordinary file. Throws Rejected, also where it has more than `most_bytes`.
+// The content of an ordinary file. Throws Rejected, also where it has more than `most_bytes`.
 std::string read_file(const std::string& path, std::uintmax_t most_bytes);
 
-// Throws Rejected where what stands at a path, links followed, is no ordinary file, which no file
-// may take the place of. Nothing being there is well.
+// Throws Rejected where something other than an ordinary file stands at a path, links followed, for
+// then no file may replace it. A missing file is fine.
 void check_replaceable(const std::string& path);
 
 } // namespace trivar

@@ -8,12 +8,13 @@
 namespace trivar {
 
 // Calls body(begin, end) for the consecutive blocks of [0, count), in any order and on any thread.
-// Blocks are `block` long (the last one may be shorter) whatever the number of threads, so a body
-// that writes only its own elements, or one result a block, gives the same bits on any machine.
+// Blocks have `block` elements (the last one may have fewer) for any number of threads, so a body
+// that writes only its own elements, or one result per block, gives the same bits on any machine.
 void parallel_blocks(std::size_t count, std::size_t block,
                      const std::function<void(std::size_t begin, std::size_t end)>& body);
 
-// While it lives, parallel_blocks uses at most this many threads. Lives in main and in tests.
+// While a ThreadLimit lives, parallel_blocks uses at most its number of threads. It lives in main
+// and in tests.
 class ThreadLimit {
 public:
     explicit ThreadLimit(int threads);

@@ -6,8 +6,8 @@
 
 namespace trivar {
 
-// Called now and then by long work: the fraction done, in [0, 1], and the name of the stage.
-// The callee may throw Cancelled, which the work lets pass. An empty function is silence.
+// Long work calls its Progress now and then with the fraction done, in [0, 1], and the name of the
+// stage. The callee may throw Cancelled, which the work passes on. An empty function hears nothing.
 using Progress = std::function<void(double fraction, std::string_view stage)>;
 
 inline void report(const Progress& progress, double fraction, std::string_view stage)
@@ -15,8 +15,9 @@ inline void report(const Progress& progress, double fraction, std::string_view s
     if (progress) progress(fraction, stage);
 }
 
-// Of a piece of that work, which is all of it from one fraction to another.
-inline Progress between(const Progress& progress, double from, double to)
+// The progress for one part of some work, which runs from fraction `from` to fraction `to` of the
+// whole.
+inline Progress part_of(const Progress& progress, double from, double to)
 {
     if (!progress) return {};
     return [=, &progress](double fraction, std::string_view stage) {

@@ -8,14 +8,14 @@
 
 namespace trivar {
 
-// The last few values of a function by what they came from, so that undo and redo of a step or two
-// compute nothing. Keys are compared by ==. Not thread-safe.
+// A Recent keeps the last few values of a function by their keys, so that undo and redo of a step
+// or two compute nothing. Keys are compared by ==. Not thread-safe.
 template <class Key, class Value> class Recent {
 public:
     explicit Recent(std::size_t most = 3) : most_(most) {}
 
-    // The value of the key, which becomes the latest. Where it is not among them make() gives it;
-    // what that throws is thrown, and nothing changes. O(number of values).
+    // The value of a key, which becomes the latest one. If the key is not kept, make() gives the
+    // value; if make() throws, the exception is passed on and nothing changes. O(#values).
     template <class Make> const Value& operator()(const Key& key, Make&& make)
     {
         const auto found =
@@ -28,7 +28,7 @@ public:
         }
         return all_.front().second;
     }
-    // Forgets the oldest beyond that number, now and from now on.
+    // Keeps at most that number of values from now on; the oldest are removed.
     void keep(std::size_t most)
     {
         most_ = most;

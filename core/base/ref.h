@@ -5,8 +5,8 @@
 
 namespace trivar {
 
-// A shared value that is never written through. Equal pointers mean equal values, so a pointer
-// comparison is the test for "unchanged".
+// A Ref is a shared value that is never written through. Equal pointers mean equal values, so a
+// pointer comparison is the test for "unchanged".
 template <class T> using Ref = std::shared_ptr<const T>;
 
 template <class T> Ref<T> make_ref(T value)

@@ -5,13 +5,13 @@
 
 namespace trivar {
 
-// Their data is wrong: one sentence for the user that says where, what is wrong and, where it
-// helps, what would be right. Thrown before anything changed.
+// Rejected reports wrong data of the user: one sentence that says where, what is wrong and, where
+// it helps, what would be right. It is thrown before anything changed.
 struct Rejected : std::runtime_error {
     using runtime_error::runtime_error;
 };
 
-// The user stopped a long operation. Nothing changed.
+// Cancelled reports that the user stopped a long operation. Nothing changed.
 struct Cancelled : std::runtime_error {
     Cancelled() : runtime_error("cancelled") {}
 };

@@ -5,7 +5,8 @@
 
 namespace trivar {
 
-// The value with so many significant digits, as a person would type it; 0 for what is not finite.
+// The value rounded to `digits` significant digits, as a person would type it; 0 for a value that
+// is not finite.
 inline double rounded(double value, int digits)
 {
     if (value == 0 || !std::isfinite(value)) return 0;
@@ -15,7 +16,7 @@ inline double rounded(double value, int digits)
                     : std::round(value / unit) * unit;
 }
 
-// The same, but never below the value: for what is at most so much.
+// The same, but never below the value: for upper bounds.
 inline double rounded_up(double value, int digits)
 {
     const double near = rounded(value, digits);

@@ -8,25 +8,25 @@
 
 namespace trivar {
 
-// The shortest decimal text that reads back as the same bits. No locale.
+// The shortest decimal text that reads back as the same bits, in any locale.
 std::string shortest(float value);
 std::string shortest(double value);
 
-// The whole text as a finite number, or nothing. No locale.
+// The whole text as a finite number, or empty. The locale does not matter.
 std::optional<double> parse_number(std::string_view text);
 
-// Words of a file for a message: what would not show as itself, or end it, is a question mark, and
-// so is each byte that is no UTF-8.
+// The words of a file for a message. Characters that cannot be shown or would end the message
+// become question marks, and so does each byte that is not UTF-8.
 std::string printable(std::string_view text);
 
-// The same, cut after some 60 bytes, so that a sentence stays one.
+// The same, cut after some 60 bytes, so that a sentence stays short.
 std::string excerpt(std::string_view text);
 
-// What is to be told as one sentence, whatever a file or a path brings into it: printable, and where
-// it is longer than 380 bytes cut in front, since what is wrong stands at the end.
+// A sentence that stays one sentence whatever a file or a path contributes to it: printable, and
+// cut in front where it is longer than 380 bytes, because its end says what is wrong.
 std::string short_sentence(std::string_view text);
 
-// The text's lines without the blanks at their ends, in their order; empty ones too.
+// The lines of a text in their order, without the blanks at their ends; empty lines too.
 std::vector<std::string_view> trimmed_lines(std::string_view text);
 
 // The whole content of an ordinary file. Throws Rejected, naming the file and the reason.

@@ -8,14 +8,16 @@
 
 namespace trivar {
 
-// How long each named stage took. It lies beside a result and never reaches into it.
+// Timings holds the time that each named stage took. It lies beside a result and never influences
+// it.
 struct Timings {
     struct Stage {
         std::string name; // the same name in the overlay, the benchmark and the docs
         double time_ms = 0;
-        std::size_t vertices = 0; // it worked on, where that is what it does
+        // number of vertices that the stage worked on, where it works on vertices
+        std::size_t vertices = 0;
     };
-    std::vector<Stage> stages; // in the order they first ran; one entry a name
+    std::vector<Stage> stages; // in the order of their first run; one entry per name
 
     void add(std::string name, double time_ms, std::size_t vertices = 0)
     {
@@ -33,7 +35,7 @@ struct Timings {
     }
 };
 
-// Runs body() and adds what it took to timings under the name; returns what body returns.
+// Runs body(), adds its time to `timings` under the name, and returns what body returns.
 template <class Body> decltype(auto) timed(Timings& timings, std::string name, Body&& body)
 {
     struct Watch {

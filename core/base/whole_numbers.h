@@ -11,8 +11,9 @@
 
 namespace trivar {
 
-// The whole numbers of a text with a mark between each two, such as 1:240:2, 1/4 or 1280x720; none
-// where there is anything else, a blank too, or a number that is no int. No locale.
+// The whole numbers of a text that are separated by a mark, such as 1:240:2, 1/4 or 1280x720. Empty
+// where the text holds anything else, also a blank, or a number that does not fit an int. The
+// locale does not matter.
 inline std::vector<int> whole_numbers(std::string_view text, char mark)
 {
     std::vector<int> numbers;
@@ -26,8 +27,8 @@ inline std::vector<int> whole_numbers(std::string_view text, char mark)
     }
 }
 
-// The whole number that a value of JSON is, of any library that names things as nlohmann's does.
-// Throws Rejected where it is none, or one that the type does not have.
+// The whole number in a JSON value, of any library with the names of nlohmann's. Throws Rejected
+// where it is no whole number or does not fit the type.
 template <class Whole> Whole whole_number(const auto& json)
 {
     const bool fits =

@@ -6,13 +6,13 @@
 
 namespace trivar {
 
-// A film as one model that moves by itself, with what is claimed of it.
+// An AnimatedExport is a film as one model that moves by itself, and what is claimed of that model.
 struct AnimatedExport {
-    Film film;   // at the moments at which it was compared; a strip for each claim
-    Model model; // nodes, skins, morph targets and one clip; a claim in its extras
+    Film film;   // at the moments at which it was compared; one strip per claim
+    Model model; // nodes, skins, morph targets and one clip; its extras hold the claims
     FilmCertificate certificate;
-    std::vector<CommonMesh> common; // of what a volume deforms; else without a mesh
-    std::string left_out = {};      // which curves, as a sentence; empty: none
+    std::vector<CommonMesh> common; // of the parts that a volume deforms; other parts have none
+    std::string left_out = {}; // a sentence that names the curves that were left out; empty: none
 };
 
 } // namespace trivar

@@ -7,13 +7,13 @@
 
 namespace trivar {
 
-// What an exported file says of how close its flat triangles are to the true surfaces.
+// A Certificate says how close the flat triangles of an exported file are to the true surfaces.
 struct Certificate {
     double tolerance = 0; // metres; 0: each object's own
     double bound = 0;     // the greatest of the parts
     double frame = 1;
     std::string log;    // the scene's file, without its folders
-    int lines = 0;      // of it, the last that was applied; 0: all
+    int lines = 0;      // number of lines of the log that were applied; 0: all
     std::string scene;  // digest of the document
     std::string result; // digest of all deformed positions
     struct PartClaim {
@@ -25,8 +25,8 @@ struct Certificate {
         double tolerance = 0, bound = 0;
         std::string method, rule;
     };
-    std::vector<PartClaim> parts; // what lies in a volume
-    struct NotLaid {              // what should lie in one, and of which nothing is claimed
+    std::vector<PartClaim> parts; // those that lie in a volume
+    struct NotLaid { // an object that should lie in a volume and does not; nothing is claimed of it
         Id object = 0;
         std::string name, why;
     };
@@ -35,21 +35,24 @@ struct Certificate {
 
 std::string part_title(const Certificate::PartClaim& claim); // "Snake (part 1)"
 std::string bound_text(double bound); // "0.00042 m", rounded up; or "no bound"
-// What is not certified to be within its tolerance, a sentence each.
+// One sentence per part that is not certified to be within its tolerance.
 std::vector<std::string> not_certified(const Certificate& certificate);
 
-// {"trivar_certificate": {...}}, for Model::extras, and back. Throws Rejected.
+// The JSON is {"trivar_certificate": {...}} and is stored in Model::extras. Reading it throws
+// Rejected.
 std::string to_json(const Certificate& certificate);
 Certificate certificate_from_json(const std::string& text);
 
-// What a part of a file was found to be, by sampling its triangles.
+// A SampledPart is what sampling the triangles of a part of a file found.
 struct SampledPart {
     std::size_t samples = 0;
-    double furthest = 0;       // of the flat triangles from the true surface, metres
-    std::size_t triangles = 0; // there should be; where there are others nothing is sampled
+    double furthest = 0; // largest distance of the flat triangles from the true surface, metres
+    // number that the part should have; where the file has another number, nothing is sampled
+    std::size_t triangles = 0;
     bool other_triangles = false;
 };
-// `corners` are three a triangle, grouped by material as write_glb() does. `steps` along an edge.
+// `corners` holds three vertices per triangle, grouped by material as write_glb() groups them.
+// `steps` is the number of samples along an edge.
 SampledPart sampled(const Part& part, const std::vector<glm::vec3>& positions,
                     const std::vector<std::uint32_t>& corners, int steps);
 

@@ -43,10 +43,10 @@ double rounding_of(const CommonMesh& common, const Mesh& mesh, double stretch)
 class Moment {
 public:
     Moment(const std::vector<const FilmStrip*>& strips, std::vector<CommonMesh>& common,
-           Between& between, double tolerance, std::size_t moment)
+           MotionBound& motion, double tolerance, std::size_t moment)
         : strips_(strips),
           common_(common),
-          between_(between),
+          motion_(motion),
           tolerance_(tolerance),
           moment_(moment)
     {
@@ -65,12 +65,12 @@ public:
         for (const std::size_t s : shown_) {
             const Part& part = *strips_[s]->shown[moment_];
             Mesh mesh = before_volume(common_[s], part);
-            const double stretch = between_.stretch(part);
+            const double stretch = motion_.stretch(part);
             rounding.push_back(rounding_of(common_[s], mesh, stretch));
             double far = 0; // of a place in the world: it is rounded, too
             for (int c = 0; c < 3; ++c)
                 far += std::abs(part.bent->embedding.to_rest[3][c]) + stretch_of(mesh, stretch);
-            const double bound = between_.space(part, mesh.positions, triangles(mesh)) +
+            const double bound = motion_.space(part, mesh.positions, triangles(mesh)) +
                                  rounding.back() + far * 0x1p-23;
             common_[s].space[moment_] = bound;
             enough.push_back(bound <= tolerance_);
@@ -92,7 +92,7 @@ public:
         options.tolerance_world = tolerance_ - most;
         options.budget = 20'000'000;
         const Lattice& volume = *strips_[shown_.front()]->shown[moment_]->bent->volume;
-        const Refined refined = refine(coarse, volume, options, progress);
+        const RefinementResult refined = refine(coarse, volume, options, progress);
         bool split = false;
         for (std::size_t i = 0; i < which.size(); ++i) {
             CommonMesh& common = common_[shown_[which[i]]];
@@ -115,7 +115,7 @@ private:
 
     const std::vector<const FilmStrip*>& strips_;
     std::vector<CommonMesh>& common_;
-    Between& between_;
+    MotionBound& motion_;
     double tolerance_;
     std::size_t moment_;
     std::vector<std::size_t> shown_;
@@ -159,7 +159,8 @@ Mesh before_volume(const CommonMesh& common, const Part& part)
 }
 
 std::vector<CommonMesh> common_meshes(const Film& film, const std::vector<const FilmStrip*>& strips,
-                                      Between& between, double tolerance, const Progress& progress)
+                                      MotionBound& motion, double tolerance,
+                                      const Progress& progress)
 {
     std::vector<CommonMesh> out;
     const std::size_t count = film.moments.size();
@@ -190,7 +191,7 @@ std::vector<CommonMesh> common_meshes(const Film& film, const std::vector<const 
         const bool known = same_as_before(i) && looked > 0;
         if (known)
             for (CommonMesh& each : out) each.space[i] = each.space[i - 1];
-        const bool split = !known && Moment(strips, out, between, tolerance, i).refined(tell);
+        const bool split = !known && Moment(strips, out, motion, tolerance, i).refined(tell);
         looked = split ? 1 : looked + 1;
     }
     if (looked < count)

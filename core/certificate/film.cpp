@@ -15,7 +15,7 @@ namespace trivar {
 namespace {
 
 // The parts that are not the same as before.
-std::size_t others(const Evaluated& now, const Evaluated* before)
+std::size_t others(const Evaluation& now, const Evaluation* before)
 {
     std::size_t out = 0;
     for (const auto& [id, ref] : now.objects) {
@@ -169,7 +169,7 @@ std::vector<std::string> lacks(const Film& film, const Document& document)
 {
     std::vector<std::string> out;
     std::set<std::string> said;
-    for (const Evaluated& evaluated : film.evaluated)
+    for (const Evaluation& evaluated : film.evaluated)
         for (std::string& sentence : lacks(evaluated, document))
             if (said.insert(sentence).second) out.push_back(std::move(sentence));
     return out;

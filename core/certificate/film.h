@@ -5,54 +5,56 @@
 
 namespace trivar {
 
-// The frames of a scene that are exported, both ends included.
+// A FrameRange holds the frames of a scene that are exported, both ends included.
 struct FrameRange {
     int first = 1, last = 1;
     bool operator==(const FrameRange&) const = default;
 };
-// "A:B", or "A"; empty: all of the scene's. Throws Rejected where one is none of the scene's.
+// Reads "A:B" or "A"; an empty text means all frames of the scene. Throws Rejected where a frame is
+// outside the scene's.
 FrameRange frame_range(const std::string& text, const Time& time);
 
-// One part of an object through all moments of a film, as long as it has the same triangles. Where
-// they change in time, as a text's that grows, each kind of them is a piece of its own.
+// A FilmStrip is one part of an object through all moments of a film, as long as the part keeps the
+// same triangles. Where the triangles change in time, as those of a growing text do, there is one
+// strip per kind of triangles.
 struct FilmStrip {
     Id object = 0;
     PartKey key = {};
-    int number = 0; // of that key, among those of its object
+    int number = 0; // of this key among the parts of the object
     std::string name;
-    int piece = 0;                  // of the part, in the order in which they come
-    std::vector<const Part*> shown; // by moment; null: it is not shown then
+    int piece = 0;                  // among the strips of the part, in the order of time
+    std::vector<const Part*> shown; // by moment; null: the part is not shown at that moment
     Ref<std::vector<Material>> materials;
-    const Part& first() const; // that is shown
-    bool bent() const;         // at some moment a volume deforms it
-    bool posed() const;        // at some moment a pose moves its vertices
-    bool reshaped() const;     // at some moment its vertices are others before all that, by keys
+    const Part& first() const; // the part at the first moment that shows it
+    bool bent() const;         // whether a volume deforms the part at some moment
+    bool posed() const;        // whether a pose moves its vertices at some moment
+    bool reshaped() const; // whether keys change its vertices before volume and pose at some moment
 };
-bool same_faces(const Mesh& a, const Mesh& b); // and as many vertices
+bool same_faces(const Mesh& a, const Mesh& b); // also true only for equal numbers of vertices
 
-// A scene at some moments, ascending, in frames; those between two frames, too. Meshes are not
-// worked out. All of it is in memory: some 1 to 2 KB for each part that is another than at the
-// moment before.
+// A Film is a scene at ascending moments, in frames, which may lie between two frames. Meshes are
+// not worked out. The whole film is in memory: 1 to 2 KB per part that differs from the moment
+// before.
 struct Film {
     std::vector<double> moments;
-    std::vector<Evaluated> evaluated; // by moment
-    std::vector<FilmStrip> strips;    // by object, key and piece
-    std::size_t kept = 0;             // such parts, and the moments
+    std::vector<Evaluation> evaluated; // by moment
+    std::vector<FilmStrip> strips;     // by object, key and piece
+    std::size_t kept = 0;              // number of such parts, and of moments
 };
-inline constexpr std::size_t most_kept = 4'000'000; // of a film: several GB
+inline constexpr std::size_t most_kept = 4'000'000; // the same number, at most: several GB
 
-// The choices of refined objects are left out: their triangles would differ from frame to frame.
+// The document without the refinement of objects, whose triangles would differ from frame to frame.
 Document unrefined(Document document);
-// Of the unrefined document. Throws Rejected where more would be kept than may be, or the triangles
-// of something change very often, and Cancelled.
+// The document must be unrefined. Throws Rejected where the film would keep more than `most_kept`,
+// or where the triangles of an object change very often; throws Cancelled.
 Film film_of(const Document& document, const Ref<AssetStore>& assets, std::vector<double> moments,
              const Progress& progress = {});
-// What the scene lacks at some moment, a sentence each (core/evaluation/lacking.h).
+// One sentence per thing that the scene lacks at some moment (core/evaluation/lacking.h).
 std::vector<std::string> lacks(const Film& film, const Document& document);
-// The moments of a range, some to a frame.
+// The moments of a range, `per_frame` to each frame.
 std::vector<double> moments_of(const FrameRange& range, int per_frame);
 
-// The mesh in the world, worked out anew and not kept.
+// The part's mesh in world space, worked out anew at each call and not kept.
 Mesh mesh_in_world(const Part& part);
 
 } // namespace trivar

@@ -79,7 +79,7 @@ std::string to_json(const FilmCertificate& c)
                          {"triangles_before", p.triangles_before},
                          {"triangles", p.triangles},
                          {"space_m", film_number(p.space)},
-                         {"between_m", film_number(p.between)},
+                         {"between_m", film_number(p.motion)},
                          {"bound_m", film_number(p.bound)}});
         if (!p.unproven.empty()) parts.back()["unproven"] = p.unproven;
     }
@@ -133,7 +133,7 @@ FilmCertificate film_certificate_from_json(const std::string& text)
                  .triangles_before = whole_number<std::size_t>(p.at("triangles_before")),
                  .triangles = whole_number<std::size_t>(p.at("triangles")),
                  .space = film_number(p.at("space_m")),
-                 .between = film_number(p.at("between_m")),
+                 .motion = film_number(p.at("between_m")),
                  .bound = film_number(p.at("bound_m")),
                  .unproven = p.value("unproven", std::string())});
         return out;

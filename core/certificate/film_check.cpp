@@ -83,16 +83,16 @@ std::vector<FilmSample> sampled_film(const AnimatedExport& exported, const Docum
         weights.push_back(weights_of_node(model, claim.node));
     // What was compared last of each part, and how many samples that was: what rests in the file
     // and in the scene is found once.
-    struct Compared {
+    struct Comparison {
         Ref<EvaluatedObject> object;
         const Part* part = nullptr;
         std::size_t samples = 0;
     };
-    std::vector<Compared> last(out.size());
+    std::vector<Comparison> last(out.size());
     for (std::size_t i = 0; i < frames.size(); ++i) {
         const double frame = frames[i];
         report(progress, static_cast<double>(i) / static_cast<double>(frames.size()), "comparing");
-        const Evaluated now = evaluator(plain, frame);
+        const Evaluation now = evaluator(plain, frame);
         const double time_s = (frame - claims.first_frame) / claims.frames_per_second;
         const Stance stance = stance_at(model, clip, time_s);
         const auto after = std::ranges::lower_bound(moments, frame);

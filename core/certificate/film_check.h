@@ -5,20 +5,22 @@
 
 namespace trivar {
 
-// What a part of a file that moves was found to be.
+// A FilmSample is what was found of one part of a file that moves.
 struct FilmSample {
     std::size_t samples = 0;
-    double furthest = 0;            // of what the file shows from the scene, metres
-    double at_frame = 0;            // there
-    double furthest_at_moments = 0; // of the film, of what is not proven between them
-    double reach = 0;               // the length of the furthest place
+    double furthest = 0; // largest distance between file and scene, metres
+    double at_frame = 0; // where that distance was found
+    // the same at the film's moments, where nothing is proven between them
+    double furthest_at_moments = 0;
+    double reach = 0; // length of the furthest place, metres
 };
 
-// Evaluates the scene anew, so many times a frame, and what the file's clip shows then, by the
-// rules of glTF: at every vertex and, of what lies in a volume, in the middle of every triangle.
-// What is claimed for the film's moments alone is looked at there, too. By part of the certificate.
-// One moment at a time is in memory. Where something comes or goes between two frames it is not
-// looked at in between. Throws Cancelled.
+// The scene is evaluated anew, `per_frame` times per frame, and compared with what the file's clip
+// shows at these times by the rules of glTF: at every vertex and, for parts in a volume, in the
+// middle of every triangle. Parts whose claim holds at the film's moments only are compared at
+// these moments too. The result has one entry per part of the certificate. One moment at a time is
+// in memory. A part that appears or disappears between two frames is not compared between them.
+// Throws Cancelled.
 std::vector<FilmSample> sampled_film(const AnimatedExport& exported, const Document& document,
                                      const Ref<AssetStore>& assets, int per_frame,
                                      const Progress& progress = {});

@@ -123,7 +123,7 @@ private:
         const double end = to == piece.clip_to_s ? piece.to_s : film_time(to);
         const Values none(channel_.components, 0);
         const double middle = (from + to) / 2;
-        if (channel_.between == Channel::Between::step) {
+        if (channel_.interpolation == Channel::Interpolation::step) {
             const Values v = value_at(channel_, time_.by_moments ? from : middle);
             all.push_back({film_time(from), end, v, v, none, none});
             return;
@@ -131,7 +131,8 @@ private:
         const auto after = std::ranges::upper_bound(channel_.times_s, middle, {},
                                                     [](float t) { return double{t}; });
         const bool held = after == channel_.times_s.begin() || after == channel_.times_s.end();
-        if (channel_.between == Channel::Between::linear || held || time_.by_moments || rate == 0) {
+        if (channel_.interpolation == Channel::Interpolation::linear || held || time_.by_moments ||
+            rate == 0) {
             all.push_back({film_time(from), end, value_at(channel_, from), value_at(channel_, to),
                            none, none});
             return;
@@ -164,7 +165,7 @@ public:
     explicit KeysInOrder(Channel& to) : to_(to) {}
     void add(float at_s, const Values& in, const Values& value, const Values& out)
     {
-        const bool cubic = to_.between == Channel::Between::cubic;
+        const bool cubic = to_.interpolation == Channel::Interpolation::cubic;
         const std::size_t n = to_.components;
         if (!to_.times_s.empty() && at_s <= to_.times_s.back()) // too soon to be told apart
             to_.values.resize(to_.values.size() - (cubic ? 2 * n : n));
@@ -226,13 +227,13 @@ PlayedTime played_time(const Document& document, Id id, const Clip& clip,
                                   (moments[i + 1] - first) / per_second, there[i], there[i + 1]});
         return out;
     }
-    out.seen = [=](double film_s) -> std::optional<PlayedTime::Seen> {
+    out.seen = [=](double film_s) -> std::optional<PlayedTime::SeenTime> {
         constexpr double looked_at = 80, // tenths and sixteenths
             near_enough = 1e-4, of_a_frame = 0x1p-20;
         const double frame = film_s * per_second,
                      near = std::round((first + frame) * looked_at) / looked_at;
         if (std::abs(near - first - frame) > near_enough + of_a_frame * frame) return {};
-        return PlayedTime::Seen{(near - first) / per_second, clip_at(near, playing)};
+        return PlayedTime::SeenTime{(near - first) / per_second, clip_at(near, playing)};
     };
     std::vector<double> cuts{0, end};
     const auto cut = [&](double at) {
@@ -269,8 +270,8 @@ Channel played(const Channel& channel, const PlayedTime& time)
     Channel out = channel;
     out.times_s.clear();
     out.values.clear();
-    const bool steps = channel.between == Channel::Between::step;
-    if (time.by_moments && !steps) out.between = Channel::Between::linear;
+    const bool steps = channel.interpolation == Channel::Interpolation::step;
+    if (time.by_moments && !steps) out.interpolation = Channel::Interpolation::linear;
     const std::vector<Span> spans = Spans(channel, time).all;
     KeysInOrder keys(out);
     const Values none(channel.components, 0);

@@ -8,26 +8,27 @@
 
 namespace trivar {
 
-// How far a track is at any time between two frames from going evenly from its value at the one to
-// that at the other; infinite beyond a range to whose ends values are taken. By the convex hulls of
-// its pieces. O(#keys between).
+// The largest distance, at any time between two frames, of a track from the straight line between
+// its values at both frames; infinite beyond a range to whose ends values are limited. The convex
+// hulls of the track's pieces bound it. O(#keys between).
 double off_chord(const Track& track, double from_frame, double to_frame, double lo, double hi);
 
-// A volume the last step of whose shaping moves control points by keys. They go as the keys do:
-// what moves is a constant direction each, as long as the guard takes nothing back.
+// A KeyedVolume is a volume whose last step of shaping moves control points by keys. The points
+// move as the keys do: each along a constant direction, as long as the guard takes nothing back.
 class KeyedVolume {
 public:
-    // Whether a track of the object is of such a step; what rests on its stroke alone has one.
+    // Whether a track of the object belongs to such a step. Only an object that rests on nothing
+    // but its stroke has one.
     static bool is_of_it(const Object& object, const Track& track);
-    // Nothing: it has no such keys.
+    // Empty: the object has no such keys.
     static std::optional<KeyedVolume> of(const Object& object);
 
     struct Change {
-        double uneven = 0;  // metres: no control point is further from going evenly
-        glm::dvec3 turn{0}; // of how much F changes, no longer is the derivative by u, v, w
+        double uneven = 0;  // metres; no control point is further than this from moving evenly
+        glm::dvec3 turn{0}; // largest change of the derivatives of F by u, v and w
     };
-    // From one frame to another; nothing: the guard may act between. `slopes` are at both no less
-    // than those of F by u, v and w.
+    // The change from one frame to another; empty: the guard may act between them. `slopes` are, at
+    // both frames, at least as large as the derivatives of F by u, v and w.
     std::optional<Change> change(const EvaluatedObject& from, double from_frame,
                                  const EvaluatedObject& to, double to_frame,
                                  const glm::dvec3& slopes);

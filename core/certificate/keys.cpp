@@ -43,9 +43,9 @@ float not_after(double time_s)
                                 : out;
 }
 
-std::optional<Placed> as_parts(const glm::dmat4& m)
+std::optional<NodeTransform> as_parts(const glm::dmat4& m)
 {
-    Placed out;
+    NodeTransform out;
     out.translation = glm::dvec3(m[3]);
     glm::dmat3 turn(m);
     for (int c = 0; c < 3; ++c) {
@@ -68,7 +68,7 @@ std::optional<Placed> as_parts(const glm::dmat4& m)
     return out;
 }
 
-Placed between_parts(const Placed& a, const Placed& b, double share)
+NodeTransform between_parts(const NodeTransform& a, const NodeTransform& b, double share)
 {
     return {glm::mix(a.translation, b.translation, share),
             glm::normalize(glm::slerp(a.rotation, b.rotation, share)),
@@ -79,9 +79,9 @@ std::optional<NodeMotion> node_motion(int node, const std::vector<glm::dmat4>& m
                                       const std::vector<float>& times_s, const Box& box,
                                       double tolerance)
 {
-    std::vector<Placed> placed;
+    std::vector<NodeTransform> placed;
     for (const glm::dmat4& matrix : matrices) {
-        const std::optional<Placed> parts = as_parts(matrix);
+        const std::optional<NodeTransform> parts = as_parts(matrix);
         if (!parts) return {};
         placed.push_back(*parts);
         if (placed.size() > 1 && glm::dot(placed[placed.size() - 2].rotation, parts->rotation) < 0)
@@ -131,11 +131,11 @@ std::optional<NodeMotion> node_motion(int node, const std::vector<glm::dmat4>& m
         }
         if (changes) out.channels.push_back(std::move(channel));
     };
-    add(Channel::Of::translation, 3, [](const Placed& p) { return p.translation; });
-    add(Channel::Of::rotation, 4, [](const Placed& p) {
+    add(Channel::Of::translation, 3, [](const NodeTransform& p) { return p.translation; });
+    add(Channel::Of::rotation, 4, [](const NodeTransform& p) {
         return glm::dvec4(p.rotation.x, p.rotation.y, p.rotation.z, p.rotation.w);
     });
-    add(Channel::Of::scale, 3, [](const Placed& p) { return p.scale; });
+    add(Channel::Of::scale, 3, [](const NodeTransform& p) { return p.scale; });
     return out;
 }
 

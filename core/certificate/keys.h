@@ -10,28 +10,31 @@
 
 namespace trivar {
 
-// The moments at which something gets a key, of `count`: the first one, the last one, and as few as
-// it takes between when each is as far behind the one before as `holds(from, to)` lets it: asked
-// twice as far while it holds, then between. O(log) of the way for each key.
+// Chooses, of `count` moments, those that get a key: the first, the last, and as few as possible
+// between them. `holds(from, to)` says whether no key is needed between two moments. The distance
+// asked for is doubled while the answer is yes and then bisected: O(log distance) questions per
+// key.
 std::vector<std::size_t> chosen_keys(std::size_t count,
                                      const std::function<bool(std::size_t, std::size_t)>& holds);
 
-// The number in single precision that is nearest to a time and not after it, or not before it.
+// The largest single-precision number that is not after a time; and the smallest that is not before
+// it.
 float not_after(double time_s);
 float not_before(double time_s);
 
-// An affine matrix as its parts; nothing where they do not give it, as when it shears.
-std::optional<Placed> as_parts(const glm::dmat4& matrix);
-// Between two, as a viewer has it: rotations the shorter way round.
-Placed between_parts(const Placed& a, const Placed& b, double share);
+// The parts of an affine matrix; empty where parts cannot express it, for example where it shears.
+std::optional<NodeTransform> as_parts(const glm::dmat4& matrix);
+// The mixture of two transforms as a viewer makes it: rotations go the shorter way round.
+NodeTransform between_parts(const NodeTransform& a, const NodeTransform& b, double share);
 
-// Channels of a node that moves by these matrices at these times: keys so that the corners of a box
-// are nowhere further off than a tolerance at any of the times. Nothing where a matrix shears.
+// The channels of a node that moves by the given matrices at the given times. The keys are such
+// that at none of these times a corner of the box is further off than a tolerance. Empty where a
+// matrix shears.
 struct NodeMotion {
-    std::vector<Channel> channels; // none where it rests
-    Placed first;
+    std::vector<Channel> channels; // empty where the node rests
+    NodeTransform first;
     std::size_t keys = 1;
-    double off = 0; // at most, of the corners at those times
+    double off = 0; // largest distance of a corner at those times
 };
 std::optional<NodeMotion> node_motion(int node, const std::vector<glm::dmat4>& matrices,
                                       const std::vector<float>& times_s, const Box& box,

@@ -6,13 +6,13 @@
 
 namespace trivar {
 
-// The vertices of a part in the world, metres: as the file shows them at a time, by the rules of
-// glTF, and as the scene has them outside of volumes.
+// Both give the vertices of a part in the world, in metres: the first as the file shows them at a
+// time by the rules of glTF, the second as the scene shows them outside of volumes.
 std::vector<glm::dvec3> places_in_file(const Model& model, int node, const Stance& stance,
                                        const Channel* weights, double time_s);
 std::vector<glm::dvec3> places_in_scene(const Part& part);
 
-// The channel of the model's first clip that the weights of a node's targets go by, or null.
+// The channel of the model's first clip that drives the target weights of a node, or null.
 const Channel* weights_of_node(const Model& model, int node);
 
 } // namespace trivar

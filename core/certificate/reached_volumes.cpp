@@ -26,19 +26,19 @@ double seam_of(const Lattice& lattice)
 
 } // namespace
 
-std::optional<ReachedVolumes::Reached> ReachedVolumes::over(const EvaluatedObject& object,
-                                                            double from, double to, double laps,
-                                                            const std::array<Ref<Lattice>, 2>& at)
+std::optional<ReachedVolumes::ReachedVolume>
+ReachedVolumes::over(const EvaluatedObject& object, double from, double to, double laps,
+                     const std::array<Ref<Lattice>, 2>& at)
 {
     const Ref<Lattice> at_rest(object.placement, &object.placement->volume);
     const Knots& axis = at_rest->displacement.axes[0];
     const double begin = axis.begin() - seam_rounding, end = axis.end() + seam_rounding,
                  period = axis.end() - axis.begin();
-    if (!object.journey || axis.closure() != Closure::open) return Reached{at_rest};
-    if (laps == 0 && from >= begin && to <= end) return Reached{at_rest};
+    if (!object.journey || axis.closure() != Closure::open) return ReachedVolume{at_rest};
+    if (laps == 0 && from >= begin && to <= end) return ReachedVolume{at_rest};
     // Only what goes round leaves a volume and comes back.
     const bool rounds = object.journey->rounds();
-    if (laps == 0 && at[0] == at[1] && !rounds) return Reached{at[0]};
+    if (laps == 0 && at[0] == at[1] && !rounds) return ReachedVolume{at[0]};
     if (laps != 0 && (!rounds || std::abs(laps) > 1)) return {};
     Longer& longer = longer_[object.placement];
     if (!rounds) {
@@ -48,10 +48,10 @@ std::optional<ReachedVolumes::Reached> ReachedVolumes::over(const EvaluatedObjec
             longer.to = std::max({longer.to, to + room, axis.end()});
             longer.volume = make_ref(prolonged(*at_rest, longer.from, longer.to));
         }
-        return Reached{.volume = longer.volume, .clamped = true};
+        return ReachedVolume{.volume = longer.volume, .clamped = true};
     }
     if (!longer.volume) longer.volume = make_ref(twice_round(*at_rest));
-    Reached out{.volume = longer.volume, .clamped = true};
+    ReachedVolume out{.volume = longer.volume, .clamped = true};
     if (from < begin) out.shift_u = period;
     if (from + out.shift_u < begin || to + out.shift_u > end + period) return {};
     if (laps != 0 || out.shift_u != 0) out.seam = seam_of(*at_rest);

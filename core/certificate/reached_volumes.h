@@ -8,22 +8,24 @@
 
 namespace trivar {
 
-// The volumes of strokes as far as what travels on them comes between two moments. An evaluation
-// prolongs a volume, or runs through it twice, as far as it needs at its moment alone; here one
-// volume is the same function as all of those.
+// ReachedVolumes gives the volume of a stroke as far as an object that travels on it comes between
+// two moments. An evaluation lengthens a volume, or runs through it twice, only as far as its one
+// moment needs; a volume given here is the same function as all of those.
 class ReachedVolumes {
 public:
-    struct Reached {
+    struct ReachedVolume {
         Ref<Lattice> volume;
-        double shift_u = 0;   // of what lies there in it
-        double seam = 0;      // metres: no further is a point in it from where the scene has it,
-        bool clamped = false; // but for what it is out of its model's box along the stroke
+        double shift_u = 0; // shift along u of what lies in the volume
+        // metres; a point in this volume is at most this far from its place in the scene
+        double seam = 0;
+        // points outside of their model's box along the stroke are excepted from `seam`
+        bool clamped = false;
     };
-    // Of what lies from u = `from` to `to` at all times between two moments, with `laps` begun
-    // meanwhile that its u does not show, and in these volumes at the two. Nothing: it is not
-    // known.
-    std::optional<Reached> over(const EvaluatedObject& object, double from, double to, double laps,
-                                const std::array<Ref<Lattice>, 2>& at_moments);
+    // `from` and `to` are the ends in u of what lies there, at all times between two moments.
+    // `laps` is the number of laps that began meanwhile and that u does not show. The two volumes
+    // are those at both moments. Empty: not known.
+    std::optional<ReachedVolume> over(const EvaluatedObject& object, double from, double to,
+                                      double laps, const std::array<Ref<Lattice>, 2>& at_moments);
 
 private:
     struct Longer {

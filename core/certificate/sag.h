@@ -5,9 +5,10 @@
 
 namespace trivar {
 
-// About how far a part is from going evenly from one moment to the next, in metres: from every
-// second moment, which with some to a frame is never a frame, and some hundred of its vertices. No
-// bound; it says whether more moments are wanted of what nothing is proven of. O(#moments).
+// An estimate, not a bound, in metres, of how far a part is from even motion between two moments.
+// It says whether a part of which nothing is proven wants more moments. Every second moment is
+// compared, which is never a whole frame where there are several per frame, at some hundred
+// vertices. O(#moments).
 double sag_between_moments(const FilmStrip& strip);
 
 } // namespace trivar

@@ -9,11 +9,11 @@
 namespace trivar {
 namespace {
 
-struct Seen {
+struct MomentVertices {
     std::vector<glm::vec3> positions, normals;
 };
 
-Seen seen_at(const CommonMesh& common, const Part& part)
+MomentVertices seen_at(const CommonMesh& common, const Part& part)
 {
     Mesh mesh = part.bent
                     ? deform(before_volume(common, part), part.bent->embedding, *part.bent->volume)
@@ -32,7 +32,7 @@ std::vector<glm::vec3> differences(const std::vector<glm::vec3>& from,
 // Places as the file gives them: those of the base and a difference in single precision.
 class Places {
 public:
-    Places(const std::vector<Seen>& all, const std::vector<const Seen*>& at,
+    Places(const std::vector<MomentVertices>& all, const std::vector<const MomentVertices*>& at,
            const std::vector<float>& times_s)
         : base_(all.front().positions),
           at_(at),
@@ -65,7 +65,7 @@ public:
 
 private:
     const std::vector<glm::vec3>& base_;
-    const std::vector<const Seen*>& at_;
+    const std::vector<const MomentVertices*>& at_;
     const std::vector<float>& times_s_;
 };
 
@@ -75,9 +75,9 @@ TargetKeys target_keys(const Film& film, const FilmStrip& strip, const CommonMes
                        const std::vector<double>& allowed, const std::vector<float>& times_s)
 {
     const std::size_t count = film.moments.size();
-    std::vector<Seen> all;
+    std::vector<MomentVertices> all;
     all.reserve(count);
-    std::vector<const Seen*> at(count, nullptr);
+    std::vector<const MomentVertices*> at(count, nullptr);
     const Part* last = nullptr;
     for (std::size_t i = 0; i < count; ++i) {
         const Part* part = strip.shown[i];
@@ -121,7 +121,7 @@ TargetKeys target_keys(const Film& film, const FilmStrip& strip, const CommonMes
         for (std::size_t t = 1; t <= targets; ++t)
             out.weights.values.push_back(t == k ? 1.0f : 0.0f);
         if (k == 0) continue;
-        const Seen& there = *at[out.keys[k]];
+        const MomentVertices& there = *at[out.keys[k]];
         out.mesh.morph_targets.push_back({differences(out.mesh.positions, there.positions),
                                           differences(out.mesh.normals, there.normals),
                                           {}});

@@ -5,18 +5,19 @@
 
 namespace trivar {
 
-// A part as a mesh at its first moment, with a morph target for every key after that.
+// TargetKeys is a part as a mesh at its first moment, with one morph target per later key.
 struct TargetKeys {
     Mesh mesh;                     // in the world
     std::vector<std::size_t> keys; // moments
-    // How far its vertices are, as the file has them, from where they should be; by moment.
+    // For each moment, the largest distance of a vertex in the file from its place in the scene, in
+    // metres.
     std::vector<double> off;
-    Channel weights; // of the targets, without a node; no times where there are none
+    // of the targets, without a node; its times are empty where there are no targets
+    Channel weights;
 };
 
-// Keys so that no vertex is further off at a moment than is allowed there, with what single
-// precision makes of times. Places at all moments are in memory meanwhile: 24 bytes a vertex and
-// moment.
+// Chooses keys so that at no moment a vertex is further off than `allowed` there; the rounding of
+// times to single precision is counted. Memory meanwhile: 24 bytes per vertex and moment.
 TargetKeys target_keys(const Film& film, const FilmStrip& strip, const CommonMesh& common,
                        const std::vector<double>& allowed, const std::vector<float>& times_s);
 

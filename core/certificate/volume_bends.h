@@ -10,25 +10,27 @@
 
 namespace trivar {
 
-// How much a volume bends in boxes of its parameters, at most: from the Bezier points of its cells,
-// each looked at once. World units by units of u, v and w. Not thread-safe.
+// VolumeBends bounds how much a volume bends in boxes of its parameters, from the Bezier points of
+// its cells; each cell is looked at once. Units are world units per unit of u, v and w. Not
+// thread-safe.
 class VolumeBends {
 public:
     explicit VolumeBends(const Lattice& lattice);
 
     struct Bend {
         std::array<double, 6> second{}; // lengths of F_uu, F_vv, F_ww, F_uv, F_vw, F_wu
-        glm::dvec3 kink{0}; // how much F_u, F_v, F_w change where cells meet, all of them together
-        // How far F on a straight way in the box is from the chord of its ends, a way that is no
-        // longer than `step` by u, v and w.
+        glm::dvec3 kink{0};             // sum of the changes of F_u, F_v, F_w where cells meet
+        // The largest distance of F from its chord on a straight line in the box, where the line is
+        // at most `step` long in u, v and w.
         double off_chord(const glm::dvec3& step) const;
-        // The same for all of a triangle with such edges from one of its corners: 1/8 (M1 + 2 M2 +
-        // M3), and a quarter of a kink times its extent.
+        // The same for a whole triangle; p and q are its edges from one of its corners: 1/8 (M1 + 2
+        // M2 + M3), and a quarter of a kink times its extent.
         double off_triangle(const glm::dvec3& p, const glm::dvec3& q) const;
     };
-    Bend over(const Box& uvw); // infinite where the map jumps, or over very many cells
+    // infinite where the map jumps, or where the box covers very many cells
+    Bend over(const Box& uvw);
 
-    const glm::dvec3& slopes() const { return slopes_; } // of F by u, v, w, at most
+    const glm::dvec3& slopes() const { return slopes_; } // largest derivative of F by u, v and w
 
 private:
     const std::array<double, 6>& cell(const glm::ivec3& slabs);
@@ -37,10 +39,10 @@ private:
     DisplacementCells cells_;
     glm::dvec3 slopes_{0};
     std::map<std::array<int, 3>, std::array<double, 6>> known_;
-    std::map<std::array<int, 4>, double> kinks_; // by axis and the slabs after it
+    std::map<std::array<int, 4>, double> kinks_; // by axis and the slabs that follow it
 };
 
-// No less than both, and than any mean of the two.
+// At least as large as both bends, and as any mean of the two.
 VolumeBends::Bend greater(const VolumeBends::Bend& a, const VolumeBends::Bend& b);
 
 } // namespace trivar

@@ -30,7 +30,8 @@ StepTitle title(const SetTransform& c, const StepDocuments& step);
 struct Arrange {
     static constexpr std::string_view verb = "arrange",
                                       summary = "Give objects new transforms, one each.";
-    static constexpr CommandNature nature{.icon = CommandIcon::move, .asked = Asked::by_actions};
+    static constexpr CommandNature nature{.icon = CommandIcon::move,
+                                          .asked = Invocation::by_actions};
     std::vector<Id> objects;
     std::vector<Transform> transforms;
     bool operator==(const Arrange&) const = default;
@@ -45,7 +46,8 @@ StepTitle title(const Arrange& c, const StepDocuments& step);
 
 struct Rename {
     static constexpr std::string_view verb = "rename", summary = "Give an object another name.";
-    static constexpr CommandNature nature{.icon = CommandIcon::rename, .asked = Asked::by_actions};
+    static constexpr CommandNature nature{.icon = CommandIcon::rename,
+                                          .asked = Invocation::by_actions};
     Id object = 0;
     std::string name;
     bool operator==(const Rename&) const = default;
@@ -60,7 +62,7 @@ StepTitle title(const Rename& c, const StepDocuments& step);
 
 struct Hide {
     static constexpr std::string_view verb = "hide", summary = "Leave objects out of the picture.";
-    static constexpr CommandNature nature{.icon = CommandIcon::hide, .asked = Asked::at_once};
+    static constexpr CommandNature nature{.icon = CommandIcon::hide, .asked = Invocation::at_once};
     std::vector<Id> objects;
     bool operator==(const Hide&) const = default;
     static void fields(auto& c, auto&& field) { field("objects", c.objects, "ids", required); }
@@ -70,7 +72,7 @@ StepTitle title(const Hide& c, const StepDocuments& step);
 
 struct Show {
     static constexpr std::string_view verb = "show", summary = "Show hidden objects again.";
-    static constexpr CommandNature nature{.icon = CommandIcon::show, .asked = Asked::at_once};
+    static constexpr CommandNature nature{.icon = CommandIcon::show, .asked = Invocation::at_once};
     std::vector<Id> objects;
     bool only = false;
     bool operator==(const Show&) const = default;
@@ -88,7 +90,7 @@ struct Lock {
     static constexpr std::string_view verb = "lock",
                                       summary = "Keep objects from being picked, moved and deleted "
                                                 "by hand.";
-    static constexpr CommandNature nature{.icon = CommandIcon::lock, .asked = Asked::at_once};
+    static constexpr CommandNature nature{.icon = CommandIcon::lock, .asked = Invocation::at_once};
     std::vector<Id> objects;
     bool operator==(const Lock&) const = default;
     static void fields(auto& c, auto&& field) { field("objects", c.objects, "ids", required); }
@@ -98,7 +100,8 @@ StepTitle title(const Lock& c, const StepDocuments& step);
 
 struct Unlock {
     static constexpr std::string_view verb = "unlock", summary = "Let hands take objects again.";
-    static constexpr CommandNature nature{.icon = CommandIcon::unlock, .asked = Asked::at_once};
+    static constexpr CommandNature nature{.icon = CommandIcon::unlock,
+                                          .asked = Invocation::at_once};
     std::vector<Id> objects;
     bool operator==(const Unlock&) const = default;
     static void fields(auto& c, auto&& field) { field("objects", c.objects, "ids", required); }
@@ -110,7 +113,8 @@ struct Delete {
     static constexpr std::string_view verb = "delete",
                                       summary = "Delete objects, groups with what is in them. "
                                                 "What lay on a deleted object no longer counts it.";
-    static constexpr CommandNature nature{.icon = CommandIcon::remove, .asked = Asked::by_actions};
+    static constexpr CommandNature nature{.icon = CommandIcon::remove,
+                                          .asked = Invocation::by_actions};
     std::vector<Id> objects;
     bool operator==(const Delete&) const = default;
     static void fields(auto& c, auto&& field) { field("objects", c.objects, "ids", required); }
@@ -123,7 +127,8 @@ struct Duplicate {
                                       summary =
                                           "Copy objects, groups with what is in them. Copies "
                                           "that lay on each other lie on each other's copies.";
-    static constexpr CommandNature nature{.icon = CommandIcon::copy, .asked = Asked::by_actions};
+    static constexpr CommandNature nature{.icon = CommandIcon::copy,
+                                          .asked = Invocation::by_actions};
     std::vector<Id> objects;
     glm::dvec3 offset{0};
     bool operator==(const Duplicate&) const = default;

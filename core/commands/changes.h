@@ -7,16 +7,16 @@
 #include <string>
 #include <vector>
 
-// What differs between two values of a command, for the titles of steps.
+// Changes holds what differs between two values of a command, for the titles of steps.
 
 namespace trivar {
 
 struct Change {
-    std::string name, value; // as a panel calls it; what it is now, with its unit
+    std::string name, value; // the field as a panel calls it; its present value with its unit
 };
 using Changes = std::vector<Change>;
 
-// As designers write colours: sRGB, #RRGGBB. `linear` is red, green and blue in 0..1.
+// A colour as designers write it: sRGB, #RRGGBB. `linear` is red, green and blue in 0..1.
 std::string color_text(const glm::vec3& linear);
 
 // A value as a person says it: "0.24 m", "bridged", "40 × 9 × 4", "2 points".
@@ -52,8 +52,8 @@ template <class V> std::string value_words(const V& value, const Rule& rule)
         return {};
 }
 
-// The fields of two values of one type that differ, in their order. The opacity of a colour is a
-// field of its own.
+// The fields that differ between two values of one type, in their order. The opacity of a colour
+// counts as a field of its own.
 template <class T> Changes changes(const T& before, const T& after)
 {
     std::vector<const void*> then;
@@ -74,7 +74,8 @@ template <class T> Changes changes(const T& before, const T& after)
     return out;
 }
 
-// "Width of Snake" "0.24 m"; "Width and height of Snake"; `whole` "of Snake" for more of them.
+// The title for changes: "Width of Snake" "0.24 m"; "Width and height of Snake"; `whole` "of Snake"
+// where more fields changed.
 StepTitle title_of_changes(const Changes& changes, const std::string& whole,
                            const std::string& object);
 

@@ -59,7 +59,7 @@ template <class T> void check_value(const std::string& name, const T& value, con
     else if constexpr (std::is_same_v<T, StrokeSample>) {
         check_value(name, value.p_px, rule);
         check_number(name, value.time_s, rule);
-        check_number(name, value.pressure, between(0, 1));
+        check_number(name, value.pressure, in_range(0, 1));
     } else if constexpr (is_optional<T>) {
         if (value) check_value(name, *value, rule);
     } else if constexpr (is_list<T>) {

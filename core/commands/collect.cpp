@@ -113,8 +113,8 @@ bool lies_in(const fs::path& file, const fs::path& folder)
 
 } // namespace
 
-Collected collect_files(const Document& document, const AssetStore& assets,
-                        const std::string& folder, const Progress& progress)
+Collection collect_files(const Document& document, const AssetStore& assets,
+                         const std::string& folder, const Progress& progress)
 {
     std::map<std::string, std::vector<Id>> users; // of each file
     std::size_t files = 0;
@@ -129,7 +129,7 @@ Collected collect_files(const Document& document, const AssetStore& assets,
             users[path].push_back(id);
             ++files;
         }
-    Collected result;
+    Collection result;
     if (users.empty()) return result;
     Copies copies;
     Relink command;

@@ -8,16 +8,16 @@
 
 namespace trivar {
 
-// Copies every file that the document's models come from, with the files that go with them, into a
-// folder, and returns the command that takes the models from there; nothing where all of them lie
-// there already. What is there with the same content is taken as it is, with another content it
-// stays and the copy gets another name. Throws Rejected (a file is missing, the disk is full) or
-// Cancelled, and what was copied is gone again.
-struct Collected {
+// Copies every file from which the document's models come, with the files that these name, into a
+// folder, and returns the command that takes the models from there; empty where all of them lie
+// there already. A file of the same name and content in the folder is used as it is; one with other
+// content stays, and the copy gets another name. Throws Rejected (a file is missing, the disk is
+// full) or Cancelled, and the copies are removed again.
+struct Collection {
     std::optional<Relink> command;
     std::size_t copied = 0, reused = 0; // files
 };
-Collected collect_files(const Document& document, const AssetStore& assets,
-                        const std::string& folder, const Progress& progress = {});
+Collection collect_files(const Document& document, const AssetStore& assets,
+                         const std::string& folder, const Progress& progress = {});
 
 } // namespace trivar

@@ -39,12 +39,12 @@ using AnyCommand =
                  SetMaterial, ClearMaterial, Rename, Hide, Show, Lock, Unlock, Delete, Duplicate,
                  Group, Ungroup, Reorder, Place, PlaceRound, EditPlacement, Unplace, SetTravel,
                  PlayClip, Animate, Refine, ClearRefine, PressVolume, MovePoints, InsertKnots,
-                 CoarsenVolume, MendVolume, AllowFolds, Unshape, Paste, SaveCamera, DeleteCamera,
+                 CoarsenVolume, MendVolume, AllowFolds, Unshape, Paste, KeepView, ForgetView,
                  SetRender, SetTime, AddLattice, SetLattice, WarpVolume, KeepShape, Simplify,
                  ClearSimplify>;
 
-// Everything that a person can do to a document, by value. It is a variant, to be visited as one,
-// whose copying and comparing of all kinds is compiled once rather than wherever one is copied.
+// A Command is everything that a person can do to a document, by value. It is a variant and is
+// visited as one; copying and comparing it is compiled once, and not wherever a command is copied.
 struct Command : AnyCommand {
     template <class C>
     requires is_one_of<std::remove_cvref_t<C>, AnyCommand> Command(C&& command)
@@ -62,26 +62,26 @@ struct Command : AnyCommand {
 constexpr std::size_t command_count = std::variant_size_v<AnyCommand>;
 template <std::size_t I> using CommandAt = std::variant_alternative_t<I, AnyCommand>;
 
-// One of each kind in the variant's order, with default fields.
+// One command of each kind in the variant's order, with default fields.
 std::vector<Command> every_command();
 
-// Throws Rejected, naming the field, unless every number is finite and within its rule, every
-// text is UTF-8 of sensible length and one of its choices, and no list is absurdly long. Knows
-// nothing of documents.
+// Throws Rejected, naming the field, unless every number is finite and within its rule, every text
+// is UTF-8 of sensible length and one of its choices, and no list is absurdly long. It does not
+// look at a document.
 void check(const Command& command);
 
-// The document after the command; objects that it does not touch keep their pointer. Pure: reads
-// no file. Throws Rejected (the field, what is wrong, what would be right) and nothing happened.
-// A new object's id is the old document's next_id.
+// The document after the command; objects that the command does not touch keep their pointer. Pure:
+// reads no file. Throws Rejected (the field, what is wrong, what would be right), and nothing
+// happened. The id of a new object is the old document's next_id.
 Document after(const Document& document, const Command& command);
 
-// What the step did, in the words of the panels: what changed, and not the whole value that the
-// command holds. Pure: `before` is what the command was applied to, `after` what came of it.
+// The title of a step in the words of the panels: what changed, and not the whole value that the
+// command holds. Pure: `before` is the document before the command, `after` the one after it.
 StepTitle step_title(const Command& command, const Document& before, const Document& after);
 
 CommandNature nature_of(const Command& command);
 
-// Fills in what only the outside knows before a command is proposed: for an import and its edit the
+// Fills in what a document cannot know before a command is proposed: for an import and its edit the
 // hash, the path relative to the store's folder and the name. Throws Rejected if the file cannot be
 // read.
 Command prepare(Command command, const AssetStore& assets, const Progress& progress = {});
@@ -89,14 +89,14 @@ Command prepare(Command command, const AssetStore& assets, const Progress& progr
 // One line of JSON without its line break: {"do":"rename","object":3,"name":"Snake"}. Every field
 // is written, numbers as the shortest decimals that read back as the same bits.
 std::string to_json_line(const Command& command);
-// Strict: unknown verbs and fields, missing required fields, wrong types, numbers out of range are
-// Rejected by the field's name.
+// Reads strictly: unknown verbs and fields, missing required fields, wrong types and numbers out of
+// range are Rejected by the field's name.
 Command command_from_json_line(std::string_view line);
 
 std::string_view verb(const Command& command);
 
-// The reference of all commands with their fields, defaults and ranges; as text only what each
-// command does and takes.
+// The reference of all commands with their fields, defaults and ranges; the text form says only
+// what each command does and takes.
 std::string commands_text();
 std::string commands_markdown();
 std::string commands_json();

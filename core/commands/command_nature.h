@@ -3,7 +3,7 @@
 
 namespace trivar {
 
-// What a command is about, for a picture of it beside its title.
+// A CommandIcon says what a command is about, for a picture of it beside its title.
 enum class CommandIcon {
     values,
     add,
@@ -22,19 +22,19 @@ enum class CommandIcon {
     camera
 };
 
-// How a person comes to a command.
-enum class Asked {
+// An Invocation says how a person gives a command.
+enum class Invocation {
     with_values, // by filling in its fields
-    at_once,     // the selected objects say all that it needs
+    at_once,     // the selected objects give all its values
     by_actions   // actions and tools of the window give it its values
 };
 
 struct CommandNature {
     CommandIcon icon = CommandIcon::values;
-    Asked asked = Asked::with_values;
+    Invocation asked = Invocation::with_values;
 };
 
-// The nature of a type of command: its own, or else the usual one.
+// The nature of a type of command: its own, or else the default one.
 template <class Command> constexpr CommandNature nature_of_type()
 {
     if constexpr (requires { Command::nature; })

@@ -7,7 +7,8 @@
 
 namespace trivar {
 
-// The ids of a list. Throws Rejected if it is empty, an object does not exist or is named twice.
+// The ids of a list as a set. Throws Rejected if the list is empty, an object does not exist or is
+// named twice.
 std::set<Id> distinct(const Document& document, const std::vector<Id>& ids);
 
 // The document with one object replaced by change(copy of it).
@@ -18,7 +19,8 @@ Document with_changed(Document document, Id id, auto&& change)
     document.objects.set(id, make_ref(std::move(changed)));
     return document;
 }
-// The same for each of a list; Rejected if it is empty or names one twice.
+// The document with each listed object replaced. Throws Rejected if the list is empty or names an
+// object twice.
 Document with_all_changed(Document document, const std::vector<Id>& ids, auto&& change)
 {
     for (const Id id : distinct(document, ids))
@@ -33,14 +35,14 @@ void check_bent(const Document& document, Id id);
 // Throws Rejected where the object neither lies on a stroke nor is a lattice.
 void check_has_volume(const Object& object, Id id);
 
-// The document with one object more, under the next id.
+// The document with one more object, under the next id.
 Document with_added(Document document, Object object);
 
-// Those and everything inside the groups among them.
+// The given objects and everything inside the groups among them.
 std::set<Id> with_contents(const Document& document, std::set<Id> ids);
 
 void check_transform(const Transform& transform);
-// Rotation, scale and translation of an affine matrix; what shear it has is lost.
+// Rotation, scale and translation of an affine matrix; its shear is lost.
 Transform decomposed(const glm::dmat4& matrix);
 
 } // namespace trivar

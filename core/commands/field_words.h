@@ -6,26 +6,28 @@
 #include <string>
 #include <string_view>
 
-// How fields and their values are said to a person, by what the lists of fields say of them.
+// These functions say fields and their values to a person, from what the lists of fields say of
+// them.
 
 namespace trivar {
 
 // A field's name as words: "fill_gap" is "Fill gap", "rotation_deg" is "Rotation".
 std::string in_words(std::string_view name);
-// What panels and the history call a field.
+// The name of a field in panels and in the history.
 std::string label_of(std::string_view name, const Rule& rule);
 // "m", "deg", "s", "m/s" and so on; empty: the number has no unit.
 std::string unit_text(Unit unit);
-// What is shown of a number is this many times what is stored.
+// The factor from a stored number to the number that is shown.
 double shown_factor(Unit unit);
-// What the component of a vector is called: "Z", "V", "green".
+// The name of a component of a vector: "Z", "V", "green".
 std::string axis_of(const Rule& rule, int component);
 
 // Three significant digits, no trailing zeros: "0.24", "12.3", "4".
 std::string brief_number(double value);
 std::string in_metres(double value);
 std::string in_degrees(double value);
-// With its unit, as the unit is said in a sentence: "0.24 m", "90°", "1 stop", "at frame 24".
+// A number with its unit, as the unit is said in a sentence: "0.24 m", "90°", "1 stop", "at frame
+// 24".
 std::string with_unit(double value, Unit unit);
 
 } // namespace trivar

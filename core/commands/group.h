@@ -8,17 +8,19 @@
 
 namespace trivar {
 
-// The document with `holder` as the parent of those objects, which stay where they stand.
+// The document with `holder` as the parent of those objects, which keep their places in the world.
 Document with_parent_of(Document document, const std::vector<Id>& objects, Object holder);
 
-// Throws Rejected where groups nest too deep below it.
+// Throws Rejected where groups below this one nest too deep.
 void check_depth(const Document& document, Id group);
-void check_own_depth(const Document& document, Id id); // of that one alone
+// checks only how deep the group itself stands
+void check_own_depth(const Document& document, Id id);
 
 struct Group {
     static constexpr std::string_view verb = "group",
                                       summary = "Put objects into a new group; they stay in place.";
-    static constexpr CommandNature nature{.icon = CommandIcon::group, .asked = Asked::by_actions};
+    static constexpr CommandNature nature{.icon = CommandIcon::group,
+                                          .asked = Invocation::by_actions};
     std::vector<Id> objects;
     std::string name = "Group";
     bool operator==(const Group&) const = default;
@@ -35,7 +37,8 @@ struct Ungroup {
     static constexpr std::string_view verb = "ungroup",
                                       summary = "Dissolve a group; what is in it stays in place, "
                                                 "but for shear.";
-    static constexpr CommandNature nature{.icon = CommandIcon::group, .asked = Asked::by_actions};
+    static constexpr CommandNature nature{.icon = CommandIcon::group,
+                                          .asked = Invocation::by_actions};
     Id object = 0;
     bool operator==(const Ungroup&) const = default;
     static void fields(auto& c, auto&& field) { field("object", c.object, "id", required); }

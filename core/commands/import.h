@@ -9,7 +9,7 @@ namespace trivar {
 struct ImportModel {
     static constexpr std::string_view verb = "import", summary = "Add a model from a file.";
     static constexpr CommandNature nature{.icon = CommandIcon::import_model,
-                                          .asked = Asked::by_actions};
+                                          .asked = Invocation::by_actions};
     ImportedFile file;
     std::string name;
     Transform transform;

@@ -47,8 +47,8 @@ template <class T> std::string value_json(const T& value)
         return json_text(value);
 }
 
-// "name":value,... of all fields, each after a separator but the first, which follows the one
-// given. An optional that holds nothing is left out.
+// All fields as "name":value,... with a separator before each one; the first separator is the given
+// one. An empty optional is left out.
 template <class T> std::string fields_json(const T& value, std::string_view separator)
 {
     std::string text;

@@ -12,7 +12,7 @@ struct KeepShape {
                                                 "objects in it become models from files that hold "
                                                 "them as they are. What is not named goes back to "
                                                 "rest.";
-    static constexpr CommandNature nature{.asked = Asked::by_actions};
+    static constexpr CommandNature nature{.asked = Invocation::by_actions};
     Id object = 0;
     std::vector<Id> members;
     std::vector<ImportedFile> files;

@@ -23,15 +23,15 @@ NewValue values_of(const std::vector<Parameter>& parameters)
 }
 
 // Names of what changed between two that differ in nothing else; nothing where they do.
-struct Changed {
+struct NumberChanges {
     std::vector<std::string> names;
     std::vector<double> values;
 };
-std::optional<Changed> changed(const std::vector<Parameter>& before,
-                               const std::vector<Parameter>& after)
+std::optional<NumberChanges> changed(const std::vector<Parameter>& before,
+                                     const std::vector<Parameter>& after)
 {
     if (!std::ranges::equal(before, after, {}, &Parameter::name, &Parameter::name)) return {};
-    Changed out;
+    NumberChanges out;
     for (std::size_t i = 0; i < before.size(); ++i)
         if (before[i].value != after[i].value) {
             out.names.push_back(after[i].name);
@@ -72,7 +72,7 @@ Command keyed(const Document& document, const Command& command, double frame, bo
     const std::vector<Parameter> scene = scene_parameters(now);
     if (!add(0, scene, scene_parameters(made))) return command;
     const Document same = with_scene_values(made, values_of(scene));
-    if (*same.render != *now.render || same.bookmarks != now.bookmarks) return command;
+    if (*same.render != *now.render || same.kept_views != now.kept_views) return command;
     for (const auto& [id, each] : made.objects) {
         const auto was = now.objects.find(id);
         if (was == now.objects.end()) return command;

@@ -5,23 +5,23 @@
 
 namespace trivar {
 
-// What a hand does to something animated, said as keys in a frame. Where the command changes
-// nothing but parameters of what was there, beside what the frame shows, and one of them has a
-// track (or `always`), a command that keys all it changes; else the command itself. Throws what
-// after() throws.
+// Turns what a hand does to an animated object into keys in a frame. Where the command changes only
+// parameters, compared with what the frame shows, and one of them has a track (or `always` is set),
+// the result is a command that keys all changed parameters; else it is the command itself. Throws
+// what after() throws.
 Command keyed(const Document& document, const Command& command, double frame, bool always);
 
-// The animate command for keys of the present value, or without them for those in that frame. An
-// object that has no such parameter is passed over; nothing where there is none.
+// The animate command that sets keys of the present value, or that removes the keys in that frame.
+// Objects without such a parameter are skipped; empty where none has it.
 std::optional<Command> keys_of(const Document& document, const std::vector<Id>& ids,
                                const std::vector<std::string>& names, double frame);
 std::optional<Command> without_keys(const Document& document, const std::vector<Id>& ids,
                                     const std::vector<std::string>& names, double frame);
 
-// Tracks of an object; id 0: of the scene.
+// The tracks of an object; for id 0 those of the scene.
 const std::vector<Track>& tracks_of(const Document& document, Id id);
 const Track* track_of(const Document& document, Id id, const std::string& parameter);
-// Ids with tracks, the scene's 0 first.
+// The ids of objects with tracks; the scene's 0 comes first.
 std::vector<Id> animated_ids(const Document& document);
 
 } // namespace trivar

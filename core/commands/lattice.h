@@ -13,7 +13,8 @@ struct AddLattice {
     static constexpr std::string_view verb = "add_lattice",
                                       summary = "Put a box of control points round objects. They "
                                                 "stand in it as in a group and bend with it.";
-    static constexpr CommandNature nature{.icon = CommandIcon::add, .asked = Asked::by_actions};
+    static constexpr CommandNature nature{.icon = CommandIcon::add,
+                                          .asked = Invocation::by_actions};
     std::vector<Id> objects;
     std::string name = "Lattice";
     LatticeShape shape = {};

@@ -31,7 +31,8 @@ StepTitle title(const SetMaterial& c, const StepDocuments& step);
 struct ClearMaterial {
     static constexpr std::string_view verb = "clear_material",
                                       summary = "Give objects their own materials back.";
-    static constexpr CommandNature nature{.icon = CommandIcon::material, .asked = Asked::at_once};
+    static constexpr CommandNature nature{.icon = CommandIcon::material,
+                                          .asked = Invocation::at_once};
     std::vector<Id> objects;
     bool operator==(const ClearMaterial&) const = default;
     static void fields(auto& c, auto&& field) { field("objects", c.objects, "ids", required); }

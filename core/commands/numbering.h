@@ -9,13 +9,13 @@
 
 namespace trivar {
 
-// Names for copies. "Snake" gives "Snake 2", "Snake 2" gives "Snake 3": the first number that no
-// object has yet.
+// Numbering gives names for copies. "Snake" gives "Snake 2", "Snake 2" gives "Snake 3": the first
+// number that no object has yet.
 class Numbering {
 public:
     explicit Numbering(const Document& document);
     std::string next(const std::string& name);
-    std::string unique(const std::string& name); // as it is where nothing is called so
+    std::string unique(const std::string& name); // unchanged where no object has that name
 
 private:
     std::set<std::string> taken_;

@@ -19,8 +19,8 @@
 
 namespace trivar {
 
-// An object of the scene that something lies on: both must fit, so that another scene's object of
-// that number is not taken for it.
+// A KnownObject is an object of the scene on which something lies. Both number and name must fit,
+// so that another scene's object of that number is not taken for it.
 struct KnownObject {
     Id object = 0;
     std::string name;
@@ -35,11 +35,11 @@ struct CopiedPlacement {
     bool operator==(const CopiedPlacement&) const = default;
 };
 
-// An object by itself, with its number where it was copied.
+// A CopiedObject is an object by itself, with its number in the scene from which it was copied.
 struct CopiedObject {
     Id object = 0;
     std::string name;
-    // One of them at most; none: a group.
+    // At most one of these is set; none: a group.
     std::optional<ImportedFile> file;
     std::optional<PlaneShape> plane;
     std::optional<BoxShape> box;
@@ -122,7 +122,7 @@ struct Paste {
                                           "the copy of that, or on that itself where the scene "
                                           "has it; else it is laid over all that is there, and "
                                           "stands straight where nothing is.";
-    static constexpr CommandNature nature{.asked = Asked::by_actions};
+    static constexpr CommandNature nature{.asked = Invocation::by_actions};
     std::vector<CopiedObject> copies;
     bool operator==(const Paste&) const = default;
     static void fields(auto& c, auto&& field)
@@ -133,9 +133,9 @@ struct Paste {
 Document applied(Document document, const Paste& command);
 StepTitle title(const Paste& c, const StepDocuments& step);
 
-// Copies of those objects, groups with what is in them, for this scene or another one: the files of
-// models are named from the root, and what was in a group that is not copied stands where it stood.
-// Ids that are not in the document are passed over.
+// Copies of the objects, groups with their contents, for this scene or another one. The files of
+// models are named from the root. An object from a group that is not copied keeps its place in the
+// world. Ids that are not in the document are skipped.
 Paste copied(const Document& document, const std::vector<Id>& ids, const std::string& folder);
 
 } // namespace trivar

@@ -9,7 +9,8 @@ namespace trivar {
 struct Place {
     static constexpr std::string_view verb = "place",
                                       summary = "Lay an object along a stroke over the scene.";
-    static constexpr CommandNature nature{.icon = CommandIcon::place, .asked = Asked::by_actions};
+    static constexpr CommandNature nature{.icon = CommandIcon::place,
+                                          .asked = Invocation::by_actions};
     Id object = 0;
     Sketch sketch;
     PlacementParameters parameters;
@@ -29,8 +30,8 @@ struct Place {
 Document applied(Document document, const Place& command);
 StepTitle title(const Place& c, const StepDocuments& step);
 
-// Every visible object that a stroke of it could fall on: no group, not itself, nor what lies on
-// it.
+// Every visible object on which a stroke of this object could fall: no group, not the object
+// itself, nor what lies on it.
 std::vector<Id> possible_bases(const Document& document, Id id);
 
 struct PlaceRound {
@@ -60,8 +61,8 @@ struct EditPlacement {
     static constexpr CommandNature nature{.icon = CommandIcon::place};
     Id object = 0;
     PlacementParameters parameters;
-    std::optional<Sketch> sketch;        // nothing: the stroke stays
-    std::optional<std::vector<Id>> onto; // nothing: as it was; empty: chosen anew
+    std::optional<Sketch> sketch;        // empty: the stroke stays
+    std::optional<std::vector<Id>> onto; // no value: unchanged; an empty list: chosen anew
     bool operator==(const EditPlacement&) const = default;
     static void fields(auto& c, auto&& field)
     {
@@ -84,7 +85,8 @@ StepTitle title(const EditPlacement& c, const StepDocuments& step);
 struct Unplace {
     static constexpr std::string_view verb = "unplace",
                                       summary = "Take an object off its stroke, straight again.";
-    static constexpr CommandNature nature{.icon = CommandIcon::place, .asked = Asked::by_actions};
+    static constexpr CommandNature nature{.icon = CommandIcon::place,
+                                          .asked = Invocation::by_actions};
     Id object = 0;
     bool operator==(const Unplace&) const = default;
     static void fields(auto& c, auto&& field) { field("object", c.object, "id", required); }

@@ -25,7 +25,7 @@ ImportedFile prepared(ImportedFile file, const AssetStore& assets, const Progres
 {
     file.path = path_in_log(file.path, assets.folder());
     file.hash.clear(); // any content
-    const AssetStore::Loaded loaded = assets.load(file, progress);
+    const AssetStore::LoadedModel loaded = assets.load(file, progress);
     if (!loaded.model)
         throw Rejected(loaded.notices.empty() ? file.path + ": cannot be read"
                                               : loaded.notices.front());

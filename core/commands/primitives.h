@@ -11,7 +11,8 @@ namespace trivar {
 template <class Shape> struct AddShape {
     static constexpr std::string_view verb = FieldsOf<Shape>::verb,
                                       summary = FieldsOf<Shape>::summary;
-    static constexpr CommandNature nature{.icon = CommandIcon::add, .asked = Asked::by_actions};
+    static constexpr CommandNature nature{.icon = CommandIcon::add,
+                                          .asked = Invocation::by_actions};
     std::string name{FieldsOf<Shape>::name};
     Shape shape;
     Transform transform = {};

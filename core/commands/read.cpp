@@ -194,16 +194,16 @@ template <class C> Command command_of(const json& object)
 
 Command command_named(std::string_view verb, const json& object)
 {
-    struct Named {
+    struct NamedCommand {
         std::string_view verb;
         Command (*read)(const json& object);
     };
     static constexpr auto all = []<std::size_t... I>(std::index_sequence<I...>)
     {
-        return std::array{Named{CommandAt<I>::verb, command_of<CommandAt<I>>}...};
+        return std::array{NamedCommand{CommandAt<I>::verb, command_of<CommandAt<I>>}...};
     }
     (std::make_index_sequence<command_count>{});
-    for (const Named& each : all)
+    for (const NamedCommand& each : all)
         if (each.verb == verb) return each.read(object);
     throw Rejected(
         fmt::format("there is no command \"{}\"; trivar commands lists them", excerpt(verb)));

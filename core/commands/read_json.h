@@ -5,13 +5,13 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-// For the sources that read lines of a log as JSON.
+// These functions serve the sources that read lines of a log as JSON.
 
 namespace trivar {
 
-// One JSON object without a key that appears twice. Throws Rejected.
+// Reads one JSON object without repeated keys. Throws Rejected.
 nlohmann::json parse_object(std::string_view line);
-// Throws Rejected if the field is there but no text.
+// Throws Rejected if the field exists and is no text.
 std::string text_field(const nlohmann::json& object, const std::string& name);
 Command command_from(const nlohmann::json& object);
 

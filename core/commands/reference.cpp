@@ -61,57 +61,57 @@ std::string range(const Rule& rule)
 
 // What is said of a field. The three texts are made of this, so that of the 150 fields' types only
 // one function is made.
-struct Told {
+struct FieldText {
     std::string_view name, help;
     Rule rule;
     std::string type;
     std::string standard; // its default as JSON
     bool nested = false, optional = false;
-    std::vector<Told> inside; // of a nested value
+    std::vector<FieldText> inside; // of a nested value
 };
 
-template <class T> std::vector<Told> fields_of(const T& value);
+template <class T> std::vector<FieldText> fields_of(const T& value);
 
 template <class V>
-void tell(std::vector<Told>& fields, std::string_view name, const V& v, std::string_view help,
+void tell(std::vector<FieldText>& fields, std::string_view name, const V& v, std::string_view help,
           const Rule& rule)
 {
-    Told& told = fields.emplace_back(
-        Told{name, help, rule, type_name<V>(), "", Nested<V>, is_optional<V>, {}});
+    FieldText& told = fields.emplace_back(
+        FieldText{name, help, rule, type_name<V>(), "", Nested<V>, is_optional<V>, {}});
     if constexpr (Nested<V>)
         told.inside = fields_of(v);
     else if constexpr (!is_optional<V>)
         told.standard = value_json(v);
 }
 
-template <class T> std::vector<Told> fields_of(const T& value)
+template <class T> std::vector<FieldText> fields_of(const T& value)
 {
-    std::vector<Told> fields;
+    std::vector<FieldText> fields;
     each_field(value, [&](std::string_view name, const auto& v, std::string_view help,
                           const Rule& rule = {}) { tell(fields, name, v, help, rule); });
     return fields;
 }
 
-std::string default_text(const Told& field)
+std::string default_text(const FieldText& field)
 {
     if (field.rule.required) return "required";
     if (field.nested) return "its own";
     return field.optional ? "nothing" : "`" + field.standard + "`";
 }
 
-std::string field_table(const std::vector<Told>& fields)
+std::string field_table(const std::vector<FieldText>& fields)
 {
     std::string text = "| field | type | default | range | meaning |\n|---|---|---|---|---|\n";
-    for (const Told& each : fields)
+    for (const FieldText& each : fields)
         text += fmt::format("| `{}` | {} | {} | {} | {} |\n", each.name, each.type,
                             default_text(each), range(each.rule), each.help);
     return text + "\n";
 }
 
-std::string fields_list(const std::vector<Told>& fields)
+std::string fields_list(const std::vector<FieldText>& fields)
 {
     std::string text;
-    for (const Told& each : fields) {
+    for (const FieldText& each : fields) {
         if (!text.empty()) text += ",";
         text += "{\"name\":" + json_text(each.name);
         if (each.nested)
@@ -133,7 +133,7 @@ std::string fields_list(const std::vector<Told>& fields)
 
 struct ToldCommand {
     std::string_view verb, summary;
-    std::vector<Told> fields;
+    std::vector<FieldText> fields;
 };
 
 // Every command in the order of the variant.
@@ -156,7 +156,7 @@ std::string commands_text()
     std::string text;
     for (const ToldCommand& c : told_commands()) {
         text += fmt::format("{}\n    {}\n", c.verb, c.summary);
-        for (const Told& each : c.fields)
+        for (const FieldText& each : c.fields)
             text += fmt::format("    {:<14} {}{}\n", each.name, each.help,
                                 each.rule.required ? " (required)" : "");
     }

@@ -6,17 +6,17 @@
 
 namespace trivar {
 
-// Throws Rejected for what no step of shaping can be, whatever the volume.
+// Throws Rejected for values that no step of shaping can have, in any volume.
 void check(const VolumeEdit& edit);
-// Of the shaping of one object. A hand makes a few hundred; every one is done again when the stroke
-// changes.
+// The largest number of steps of shaping of one object. A person makes a few hundred; every step is
+// done again when the stroke changes.
 inline constexpr std::size_t most_shaping_steps = 4096;
 
 struct PressVolume {
     static constexpr std::string_view verb = "press",
                                       summary = "Press a ball into the volume of a placed object, "
                                                 "or draw it out.";
-    static constexpr CommandNature nature{.asked = Asked::by_actions};
+    static constexpr CommandNature nature{.asked = Invocation::by_actions};
     Id object = 0;
     Press press;
     bool operator==(const PressVolume&) const = default;
@@ -33,7 +33,7 @@ struct MovePoints {
     static constexpr std::string_view verb = "move_points",
                                       summary = "Move control points of the volume of a placed "
                                                 "object.";
-    static constexpr CommandNature nature{.asked = Asked::by_actions};
+    static constexpr CommandNature nature{.asked = Invocation::by_actions};
     Id object = 0;
     PointShift shift;
     bool operator==(const MovePoints&) const = default;
@@ -82,7 +82,7 @@ struct MendVolume {
     static constexpr std::string_view verb = "mend_volume",
                                       summary = "Change the volume of a placed object as little as "
                                                 "it takes for nothing to fold.";
-    static constexpr CommandNature nature{.asked = Asked::by_actions};
+    static constexpr CommandNature nature{.asked = Invocation::by_actions};
     Id object = 0;
     bool operator==(const MendVolume&) const = default;
     static void fields(auto& c, auto&& field)
@@ -135,7 +135,7 @@ struct Unshape {
     static void fields(auto& c, auto&& field)
     {
         field("object", c.object, "id of a placed object", required);
-        field("steps", c.steps, "which of them, the first is 1; empty: all", between(1, 1e6));
+        field("steps", c.steps, "which of them, the first is 1; empty: all", in_range(1, 1e6));
     }
 };
 Document applied(Document document, const Unshape& command);

@@ -29,7 +29,7 @@ StepTitle title(const Simplify& c, const StepDocuments& step);
 struct ClearSimplify {
     static constexpr std::string_view verb = "clear_simplify",
                                       summary = "Give objects all their triangles back.";
-    static constexpr CommandNature nature{.asked = Asked::at_once};
+    static constexpr CommandNature nature{.asked = Invocation::at_once};
     std::vector<Id> objects;
     bool operator==(const ClearSimplify&) const = default;
     static void fields(auto& c, auto&& field)

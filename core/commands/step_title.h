@@ -9,22 +9,22 @@
 
 namespace trivar {
 
-// What a step did, as a person would say it: "Width of Snake" and "0.24 m".
+// A StepTitle says what a step did, as a person would say it: "Width of Snake" and "0.24 m".
 struct StepTitle {
     std::string words;
-    std::string number; // the one that matters, with its unit; empty: none does
+    std::string number; // the most important number, with its unit; empty: there is none
     std::string text() const { return number.empty() ? words : words + " " + number; }
     bool operator==(const StepTitle&) const = default;
 };
 
-// What a command was applied to and what came of it, for its title.
+// StepDocuments are the documents before and after a command, for its title.
 struct StepDocuments {
     const Document& before;
     const Document& after;
 
     std::string made() const;       // name of the first object that the command added
-    const Object* was(Id id) const; // null: there was none
-    const Object* is(Id id) const;  // null: there is none now
+    const Object* was(Id id) const; // null: the object did not exist before
+    const Object* is(Id id) const;  // null: the object does not exist now
 };
 
 // The name of an object, or "object 7" where there is none.

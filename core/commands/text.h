@@ -7,7 +7,7 @@
 
 namespace trivar {
 
-// The first letters, in quotes: as much as a row has room for.
+// The first letters, in quotes: as many as a row has room for.
 std::string size_words(const TextShape& shape);
 
 using AddText = AddShape<TextShape>;

@@ -5,7 +5,7 @@
 
 namespace trivar {
 
-// "Rotate Snake" "90 deg about Z", by what differs.
+// The title of a transform, by what differs: "Rotate Snake" "90 deg about Z".
 StepTitle transform_title(const Transform& before, const Transform& after, const std::string& name);
 // The turn from one rotation to another: "90 deg about Z", or just its angle.
 std::string turn_words(const glm::dvec3& before_deg, const glm::dvec3& after_deg);

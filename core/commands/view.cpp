@@ -11,28 +11,28 @@
 
 namespace trivar {
 
-Document applied(Document document, const SaveCamera& command)
+Document applied(Document document, const KeepView& command)
 {
     if (command.name.empty()) throw Rejected("field \"name\" is empty");
     check_view(command.camera);
-    document.bookmarks.insert_or_assign(command.name, command.camera);
+    document.kept_views.insert_or_assign(command.name, command.camera);
     return document;
 }
 
-StepTitle title(const SaveCamera& c, const StepDocuments& step)
+StepTitle title(const KeepView& c, const StepDocuments& step)
 {
     if (c.name == "picture") return {"Use this view for pictures", {}};
-    return {(step.before.bookmarks.contains(c.name) ? "Aim " : "Keep ") + c.name, {}};
+    return {(step.before.kept_views.contains(c.name) ? "Aim " : "Keep ") + c.name, {}};
 }
 
-Document applied(Document document, const DeleteCamera& command)
+Document applied(Document document, const ForgetView& command)
 {
-    if (document.bookmarks.erase(command.name) == 0)
+    if (document.kept_views.erase(command.name) == 0)
         throw Rejected("there is no point of view named \"" + excerpt(command.name) + "\"");
     return document;
 }
 
-StepTitle title(const DeleteCamera& c, const StepDocuments&)
+StepTitle title(const ForgetView& c, const StepDocuments&)
 {
     return {"Forget " + c.name, {}};
 }

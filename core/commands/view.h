@@ -6,35 +6,35 @@
 
 namespace trivar {
 
-struct SaveCamera {
+struct KeepView {
     static constexpr std::string_view verb = "save_camera",
                                       summary = "Keep a point of view under a name. The one named "
                                                 "picture is what replay draws.";
     static constexpr CommandNature nature{.icon = CommandIcon::camera};
     std::string name;
     Camera camera;
-    bool operator==(const SaveCamera&) const = default;
+    bool operator==(const KeepView&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("name", c.name, "name of the bookmark; one of that name is replaced", required);
+        field("name", c.name, "name of the kept view; one of that name is replaced", required);
         field("camera", c.camera, "the point of view", required);
     }
 };
-Document applied(Document document, const SaveCamera& command);
-StepTitle title(const SaveCamera& c, const StepDocuments& step);
+Document applied(Document document, const KeepView& command);
+StepTitle title(const KeepView& c, const StepDocuments& step);
 
-struct DeleteCamera {
+struct ForgetView {
     static constexpr std::string_view verb = "delete_camera", summary = "Forget a point of view.";
     static constexpr CommandNature nature{.icon = CommandIcon::camera};
     std::string name;
-    bool operator==(const DeleteCamera&) const = default;
+    bool operator==(const ForgetView&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("name", c.name, "name of the bookmark", required);
+        field("name", c.name, "name of the kept view", required);
     }
 };
-Document applied(Document document, const DeleteCamera& command);
-StepTitle title(const DeleteCamera& c, const StepDocuments& step);
+Document applied(Document document, const ForgetView& command);
+StepTitle title(const ForgetView& c, const StepDocuments& step);
 
 struct SetTime {
     static constexpr std::string_view verb = "set_time",

@@ -47,7 +47,7 @@ struct AssetStore::State {
     std::string folder;
     std::map<std::string, std::string> relinked;
     using Key = std::tuple<std::string, UpAxis, double>; // the file opened, and how it was read
-    std::map<Key, Loaded> loaded;
+    std::map<Key, LoadedModel> loaded;
     std::mutex mutex;
 };
 
@@ -80,7 +80,7 @@ std::string AssetStore::resolve(const std::string& path) const
     return (std::filesystem::path(state_->folder) / named).lexically_normal().string();
 }
 
-AssetStore::Loaded AssetStore::load(const ImportedFile& file, const Progress& progress) const
+AssetStore::LoadedModel AssetStore::load(const ImportedFile& file, const Progress& progress) const
 {
     const std::string path = resolve(file.path);
     // Held while reading: two threads that want the same big file should not both read it.
@@ -99,7 +99,7 @@ AssetStore::Loaded AssetStore::load(const ImportedFile& file, const Progress& pr
             state_->loaded.erase(entry);
             throw;
         }
-    Loaded result = entry->second;
+    LoadedModel result = entry->second;
     if (result.model && !file.hash.empty() && file.hash != result.hash)
         result.notices.push_back(fmt::format(
             "{}: its content is not the one this scene was made with (it has changed since)",

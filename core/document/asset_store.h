@@ -12,9 +12,9 @@
 
 namespace trivar {
 
-// Turns an ImportedFile into a Model. Paths are taken from `folder`; `relinked` replaces the path
-// of a file by another one (--set NAME=FILE, where NAME is the path or its file name). A model is
-// read once and kept, without its subdivision. Thread-safe.
+// An AssetStore turns an ImportedFile into a Model. Paths are relative to `folder`; `relinked`
+// replaces the path of a file by another one (--set NAME=FILE, where NAME is the path or its file
+// name). A model is read once and kept, without its subdivision. Thread-safe.
 class AssetStore {
 public:
     explicit AssetStore(std::string folder, std::map<std::string, std::string> relinked = {});
@@ -22,18 +22,18 @@ public:
     AssetStore(const AssetStore&) = delete;
     AssetStore& operator=(const AssetStore&) = delete;
 
-    struct Loaded {
-        Ref<Model> model;                 // null: missing or unreadable
-        std::string hash;                 // of the file's content; empty: missing
-        std::string content;              // digest of it and of all files that it names
-        std::vector<std::string> notices; // why it is missing, that its content is not the one
-                                          // that was meant, what was repaired
+    struct LoadedModel {
+        Ref<Model> model;    // null: missing or unreadable
+        std::string hash;    // of the file's content; empty: missing
+        std::string content; // digest of the file and of all files that it names
+        // why it is missing, that its content is not the expected one, what was repaired
+        std::vector<std::string> notices;
     };
     // Throws Cancelled only.
-    Loaded load(const ImportedFile& file, const Progress& progress = {}) const;
-    void forget(const std::string& path) const; // it is read again when it is next asked for
+    LoadedModel load(const ImportedFile& file, const Progress& progress = {}) const;
+    void forget(const std::string& path) const; // reads the file again when it is next asked for
     std::string resolve(const std::string& path) const; // the file that would be opened
-    // What --set may call the file of that path: the path itself, or its last part.
+    // The names by which --set may call the file of that path: the path itself, or its last part.
     static std::array<std::string, 2> names_of(const std::string& path);
     const std::string& folder() const;
 

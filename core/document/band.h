@@ -8,8 +8,8 @@
 
 namespace trivar {
 
-// The way round an object's axis, `level` metres from its widest circle; none for what is neither a
-// cylinder, a sphere, a torus nor a Moebius band.
+// The way round an object's axis, `level` metres from its widest circle; empty unless the source is
+// a cylinder, a sphere, a torus or a Moebius band.
 std::optional<Band> band_round(const Source& source, double level, const glm::dmat4& to_world);
 
 } // namespace trivar

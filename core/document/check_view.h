@@ -5,7 +5,7 @@
 
 namespace trivar {
 
-// Throws Rejected unless the camera looks somewhere.
+// Throws Rejected for a camera that looks nowhere.
 void check_view(const Camera& camera);
 
 } // namespace trivar

@@ -12,41 +12,41 @@
 
 namespace trivar {
 
-// The frames of a scene. Which of them is the present one is no part of it.
+// Time holds the frames of a scene. The present frame is not part of the scene.
 struct Time {
     int first_frame = 1, last_frame = 240;
     double frames_per_second = 24;
     bool operator==(const Time&) const = default;
 };
 
-// All causes, no effects. Copies share what they have in common.
+// A Document holds all causes and no effects. Copies share what they have in common.
 struct Document {
     ObjectMap objects;
     Id next_id = 1;
-    std::map<std::string, Camera> bookmarks;
+    std::map<std::string, Camera> kept_views;
     Ref<RenderSettings> render = make_ref(RenderSettings{});
     Time time = {};
-    Ref<std::vector<Track>> tracks = make_ref(std::vector<Track>{}); // of its own numbers
-    // The order of the outliner's rows where it was arranged; the others follow by id.
+    Ref<std::vector<Track>> tracks = make_ref(std::vector<Track>{}); // of the scene's own numbers
+    // The order of the outliner's rows as a person arranged it; all other objects follow by id.
     Ref<std::vector<Id>> rows = make_ref(std::vector<Id>{});
-    // Whether nothing of one was made anew in the other: what they have in common is the same, not
-    // just equal. O(number of objects).
+    // Whether two documents share everything: what they have in common is the same object in
+    // memory, not only equal. O(#objects).
     bool operator==(const Document&) const = default;
 };
 
-// The object, or Rejected naming the id.
+// The object with that id. Throws Rejected, naming the id, where there is none.
 const Object& object(const Document& document, Id id);
 bool is_lattice(const Document& document, Id id); // false also where there is no such object
 // "object 3 (Snake)", for a sentence; a long name is cut.
 std::string named(Id id, const Object& object);
 std::string named(const Document& document, Id id);
-bool visible(const Document& document, Id id); // neither it nor a parent is hidden
-bool locked(const Document& document, Id id);  // it or a parent is
-// Ids of the lattices that an object stands in, the innermost first.
+bool visible(const Document& document, Id id); // neither the object nor a parent is hidden
+bool locked(const Document& document, Id id);  // the object or a parent is locked
+// The ids of the lattices in which an object stands, the innermost first.
 std::vector<Id> lattices_round(const Document& document, Id id);
-// All objects in the order of the outliner's rows, whatever is in which group.
+// All objects in the order of the outliner's rows, in groups or not.
 std::vector<Id> in_row_order(const Document& document);
-// The object's transform under its parents'. What is placed lies in the world without it.
+// The object's transform with those of its parents. A placed object lies in the world without it.
 glm::dmat4 to_world(const Document& document, Id id);
 
 } // namespace trivar

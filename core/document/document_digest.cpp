@@ -26,15 +26,15 @@ template <class T> bool is_default(const T& value, const Rule& rule)
 template <class T>
 void add_field(Digest& digest, std::string_view name, const T& value, const Rule& rule)
 {
-    const Counted counted = rule.counted;
-    if (counted != Counted::always && is_default(value, rule)) return;
-    if (counted == Counted::named || counted == Counted::marked) digest.add_text(name);
+    const Counting counted = rule.counted;
+    if (counted != Counting::always && is_default(value, rule)) return;
+    if (counted == Counting::named || counted == Counting::marked) digest.add_text(name);
     if constexpr (is_optional<T>) {
-        if (counted == Counted::marked) return add(digest, *value);
+        if (counted == Counting::marked) return add(digest, *value);
     } else if constexpr (std::is_same_v<T, bool>) {
-        if (counted == Counted::marked) return;
+        if (counted == Counting::marked) return;
     } else if constexpr (is_list<T>)
-        if (counted == Counted::marked) {
+        if (counted == Counting::marked) {
             for (const auto& entry : value) add(digest, entry);
             return;
         }
@@ -79,7 +79,7 @@ std::string digest(const Document& document)
         add(digest, *ref);
     }
     digest.add(document.next_id);
-    for (const auto& [name, camera] : document.bookmarks) {
+    for (const auto& [name, camera] : document.kept_views) {
         digest.add_text(name);
         add(digest, camera);
     }

@@ -7,7 +7,7 @@
 
 namespace trivar {
 
-// Digest of the causes, 32 hexadecimal digits.
+// The digest of the causes, 32 hexadecimal digits.
 std::string digest(const Document& document);
 
 } // namespace trivar

@@ -75,11 +75,11 @@ template <> struct FieldsOf<Camera> {
         field("up", c.up, "the direction that is up in the picture");
         field("perspective", c.perspective, "false: orthographic");
         field("fov_y", c.fov_y, "full vertical angle in radians, perspective only",
-              between(1e-3, 3.1).called("Angle").in(Unit::radians));
+              in_range(1e-3, 3.1).called("Angle").in(Unit::radians));
         field("height_world", c.height_world, "height of the picture in metres, orthographic only",
               positive.in(Unit::metres));
         field("size_px", c.size_px, "width and height of the picture in pixels",
-              between(1, 65536).without_keys());
+              in_range(1, 65536).without_keys());
     }
 };
 

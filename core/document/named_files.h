@@ -8,13 +8,13 @@
 
 namespace trivar {
 
-// A file that an object is made from, by the name that the scene has for it.
+// A NamedFile is a file from which an object is made, under the name that the scene gives it.
 struct NamedFile {
     enum class Kind { model, font } kind = Kind::model;
-    std::string path; // as from the scene's folder (AssetStore::resolve)
+    std::string path; // relative to the scene's folder (AssetStore::resolve)
 };
-// The files that an object names; empty: it is made from none. A font that is named by its family
-// and not by its file is none.
+// The files that an object names; empty: it is made from no file. A font that is named by its
+// family and not by its file does not count.
 std::vector<NamedFile> files_named(const Object& object);
 
 } // namespace trivar

@@ -13,8 +13,8 @@ namespace trivar {
 
 struct Object;
 
-// Objects by id, ascending; reads like a std::map. Copies share blocks of 64 ids, so that a copy
-// with one object changed costs a pointer for every 64 objects and one block.
+// An ObjectMap holds objects by ascending id and reads like a std::map. Copies share blocks of 64
+// ids, so that a copy with one changed object costs a pointer per 64 objects and one block.
 class ObjectMap {
 public:
     using Entry = std::pair<int, Ref<Object>>;
@@ -66,9 +66,10 @@ public:
     Iterator find(int id) const;
     bool contains(int id) const { return find(id) != end(); }
     std::size_t count(int id) const { return contains(id) ? 1 : 0; }
-    const Ref<Object>& at(int id) const; // it must be there
+    const Ref<Object>& at(int id) const; // the object must exist
 
-    bool operator==(const ObjectMap& other) const // the same objects under the same ids
+    // whether both have the same objects under the same ids
+    bool operator==(const ObjectMap& other) const
     {
         return blocks_ == other.blocks_ ||
                (size_ == other.size_ && std::equal(begin(), end(), other.begin()));
@@ -78,7 +79,7 @@ public:
     void erase(int id);
 
 private:
-    std::vector<Ref<std::vector<Entry>>> blocks_; // ids 64 i .. 64 i + 63; null: none
+    std::vector<Ref<std::vector<Entry>>> blocks_; // ids 64 i .. 64 i + 63; null: an empty block
     std::size_t size_ = 0;
 };
 

@@ -155,7 +155,7 @@ std::vector<Parameter> scene_parameters(const Document& document)
 {
     std::vector<Parameter> out;
     walk("render", *document.render, {}, gather(out));
-    for (const auto& [name, camera] : document.bookmarks)
+    for (const auto& [name, camera] : document.kept_views)
         walk("camera." + name, camera, {}, gather(out));
     return out;
 }
@@ -171,7 +171,7 @@ Document with_scene_values(Document document, const NewValue& value)
     RenderSettings settings = *document.render;
     walk("render", settings, {}, change(value));
     if (settings != *document.render) document.render = make_ref(std::move(settings));
-    for (auto& [name, camera] : document.bookmarks) {
+    for (auto& [name, camera] : document.kept_views) {
         Camera moved = camera;
         walk("camera." + name, moved, {}, change(value));
         try {

@@ -6,11 +6,11 @@
 
 namespace trivar {
 
-// What colours show: the materials, by which factor the volume of what was placed changed, or the
-// certified error of its triangles beside the tolerance.
+// ColorBy says what colours show: the materials, the factor by which the volume of a placed object
+// changed, or the certified error of its triangles relative to the tolerance.
 enum class ColorBy { material, stretch, error };
 
-// How the picture is made; part of the document. Colours are linear.
+// RenderSettings say how the picture is made; they are part of the document. Colours are linear.
 struct RenderSettings {
     std::string look = "studio"; // a named look of the renderer: studio, clay, dark
     double exposure = 0;         // stops
@@ -20,9 +20,11 @@ struct RenderSettings {
     bool ambient_occlusion = true;
     bool wire = false; // the edges of the faces, drawn over them
     ColorBy color_by = ColorBy::material;
-    bool volumes = false;  // the volumes of what was placed, and the ball of each one's last press
-    bool captions = false; // what is refined has its triangles and its certified error under it
-    bool ground = true;    // a shadow-catching ground under the scene
+    // shows the volumes of placed objects, and the ball of each one's last press
+    bool volumes = false;
+    // writes number of triangles and certified error under each refined object
+    bool captions = false;
+    bool ground = true; // a shadow-catching ground under the scene
     bool operator==(const RenderSettings&) const = default;
 };
 

@@ -6,7 +6,7 @@
 
 namespace trivar {
 
-// What a number measures, in what it is stored in.
+// A Unit says what a number measures, and in which unit it is stored.
 enum class Unit {
     none,
     metres,
@@ -21,38 +21,40 @@ enum class Unit {
     at_frame
 };
 
-// How the digest of a document counts a field. Scenes were made before some fields existed, and
-// their digests stay.
-enum class Counted {
+// A Counting says how the digest of a document counts a field. It exists because scenes were made
+// before some fields existed, and their digests stay.
+enum class Counting {
     always,
-    named,  // not where it has its default; else its name and its value
-    marked, // the same, but of a switch the name alone, of a list its entries without their number
-            // and of a value that may be missing only the value
-    bare    // not where it has its default; else its value alone
+    named, // not counted at its default; else its name and its value
+    // as `named`, but of a switch the name alone, of a list its entries without their number and of
+    // a value that may be missing only the value
+    marked,
+    bare // not counted at its default; else its value alone
 };
 
-// What is known of a field beside its name and its help. Bounds are inclusive and hold for every
-// component of a vector.
+// A Rule holds what is known of a field besides its name and its help. Bounds are inclusive and
+// hold for every component of a vector.
 struct Rule {
-    bool required = false;      // in JSON; else what is left out has its default
-    double lo = -1e9, hi = 1e9; // of numbers; no coordinate or size of a scene is beyond
+    bool required = false; // must stand in JSON; else a missing field has its default
+    // of numbers; the defaults bound every coordinate and size of a scene
+    double lo = -1e9, hi = 1e9;
     std::string_view choices{}; // of texts, separated by |; empty: any
-    Counted counted = Counted::always;
-    double rest = 0;          // the default of its numbers, where it is not always counted
+    Counting counted = Counting::always;
+    double rest = 0;          // the default of its numbers, where `counted` is not `always`
     std::string_view label{}; // what panels and the history call it; empty: its name in words
     Unit unit = Unit::none;
     std::string_view axes = "X|Y|Z|W";       // what the components of a vector are called
     std::string_view yes = "on", no = "off"; // what a switch says
-    std::string_view zero{};                 // what 0 or an empty list means; empty: just that
-    bool fixed = false;                      // it takes no keys
-    // The most of each number that works, where scenes were written with more: that is read, and
-    // when it is evaluated it is said. 0: hi.
+    std::string_view zero{};                 // the word for 0 or an empty list; empty: no word
+    bool fixed = false;                      // the field takes no keys
+    // The greatest number per component that works. Some scenes were written with more: such
+    // numbers are read, and evaluation adds a notice. 0: hi.
     std::array<int, 3> works_to{};
-    bool inlined = false; // names of parameters leave out this field's own
+    bool inlined = false; // names of parameters leave out the name of this field
 
     constexpr Rule called(std::string_view name) const { return with(&Rule::label, name); }
     constexpr Rule in(Unit of) const { return with(&Rule::unit, of); }
-    constexpr Rule counts(Counted how) const { return with(&Rule::counted, how); }
+    constexpr Rule counts(Counting how) const { return with(&Rule::counted, how); }
     constexpr Rule resting_at(double value) const { return with(&Rule::rest, value); }
     constexpr Rule with_axes(std::string_view names) const { return with(&Rule::axes, names); }
     constexpr Rule says(std::string_view on, std::string_view off) const
@@ -73,22 +75,22 @@ private:
 };
 constexpr Rule any_value{};
 constexpr Rule required{.required = true};
-constexpr Rule required_between(double lo, double hi)
+constexpr Rule required_in_range(double lo, double hi)
 {
     return {.required = true, .lo = lo, .hi = hi};
 }
-constexpr Rule between(double lo, double hi)
+constexpr Rule in_range(double lo, double hi)
 {
     return {.lo = lo, .hi = hi};
 }
-constexpr Rule works_between(double lo, std::array<int, 3> works_to, double hi)
+constexpr Rule works_in_range(double lo, std::array<int, 3> works_to, double hi)
 {
     return {.lo = lo, .hi = hi, .works_to = works_to};
 }
-constexpr Rule later{.counted = Counted::named};
-constexpr Rule later_between(double lo, double hi)
+constexpr Rule later{.counted = Counting::named};
+constexpr Rule later_in_range(double lo, double hi)
 {
-    return {.lo = lo, .hi = hi, .counted = Counted::named};
+    return {.lo = lo, .hi = hi, .counted = Counting::named};
 }
 constexpr Rule positive{.lo = 1e-9};
 constexpr Rule not_negative{.lo = 0};

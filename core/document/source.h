@@ -10,8 +10,8 @@
 
 namespace trivar {
 
-// Where an object's shape comes from. A file is named relative to the scene file's folder; the
-// hash says which content was meant.
+// An ImportedFile is the file from which an object's shape comes, named relative to the scene
+// file's folder; the hash says which content was meant.
 struct ImportedFile {
     std::string path, hash;
     UpAxis up = UpAxis::automatic;
@@ -54,7 +54,8 @@ struct TeapotShape {
     int resolution = 12;
     bool operator==(const TeapotShape&) const = default;
 };
-// A box of control points that bends what is in it: its children, as those of a group.
+// A LatticeShape is a box of control points that deforms its contents: its children, as those of a
+// group.
 struct LatticeShape {
     glm::dvec3 size{1};   // metres along X, Y and Z; its middle is the origin
     glm::ivec3 grid{4};   // control points along X, Y and Z
@@ -68,7 +69,7 @@ using Source =
     std::variant<GroupShape, ImportedFile, PlaneShape, BoxShape, SphereShape, CylinderShape,
                  TorusShape, MoebiusShape, TeapotShape, TextShape, LatticeShape>;
 
-// A parent for others: a group, or a lattice round them.
+// Whether a source is a parent for others: a group, or a lattice round them.
 inline bool holds_others(const Source& source)
 {
     return std::holds_alternative<GroupShape>(source) ||

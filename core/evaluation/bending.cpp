@@ -10,7 +10,7 @@ Part in_volume(Part part, const Embedding& embedding, const Ref<Lattice>& volume
 {
     const Lazy<Ref<Mesh>> out([=] { return make_ref((*deformer)(*volume)); });
     part.to_world = glm::dmat4(1);
-    part.bent = make_ref(Bent{embedding, volume, out, again});
+    part.bent = make_ref(Deformation{embedding, volume, out, again});
     return part;
 }
 
@@ -25,12 +25,12 @@ Part Bending::operator()(const Part& part, const Embedding& embedding, const Ref
                          bool again)
 {
     const std::array<Knots, 3>& axes = volume->displacement.axes;
-    const auto found = std::ranges::find_if(sorted_, [&](const Sorted& s) {
+    const auto found = std::ranges::find_if(sorted_, [&](const SortedPart& s) {
         return s.part == part && s.embedding == embedding && s.axes == axes;
     });
     used_.push_back(found != sorted_.end()
                         ? *found
-                        : Sorted{part, embedding, axes, sorted_into(*volume, part, embedding)});
+                        : SortedPart{part, embedding, axes, sorted_into(*volume, part, embedding)});
     return in_volume(part, embedding, volume, used_.back().deformer, again);
 }
 

@@ -9,31 +9,31 @@
 
 namespace trivar {
 
-// The part in a volume: its mesh, as it is before, is deformed when somebody asks for it.
+// The part in a volume; its mesh is deformed when somebody asks for it.
 Part in_volume(Part part, const Embedding& embedding, const Ref<Lattice>& volume,
                const Lazy<Deformer>& deformer, bool again = false);
-// How the vertices of a part are sorted into a volume of those axes.
+// The sorted vertices of a part, for a volume of those axes.
 Lazy<Deformer> sorted_into(const Lattice& volume, const Part& part, const Embedding& embedding);
 
-// Bends the same parts again and again while the volume changes its control points, and sorts their
-// vertices into its cells only once.
+// Bending deforms the same parts again and again while the volume changes its control points, and
+// sorts their vertices into its cells only once.
 class Bending {
 public:
-    // Those that are bent between begin() and end() are remembered for the next time.
+    // Parts that are deformed between begin() and end() are remembered for the next time.
     void begin() { used_.clear(); }
-    // `again`: as Bent::again.
+    // `again` has the meaning of Deformation::again.
     Part operator()(const Part& part, const Embedding& embedding, const Ref<Lattice>& volume,
                     bool again = false);
     void end() { sorted_ = std::move(used_); }
 
 private:
-    struct Sorted {
+    struct SortedPart {
         Part part;
         Embedding embedding;
         std::array<Knots, 3> axes;
         Lazy<Deformer> deformer;
     };
-    std::vector<Sorted> sorted_, used_;
+    std::vector<SortedPart> sorted_, used_;
 };
 
 } // namespace trivar

@@ -8,20 +8,20 @@
 
 namespace trivar {
 
-// Curves as they stand in the world. Their points are a part without faces, so that volumes bend
-// them by the function that bends vertices: once, by the processor, when somebody asks for them.
-// Between its points a line stays straight.
+// A CurvePart is curves as they stand in the world. Their points are a part without faces, so that
+// volumes deform them by the function that deforms vertices: once, by the processor, when somebody
+// asks for them. Between two points a line stays straight.
 struct CurvePart {
     Ref<Curves> curves;
-    Part points; // a vertex for each point of `curves`
+    Part points; // one vertex per point of `curves`
 
     bool operator==(const CurvePart&) const = default;
 };
 
-// In the world, as they are bent.
+// The curves in the world, deformed.
 Curves in_world(const CurvePart& part);
 
-// The parts and, behind them, the points of the curves, for what is done to both; and back.
+// The parts followed by the points of the curves, for work that is done on both; and the way back.
 std::vector<Part> with_points(std::vector<Part> parts, const std::vector<CurvePart>& curves);
 void put_back(std::vector<Part> all, std::vector<Part>& parts, std::vector<CurvePart>& curves);
 

@@ -27,19 +27,19 @@ std::vector<Id> comes_from(const Document& document, Id id)
 // Not recursive, for a hostile file may stack objects by the thousand.
 std::vector<Id> order_of(const Document& document)
 {
-    struct Open {
+    struct OpenObject {
         Id id;
         std::size_t next;
         std::vector<Id> before;
     };
     std::vector<Id> order;
     std::set<Id> seen;
-    std::vector<Open> open;
+    std::vector<OpenObject> open;
     for (const auto& [root, ref] : document.objects) {
         if (!visible(document, root) || !seen.insert(root).second) continue;
         open.push_back({root, 0, comes_from(document, root)});
         while (!open.empty()) {
-            Open& last = open.back();
+            OpenObject& last = open.back();
             if (last.next >= last.before.size()) {
                 order.push_back(last.id);
                 open.pop_back();
@@ -105,7 +105,7 @@ EvaluatedObject finished(Id id, const Ref<Stage>& stage, const Object& object)
 } // namespace
 
 struct Evaluator::Cache {
-    struct Kept { // of one object
+    struct ObjectCache { // of one object
         Ref<Object> object;
         Ref<Shape> shape;
         Recent<Ref<Shape>, Ref<Stage>> begun;
@@ -124,17 +124,17 @@ struct Evaluator::Cache {
 
     Shapes shapes;
     RayMeshes ray_meshes;
-    std::map<Id, Kept> objects;
+    std::map<Id, ObjectCache> objects;
 };
 
 Evaluator::Evaluator(Ref<AssetStore> assets) : cache_(std::make_unique<Cache>(std::move(assets))) {}
 
 Evaluator::~Evaluator() = default;
 
-Evaluated Evaluator::operator()(const Document& still, double frame, const Progress& progress)
+Evaluation Evaluator::operator()(const Document& still, double frame, const Progress& progress)
 {
     const Document document = document_at(still, frame);
-    Evaluated result;
+    Evaluation result;
     std::map<Id, Ref<EvaluatedObject>> done;
     const std::vector<Id> order = order_of(document);
     for (std::size_t i = 0; i < order.size(); ++i) {
@@ -142,7 +142,7 @@ Evaluated Evaluator::operator()(const Document& still, double frame, const Progr
         const Ref<Object>& ref = document.objects.at(id);
         if (std::holds_alternative<GroupShape>(ref->source)) continue;
         report(progress, static_cast<double>(i) / static_cast<double>(order.size()), ref->name);
-        Cache::Kept& kept = cache_->objects[id];
+        Cache::ObjectCache& kept = cache_->objects[id];
         if (!kept.object || !kept.shape || kept.object->source != ref->source ||
             kept.shape->empty()) // a missing file may have come back
             kept.shape = cache_->shapes(ref->source, result.timings, progress);
@@ -160,7 +160,7 @@ Evaluated Evaluator::operator()(const Document& still, double frame, const Progr
     return result;
 }
 
-void deform_parts(Evaluated& evaluated)
+void deform_parts(Evaluation& evaluated)
 {
     std::vector<Part> parts; // whose vertices nobody asked for yet
     std::size_t vertices = 0;
@@ -179,7 +179,7 @@ void deform_parts(Evaluated& evaluated)
     evaluated.timings.add("deform", 0, vertices);
 }
 
-std::string digest(const Evaluated& evaluated)
+std::string digest(const Evaluation& evaluated)
 {
     Digest digest;
     for (const auto& [id, ref] : evaluated.objects) {

@@ -8,19 +8,20 @@
 
 namespace trivar {
 
-// What one object came to at one frame: its last stage, and what everybody asks of it.
+// An EvaluatedObject is the result for one object at one frame: its last stage, and the answers
+// that are often asked of it.
 struct EvaluatedObject : Stage {
     Id id = 0;
-    Ref<std::vector<Material>> materials; // what face_material indexes
-    Lazy<Box> bounds;                     // world; asking for it deforms the parts
-    std::vector<std::string> clips;       // what its file lets it play
+    Ref<std::vector<Material>> materials; // the materials that face_material indexes
+    Lazy<Box> bounds;                     // in the world; asking for them deforms the parts
+    std::vector<std::string> clips;       // the names of the clips in its file
 };
 
-// The effects of a document. Objects that did not change keep their pointer.
-struct Evaluated {
-    std::map<Id, Ref<EvaluatedObject>> objects; // visible ones
-    // Of this evaluation: import, subdivide, rays, springs, lift, volume, and deform, as far as the
-    // parts were deformed for it.
+// An Evaluation holds the effects of a document. Objects that did not change keep their pointer.
+struct Evaluation {
+    std::map<Id, Ref<EvaluatedObject>> objects; // only visible ones
+    // Times of this evaluation: import, subdivide, rays, springs, lift, volume, and deform for
+    // those parts that had to be deformed.
     Timings timings;
 };
 

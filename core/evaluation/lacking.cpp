@@ -46,7 +46,7 @@ void leave_out_what_is_out_of_reach(Stage& stage)
     stage.notices.push_back(stage.lacks.back());
 }
 
-std::vector<std::string> lacks(const Evaluated& evaluated, const Document& document)
+std::vector<std::string> lacks(const Evaluation& evaluated, const Document& document)
 {
     std::vector<std::string> out;
     for (const auto& [id, ref] : evaluated.objects)
@@ -55,7 +55,7 @@ std::vector<std::string> lacks(const Evaluated& evaluated, const Document& docum
     return out;
 }
 
-Lacking::Lacking(std::vector<std::string> all)
+IncompleteScene::IncompleteScene(std::vector<std::string> all)
     : Rejected(all.size() == 1 ? all.front()
                                : fmt::format("{} (and {} more)", all.front(), all.size() - 1)),
       sentences(std::move(all))
@@ -64,7 +64,7 @@ Lacking::Lacking(std::vector<std::string> all)
 
 void check_whole(std::vector<std::string> lacks)
 {
-    if (!lacks.empty()) throw Lacking(std::move(lacks));
+    if (!lacks.empty()) throw IncompleteScene(std::move(lacks));
 }
 
 } // namespace trivar

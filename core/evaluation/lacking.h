@@ -6,20 +6,20 @@
 
 namespace trivar {
 
-// Parts whose vertices would be out of reach where they lie (core/mesh/extent.h) go, and it is
-// said. Deforms nothing.
+// Removes parts whose vertices would be out of range where they lie (core/mesh/extent.h), and adds
+// a notice. Deforms nothing.
 void leave_out_what_is_out_of_reach(Stage& stage);
 
-// What the evaluated objects lack, "NAME: WHY" each: models and fonts named by their file that
-// could not be read, and what is too large to be worked with. By id.
-std::vector<std::string> lacks(const Evaluated& evaluated, const Document& document);
+// One sentence "NAME: WHY" per thing that the evaluated objects lack: models and fonts named by
+// their file that could not be read, and models that are too large. By id.
+std::vector<std::string> lacks(const Evaluation& evaluated, const Document& document);
 
-// That a scene is not whole, by such sentences.
-struct Lacking : Rejected {
-    explicit Lacking(std::vector<std::string> all);
+// IncompleteScene reports that a scene is not whole, with such sentences.
+struct IncompleteScene : Rejected {
+    explicit IncompleteScene(std::vector<std::string> all);
     std::vector<std::string> sentences;
 };
-// Throws Lacking where there are any.
+// Throws IncompleteScene unless the list is empty.
 void check_whole(std::vector<std::string> lacks);
 
 } // namespace trivar

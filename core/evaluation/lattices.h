@@ -8,7 +8,8 @@
 
 namespace trivar {
 
-// Gives a lattice its volume, while its box, its steps or its place change. Stage: shape.
+// LatticeVolume gives a lattice its volume, and renews it when box, steps or place change. Stage:
+// shape.
 class LatticeVolume : public Step {
 public:
     Ref<Stage> operator()(const Ref<Stage>& before, const StepInput& input) override;
@@ -26,8 +27,9 @@ private:
     Recent<std::pair<Ref<Stage>, Ref<ShapedVolume>>, Ref<Stage>> known_;
 };
 
-// Bends the parts of one object by the lattices that it stands in, one after the other, each of
-// what the one before left. What lies in a volume already is deformed at once to be bent further.
+// InLattices deforms the parts of one object by the lattices in which it stands, one after the
+// other, each starting from the result of the one before. A part that already lies in a volume is
+// deformed at once, so that it can be deformed further.
 class InLattices : public Step {
 public:
     Ref<Stage> operator()(const Ref<Stage>& before, const StepInput& input) override;

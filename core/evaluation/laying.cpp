@@ -15,9 +15,9 @@ namespace {
 Box box_of(const Shape& shape, const glm::dmat3& turned)
 {
     Box box;
-    for (const Shape::Hung& hung : shape.meshes)
+    for (const Shape::NodeMesh& hung : shape.meshes)
         box.add(bounding_box(*hung.mesh(), glm::dmat4(turned) * hung.to_model));
-    for (const Shape::HungCurves& hung : shape.curves)
+    for (const Shape::NodeCurves& hung : shape.curves)
         box.add(bounding_box(*hung.curves->points, glm::dmat4(turned) * hung.to_model));
     return box;
 }
@@ -106,9 +106,9 @@ Ref<Stage> Laying::operator()(const Ref<Stage>& before, const StepInput& input)
 
 Ref<Stage> Laying::laid_on(Stroke stroke, const StepInput& input)
 {
-    Shaped key{std::move(stroke), input.object.shaping};
+    ShapedStroke key{std::move(stroke), input.object.shaping};
     return laid_(key, [&] {
-        const Fallen fallen = fallen_(key.stroke, [&] { return fall(key.stroke, input); });
+        const Landing fallen = fallen_(key.stroke, [&] { return fall(key.stroke, input); });
         Stage stage = *key.stroke.before;
         stage.lies_on = fallen.scene;
         stage.rejected = fallen.rejected;
@@ -126,7 +126,7 @@ Ref<Stage> Laying::laid_on(Stroke stroke, const StepInput& input)
     });
 }
 
-Laying::Fallen Laying::fall(const Stroke& stroke, const StepInput& input)
+Laying::Landing Laying::fall(const Stroke& stroke, const StepInput& input)
 {
     const Shape& shape = *stroke.before->shape;
     const PlacementStep& step = stroke.step;
@@ -171,7 +171,7 @@ void Laying::bend(Stage& stage, const glm::dmat3& turned)
     const Embedding& embedding = stage.placement->embedding;
     const Ref<Lattice> volume(stage.placement, &stage.placement->volume);
     bending_.begin();
-    for (const Standing& each : standing(*stage.shape, turned))
+    for (const StandingMesh& each : standing(*stage.shape, turned))
         stage.parts.push_back(bending_(each.part, embedded(embedding, each.to_box), volume));
     for (const StandingCurves& each : standing_curves(*stage.shape, turned)) {
         const Embedding lies = embedded(embedding, each.to_box);

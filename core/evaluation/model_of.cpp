@@ -36,7 +36,7 @@ int group_node(Model& model, std::map<Id, int>& nodes, const Document& document,
 
 } // namespace
 
-Model model_of(const Evaluated& evaluated, const Document& document)
+Model model_of(const Evaluation& evaluated, const Document& document)
 {
     Model model;
     std::map<Ref<std::vector<Material>>, std::uint32_t> first_of;

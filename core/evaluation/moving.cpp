@@ -58,7 +58,7 @@ std::vector<Part> parts_of(const Stage& at_rest, const std::vector<Member>& memb
             continue;
         }
         if (posed)
-            for (const Standing& each : standing(*posed, turned))
+            for (const StandingMesh& each : standing(*posed, turned))
                 lay(each.part, embedded(box, each.to_box));
         else if (place.shift_u != 0)
             for (const Part& part : at_rest.parts)
@@ -102,10 +102,10 @@ Ref<Stage> Moving::operator()(const Ref<Stage>& before, const StepInput& input)
         posing_(before->shape, o.playing, input.seconds_since(o.playing.start_frame));
     if (before->placement) return gone(before, posed, input);
     const bool feet_on_nothing = !o.placement && o.playing.foot_lock && !o.playing.clip.empty();
-    const Free key{before, posed, to_world(input.document, input.id), feet_on_nothing};
+    const FreeKey key{before, posed, to_world(input.document, input.id), feet_on_nothing};
     return free_(key, [&] {
         Stage stage = *before;
-        for (const Shape::Hung& hung : posed->meshes)
+        for (const Shape::NodeMesh& hung : posed->meshes)
             stage.parts.push_back({hung.rest,
                                    key.to_world * hung.to_model,
                                    hung.posed,
@@ -142,7 +142,7 @@ Ref<Stage> Moving::gone(const Ref<Stage>& before, const Ref<Shape>& posed, const
     const glm::dmat3 turned(o.transform.matrix());
     const Ref<Shape>& shape = before->shape;
     const double playing_s = input.seconds_since(o.playing.start_frame);
-    Gone key{before, posed, {}, journey(before, o), nullptr};
+    TravelKey key{before, posed, {}, journey(before, o), nullptr};
     key.walk = walks_(shape, o.playing, before, key.journey, parameters, turned);
     const auto clip = std::ranges::find(shape->model->clips, o.playing.clip, &Clip::name);
     const bool plays = clip != shape->model->clips.end();

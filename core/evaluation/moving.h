@@ -8,34 +8,34 @@
 
 namespace trivar {
 
-// One of a procession, or the only one.
+// A Member is one model of a procession, or the only model.
 struct Member {
-    Ref<Shape> posed; // null: as the model came
+    Ref<Shape> posed; // null: in the pose of its file
     Journey::Place place;
     bool operator==(const Member&) const = default;
 };
 
-// Lets an object stand as its clip has it at a frame: in the world, or where it is laid, with all
-// that follow it, as far along the stroke as they have gone.
+// Moving puts an object into the pose that its clip has at a frame: in the world, or where it is
+// laid, with all its followers, as far along the stroke as they have gone.
 class Moving : public Step {
 public:
     Ref<Stage> operator()(const Ref<Stage>& before, const StepInput& input) override;
 
 private:
-    struct Gone {
+    struct TravelKey {
         Ref<Stage> before;
-        Ref<Shape> posed; // as the first stands, for what is told of it
+        Ref<Shape> posed; // pose of the first member, for the notices
         std::vector<Member> members;
         Ref<Journey> journey;
         Ref<Walk> walk;
-        bool operator==(const Gone&) const = default;
+        bool operator==(const TravelKey&) const = default;
     };
-    struct Free {
+    struct FreeKey {
         Ref<Stage> before;
         Ref<Shape> posed;
         glm::dmat4 to_world;
-        bool feet_on_nothing; // they are to be locked to a travel, and there is no stroke
-        bool operator==(const Free&) const = default;
+        bool feet_on_nothing; // its feet should be locked to a travel, and there is no stroke
+        bool operator==(const FreeKey&) const = default;
     };
     Ref<Stage> gone(const Ref<Stage>& before, const Ref<Shape>& posed, const StepInput& input);
     Ref<Journey> journey(const Ref<Stage>& laid, const Object& object);
@@ -43,8 +43,8 @@ private:
     Posing posing_;
     Walks walks_;
     Recent<std::pair<Ref<Stage>, Travel>, Ref<Journey>> journeys_;
-    Recent<Gone, Ref<Stage>> gone_;
-    Recent<Free, Ref<Stage>> free_;
+    Recent<TravelKey, Ref<Stage>> gone_;
+    Recent<FreeKey, Ref<Stage>> free_;
 };
 
 } // namespace trivar

@@ -30,7 +30,7 @@ std::string missing_clip(const Model& model, const std::string& name)
 bool is_still(const Channel& channel)
 {
     const std::size_t n = channel.components;
-    const bool cubic = channel.between == Channel::Between::cubic;
+    const bool cubic = channel.interpolation == Channel::Interpolation::cubic;
     for (std::size_t i = 0; i < channel.values.size(); ++i) {
         const bool tangent = cubic && i / n % 3 != 1;
         if (channel.values[i] != (tangent ? 0 : channel.values[i % n + (cubic ? n : 0)]))

@@ -7,15 +7,15 @@
 
 namespace trivar {
 
-// The time of a clip, some seconds after it began to be played (before: as at 0).
+// The time of a clip, `seconds` after it began to play; before that, the clip's time at 0.
 double clip_time_s(const Clip& clip, const Playing& playing, double seconds);
 
-// How one object's shape stands, while it plays a clip; keeps the last few.
+// Posing gives an object's shape as it stands while a clip plays, and keeps the last few results.
 class Posing {
 public:
-    // The shape itself where nothing is played. A clip that its file lacks is a notice.
+    // The given shape itself where nothing is played. A clip that the file lacks becomes a notice.
     Ref<Shape> operator()(const Ref<Shape>& rest, const Playing& playing, double seconds);
-    // At a time of a clip; with a gait, its planted feet where the ground carries them.
+    // The shape at a time of a clip. With a gait, planted feet are where the ground carries them.
     Ref<Shape> at(const Ref<Shape>& rest, const Clip& clip, double time_s,
                   const Ref<Gait>& gait = nullptr);
     void keep(std::size_t poses) { poses_.keep(poses); }

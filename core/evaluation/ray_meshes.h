@@ -8,11 +8,12 @@
 
 namespace trivar {
 
-// The bounding-volume hierarchies of meshes that strokes may fall on, each built once.
+// RayMeshes keeps the bounding-volume hierarchies of meshes on which strokes may fall; each is
+// built once.
 class RayMeshes {
 public:
     Ref<RayMesh> operator()(const Ref<Mesh>& mesh, Timings& timings); // stage: rays
-    void forget_unused();                                             // that no scene for rays has
+    void forget_unused(); // those that no RayScene uses any more
 
 private:
     std::map<Ref<Mesh>, Ref<RayMesh>> known_;

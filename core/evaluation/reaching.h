@@ -7,8 +7,8 @@
 
 namespace trivar {
 
-// The volume as far as models at these places are on it, straight on beyond its ends or round once
-// more.
+// Lengthens the volume as far as models at these places need it: straight on beyond its ends, or
+// once more round.
 Ref<Lattice> reaching(const Ref<Lattice>& volume, const Journey& journey,
                       const PlacementParameters& parameters,
                       const std::vector<Journey::Place>& places);

@@ -12,11 +12,11 @@ namespace {
 Part in_the_same_volume(const Part& part, const Ref<Mesh>& mesh)
 {
     if (mesh == part.before_volume()) return part;
-    const Ref<Bent> bent = part.bent;
+    const Ref<Deformation> bent = part.bent;
     const Lazy<Ref<Mesh>> out(
         [=] { return make_ref(deform(*mesh, bent->embedding, *bent->volume)); });
     return {.rest = mesh,
-            .bent = make_ref(Bent{bent->embedding, bent->volume, out}),
+            .bent = make_ref(Deformation{bent->embedding, bent->volume, out}),
             .key = part.key,
             .bounds = part.bounds};
 }
@@ -62,7 +62,7 @@ SplitParts split(const std::vector<Part>& parts, const RefineOptions& options,
     return out;
 }
 
-std::string notice_of(const Refined& refined, const Refining& refining)
+std::string notice_of(const RefinementResult& refined, const Refining& refining)
 {
     const std::size_t open = refined.not_certified();
     if (open == 0) return {};

@@ -6,7 +6,7 @@
 
 namespace trivar {
 
-// Splits the triangles of what lies in a volume, for the frame that it lies there in. Stage:
+// RefiningStep splits the triangles of parts in volumes, for the frame that is evaluated. Stage:
 // refine.
 class RefiningStep : public Step {
 public:
@@ -16,19 +16,19 @@ private:
     Recent<std::pair<Ref<Stage>, Refining>, Ref<Stage>> known_;
 };
 
-// Whether a volume bends it: that of its stroke, or a lattice.
+// Whether a volume deforms the object: that of its stroke, or a lattice.
 bool lies_in_a_volume(const Stage& stage);
 
-// Parts that lie in one volume with their triangles split, in that volume. Throws Rejected as
+// SplitParts holds parts of one volume after their triangles were split. split() throws Rejected as
 // refine() does.
 struct SplitParts {
-    Ref<Refined> refined;
+    Ref<RefinementResult> refined;
     std::vector<Part> parts;
 };
 SplitParts split(const std::vector<Part>& parts, const RefineOptions& options,
                  const Progress& progress = {});
 
-// What is to be said of it: what is not certified, and why. Empty: all of it is.
-std::string notice_of(const Refined& refined, const Refining& refining);
+// A sentence that says what is not certified, and why; empty: everything is.
+std::string notice_of(const RefinementResult& refined, const Refining& refining);
 
 } // namespace trivar

@@ -13,7 +13,7 @@ namespace {
 void measure(Shape& shape)
 {
     std::map<Ref<Mesh>, Ref<Extent>> known;
-    for (Shape::Hung& hung : shape.meshes) {
+    for (Shape::NodeMesh& hung : shape.meshes) {
         Ref<Extent>& extent = known[hung.rest];
         if (!extent) extent = std::make_shared<const Extent>(hung.rest);
         hung.extent = extent;
@@ -38,13 +38,13 @@ void hang_curves(Shape& shape, const Model& model)
 // What of it can be worked with where it stands, each mesh with its bounds.
 void leave_out_what_is_too_large(Shape& shape)
 {
-    if (std::erase_if(shape.curves, [](const Shape::HungCurves& hung) {
+    if (std::erase_if(shape.curves, [](const Shape::NodeCurves& hung) {
             return !within_reach(hung.bounds, hung.to_model);
         }) > 0)
         say_lacking(shape,
                     fmt::format("curves are left out: their numbers are {}", too_large_words));
     const std::size_t all = shape.meshes.size();
-    const std::size_t gone = std::erase_if(shape.meshes, [](Shape::Hung& hung) {
+    const std::size_t gone = std::erase_if(shape.meshes, [](Shape::NodeMesh& hung) {
         const std::optional<Box> box = hung.extent->posed(hung.posed ? &hung.posed->pose : nullptr);
         if (box) hung.bounds = *box;
         return !box || !within_reach(*box, hung.to_model);
@@ -89,13 +89,13 @@ void stand(Shape& shape, const Clip* clip, double time_s)
 void stand(Shape& shape, const Stance& stance)
 {
     const Model& model = *shape.model;
-    for (Shape::Hung& hung : shape.meshes) {
+    for (Shape::NodeMesh& hung : shape.meshes) {
         hung.to_model = mesh_to_model(model, hung.node, stance);
         const bool bends = !hung.rest->influences.empty() || !hung.rest->morph_targets.empty();
         Pose pose = bends ? pose_of(model, hung.node, stance) : Pose{};
         hung.posed = pose.empty() ? nullptr : posed_later(hung.rest, std::move(pose));
     }
-    for (Shape::HungCurves& hung : shape.curves)
+    for (Shape::NodeCurves& hung : shape.curves)
         hung.to_model = stance.to_model[static_cast<std::size_t>(hung.node)];
     leave_out_what_is_too_large(shape);
 }
@@ -105,7 +105,7 @@ void subdivide(Shape& shape, int levels, const Progress& progress)
 {
     std::map<Ref<Mesh>, Ref<Mesh>> done;
     bool bends = false;
-    for (Shape::Hung& hung : shape.meshes) {
+    for (Shape::NodeMesh& hung : shape.meshes) {
         bends |= hung.posed != nullptr || !hung.rest->morph_targets.empty();
         const auto [entry, fresh] = done.try_emplace(hung.mesh());
         if (fresh) entry->second = make_ref(subdivide(*hung.mesh(), levels, progress));

@@ -9,48 +9,50 @@
 
 namespace trivar {
 
-// What a source gives, subdivided, ready to be drawn or laid.
+// A Shape is what a source gives, subdivided and ready to be drawn or laid.
 struct Shape {
-    struct Hung {
+    struct NodeMesh {
         Ref<Mesh> rest;
         glm::dmat4 to_model{1};
-        Ref<Posed> posed = nullptr; // where a skin or morph targets move the vertices
-        int node = 0;               // of the model
-        int slot = 0;               // which of its shape's it is, whichever stand in a pose
+        Ref<PosedMesh> posed = nullptr; // not null where a skin or morph targets move the vertices
+        int node = 0;                   // of the model
+        int slot = 0;                   // number of the mesh in its shape, the same in every pose
         Ref<Extent> extent = nullptr;
-        Box bounds = {}; // before to_model, as it stands, or larger ones
+        Box bounds = {}; // before to_model, in the present pose; may be larger than needed
         const Ref<Mesh>& mesh() const { return posed ? *posed->mesh : rest; }
     };
-    struct HungCurves {
+    struct NodeCurves {
         Ref<Curves> curves;
         glm::dmat4 to_model{1};
         int node = 0;    // of the model
-        int slot = 0;    // which of its shape's they are
+        int slot = 0;    // number of the curves in their shape
         Box bounds = {}; // before to_model
     };
-    std::vector<Hung> meshes;       // those that hang on a node
-    std::vector<HungCurves> curves; // the same; no pose moves them but that of their node
-    Ref<Model> model;               // never null
+    std::vector<NodeMesh> meshes; // of the meshes that hang on a node
+    // of the curves that hang on a node; a pose moves only their node
+    std::vector<NodeCurves> curves;
+    Ref<Model> model; // never null
     Ref<std::vector<Material>> materials;
     std::vector<std::string> notices;
-    // Why something of it is missing, of those notices: a file that cannot be read, numbers that
-    // are too large.
+    // Those of the notices that say why something of the shape is missing: a file that cannot be
+    // read, numbers that are too large.
     std::vector<std::string> lacks;
 
     bool empty() const { return meshes.empty() && curves.empty(); }
 };
 
-// A shape of all meshes and curves that hang on nodes of the model, as the model came.
+// The shape holds all meshes and curves that hang on nodes of the model, in the model's own pose.
 Shape shape_of(Ref<Model> model);
-// Splits its faces by Catmull and Clark. Meshes that hang on several nodes are subdivided once, and
-// skins and morph targets move nothing any more.
+// Subdivides the faces by Catmull and Clark. A mesh that hangs on several nodes is subdivided once.
+// Skins and morph targets then move nothing any more.
 void subdivide(Shape& shape, int levels, const Progress& progress);
-// Adds a sentence about something that is missing.
+// Adds a sentence that says what is missing.
 void say_lacking(Shape& shape, const std::string& why);
 
-// Puts its meshes where the nodes of its model stand; those that would be out of reach go.
+// Puts the meshes where the nodes of their model stand; meshes that would be out of range are
+// removed.
 void stand(Shape& shape, const Stance& stance);
-// The same where a clip of its model has them at that time, or as the model came.
+// Puts the meshes where the clip has them at a time; null: where the model has them.
 void stand(Shape& shape, const Clip* clip, double time_s);
 
 } // namespace trivar

@@ -96,7 +96,7 @@ Ref<Shape> Shapes::operator()(const Source& source, Timings& timings, const Prog
     bool missing = false;
     try {
         if (const auto* file = std::get_if<ImportedFile>(&source)) {
-            const AssetStore::Loaded loaded =
+            const AssetStore::LoadedModel loaded =
                 timed(timings, "import", [&] { return assets_->load(*file, progress); });
             missing = !loaded.model;
             shape = shape_of(loaded.model ? loaded.model : make_ref(Model{}));

@@ -9,19 +9,19 @@
 
 namespace trivar {
 
-// The font of a text, whose file's name may be as from the scene's folder. Throws Rejected where
-// there is no font at all.
+// The font of a text; the name of its file may be relative to the scene's folder. Throws Rejected
+// where no font is found at all.
 FoundFont font_of(const TextShape& text, const AssetStore& assets);
 
-// Shapes by what they come from: two objects with equal sources share one.
+// Shapes keeps shapes by their source: two objects with equal sources share one shape.
 class Shapes {
 public:
     explicit Shapes(Ref<AssetStore> assets) : assets_(std::move(assets)) {}
 
-    // Never null; trouble is in the notices, and tried again next time if the file was missing.
-    // Throws Cancelled. Stages: import, subdivide, letters.
+    // The shape of a source, never null. Trouble is told in the shape's notices; a missing file is
+    // tried again next time. Throws Cancelled. Stages: import, subdivide, letters.
     Ref<Shape> operator()(const Source& source, Timings& timings, const Progress& progress);
-    void forget_unused(); // those that nobody else holds
+    void forget_unused(); // the shapes that nobody else holds
 
 private:
     Ref<AssetStore> assets_;

@@ -41,10 +41,10 @@ Stage simplified(const Stage& before, const Simplifying& simplifying, const Prog
     Stage out = before;
     Shape shape = *before.shape;
     const Poses poses = poses_of(shape);
-    std::map<Ref<Mesh>, Simplified> done; // what hangs on several nodes is simplified once
+    std::map<Ref<Mesh>, SimplifiedMesh> done; // what hangs on several nodes is simplified once
     try {
         for (std::size_t m = 0; m < shape.meshes.size(); ++m) {
-            Shape::Hung& hung = shape.meshes[m];
+            Shape::NodeMesh& hung = shape.meshes[m];
             auto found = done.find(hung.rest);
             if (found == done.end()) {
                 SimplifyOptions options;

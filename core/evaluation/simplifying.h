@@ -6,7 +6,8 @@
 
 namespace trivar {
 
-// Makes the triangles of a shape fewer, as it came and with its clips. Stage: simplify.
+// SimplifyingStep reduces the triangles of a shape in its rest pose and with its clips. Stage:
+// simplify.
 class SimplifyingStep : public Step {
 public:
     Ref<Stage> operator()(const Ref<Stage>& before, const StepInput& input) override;

@@ -12,11 +12,11 @@
 
 namespace trivar {
 
-// What single steps tell of an object beside what is shown of it, one struct per step.
+// Each struct holds what one step tells of an object beside what the object shows.
 
-struct LayingEffects {        // of what lies on a stroke, or of a lattice
-    Ref<Placement> placement; // null: it lies nowhere
-    Ref<ShapedVolume> shaped; // null: nothing was done to its volume
+struct LayingEffects {        // of an object that lies on a stroke, or of a lattice
+    Ref<Placement> placement; // null: the object is not laid
+    Ref<ShapedVolume> shaped; // null: its volume was not shaped
     Ref<RayScene> lies_on;    // what its stroke falls on; null: nothing
 };
 struct TravelEffects {
@@ -24,24 +24,26 @@ struct TravelEffects {
     Ref<Walk> walk;       // null: its feet are not locked to its travel
 };
 struct RefiningEffects {
-    Ref<Refined> refined; // null: its triangles are those of the model
+    Ref<RefinementResult> refined; // null: its triangles are those of the model
 };
 
 struct SimplifyingEffects {
     std::size_t triangles_before = 0, triangles = 0; // of its shape; 0: it is not simplified
 };
 
-// What an object has come to after some of its steps. A step makes the next stage of a copy, so
-// that no stage changes once another step has seen it.
+// A Stage is what some of an object's steps have made of it. A step changes a copy and returns
+// that, so that a stage never changes once another step has seen it.
 struct Stage : SimplifyingEffects, LayingEffects, TravelEffects, RefiningEffects {
     Ref<Shape> shape;                 // what its source gives, as the file has it; never null
-    std::vector<Part> parts;          // in the world; may be none
-    std::vector<CurvePart> curves;    // the same
-    std::vector<std::string> notices; // a missing file, a stroke that misses now
-    std::vector<std::string> lacks;   // of those, why something is not here, as in Shape
+    std::vector<Part> parts;          // in the world; may be empty
+    std::vector<CurvePart> curves;    // in the world; may be empty
+    std::vector<std::string> notices; // for example: a missing file, a stroke that no longer hits
+    // those of the notices that say why something is missing, as in Shape
+    std::vector<std::string> lacks;
     bool shows_nothing() const { return parts.empty() && curves.empty(); }
-    // Why the stroke gave nothing, as a sentence for the user; the object then stands undeformed
-    // where its transform says. A tool shows it and does not commit. Empty: it lies, or has none.
+    // A sentence for the user that says why the stroke gave nothing; the object then stands
+    // undeformed where its transform says. A tool shows the sentence and does not commit. Empty:
+    // the object is laid, or has no stroke.
     std::string rejected;
 };
 

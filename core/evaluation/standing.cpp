@@ -3,12 +3,12 @@
 
 namespace trivar {
 
-std::vector<Standing> standing(const Shape& shape, const glm::dmat3& turned)
+std::vector<StandingMesh> standing(const Shape& shape, const glm::dmat3& turned)
 {
-    std::vector<Standing> out;
-    for (const Shape::Hung& hung : shape.meshes) {
-        Standing each{{.rest = hung.rest, .posed = hung.posed, .bounds = hung.bounds},
-                      glm::dmat4(turned) * hung.to_model};
+    std::vector<StandingMesh> out;
+    for (const Shape::NodeMesh& hung : shape.meshes) {
+        StandingMesh each{{.rest = hung.rest, .posed = hung.posed, .bounds = hung.bounds},
+                          glm::dmat4(turned) * hung.to_model};
         if (glm::determinant(glm::dmat3(each.to_box)) < 0) {
             each.part = {.rest = make_ref(transformed(*hung.mesh(), each.to_box))};
             each.part.bounds = bounding_box(*each.part.rest);
@@ -23,7 +23,7 @@ std::vector<Standing> standing(const Shape& shape, const glm::dmat3& turned)
 std::vector<StandingCurves> standing_curves(const Shape& shape, const glm::dmat3& turned)
 {
     std::vector<StandingCurves> out;
-    for (const Shape::HungCurves& hung : shape.curves)
+    for (const Shape::NodeCurves& hung : shape.curves)
         out.push_back(
             {{hung.curves,
               {.rest = hung.curves->points, .key = {.mesh = hung.slot}, .bounds = hung.bounds}},

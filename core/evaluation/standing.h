@@ -8,23 +8,24 @@
 
 namespace trivar {
 
-// A mesh of a shape before it is laid, and the matrix from it to the box of the model.
-struct Standing {
+// A StandingMesh is a mesh of a shape before it is laid, with the matrix from it to the model's
+// box.
+struct StandingMesh {
     Part part;
     glm::dmat4 to_box;
 };
-// The meshes of a shape with the object's own turn and size. Those that these mirror are turned
-// round first, so that no mirror stands between them and a volume.
-std::vector<Standing> standing(const Shape& shape, const glm::dmat3& turned);
+// The meshes of a shape with the object's own rotation and scale. Meshes that these mirror are
+// turned inside out first, so that no mirror stands between them and a volume.
+std::vector<StandingMesh> standing(const Shape& shape, const glm::dmat3& turned);
 
-// The same of its curves, which may be mirrored: lines have no front.
+// StandingCurves is the same for curves. Curves may be mirrored: lines have no front.
 struct StandingCurves {
     CurvePart part;
     glm::dmat4 to_box;
 };
 std::vector<StandingCurves> standing_curves(const Shape& shape, const glm::dmat3& turned);
 
-// How such a mesh lies in the volume that the box lies in.
+// The embedding of such a mesh in the volume in which the box is embedded.
 Embedding embedded(const Embedding& box, const glm::dmat4& to_box);
 
 } // namespace trivar

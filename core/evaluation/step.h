@@ -11,8 +11,8 @@
 
 namespace trivar {
 
-// What a step may look at beside the stage before it: the object as it is at one frame, and what
-// the objects came to that it comes from.
+// A StepInput is what a step may read beside the stage before it: the object at one frame, and the
+// results of the objects on which it depends.
 struct StepInput {
     const Document& document;
     Id id;
@@ -29,17 +29,17 @@ struct StepInput {
     }
 };
 
-// One of the steps that make an object of its shape, for one object: it keeps its last few results,
-// and gives the stage before where it does nothing. Equal stages and equal input give the same
-// pointer, as long as they are among those results.
+// A Step is one of the steps from an object's shape to what is shown, for one object. It keeps its
+// last few results and returns the stage before where it does nothing. Equal stages and equal input
+// give the same pointer while they are among the kept results.
 class Step {
 public:
     virtual ~Step() = default;
-    // Throws Cancelled. Trouble with the object goes into the stage.
+    // Throws Cancelled. Trouble with the object is written into the stage.
     virtual Ref<Stage> operator()(const Ref<Stage>& before, const StepInput& input) = 0;
 };
 
-// The steps of one object in their order. Another step is a line here.
+// The steps of one object in their order. To add a step, add a line here.
 std::vector<std::unique_ptr<Step>> all_steps();
 
 } // namespace trivar

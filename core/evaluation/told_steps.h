@@ -8,7 +8,7 @@
 
 namespace trivar {
 
-// Adds why single steps of shaping gave nothing, a sentence each.
+// Adds one sentence per step of shaping that gave nothing.
 void tell_of_steps(const ShapedVolume& shaped, std::vector<std::string>& notices);
 
 } // namespace trivar

@@ -76,11 +76,11 @@ double view_tolerance(const Camera& camera, const Box& bounds, double tolerance_
     return std::exp2(std::floor(2 * std::log2(tolerance)) / 2);
 }
 
-SeenEffects ViewRefining::operator()(const Evaluated& evaluated, const Camera& camera,
+SeenEffects ViewRefining::operator()(const Evaluation& evaluated, const Camera& camera,
                                      double tolerance_px, const Progress& progress,
                                      std::size_t budget)
 {
-    std::erase_if(known_, [&](const Known& known) {
+    std::erase_if(known_, [&](const KnownView& known) {
         const auto there = evaluated.objects.find(known.object->id);
         return there == evaluated.objects.end() || there->second != known.object;
     });
@@ -94,7 +94,7 @@ SeenEffects ViewRefining::operator()(const Evaluated& evaluated, const Camera& c
         const bool out_of_sight = std::isinf(tolerance);
         const bool fine_already = object->refined && object->refined->bound <= tolerance;
         const std::size_t share = std::max(budget / laid, triangles_of(*object));
-        const auto found = std::ranges::find_if(known_, [&](const Known& known) {
+        const auto found = std::ranges::find_if(known_, [&](const KnownView& known) {
             return known.object == object &&
                    (out_of_sight || (known.tolerance == tolerance && known.budget == share));
         });
@@ -107,7 +107,7 @@ SeenEffects ViewRefining::operator()(const Evaluated& evaluated, const Camera& c
             known_.insert(known_.begin(), {object, tolerance, share, seen});
             constexpr std::ptrdiff_t kept_results = 2; // it may come and go over a step
             std::ptrdiff_t of_this = 0;
-            std::erase_if(known_, [&](const Known& known) {
+            std::erase_if(known_, [&](const KnownView& known) {
                 return known.object == object && ++of_this > kept_results;
             });
         }

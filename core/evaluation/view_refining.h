@@ -6,43 +6,44 @@
 
 namespace trivar {
 
-// How far a flat triangle inside a box may be from the true surface, in world units, so that in the
-// picture no point is further than some pixels from where it should be. With f pixels a unit at
+// The largest distance in world units of a flat triangle inside a box from the true surface that
+// keeps every point in the picture within `tolerance_px` of its place. With f pixels per unit at
 // depth 1, p at depth z and at an angle a from the middle of the picture, and |q - p| <= t:
 //
 //   |q' - p'| <= f t / (cos a (z - t)),   so   t = px z / (f / cos a + px),
 //
-// z the least depth in the box and a that of the picture's corners. Rounded down to a power of the
-// square root of 2, so that a camera that hardly moves changes nothing; infinite where nothing of
-// the box is in the picture. What is nearer than a hundredth of the box's diagonal is promised
-// nothing.
+// z is the least depth in the box and a the angle of the picture's corners. The result is rounded
+// down to a power of the square root of 2, so that a camera that hardly moves changes nothing. It
+// is infinite where no part of the box is in the picture. Points nearer than a hundredth of the
+// box's diagonal get no promise.
 double view_tolerance(const Camera& camera, const Box& bounds, double tolerance_px);
 
-// The effects of a document as one camera wants to see them: what lies in volumes is split until
-// each triangle is proven to be seen within some pixels of the true surface. The document, and what
-// is made of its effects elsewhere, know nothing of it.
+// SeenEffects holds the effects of a document as one camera wants to see them: parts in volumes are
+// split until each triangle is proven to be seen within some pixels of the true surface. Neither
+// the document nor other results change.
 struct SeenEffects {
-    Evaluated evaluated;
-    std::size_t triangles = 0; // of what lies in volumes
-    std::size_t open = 0;      // of them, those that are not proven: the budget is spent
+    Evaluation evaluated;
+    std::size_t triangles = 0; // of the parts in volumes
+    std::size_t open = 0; // of those, the number that is not proven because the budget is spent
 };
 
-// Sees effects one after another and keeps the last few results for each object that is there.
+// ViewRefining refines effects one after another and keeps the last few results for each object.
 class ViewRefining {
 public:
-    // The budget of triangles is shared evenly by what lies in volumes; nothing has fewer than it
-    // has. Some 8 us a triangle that comes into being, nothing for what was seen so before.
-    SeenEffects operator()(const Evaluated& evaluated, const Camera& camera, double tolerance_px,
+    // The budget of triangles is shared evenly by the parts in volumes; no part gets fewer
+    // triangles than it already has. Cost: about 8 us per new triangle, nothing for a result that
+    // is kept.
+    SeenEffects operator()(const Evaluation& evaluated, const Camera& camera, double tolerance_px,
                            const Progress& progress = {}, std::size_t budget = 400'000);
 
 private:
-    struct Known {
+    struct KnownView {
         Ref<EvaluatedObject> object;
         double tolerance = 0;
         std::size_t budget = 0;
         Ref<EvaluatedObject> seen;
     };
-    std::vector<Known> known_; // the latest first
+    std::vector<KnownView> known_; // the latest first
 };
 
 } // namespace trivar

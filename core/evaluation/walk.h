@@ -7,20 +7,23 @@
 
 namespace trivar {
 
-// A clip in step with a travel: it goes on as far as the model goes along its volume, so that in
-// its parameters a planted foot stays where it is, and therefore in the world, whatever the speed.
+// A Walk keeps a clip in step with a travel: the clip advances as far as the model moves along its
+// volume. A planted foot then keeps its place in the volume's parameters, and therefore in the
+// world, at any speed.
 struct Walk {
     Ref<Gait> gait;
-    double stride_u = 0;      // along the volume, a period; negative: it walks backwards
-    double natural_speed = 0; // metres a second at which the clip plays at its own speed
-    double correction = 0;    // the largest a foot is moved by, as a share of the stride
-    // How far a vertex of a leg that touches the ground, within two thousandths of the model's
-    // height, goes over it in the world before it leaves it, at most, as a share of the stride:
-    // over the first ten seconds of the travel, or all of it. Nothing is asked of the gait's
-    // stances. Where more than 256 vertices touch, evenly some of them.
+    double stride_u = 0;      // along the volume, per period; negative: the model walks backwards
+    double natural_speed = 0; // metres per second at which the clip plays at its own speed
+    double correction = 0;    // largest correction of a foot, as a share of the stride
+    // The largest distance in the world, as a share of the stride, that a vertex of a leg slides
+    // while it touches the ground (within two thousandths of the model's height). It is measured
+    // over the first ten seconds of the travel, or all of it if it is shorter, without looking at
+    // the gait's stances. Where more than 256 vertices touch, 256 of them, evenly chosen, are
+    // measured.
     Lazy<double> slide;
-    std::string trouble; // why its feet are not locked, a sentence; empty: they are
-    std::string remark;  // what may not be meant, though they are; empty: nothing
+    std::string trouble; // a sentence that says why the feet are not locked; empty: they are
+    // a sentence on what may not be intended although the feet are locked; empty: none
+    std::string remark;
 
     double clip_time_s(const Playing& playing, double gone_u) const;
 };

@@ -6,10 +6,11 @@
 
 namespace trivar {
 
-// Measures the walks of one object and keeps the last.
+// Walks measures the walks of one object and keeps the last result.
 class Walks {
 public:
-    // Null where its feet are not to be locked. The object is laid as it came, and `turned`.
+    // The walk of the feet; null where they are not to be locked. The object is laid in the pose of
+    // its file, `turned` being its rotation and scale.
     Ref<Walk> operator()(const Ref<Shape>& shape, const Playing& playing, const Ref<Stage>& laid,
                          const Ref<Journey>& journey, const PlacementParameters& parameters,
                          const glm::dmat3& turned);

@@ -59,14 +59,14 @@ AnimatedFile write_animated(const AnimatedScene& scene, const Ref<AssetStore>& a
     }
     const double per_second = scene.document.time.frames_per_second;
     const Film film =
-        film_of(scene.document, assets, moments_of(scene.frames, 1), between(progress, 0, 0.2));
+        film_of(scene.document, assets, moments_of(scene.frames, 1), part_of(progress, 0, 0.2));
     out.lacks = lacks(film, scene.document);
     if (scene.whole) check_whole(out.lacks);
     const bool usd = extension_of(path) == ".usda";
     const std::vector<CurveStrip> curves = curve_strips(film, scene.document);
     if (std::ranges::none_of(film.strips, has_faces) && !(usd && !curves.empty()))
         throw Rejected(path + ": there are no faces to write, so nothing is written");
-    const Progress writing = between(progress, 0.2, 1);
+    const Progress writing = part_of(progress, 0.2, 1);
     if (usd) {
         write_usda(film, curves, per_second, path, writing);
         return out;

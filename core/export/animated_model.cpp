@@ -45,7 +45,7 @@ bool plays_by_itself(const Document& document, const FilmStrip& strip)
 // The strips of an object that a volume deforms at all times that they are shown at.
 struct BentObject {
     std::vector<const FilmStrip*> strips;
-    std::unique_ptr<Between> between;
+    std::unique_ptr<MotionBound> motion;
     std::vector<std::vector<double>> bounds; // by strip and moment: up to the next
 };
 
@@ -74,7 +74,7 @@ void bound_between(FilmPlan& plan, const Progress& progress)
             for (std::size_t s = 0; s < object.strips.size(); ++s) {
                 const Part *a = object.strips[s]->shown[i], *b = object.strips[s]->shown[i + 1];
                 if (a && b) // what comes or goes does so at a moment
-                    object.bounds[s][i] = (*object.between)(
+                    object.bounds[s][i] = (*object.motion)(
                         *film.evaluated[i].objects.at(id), *a, film.moments[i],
                         *film.evaluated[i + 1].objects.at(id), *b, film.moments[i + 1]);
             }
@@ -101,9 +101,9 @@ FilmPlan planned(const AnimatedScene& scene, const Ref<AssetStore>& assets,
             if (always_bent(strip)) {
                 BentObject& object = plan.bent[strip.object];
                 object.strips.push_back(&strip);
-                if (!object.between)
-                    object.between =
-                        std::make_unique<Between>(scene.document, strip.object, *assets);
+                if (!object.motion)
+                    object.motion =
+                        std::make_unique<MotionBound>(scene.document, strip.object, *assets);
             } else if (plays_by_itself(scene.document, strip)) {
                 measured = true; // its channels are kept as they are
             } else if (moves_by_itself(strip) || strip.bent()) {
@@ -142,13 +142,13 @@ std::vector<double> allowed_by(const AnimatedScene& scene, const std::vector<dou
     return out;
 }
 
-void claim_targets(FilmCertificate::PartClaim& claim, const Between& between,
+void claim_targets(FilmCertificate::PartClaim& claim, const MotionBound& motion,
                    const std::vector<double>& space, const std::vector<double>& bounds,
                    const std::vector<double>& off)
 {
     claim.space = *std::ranges::max_element(space);
     const auto jumps = std::ranges::count_if(bounds, [](double b) { return std::isinf(b); });
-    claim.unproven = between.unknown();
+    claim.unproven = motion.unknown();
     if (claim.unproven.empty() && jumps > 0)
         claim.unproven = std::to_string(jumps) + " of " + std::to_string(bounds.size() - 1) +
                          " ways from one moment to the next are not bounded: it jumps, or its "
@@ -156,7 +156,7 @@ void claim_targets(FilmCertificate::PartClaim& claim, const Between& between,
     for (std::size_t i = 0; i < off.size(); ++i) {
         const double next = i + 1 < off.size() ? space[i + 1] + off[i + 1] : 0;
         const double step = std::isfinite(bounds[i]) ? bounds[i] : 0;
-        claim.between = std::max(claim.between, step);
+        claim.motion = std::max(claim.motion, step);
         claim.bound = std::max(claim.bound, std::max(space[i] + off[i], next) + step);
     }
 }
@@ -215,7 +215,7 @@ AnimatedExport animated_export(const AnimatedScene& scene, const Ref<AssetStore>
     if (!(scene.tolerance > 0 && scene.tolerance <= most_tolerance))
         throw Rejected(fmt::format("a tolerance has to be a length above 0 m and at most {} m",
                                    most_tolerance));
-    FilmPlan plan = planned(scene, assets, between(progress, 0, 0.3));
+    FilmPlan plan = planned(scene, assets, part_of(progress, 0, 0.3));
     AnimatedExport out;
     out.film = std::move(plan.film); // strips keep their places
     const Film& film = out.film;
@@ -242,8 +242,8 @@ AnimatedExport animated_export(const AnimatedScene& scene, const Ref<AssetStore>
     for (auto& [id, object] : plan.bent) {
         const double share = 0.5 / static_cast<double>(plan.bent.size());
         std::vector<CommonMesh> common =
-            common_meshes(film, object.strips, *object.between, share_of_space * scene.tolerance,
-                          between(progress, 0.3 + done, 0.3 + done + share));
+            common_meshes(film, object.strips, *object.motion, share_of_space * scene.tolerance,
+                          part_of(progress, 0.3 + done, 0.3 + done + share));
         done += share;
         for (std::size_t s = 0; s < object.strips.size(); ++s) {
             out.common[index_of(object.strips[s])] = std::move(common[s]);
@@ -275,7 +275,7 @@ AnimatedExport animated_export(const AnimatedScene& scene, const Ref<AssetStore>
             CommonMesh& common = out.common[s];
             if (common.mesh) {
                 claim.triangles_before = common.triangles_before;
-                claim_targets(claim, *plan.bent.at(strip.object).between, common.space, *bounds[s],
+                claim_targets(claim, *plan.bent.at(strip.object).motion, common.space, *bounds[s],
                               keys[s - first].off);
                 nodes.add_targets(strip, std::move(keys[s - first]), claim);
             } else if (strip.bent() || strip.reshaped() || !nodes.add_moving(strip, claim)) {
@@ -301,7 +301,7 @@ AnimatedExport animated_export(const AnimatedScene& scene, const Ref<AssetStore>
     out.left_out = which_curves_are_left_out(
         bending, "a .glb has none that bend or shear in time; a .usda has");
     out.model = nodes.finished();
-    measure_nodes(scene, out, between(progress, 0.9, 1));
+    measure_nodes(scene, out, part_of(progress, 0.9, 1));
     for (const FilmCertificate::PartClaim& part : certificate.parts)
         certificate.bound = std::max(certificate.bound, part.bound);
     out.model.extras = to_json(certificate);

@@ -7,13 +7,13 @@ namespace trivar {
 
 inline constexpr double default_tolerance = 1e-3; // metres
 
-// Which scene is exported, and how.
+// An AnimatedScene says which scene is exported, and how.
 struct AnimatedScene {
     Document document;
     FrameRange frames;
     double tolerance = default_tolerance; // metres
-    std::string log;                      // the scene's file; empty: it has no name
-    bool whole = false;                   // what it lacks is not left out: Lacking is thrown
+    std::string log;                      // the scene's file; empty: the scene has no name
+    bool whole = false;                   // a scene that lacks something throws IncompleteScene
 };
 
 // The scene as one model that moves by itself, within a tolerance at every time:

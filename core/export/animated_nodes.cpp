@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/animated_nodes.h"
 
-#include "core/certificate/between.h"
 #include "core/certificate/keys.h"
+#include "core/certificate/motion_bound.h"
 
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
@@ -53,7 +53,7 @@ int AnimatedNodes::holder(Id of, const std::string& name, const std::vector<bool
     Channel channel;
     channel.node = out;
     channel.of = Channel::Of::scale;
-    channel.between = Channel::Between::step;
+    channel.interpolation = Channel::Interpolation::step;
     for (std::size_t i = 0; i < shown.size(); ++i) {
         const float scale = shown[i] ? 1 : 0;
         if (!channel.values.empty() && channel.values.back() == scale) continue;

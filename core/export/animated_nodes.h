@@ -8,36 +8,39 @@
 
 namespace trivar {
 
-// Puts strips into a model, each at a node of its own, and says how near it is.
+// AnimatedNodes puts strips into a model, each at a node of its own, and says how near the model is
+// to the scene.
 class AnimatedNodes {
 public:
     AnimatedNodes(const Film& film, const Document& document, const AssetStore& assets,
                   std::vector<float> times_s, double tolerance);
 
-    // What rests, or moves as it is, or is posed; false where it cannot be said so: it shears.
+    // Adds a strip that rests, moves as a whole or is posed; false where nodes cannot express that,
+    // because it shears.
     bool add_moving(const FilmStrip& strip, FilmCertificate::PartClaim& claim);
     void add_targets(const FilmStrip& strip, TargetKeys&& keys, FilmCertificate::PartClaim& claim);
-    // Curves that rest, or move as a whole; false where they do neither.
+    // Adds curves that rest or move as a whole; false where they do neither.
     bool add_curves(const CurveStrip& strip);
     Model finished();
 
 private:
     int node(const std::string& name, int parent);
     int group(Id id);
-    // The node to hang a part of an object on, which is shown at some moments.
+    // The node for a part of an object that is shown only at some moments.
     int holder(Id object, const std::string& name, const std::vector<bool>& shown);
     int holder(const FilmStrip& strip);
     std::uint32_t first_material(const Ref<std::vector<Material>>& materials);
     int mesh(const FilmStrip& strip, Mesh mesh);
-    // The nodes of an object's model below one for the object, as they hang on each other.
+    // A Tree is the nodes of an object's model below one node for the object, with the same
+    // parents.
     struct Tree {
-        Ref<Model> from;    // null: it has no nodes but one, and no clips
-        bool whole = false; // false: it shears, so it is not there
-        int object = 0;     // its node
-        int first = 0;      // that of the model's first node; the others follow in their order
-        std::vector<int> with_mesh;       // of the model's, by PartKey::mesh
-        FilmCertificate::PartClaim claim; // of how the object moves
-        std::map<int, int> skins;         // by the model's
+        Ref<Model> from;    // null: the model has only one node, and no clips
+        bool whole = false; // false: it shears and was not added
+        int object = 0;     // the object's node
+        int first = 0;      // the node for the model's first node; the others follow in their order
+        std::vector<int> with_mesh;       // the model's nodes with a mesh, by PartKey::mesh
+        FilmCertificate::PartClaim claim; // on the motion of the object
+        std::map<int, int> skins;         // by the model's number
     };
     Tree& tree(const FilmStrip& strip);
     void add_clip(Tree& tree, const Object& source);
@@ -46,7 +49,8 @@ private:
     int skin(Tree& tree, int index);
     bool add_motion(int node, const std::vector<glm::dmat4>& matrices, const Box& box,
                     FilmCertificate::PartClaim& claim);
-    // A value at each moment; where it is not shown that of the moment before, or the first.
+    // A value per moment; where the object is not shown, that of the moment before, or the first
+    // one.
     template <class Value>
     std::vector<Value> each_moment(const FilmStrip& strip, const auto& value) const;
 

@@ -5,21 +5,21 @@
 
 namespace trivar {
 
-// Some curves of an object through all moments of a film.
+// A CurveStrip is some curves of an object through all moments of a film.
 struct CurveStrip {
     Id object = 0;
     std::string name;
-    std::vector<const CurvePart*> shown; // by moment; null: they are not shown then
+    std::vector<const CurvePart*> shown; // by moment; null: they are not shown
     Ref<std::vector<Material>> materials;
-    const CurvePart& first() const; // that is shown
-    bool rests() const;             // is the same whenever it is shown
-    bool is_rigid() const;          // no volume bends it, so that it moves as a whole
+    const CurvePart& first() const; // the curves at the first moment that shows them
+    bool rests() const;             // whether they are the same at all moments that show them
+    bool is_rigid() const;          // whether no volume deforms them, so that they move as a whole
     bool always_shown() const;
 };
-// By object and key.
+// The curve strips, by object and key.
 std::vector<CurveStrip> curve_strips(const Film& film, const Document& document);
 
-// That the curves of these objects are left out, and why; empty: there are none.
+// A sentence that says which objects' curves are left out, and why; empty: none.
 std::string which_curves_are_left_out(const std::vector<std::string>& names,
                                       const std::string& why);
 

@@ -140,12 +140,12 @@ std::vector<std::string> write_caches(const Film& film, CacheFormat format,
     for (const CachedObject& object : objects) // an .obj has a library of materials beside it
         for (const char* ending : {extension.c_str(), ".obj", ".mtl"})
             sources.check(name_of(object) + ending);
-    struct Made {
+    struct MadeCache {
         std::string name;
         std::unique_ptr<GrowingFile> cache;
         Model first;
     };
-    std::vector<Made> made;
+    std::vector<MadeCache> made;
     constexpr std::size_t most_open = 200; // files of a program, of some 1,000 that it may have
     for (std::size_t o = 0; o < objects.size(); ++o) {
         CachedMesh cached = cached_mesh(objects[o]);
@@ -173,7 +173,7 @@ std::vector<std::string> write_caches(const Film& film, CacheFormat format,
         made.push_back({name, std::move(cache), std::move(cached.model)});
     }
     std::vector<std::string> out; // all of them or, where it was stopped before, none
-    for (Made& each : made) {
+    for (MadeCache& each : made) {
         write_model(each.first, each.name + ".obj");
         each.cache->finish();
         out.push_back(each.name + extension);

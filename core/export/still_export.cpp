@@ -24,7 +24,7 @@ std::string why_not_laid(const EvaluatedObject& object)
 
 // `document` as the log makes it, `shown` as it was evaluated into `model`, by model_of.
 Certificate certificate_of(const Document& document, const Document& shown,
-                           const Evaluated& evaluated, const Model& model)
+                           const Evaluation& evaluated, const Model& model)
 {
     Certificate out;
     out.scene = digest(document);
@@ -86,7 +86,7 @@ Document refined_to(Document document, double tolerance)
     return document;
 }
 
-Export export_of(const Evaluated& evaluated, const ExportedScene& scene)
+Export export_of(const Evaluation& evaluated, const ExportedScene& scene)
 {
     Export out{model_of(evaluated, scene.document), {}};
     const bool refining = std::ranges::any_of(evaluated.objects, [&](const auto& each) {

@@ -5,25 +5,25 @@
 
 namespace trivar {
 
-// The same scene with everything that lies in a volume refined to a tolerance; other choices of
-// refined objects stay, but for those that certify nothing.
+// The scene with everything in a volume refined to a tolerance; other settings of refined objects
+// stay, except for those that certify nothing.
 Document refined_to(Document document, double tolerance);
 
-// Of which scene an export is: as the log makes it, and which log that is.
+// An ExportedScene says which scene is exported: its log, and how much of the log.
 struct ExportedScene {
     Document document;
-    double tolerance = 0; // that all is refined to; 0: each object's own
+    double tolerance = 0; // to which everything is refined; 0: each object's own
     double frame = 1;
-    std::string log; // the scene's file; empty: it has no name
-    int lines = 0;   // of it, as in Certificate
+    std::string log; // the scene's file; empty: the scene has no name
+    int lines = 0;   // of the log, as in Certificate
 };
-// What is exported, and what is claimed of it, in the model's extras too. There is a claim where
-// something is to be refined, or a tolerance was asked for.
+// An Export is what is exported and what is claimed of it, also in the model's extras. There are
+// claims where something is refined, or a tolerance was asked for.
 struct Export {
     Model model;
     std::optional<Certificate> certificate;
 };
-// `evaluated` from the document, or from refined_to() of it where there is a tolerance.
-Export export_of(const Evaluated& evaluated, const ExportedScene& scene);
+// `evaluated` must come from the document, or from refined_to() of it where there is a tolerance.
+Export export_of(const Evaluation& evaluated, const ExportedScene& scene);
 
 } // namespace trivar

@@ -8,7 +8,7 @@
 
 namespace trivar {
 
-// Values as a text file of Universal Scene Description has them.
+// These functions give values as a text file of Universal Scene Description has them.
 std::string usd_number(float value); // no -0
 std::string usd_tuple(const glm::vec2& v);
 std::string usd_tuple(const glm::vec3& v);
@@ -16,7 +16,7 @@ std::string usd_list(const std::vector<glm::vec2>& values);
 std::string usd_list(const std::vector<glm::vec3>& values);
 std::string usd_list(const std::vector<std::uint32_t>& values);
 std::string usd_matrix(const glm::dmat4& m);
-// Of what a person called so; the number tells it from others.
+// A valid USD name made from a person's name; the number makes it unique.
 std::string usd_name(const std::string& name, std::size_t number);
 
 } // namespace trivar

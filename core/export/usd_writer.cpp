@@ -180,7 +180,7 @@ void write_usda(const Film& film, const std::vector<CurveStrip>& curves, double 
         const auto done = static_cast<double>(s);
         UsdStrip(film, film.strips[s], file)
             .write(s, first_of.at(film.strips[s].materials),
-                   between(progress, done / count, (done + 1) / count));
+                   part_of(progress, done / count, (done + 1) / count));
     }
     std::size_t number = film.strips.size();
     for (const CurveStrip& strip : curves)

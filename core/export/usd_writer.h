@@ -6,11 +6,12 @@
 
 namespace trivar {
 
-// A text file of Universal Scene Description (.usda): Z up, metres, time codes are frames. What a
-// volume or a pose moves has time samples of its points and normals, in the world; what moves as it
-// is has them of its matrix; what is not always shown, of its visibility. Curves are linear
-// BasisCurves, one for each material. Colours of materials, no pictures. The film has one moment a
-// frame. The file is whole or not there. Throws Rejected and Cancelled.
+// Writes a text file of Universal Scene Description (.usda): Z up, metres, time codes are frames. A
+// part that a volume or a pose moves has time samples of its points and normals, in the world; a
+// part that moves as a whole has time samples of its matrix; a part that is not always shown has
+// time samples of its visibility. Curves are linear BasisCurves, one per material. Materials have
+// colours and no pictures. The film must have one moment per frame. The file is written completely
+// or not at all. Throws Rejected and Cancelled.
 void write_usda(const Film& film, const std::vector<CurveStrip>& curves, double frames_per_second,
                 const std::string& path, const Progress& progress = {});
 

@@ -7,14 +7,15 @@
 
 namespace trivar {
 
-// One axis of a lattice as cells: its non-empty spans, and one more at each end for what lies
-// beyond. In a cell a spline is a polynomial in t, which goes from -1/2 to 1/2 over the cell:
-// centred, so that powers lose no digits in single precision.
+// AxisCells divides one axis of a lattice into cells: its non-empty spans, and one more cell at
+// each end for parameters beyond the domain. In a cell a spline is a polynomial in t, which goes
+// from -1/2 to 1/2 over the cell: centred, so that powers lose no digits in single precision.
 class AxisCells {
 public:
     explicit AxisCells(const Knots& knots);
 
-    // Where u, brought into the domain if the axis is closed, lies. Not a number: in some cell.
+    // The cell of u, and the place in it; on a closed axis u is first brought into the domain. If u
+    // is not a number, any cell.
     struct Place {
         std::uint32_t cell;
         float t;
@@ -35,7 +36,7 @@ public:
 private:
     std::vector<double> breaks_;
     double spans_per_unit_;
-    double least_, most_; // beyond these a parameter lies in the cells at the ends
+    double least_, most_; // parameters outside of these lie in the cells at the ends
     std::vector<Cell> cells_;
 };
 

@@ -8,8 +8,8 @@
 
 namespace trivar {
 
-// A scalar polynomial over [0, 1]^3 in tensor-product Bernstein form. Coefficients bound it, and
-// those of the eight corners are its values there.
+// A Bernstein is a scalar polynomial over [0, 1]^3 in tensor-product Bernstein form. Its
+// coefficients bound it, and the coefficients of the eight corners are its values there.
 struct Bernstein {
     std::array<int, 3> degree{};
     std::vector<double> coefficients; // product of (degree + 1), last axis fastest
@@ -17,7 +17,7 @@ struct Bernstein {
 
 double value(const Bernstein& f, const glm::dvec3& x); // x in [0, 1]^3
 
-// The two halves along one axis, each over [0, 1]^3 again (de Casteljau).
+// Both halves along one axis, each over [0, 1]^3 again (de Casteljau).
 std::array<Bernstein, 2> halves(const Bernstein& f, std::size_t axis);
 
 } // namespace trivar

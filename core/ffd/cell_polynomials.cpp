@@ -109,17 +109,17 @@ namespace {
 HWY_EXPORT(to_power_form);
 
 // Control points by unwrapped index, each as four doubles, so that cells need not wrap.
-struct Unwrapped {
+struct UnwrappedPoints {
     std::vector<double> points;
     std::array<std::size_t, 2> stride; // of u and v, in doubles
 };
 
-Unwrapped unwrapped(const Trivariate<glm::dvec3>& f)
+UnwrappedPoints unwrapped(const Trivariate<glm::dvec3>& f)
 {
     const int nu = f.axes[0].unwrapped_count(), nv = f.axes[1].unwrapped_count(),
               nw = f.axes[2].unwrapped_count();
     const auto row = static_cast<std::size_t>(nw) * 4;
-    Unwrapped out{{}, {row * static_cast<std::size_t>(nv), row}};
+    UnwrappedPoints out{{}, {row * static_cast<std::size_t>(nv), row}};
     out.points.reserve(out.stride[0] * static_cast<std::size_t>(nu));
     for (int i = 0; i < nu; ++i)
         for (int j = 0; j < nv; ++j)
@@ -168,7 +168,7 @@ CellPolynomials cell_polynomials(const Trivariate<glm::dvec3>& displacement,
     const std::size_t stride = out.stride();
     out.coefficients.resize(cells.size() * stride);
     out.frames.resize(cells.size());
-    const Unwrapped lattice = unwrapped(displacement);
+    const UnwrappedPoints lattice = unwrapped(displacement);
 
     parallel_blocks(cells.size(), 64, [&](std::size_t begin, std::size_t end) {
         for (std::size_t c = begin; c < end; ++c) {

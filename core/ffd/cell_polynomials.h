@@ -8,17 +8,18 @@
 
 namespace trivar {
 
-// The displacement in every occupied cell as a polynomial in the cell's t, in single precision,
-// and what the chain rule needs besides.
+// CellPolynomials holds the displacement in every occupied cell as a polynomial in the cell's t, in
+// single precision, and what the chain rule needs.
 struct CellPolynomials {
     std::array<int, 3> order{};
-    // A cell: order_u x order_v x order_w x 4, highest powers first, as Horner's rule takes them;
-    // x, y, z and a zero. The NEGATED displacement: rest - (+0) has the bits of rest even where
-    // that is -0, which rest + 0 has not.
+    // Per cell order_u x order_v x order_w x 4 coefficients, highest powers first, as Horner's rule
+    // takes them; x, y, z and a zero. The NEGATED displacement: rest - (+0) has the bits of rest
+    // even where rest is -0, while rest + 0 does not.
     std::vector<float> coefficients;
     struct Frame {
-        // J = rest - (d polynomial / dt) * t_by_p, both scaled by a power of two so that neither
-        // overflows nor underflows when multiplied. Rows of t_by_p belong to t, of rest to world.
+        // The Jacobian is J = rest - (d polynomial / dt) * t_by_p. Both matrices are scaled by a
+        // power of two so that products neither overflow nor underflow. Rows of t_by_p belong to t,
+        // rows of rest to the world.
         std::array<std::array<float, 3>, 3> t_by_p{}, rest{};
         bool still = false; // J is the identity: normals and tangents stay as they are
     };
@@ -30,8 +31,8 @@ struct CellPolynomials {
     }
 };
 
-// About 800 multiplications of four doubles a cell of a tri-cubic lattice: as much as the
-// deformation of some ten vertices takes.
+// Cost: about 800 multiplications of four doubles per cell of a tri-cubic lattice, as much as the
+// deformation of some ten vertices.
 CellPolynomials cell_polynomials(const Trivariate<glm::dvec3>& displacement,
                                  const std::array<AxisCells, 3>& axes,
                                  std::span<const SortedVertices::CellKey> cells,

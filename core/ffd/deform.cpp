@@ -31,7 +31,7 @@ void put_back(std::span<const std::uint32_t> place, std::size_t begin, const glm
 // Deforms a chunk in the order of computation and puts the results into that of the mesh. Writing
 // them there at once is slower: random loads overlap, random stores hardly do.
 bool deform_chunk(const SortedVertices& vertices, std::size_t chunk,
-                  const CellPolynomials& polynomials, const Mesh& mesh, Deformed& out)
+                  const CellPolynomials& polynomials, const Mesh& mesh, DeformedArrays& out)
 {
     const std::size_t begin = vertices.runs[vertices.chunk_begin[chunk]].begin,
                       end = vertices.runs[vertices.chunk_begin[chunk + 1] - 1].end,
@@ -74,11 +74,11 @@ Deformer::~Deformer() = default;
 Deformer::Deformer(Deformer&&) noexcept = default;
 Deformer& Deformer::operator=(Deformer&&) noexcept = default;
 
-Deformed Deformer::arrays(const Lattice& lattice, Deformed reuse) const
+DeformedArrays Deformer::arrays(const Lattice& lattice, DeformedArrays reuse) const
 {
     const State& s = *state_;
     assert(lattice.displacement.axes == s.axes);
-    Deformed out = std::move(reuse);
+    DeformedArrays out = std::move(reuse);
     out.positions.resize(s.mesh->positions.size());
     out.normals.resize(s.mesh->normals.size());
     out.tangents.resize(out.normals.empty() ? 0 : s.mesh->tangents.size());
@@ -101,7 +101,7 @@ Deformed Deformer::arrays(const Lattice& lattice, Deformed reuse) const
 Mesh Deformer::operator()(const Lattice& lattice) const
 {
     const Mesh& mesh = *state_->mesh;
-    Deformed moved = arrays(lattice);
+    DeformedArrays moved = arrays(lattice);
     Mesh out;
     out.colors = mesh.colors;
     out.uvs = mesh.uvs;

@@ -10,8 +10,8 @@
 
 namespace trivar {
 
-// Where a point of the object goes, and the derivative of that by the point: object to world.
-// In double; the reference of Deformer.
+// A DeformedPoint is the world position of a point of the object, with the derivative of that
+// position by the point. Computed in double precision; the reference for Deformer.
 struct DeformedPoint {
     glm::dvec3 position_world;
     glm::dmat3 jacobian;
@@ -19,23 +19,24 @@ struct DeformedPoint {
 DeformedPoint deform(const glm::dvec3& p_object, const Embedding& embedding,
                      const Lattice& lattice);
 
-// The arrays of a mesh that a deformation changes; empty where the mesh has none.
-struct Deformed {
+// DeformedArrays holds the arrays of a mesh that a deformation changes; empty where the mesh has
+// none.
+struct DeformedArrays {
     std::vector<glm::vec3> positions, normals; // #V, world; normals unit
     std::vector<glm::vec4> tangents;           // #V, xyz unit and orthogonal to the normal
 };
 
-// Deforms one mesh by one lattice after another:
+// A Deformer deforms one mesh by one lattice after another:
 //
 //   position  to_rest(p) + sum_ijk N_ijk(to_uvw(p)) D_ijk
 //   normal    cof(J) n / |cof(J) n|, J the Jacobian of the line above by p: exact (Barr 1984)
 //   tangent   J t made orthogonal to the normal; the handedness stays
 //
 // Vertices beyond an open axis move with the nearest end. A lattice of zeros returns to_rest(p)
-// and, where to_rest is the identity, the very bits of the mesh. Equal positions get equal bits.
-// Tangents of a mesh without normals mean nothing and are dropped.
-// Normals agree with the winding of the deformed faces, so where det J < 0 both look inwards.
-// Where J leaves no normal (rank 1) it is taken from the deformed faces around.
+// and, where to_rest is the identity, the exact bits of the mesh. Equal positions get equal bits.
+// Tangents of a mesh without normals mean nothing and are dropped. Normals agree with the winding
+// of the deformed faces, so where det J < 0 both look inwards. Where J gives no normal (rank 1) the
+// deformed faces around the vertex give it.
 class Deformer {
 public:
     Deformer(Ref<Mesh> mesh, const Embedding& embedding, const std::array<Knots, 3>& axes);
@@ -46,9 +47,9 @@ public:
     // The lattice must have the axes given at construction. Faces, UVs, colours are copied.
     Mesh operator()(const Lattice& lattice) const;
 
-    // The same without the copies. Storage is taken over from `reuse`, whatever it holds: moving
-    // the last result in saves the allocation of the next one.
-    Deformed arrays(const Lattice& lattice, Deformed reuse = {}) const;
+    // The same without the copies. `reuse` may hold anything and gives its storage: moving the last
+    // result in saves the allocation of the next one.
+    DeformedArrays arrays(const Lattice& lattice, DeformedArrays reuse = {}) const;
 
 private:
     struct State;

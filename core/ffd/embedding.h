@@ -5,7 +5,7 @@
 
 namespace trivar {
 
-// How an object lies in a lattice. Both maps are affine, from object space.
+// An Embedding says how an object lies in a lattice. Both maps are affine, from object space.
 struct Embedding {
     glm::dmat4 to_uvw{1};
     glm::dmat4 to_rest{1}; // rest(to_uvw(p)): world before deformation, often known exactly

@@ -41,7 +41,7 @@ std::vector<int> all_cells(const CellGrid& grid)
     return out;
 }
 
-struct Judged {
+struct GuardJudgement {
     Verdict verdict = Verdict::unknown;
     double least = 0;
     bool worse = false; // than it was before, somewhere
@@ -69,11 +69,11 @@ bool below(const CellDeterminant& det, int sign, const std::vector<double>& floo
     return false;
 }
 
-Judged judged(const CellGrid::Place& place, const CellDeterminant& det, int sign,
-              const GuardOptions& options)
+GuardJudgement judged(const CellGrid::Place& place, const CellDeterminant& det, int sign,
+                      const GuardOptions& options)
 {
-    Judged out{verdict_at_once(det, sign),
-               std::isfinite(det.mean) ? sign > 0 ? det.least : -det.most : 0};
+    GuardJudgement out{verdict_at_once(det, sign),
+                       std::isfinite(det.mean) ? sign > 0 ? det.least : -det.most : 0};
     if (out.verdict != Verdict::unknown) return out;
     out.verdict = Verdict::proven_good;
     for (const DoubtfulPart& part : doubtful_parts(place, det, sign, options.halving))
@@ -81,11 +81,11 @@ Judged judged(const CellGrid::Place& place, const CellDeterminant& det, int sign
     return out;
 }
 
-std::vector<Judged> judged(const CellGrid& grid, const Lattice& lattice,
-                           const std::vector<int>& cells, int sign, const GuardOptions& options,
-                           const Floors& floors = {})
+std::vector<GuardJudgement> judged(const CellGrid& grid, const Lattice& lattice,
+                                   const std::vector<int>& cells, int sign,
+                                   const GuardOptions& options, const Floors& floors = {})
 {
-    std::vector<Judged> out(cells.size());
+    std::vector<GuardJudgement> out(cells.size());
     each_determinant(grid, lattice, cells, [&](std::size_t i, const CellDeterminant& det) {
         out[i] = judged(grid.place(static_cast<std::size_t>(cells[i])), det, sign, options);
         if (const auto floor = floors.find(cells[i]); floor != floors.end())
@@ -95,7 +95,7 @@ std::vector<Judged> judged(const CellGrid& grid, const Lattice& lattice,
 }
 
 CellVerdicts with(CellVerdicts verdicts, const std::vector<int>& cells,
-                  const std::vector<Judged>& judged)
+                  const std::vector<GuardJudgement>& judged)
 {
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const auto cell = static_cast<std::size_t>(cells[i]);
@@ -163,7 +163,7 @@ public:
     }
 
     struct Answer {
-        std::vector<Judged> judged;
+        std::vector<GuardJudgement> judged;
         std::vector<int> forbidding; // the worst first
     };
     // What cells say of the move as it is. Where some that forbid it are bad at a glance, no others
@@ -178,7 +178,7 @@ public:
         std::vector<int> doubtful;
         for (std::size_t i = 0; i < cells.size(); ++i)
             if (out.judged[i].verdict == Verdict::unknown) doubtful.push_back(cells[i]);
-        const std::vector<Judged> closely =
+        const std::vector<GuardJudgement> closely =
             judged(grid_, trial_, doubtful, before_.sign, options_, floors_);
         for (std::size_t i = 0, next = 0; i < cells.size(); ++i)
             if (out.judged[i].verdict == Verdict::unknown) out.judged[i] = closely[next++];
@@ -194,7 +194,7 @@ public:
         while (step - low > 1) {
             const int middle = low + (step - low) / 2;
             move_by(middle);
-            const Judged now =
+            const GuardJudgement now =
                 judged(grid_, trial_, {cell}, before_.sign, options_, floors_).front();
             (allows(cell, now) ? low : step) = middle;
         }
@@ -203,15 +203,15 @@ public:
 
 private:
     // What was good stays good; what was not becomes so, or worse nowhere.
-    bool allows(int cell, const Judged& now) const
+    bool allows(int cell, const GuardJudgement& now) const
     {
         if (now.verdict == Verdict::proven_good) return true;
         const Verdict before = before_.of[static_cast<std::size_t>(cell)];
         return before != Verdict::proven_good && !now.worse &&
                !(before == Verdict::unknown && now.verdict == Verdict::proven_bad);
     }
-    std::vector<int> forbidding(const std::vector<int>& cells, const std::vector<Judged>& now,
-                                bool surely) const
+    std::vector<int> forbidding(const std::vector<int>& cells,
+                                const std::vector<GuardJudgement>& now, bool surely) const
     {
         std::vector<int> out;
         double least = 0;
@@ -256,7 +256,7 @@ CellVerdicts judge(const Lattice& lattice, const GuardOptions& options)
     CellVerdicts out{grid.breaks(), std::vector<Verdict>(grid.count(), Verdict::excepted),
                      std::vector<double>(grid.count())};
     // Which sign is the right one may be known only when all cells have been looked at.
-    std::vector<Judged> positive(cells.size()), negative(cells.size());
+    std::vector<GuardJudgement> positive(cells.size()), negative(cells.size());
     std::vector<double> volumes(cells.size()), sizes(cells.size());
     each_determinant(grid, lattice, cells, [&](std::size_t i, const CellDeterminant& det) {
         const CellGrid::Place place = grid.place(static_cast<std::size_t>(cells[i]));
@@ -270,7 +270,7 @@ CellVerdicts judge(const Lattice& lattice, const GuardOptions& options)
     const double size = std::accumulate(sizes.begin(), sizes.end(), 0.0);
     out.sign = options.sign != 0 ? options.sign : volume < 0 ? -1 : 1;
     if (size > 0 && std::isfinite(volume)) out.typical = std::abs(volume) / size;
-    const std::vector<Judged>& right = out.sign > 0 ? positive : negative;
+    const std::vector<GuardJudgement>& right = out.sign > 0 ? positive : negative;
     return with(std::move(out), cells, right);
 }
 

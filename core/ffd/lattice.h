@@ -8,9 +8,10 @@
 
 namespace trivar {
 
-// A free-form deformation volume. F(uvw) = rest(uvw) + sum_ijk N_ijk(uvw) D_ijk: control points
-// are held as displacements D from where the affine map `rest` puts their Greville abscissae, so a
-// lattice of zeros is exactly `rest`, for B-splines reproduce affine maps.
+// A Lattice is a free-form deformation volume: F(uvw) = rest(uvw) + sum_ijk N_ijk(uvw) D_ijk.
+// Control points are stored as displacements D from their places at rest, which are the images of
+// their Greville abscissae by the affine map `rest`. A lattice of zeros is exactly `rest`, for
+// B-splines reproduce affine maps.
 struct Lattice {
     Trivariate<glm::dvec3> displacement;
     glm::dmat4 rest{1}; // uvw to world, affine
@@ -18,18 +19,19 @@ struct Lattice {
     bool operator==(const Lattice&) const = default;
 };
 
-// n_u x n_v x n_w zero displacements over [0,1]^3.
+// A lattice of n_u x n_v x n_w zero displacements over [0,1]^3.
 Lattice lattice_at_rest(const std::array<Knots, 3>& axes, const glm::dmat4& rest);
 
-// uvw of a stored control point, by its indices along u, v and w: the Greville abscissae.
+// The Greville abscissae (uvw) of a stored control point, by its indices along u, v and w.
 glm::dvec3 greville(const Lattice& lattice, const glm::ivec3& index);
 
-// World position of stored control point (i, j, k), and the lattice with control points at given
-// world positions. The latter takes `rest` as a translation to their mean, which keeps digits.
+// The first function gives the world position of stored control point (i, j, k), the second one a
+// lattice with control points at given world positions. Its `rest` is a translation to their mean,
+// which keeps digits.
 glm::dvec3 control_point(const Lattice& lattice, int i, int j, int k);
 Lattice lattice_through(const Trivariate<glm::dvec3>& control_points_world);
 
-// A stored control point, by its indices along u, v and w, and where it goes from where it is.
+// A PointMove is a stored control point, by its indices along u, v and w, and its movement.
 struct PointMove {
     glm::ivec3 index{0};
     glm::dvec3 by{0}; // world

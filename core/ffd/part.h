@@ -8,37 +8,40 @@
 
 namespace trivar {
 
-// How a mesh lies in a volume, and what comes out of it in the world: worked out by the processor
-// when it is first asked for, by whichever thread, with one deformation of its vertices
-// (core/ffd/deform.h). Who draws by the graphics card does not ask.
-struct Bent {
+// A Deformation says how a mesh lies in a volume, and gives the mesh in the world. The processor
+// computes that when it is first asked for, on any thread, by one deformation of the vertices
+// (core/ffd/deform.h). Where the graphics card draws, nobody asks.
+struct Deformation {
     Embedding embedding;
     Ref<Lattice> volume;
     Lazy<Ref<Mesh>> mesh;
-    bool again = false; // another volume bent the vertices of the mesh before
+    bool again = false; // another volume deformed the vertices of the mesh before
 };
 
-// One mesh as it stands in the world: posed by its model's clip, and then deformed by a volume.
+// A Part is one mesh as it stands in the world: posed by its model's clip, and then deformed by a
+// volume.
 struct Part {
-    Ref<Mesh> rest;         // has the same faces, corners and number of vertices as what it becomes
+    Ref<Mesh> rest;         // has the same faces, corners and number of vertices as the result
     glm::dmat4 to_world{1}; // identity where a volume deforms it
-    Ref<Posed> posed = nullptr; // null where no skin and no morph target moves its vertices
-    Ref<Bent> bent = nullptr;   // null where no volume does
+    Ref<PosedMesh> posed = nullptr;  // null where no skin and no morph target moves its vertices
+    Ref<Deformation> bent = nullptr; // null where no volume does
     PartKey key = {};
-    Box bounds = {}; // before to_world or the volume, of its vertices as they are posed; or larger
+    // of the posed vertices before to_world or the volume; may be larger than needed
+    Box bounds = {};
 
     const Ref<Mesh>& before_volume() const { return posed ? *posed->mesh : rest; }
     const Ref<Mesh>& mesh() const { return bent ? *bent->mesh : before_volume(); }
-    bool operator==(const Part& other) const // bounds follow from the others
+    bool operator==(const Part& other) const // bounds follow from the other members
     {
         return rest == other.rest && to_world == other.to_world && posed == other.posed &&
                bent == other.bent && key == other.key;
     }
 };
 
-bool is_deformed(const Part& part); // or needs not to be: mesh() is there at once
+// true also if nothing deforms the part: mesh() is there at once
+bool is_deformed(const Part& part);
 
-// The same mesh; what the deforming took, if it was done for this call, is the stage "deform".
+// The same mesh; the time of a deformation in this call is added as stage "deform".
 const Ref<Mesh>& mesh_of(const Part& part, Timings& timings);
 
 } // namespace trivar

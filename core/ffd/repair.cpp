@@ -68,13 +68,13 @@ constexpr int patience = 16;
 // And where it has moved points so many times further than another one had to.
 constexpr double excess = 4;
 
-struct Attempted {
+struct AttemptMoves {
     RepairAttempt attempt;
     std::vector<PointMove> moves;
 };
 
-Attempted attempted(const RepairAttempt& how, const RepairSite& site, const Lattice& folded,
-                    const CellVerdicts& before, double best, const Progress& progress)
+AttemptMoves attempted(const RepairAttempt& how, const RepairSite& site, const Lattice& folded,
+                       const CellVerdicts& before, double best, const Progress& progress)
 {
     const RepairOptions& options = site.options();
     GuardOptions quick = options.guard;
@@ -103,7 +103,7 @@ Attempted attempted(const RepairAttempt& how, const RepairSite& site, const Latt
         now = moved(std::move(now), moves);
         verdicts = judged_again(std::move(verdicts), now, moves, quick);
     }
-    Attempted out{how, difference(site, folded, now)};
+    AttemptMoves out{how, difference(site, folded, now)};
     // Differences are rounded, and some cells were looked at in haste.
     out.attempt.certified =
         judged_again(before, moved(folded, out.moves), out.moves, options.guard).good();
@@ -117,9 +117,10 @@ Attempted attempted(const RepairAttempt& how, const RepairSite& site, const Latt
 
 } // namespace
 
-Unfolded unfolded(const Lattice& lattice, const RepairOptions& options, const Progress& progress)
+UnfoldedLattice unfolded(const Lattice& lattice, const RepairOptions& options,
+                         const Progress& progress)
 {
-    Unfolded out{lattice, false, {}, {}, {}};
+    UnfoldedLattice out{lattice, false, {}, {}, {}};
     const CellVerdicts before = judge(lattice, options.guard);
     out.certified = before.good();
     if (out.certified || !(before.typical > 0)) return out;
@@ -133,9 +134,10 @@ Unfolded unfolded(const Lattice& lattice, const RepairOptions& options, const Pr
     const double most_ways = static_cast<double>(ways.size()) + 2;
     double tried = 0;
     const auto attempt = [&](RepairWay way, bool ground_yields) {
-        Attempted next = attempted({way, ground_yields}, site, lattice, before,
-                                   out.certified ? out.taken.moved_rms : 1e300,
-                                   between(progress, tried / most_ways, (tried + 1) / most_ways));
+        AttemptMoves next =
+            attempted({way, ground_yields}, site, lattice, before,
+                      out.certified ? out.taken.moved_rms : 1e300,
+                      part_of(progress, tried / most_ways, (tried + 1) / most_ways));
         ++tried;
         out.tried.push_back(next.attempt);
         if (!next.attempt.certified ||

@@ -7,11 +7,11 @@ namespace trivar {
 
 struct RepairOptions {
     GuardOptions guard = {};
-    // The layer of control points that lies on what the volume stands on, and the axis across it.
-    // Columns rise from it; it stays unless nothing else helps.
+    // The axis along which columns of control points rise, and the layer on which the volume
+    // stands. That layer stays unless nothing else helps.
     int column_axis = 2;
     int ground_layer = 0;
-    int passes = 150; // of one way, at most
+    int passes = 150; // largest number of passes of one way
 };
 
 } // namespace trivar

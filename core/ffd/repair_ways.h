@@ -5,7 +5,8 @@
 
 namespace trivar {
 
-// What the ways of a repair share: which control points reach a cell, and which may not move.
+// A RepairSite holds what the ways of a repair share: which control points reach a cell, and which
+// must stay.
 class RepairSite {
 public:
     RepairSite(const Lattice& lattice, const RepairOptions& options);
@@ -14,7 +15,8 @@ public:
     const RepairOptions& options() const { return options_; }
     bool held(std::size_t point, bool ground_yields) const;
     glm::ivec3 index(std::size_t point) const;
-    double tallest() const { return tallest_; } // column of the lattice as given, world
+    // height of the tallest column of the given lattice, world
+    double tallest() const { return tallest_; }
 
     // The stored points of a cell's basis functions, w fastest.
     std::vector<std::size_t> points_of(const Trivariate<glm::dvec3>& f, int cell) const;
@@ -32,10 +34,11 @@ private:
 
 std::vector<int> doubtful_cells(const CellVerdicts& verdicts);
 
-// One pass of each way: moves that make the cells which are not good better. None: it gives up.
+// These functions do one pass of each way: moves that improve the cells which are not good. Empty:
+// the way gives up.
 std::vector<PointMove> smoothed_directions(const RepairSite& site, const Lattice& lattice,
                                            const CellVerdicts& verdicts);
-// Under a cap that falls with every pass.
+// Columns are kept under a cap that falls with every pass.
 std::vector<PointMove> lowered_heights(const RepairSite& site, const Lattice& lattice,
                                        const CellVerdicts& verdicts, int pass);
 // The gap between layers doubles with every pass.
@@ -43,10 +46,10 @@ std::vector<PointMove> monotone_columns(const RepairSite& site, const Lattice& l
                                         const CellVerdicts& verdicts, int pass);
 std::vector<PointMove> evened(const RepairSite& site, const Lattice& lattice,
                               const CellVerdicts& verdicts, bool ground_yields);
-// In the given cells, which are or once were not good, det J is brought up to a little more than
-// zero at samples, by the least squares of moves for each: its gradient for control point a is
-// cof(J) grad N_a. Cells that were mended before stay among them, so that mending their neighbours
-// does not undo it.
+// Raises det J at samples of the given cells, which are or once were not good, to slightly above
+// zero. Each sample is met by the least-squares moves along its gradient, which for control point a
+// is cof(J) grad N_a. Cells that were mended before stay among them, so that mending their
+// neighbours does not undo them.
 std::vector<PointMove> relaxed(const RepairSite& site, const Lattice& lattice,
                                const CellVerdicts& verdicts, std::span<const int> cells, int pass,
                                bool ground_yields);

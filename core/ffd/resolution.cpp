@@ -201,7 +201,7 @@ AxisKnots knots_for_sphere(const Lattice& lattice, const glm::dvec3& center_worl
     return with_images(lattice, std::move(out));
 }
 
-Coarsened coarsened(const Lattice& lattice, int axis, int count)
+CoarserLattice coarsened(const Lattice& lattice, int axis, int count)
 {
     const Trivariate<glm::dvec3>& f = lattice.displacement;
     const Knots& from = f.axes[at(axis)];
@@ -219,7 +219,7 @@ Coarsened coarsened(const Lattice& lattice, int axis, int count)
     const std::size_t inner = points_inside(f.axes, axis);
     const std::vector<glm::dvec3> values = applied(sampling_map(from, parameters), extent(from),
                                                    std::span<const glm::dvec3>(f.points), inner);
-    Coarsened out{lattice, 0};
+    CoarserLattice out{lattice, 0};
     out.lattice.displacement.points = applied(least_squares_map(to, parameters, options),
                                               {static_cast<int>(parameters.size()), to.closure()},
                                               std::span<const glm::dvec3>(values), inner);

@@ -8,19 +8,19 @@
 
 namespace trivar {
 
-// The vertices of a mesh in the order in which their deformation is computed. The mesh is taken in
-// chunks of consecutive vertices, so that the results of one stay in a processor's cache while they
-// are put back in the order of the mesh; inside a chunk vertices are sorted by cell, so that a
-// whole SIMD register shares one polynomial.
+// SortedVertices holds the vertices of a mesh in the order in which their deformation is computed.
+// The mesh is divided into chunks of consecutive vertices, so that the results of a chunk stay in a
+// processor's cache while they are put back in the order of the mesh. Inside of a chunk vertices
+// are sorted by cell, so that a whole SIMD register shares one polynomial.
 struct SortedVertices {
-    // A cell as its places on the three axes. Bit a of `mirrored`: axis a runs backwards, for the
-    // vertex lies an odd number of turns round a twisted axis.
+    // A CellKey is a cell by its places on the three axes. Bit a of `mirrored` says that axis a
+    // runs backwards, because the vertex lies an odd number of turns round a twisted axis.
     struct CellKey {
         std::array<std::uint32_t, 3> cell{};
         std::uint32_t mirrored = 0;
         auto operator<=>(const CellKey&) const = default;
     };
-    struct Run { // of sorted vertices in one cell
+    struct Run { // a range of sorted vertices in one cell
         std::uint32_t begin, end;
         std::uint32_t cell; // in `cells`
     };
@@ -29,18 +29,18 @@ struct SortedVertices {
     std::vector<Run> runs;
     std::vector<std::uint32_t> chunk_begin; // #chunks + 1, to runs
 
-    std::vector<std::uint32_t> place; // #V, where in the order a vertex is
+    std::vector<std::uint32_t> place; // #V, the place of each vertex in the order
 
-    // By place in the order; `slack` unused elements follow, so that a register may be loaded
-    // from any of them.
+    // These arrays are by place in the order. `slack` unused elements follow, so that a register
+    // may be loaded from any place.
     static constexpr std::size_t slack = 64;
     std::array<std::vector<float>, 3> t;               // in the cell, -1/2..1/2
     std::array<std::vector<float>, 3> rest;            // to_rest(p)
     std::array<std::vector<float>, 3> normal, tangent; // the mesh's, or empty
 };
 
-// O(#V + #cells of an axis) a chunk. Any vertex may lie anywhere; what is not a number yields what
-// is not a number.
+// O(#V + #cells of an axis) per chunk. Any vertex may lie anywhere; a position that is not a number
+// gives results that are not numbers.
 SortedVertices sort_by_cell(const Mesh& mesh, const Embedding& embedding,
                             const std::array<Knots, 3>& axes,
                             const std::array<AxisCells, 3>& cells);

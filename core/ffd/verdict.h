@@ -5,11 +5,12 @@
 
 namespace trivar {
 
-// Of det J having one sign everywhere in a part of a lattice. Excepted: declared not to be judged.
+// A Verdict says whether det J has one sign everywhere in a part of a lattice. Excepted: declared
+// not to be judged.
 enum class Verdict { proven_good, proven_bad, unknown, excepted };
 
-// What the coefficients alone say of a cell where det J should have the sign of `sign`: all of them
-// bound it, those of the corners are values.
+// The verdict on a cell from the coefficients alone, where det J should have the sign `sign`: all
+// coefficients bound it, and those of the corners are values.
 Verdict verdict_at_once(const CellDeterminant& det, int sign);
 
 struct DoubtfulPart {
@@ -17,14 +18,14 @@ struct DoubtfulPart {
     Verdict verdict;   // proven_bad or unknown
 };
 
-// How far a cell is halved where its coefficients leave both signs possible.
+// A Halving says how far a cell is halved while its coefficients leave both signs possible.
 struct Halving {
-    int depth = 4;          // times along every axis
-    int boxes = 512;        // looked at in a cell
+    int depth = 4;          // largest number of times along every axis
+    int boxes = 512;        // largest number of boxes looked at per cell
     bool until_bad = false; // stop at the first part that is proven bad
 };
 
-// The parts of a cell that are not proven good; none: the cell is. Worst first.
+// The parts of a cell that are not proven good, the worst first; empty: the cell is good.
 std::vector<DoubtfulPart> doubtful_parts(const CellGrid::Place& cell, const CellDeterminant& det,
                                          int sign, const Halving& halving);
 

@@ -7,8 +7,8 @@
 
 namespace trivar {
 
-// The mesh with a texture coordinate for each corner (#C) as its only set. A vertex whose corners
-// have several becomes as many vertices, one behind the other; `points` is left empty.
+// The mesh with one texture coordinate per corner (#C) as its only set. A vertex whose corners have
+// several becomes as many consecutive vertices; `points` is left empty.
 Mesh with_corner_uvs(const Mesh& mesh, const std::vector<glm::vec2>& uvs);
 
 } // namespace trivar

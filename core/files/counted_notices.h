@@ -7,15 +7,15 @@
 
 namespace trivar {
 
-// What a reader left out or took otherwise than the file has it: each kind is said once, with how
-// often it was met, in the order in which the kinds were met first.
+// CountedNotices says what a reader left out or changed: each kind once, with the number of times,
+// in the order in which the kinds were first met.
 class CountedNotices {
 public:
-    // The sentence for once and that for more often, in which {0} is the number and {1} what the
-    // kind was first met at. Both are literals, which tell the kinds apart.
+    // The sentences for one time and for several, in which {0} is the number and {1} the first
+    // place. Both are literals, which tell the kinds apart.
     void add(const char* once, const char* often, std::size_t times = 1,
              std::string_view first = {});
-    // A sentence that is there once.
+    // Adds a sentence once.
     void say(std::string sentence);
     std::vector<std::string> sentences(const std::string& file_name) const;
 

@@ -10,14 +10,14 @@
 
 namespace trivar {
 
-// A number and what it counts: "1 face", "3 faces".
+// A number with the thing that it counts: "1 face", "3 faces".
 std::string counted(std::size_t count, const char* one, const char* several);
 
-// Words of a file, cut to a length that a sentence can hold.
+// Words of a file, cut to a length that fits a sentence.
 std::string shown(std::string_view words);
 
-// The first of many names, and their number: "a.png", "a.png and b.png", "a.png, b.png, c.png and
-// 17 more".
+// A NameList is the first of many names, and their number: "a.png", "a.png and b.png", "a.png,
+// b.png, c.png and 17 more".
 class NameList {
 public:
     void add(std::string_view name);
@@ -33,8 +33,8 @@ private:
 // 'abc', which is no number from -3.4e38 to 3.4e38".
 std::string not_a_number(TextScan scan);
 
-// For a number of faces, the first of them at `first`, that name vertices which are not there: that
-// they were left out, or, where no other is left, why there is no mesh.
+// The sentence for faces that name missing vertices, `count` of them, the first at `first`: that
+// they were left out, or, where no other face is left, why there is no mesh.
 std::string faces_left_out(std::size_t count, const std::string& first, std::size_t vertices);
 std::string no_whole_face(const std::string& first, std::size_t vertices);
 

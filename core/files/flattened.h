@@ -5,8 +5,8 @@
 
 namespace trivar {
 
-// Every mesh of the model at its place, as one mesh. An attribute that some lack gets what changes
-// nothing: smooth normals, white, texture coordinate 0.
+// All meshes of the model at their places, as one mesh. Where some of them lack an attribute, they
+// get a neutral one: smooth normals, white, texture coordinate 0.
 Mesh flattened(const Model& model);
 
 } // namespace trivar

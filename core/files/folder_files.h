@@ -10,20 +10,20 @@
 
 namespace trivar {
 
-// A file that another one names.
+// A NamedFile is a file that another file names.
 struct NamedFile {
     std::string path;           // to open it by
-    std::string name;           // as it lies in the folder, with '/' between the folders on the way
-    bool in_other_case = false; // it was written with other capitals
+    std::string name;           // its path in the folder, with '/'
+    bool in_other_case = false; // it was written with different capitals
     auto operator<=>(const NamedFile&) const = default;
 };
 
-// Finds the files that a model names, all of them in the model's folder or further in. A name may
-// come from a system that writes '\' for '/', from the web, where a blank is '%20', or from a
-// system that does not tell capitals apart: it is looked for as it is written, then decoded, then
-// in other capitals, where one file alone is called so. Absolute names, schemes, `..` and links
-// that lead out of the folder find nothing, and an empty folder's name finds nothing at all. After
-// ten thousand names in vain it looks for no more: a file made of names would take for ever.
+// FolderFiles finds the files that a model names, all of them in the model's folder or further in.
+// A name may come from a system that writes '\' for '/', from the web, where a blank is '%20', or
+// from a system that does not distinguish capitals: it is looked for as it is written, then
+// decoded, then in other capitals, if exactly one file matches. Absolute names, schemes, `..` and
+// links that lead out of the folder find nothing, and an empty folder's name finds nothing at all.
+// After ten thousand failures it stops looking, because a file made of names would take for ever.
 class FolderFiles {
 public:
     explicit FolderFiles(const std::string& folder);
@@ -31,7 +31,7 @@ public:
     std::optional<NamedFile> find(std::string_view name);
 
 private:
-    // By their names in small letters; empty where several are called so.
+    // The names by their form in small letters; empty where several names have that form.
     using Names = std::map<std::string, std::string>;
     std::optional<NamedFile> at(const std::string& relative) const;
     std::optional<NamedFile> in_other_case(const std::string& relative);

@@ -9,16 +9,16 @@
 
 namespace trivar {
 
-// What every reader gets: the whole file, and how to name it to the user.
+// A FileText is what every reader gets: the whole file, and its name for the user.
 struct FileText {
     std::string_view bytes;
     std::string name;
-    std::string folder; // where other files may be read from; empty: nowhere
+    std::string folder; // the folder from which other files may be read; empty: none
 };
 
-// One reader a format. Each gives positions, faces and attributes as the file has them, in the
-// file's units and axes, every index checked; repairs and missing normals come after.
-// A face has at most this many corners: cutting concave ones is quadratic.
+// There is one reader per format. Each gives positions, faces and attributes as the file has them,
+// in the file's units and axes, with every index checked; repairs and missing normals come later. A
+// face has at most this many corners: cutting concave ones is quadratic.
 inline constexpr std::size_t max_face_corners = 8192;
 
 Model read_obj(const FileText& file, const Progress& progress);
@@ -27,15 +27,15 @@ Model read_stl(const FileText& file, const Progress& progress);
 Model read_off(const FileText& file, const Progress& progress);
 Model read_gltf(const FileText& file, bool binary, const Progress& progress);
 
-// The materials of a Wavefront material library, in the order of the file, with a sentence for
-// everything that could not be taken over.
+// An Mtl holds the materials of a Wavefront material library, in the order of the file, with a
+// sentence for everything that could not be taken over.
 struct Mtl {
     std::vector<Material> materials;
     std::vector<std::string> notices;
 };
 Mtl read_mtl(const FileText& file);
 
-// The bytes of one file of each format.
+// These functions give the bytes of one file of each format.
 std::string write_glb(const Model& model);
 struct ObjFiles {
     std::string obj, mtl, mtl_name; // the last one: of the file that the OBJ names

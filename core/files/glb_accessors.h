@@ -11,11 +11,12 @@ namespace trivar {
 
 using GlbEntries = nlohmann::ordered_json;
 
-// The double whose shortest text is the float's: 0.1, not 0.10000000149011612. Throws Rejected
-// where it is not finite.
+// The double whose shortest text is that of the float: 0.1, not 0.10000000149011612. Throws
+// Rejected where it is not finite.
 double plain(float value);
 
-// A GLB file while it is written: its JSON, and its numbers with the accessors that name them.
+// GlbAccessors is a GLB file while it is written: its JSON, and its numbers with the accessors that
+// name them.
 struct GlbAccessors {
     enum : int {
         array_buffer = 34962,
@@ -41,13 +42,13 @@ struct GlbAccessors {
         json["accessors"].push_back(std::move(accessor));
         return static_cast<int>(json["accessors"].size()) - 1;
     }
-    // The least and the greatest of the values, for the accessor that was added last.
+    // Sets the least and the greatest value of the accessor that was added last.
     void set_range(const std::vector<glm::vec3>& values);
-    // The attributes of all vertices but what a pose moves them by.
+    // The attributes of all vertices except joints, weights and targets.
     GlbEntries attributes(const Mesh& mesh);
 };
 
-// The primitives of curves: one a line, and one for several lines of two points in a row.
+// The primitives of curves: one per line, but one for several consecutive lines of two points.
 GlbEntries curve_primitives(GlbAccessors& to, const Curves& curves, std::size_t materials);
 
 } // namespace trivar

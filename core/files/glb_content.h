@@ -7,8 +7,8 @@
 
 namespace trivar {
 
-// What stands in a GLB file number for number, without the repairs of a reader: for checking what
-// Trivar wrote itself.
+// GlbContent is the content of a GLB file number for number, without the repairs of a reader: for
+// checking what Trivar wrote itself.
 struct GlbContent {
     std::string extras; // JSON; empty: none
     struct Node {
@@ -21,11 +21,11 @@ struct GlbContent {
     std::vector<Node> nodes;
 };
 
-// Lines are left out. Triangles must be indexed by 32 bits and all primitives of a mesh stand on
-// the same vertices, as Trivar writes them. Throws Rejected where the file is no such GLB, its JSON
-// is nested too deep or its nodes together want more than 16 times its bytes.
+// Lines are left out. Triangles must have 32-bit indices, and all primitives of a mesh must use the
+// same vertices, as Trivar writes them. Throws Rejected where the file is no such GLB, its JSON is
+// nested too deep, or its nodes together want more than 16 times its bytes.
 GlbContent glb_content_of(const std::string& bytes, const std::string& name);
-// The extras alone, whatever else stands in the file; empty: none.
+// The extras alone; the rest of the file is not checked. Empty: none.
 std::string glb_extras(const std::string& bytes, const std::string& name);
 
 } // namespace trivar

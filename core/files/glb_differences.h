@@ -6,15 +6,14 @@
 
 namespace trivar {
 
-// Numbers may differ by this share of the one expected, and by this much where it is below 1: what
-// another compiler's last bits come to.
+// The relative tolerance of numbers, and the absolute one below 1: the size of another compiler's
+// rounding.
 inline constexpr double glb_number_tolerance = 1e-6;
 
-// What a viewer may show otherwise of a GLB file than of the one that was expected, which
-// write_glb() made: a sentence each, at most a handful; none: nothing. Everything counts, whether
-// a viewer has to heed it or not, but the file's `extras`: nodes, meshes and their data number by
-// number, materials, images, and whatever Trivar does not write (animations, skins, morph targets,
-// sparse values ...). Throws Rejected where the file is no GLB.
+// The visible differences of a GLB file from the expected one, which write_glb() made: a sentence
+// each, at most a handful; empty: none. Everything counts except the file's `extras`: nodes, meshes
+// and their data number by number, materials, images, and all features that Trivar does not write
+// (animations, skins, morph targets, sparse values ...). Throws Rejected where the file is no GLB.
 std::vector<std::string> glb_differences(const std::string& found, const std::string& expected);
 
 } // namespace trivar

@@ -150,7 +150,7 @@ private:
                 {{"input", times},
                  {"output",
                   shared_accessor(channel.values, types[of], weights ? 1 : channel.components)},
-                 {"interpolation", ways[static_cast<std::size_t>(channel.between)]}});
+                 {"interpolation", ways[static_cast<std::size_t>(channel.interpolation)]}});
         }
         if (channels.empty()) return;
         Json written;
@@ -204,7 +204,7 @@ private:
         into["matrix"] = std::move(values);
     }
 
-    static void put_parts(Json& into, const Placed& p)
+    static void put_parts(Json& into, const NodeTransform& p)
     {
         into["translation"] = {p.translation.x, p.translation.y, p.translation.z};
         into["rotation"] = {p.rotation.x, p.rotation.y, p.rotation.z, p.rotation.w};

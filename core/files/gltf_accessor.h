@@ -7,23 +7,24 @@
 
 namespace trivar {
 
-// Reads accessors of a glTF file whose numbers nobody has checked: every offset, stride, count and
-// index is held against the bytes that are there. An accessor is named by an entry and what it
-// calls it, such as an attribute; what is wrong is said with both. Throws Rejected.
+// GltfAccessors reads accessors of a glTF file whose numbers nobody has checked: every offset,
+// stride, count and index is compared with the bytes that exist. An accessor is named by an entry
+// and the entry's name for it, such as an attribute; messages contain both. Throws Rejected.
 class GltfAccessors {
 public:
     explicit GltfAccessors(GltfFile& file) : file_(file) {}
     GltfFile& file() const { return file_; }
 
-    // count x components numbers, normalised integers as fractions, sparse values in place, and 0
-    // where the file gives none. What is no finite number is 0, too, and counted.
+    // A Table is count x components numbers, normalised integers as fractions, with sparse values
+    // in place, and 0 where the file gives none. A number that is not finite becomes 0 and is
+    // counted.
     struct Table {
         std::size_t count = 0, components = 0;
         std::vector<float> values = {};
         std::size_t not_finite = 0;
     };
     Table floats(const GltfEntry& owner, const char* name);
-    // How many elements of 0 there are where an accessor lies in no buffer; nothing where it does.
+    // The number of zero elements of an accessor without a buffer; empty where it has one.
     std::optional<std::size_t> zeros(const GltfEntry& owner, const char* name) const;
     // Vertex indices, each below `limit`.
     std::vector<std::uint32_t> indices(const GltfEntry& owner, const char* name, std::size_t limit);

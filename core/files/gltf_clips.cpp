@@ -16,7 +16,7 @@ namespace {
 std::size_t turnless_keys(const Channel& channel)
 {
     if (channel.of != Channel::Of::rotation) return 0;
-    const bool cubic = channel.between == Channel::Between::cubic;
+    const bool cubic = channel.interpolation == Channel::Interpolation::cubic;
     std::size_t out = 0;
     for (std::size_t at = cubic ? 4 : 0; at + 4 <= channel.values.size(); at += cubic ? 12 : 4) {
         double squares = 0;
@@ -42,9 +42,8 @@ std::string free_name(std::string name, std::size_t number, std::map<std::string
 
 bool in_reach(const std::vector<float>& values)
 {
-    return std::ranges::all_of(values, [](float value) {
-        return std::abs(value) <= static_cast<float>(most_coordinate);
-    });
+    return std::ranges::all_of(
+        values, [](float value) { return std::abs(value) <= static_cast<float>(most_coordinate); });
 }
 
 class ClipReader {
@@ -132,12 +131,12 @@ private:
         return out.components > 0;
     }
 
-    void set_way(Channel& out, std::string_view between)
+    void set_way(Channel& out, std::string_view way)
     {
-        out.between = between == "STEP"          ? Channel::Between::step
-                      : between == "CUBICSPLINE" ? Channel::Between::cubic
-                                                 : Channel::Between::linear;
-        if (out.between == Channel::Between::linear && !between.empty() && between != "LINEAR")
+        out.interpolation = way == "STEP"          ? Channel::Interpolation::step
+                            : way == "CUBICSPLINE" ? Channel::Interpolation::cubic
+                                                   : Channel::Interpolation::linear;
+        if (out.interpolation == Channel::Interpolation::linear && !way.empty() && way != "LINEAR")
             notices_.add("one track of its animations goes between its keys in a way that is "
                          "unknown, and was made to go straight",
                          "{0} tracks of its animations go between their keys in a way that is "
@@ -162,7 +161,7 @@ private:
                          "{0} tracks of its animations have no ascending times and were left out");
             return false;
         }
-        const std::size_t each = out.between == Channel::Between::cubic ? 3 : 1;
+        const std::size_t each = out.interpolation == Channel::Interpolation::cubic ? 3 : 1;
         if (values.values.size() != times.count * each * out.components) {
             notices_.add("one track of its animations has more or fewer values than times and was "
                          "left out",

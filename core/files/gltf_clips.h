@@ -6,8 +6,9 @@
 
 namespace trivar {
 
-// The animations of a glTF file, to a model that has its nodes and meshes; `node_of`: where each of
-// the file's nodes is in it, or -1. A track that cannot be played is left out with a notice.
+// Adds the animations of a glTF file to a model that has its nodes and meshes. `node_of` gives for
+// each of the file's nodes its number in the model, or -1. A track that cannot be played is left
+// out with a notice.
 void add_gltf_clips(Model& model, GltfAccessors& accessors, const std::vector<int>& node_of,
                     CountedNotices& notices);
 

@@ -11,17 +11,17 @@
 
 namespace trivar {
 
-// A JSON object of a glTF file together with the words for where it stands, such as "animation 2,
-// channel 0". What is asked of it has the type that was asked for, or Rejected is thrown with the
-// file, the place, what stands there and what should. A null counts as nothing. An entry lives no
-// longer than the JSON and the entry that it was asked of.
+// A GltfEntry is a JSON object of a glTF file together with words for its place, such as "animation
+// 2, channel 0". Every request has the requested type, or Rejected is thrown with the file, the
+// place, what stands there and what should. A null counts as missing. An entry must not outlive the
+// JSON and the entry that gave it.
 class GltfEntry {
 public:
     // The outermost object of a file.
     GltfEntry(const nlohmann::json& root, const std::string& file_name);
 
     bool has(const char* name) const;
-    // What stands under a name; where there is nothing, what is said here.
+    // The value of a name; where there is none, the value in the comment.
     std::string_view text(const char* name) const; // empty; lives as long as the JSON
     bool flag(const char* name) const;             // false
     double number(const char* name, double otherwise) const;
@@ -32,22 +32,23 @@ public:
     std::vector<double> numbers(const char* name) const;
     std::vector<double> numbers(const char* name, std::size_t count) const; // or none
     std::optional<GltfEntry> part(const char* name) const;
-    // What must stand there.
+    // Values that must exist.
     std::string_view needed_text(const char* name) const;
     std::size_t needed_size(const char* name) const;
     std::size_t needed_index(const char* name) const;
     GltfEntry needed_part(const char* name) const;
 
-    // A list of objects; `called` is what one of them is, with its number from 0.
+    // A list of objects; `called` is the word for one of them, with its number from 0.
     std::size_t count(const char* list) const;
     GltfEntry item(const char* list, const char* called, std::size_t number) const;
-    // This one as another names it, which is a better place than the list that it is in.
+    // The same entry under the words by which another entry names it, which say more than a place
+    // in a list.
     GltfEntry as_named_by(const GltfEntry& owner, const char* name) const;
     void each(const char* list, const char* called,
               const std::function<void(const GltfEntry&)>& use) const;
-    std::vector<std::string> names() const; // of all that stands in it
+    std::vector<std::string> names() const; // of all values in it
 
-    // "FILE: PLACE: WHAT" as Rejected.
+    // Throws Rejected as "FILE: PLACE: WHAT".
     [[noreturn]] void fail(const std::string& what) const;
     std::string place() const; // empty: the whole file
 

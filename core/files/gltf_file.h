@@ -11,12 +11,12 @@
 
 namespace trivar {
 
-// A glTF file that was opened: its JSON, of which nothing is believed beyond its version, and its
+// A GltfFile is an opened glTF file: its JSON, of which only the version has been checked, and its
 // buffers. Other files are read from inside its folder only.
 class GltfFile {
 public:
     // Throws Rejected where the container or the JSON cannot be read, or where the file needs an
-    // extension that is not supported; optional ones are a notice. The text must outlive this.
+    // unsupported extension; optional ones become a notice. The text must outlive the GltfFile.
     GltfFile(const FileText& file, bool binary, CountedNotices& notices);
     ~GltfFile();
     GltfFile(const GltfFile&) = delete;
@@ -24,23 +24,23 @@ public:
 
     const std::string& name() const { return file_.name; }
     const GltfEntry& root() const { return *root_; }
-    // Of the file and of those that its buffers are in: what memory may be taken in proportion to.
+    // The size of the file and of its buffers' files: memory may be used in proportion to it.
     std::size_t byte_count() const { return byte_count_; }
 
-    // What an entry names by its number in one of the file's lists; `called` is what one of them
-    // is. Throws Rejected where it is not there.
+    // The entry that another entry names by its number in one of the file's lists; `called` is the
+    // word for one of them. Throws Rejected where it does not exist.
     GltfEntry named(const GltfEntry& owner, const char* name, const char* list,
                     const char* called) const;
-    // The bytes of the buffer view that an entry names. Throws Rejected where they are not there;
-    // a buffer that cannot be had says so only here, since perhaps nothing needs it.
+    // The bytes of the buffer view that an entry names. Throws Rejected where they do not exist; a
+    // buffer that cannot be read is reported only here, because perhaps nothing needs it.
     std::string_view view(const GltfEntry& owner, const char* name) const;
 
-    // The bytes that a uri holds or names; nothing where there is no such file in the folder.
+    // The bytes that a uri holds or names; empty where there is no such file in the folder.
     std::optional<std::string> uri_bytes(std::string_view uri) const;
 
-    // Much may be made of few bytes, of one accessor a thousand times over. What is made stays in
-    // proportion to the file, so that a small one cannot fill the memory. Throws Rejected where
-    // the things that an entry stands for go beyond that; `called` is what they are.
+    // Counts what is made of the file, so that it stays in proportion to the file and a small file
+    // cannot fill the memory, for example with one accessor used a thousand times. Throws Rejected
+    // where the things of an entry exceed that; `called` is the word for them.
     void account(const GltfEntry& owner, std::size_t count, const char* called,
                  std::size_t bytes_each);
 

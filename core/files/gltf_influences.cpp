@@ -40,7 +40,7 @@ bool is_off_one(const Shares& all)
 
 } // namespace
 
-void GltfMeshes::add_influences(Mesh& mesh, const GltfEntry& attributes, Added added)
+void GltfMeshes::add_influences(Mesh& mesh, const GltfEntry& attributes, VertexRange added)
 {
     std::vector<GltfAccessors::Table> joints, weights;
     std::size_t halves = 0, no_numbers = 0, loose = 0, crowded = 0, unsummed = 0, negative = 0;

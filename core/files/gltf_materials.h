@@ -6,8 +6,8 @@
 
 namespace trivar {
 
-// The file's materials with their pictures decoded. References to what is not there, and pictures
-// that cannot be read, are notices and no textures.
+// The file's materials with decoded pictures. References to missing things, and unreadable
+// pictures, become notices and no textures.
 std::vector<Material> gltf_materials(GltfFile& file, CountedNotices& notices);
 
 } // namespace trivar

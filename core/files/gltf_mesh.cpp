@@ -65,7 +65,7 @@ GltfMeshes::GltfMeshes(GltfAccessors& accessors, CountedNotices& notices)
 
 GltfMeshes::Shapes GltfMeshes::read(const GltfEntry& from)
 {
-    std::map<Sources, Added> read_before, points_before;
+    std::map<Sources, VertexRange> read_before, points_before;
     Mesh mesh, points;
     FileLines lines(most_curve_points - line_points_);
     from.each("primitives", "primitive", [&](const GltfEntry& primitive) {
@@ -118,7 +118,7 @@ GltfAccessors::Table GltfMeshes::table(const GltfEntry& owner, const char* name,
 // nothing.
 template <class T>
 void GltfMeshes::append(std::vector<T>& values, const GltfEntry& owner, const char* name,
-                        Added added, T neutral, std::size_t least_components)
+                        VertexRange added, T neutral, std::size_t least_components)
 {
     const bool there = owner.has(name);
     if (!there && values.empty()) return;
@@ -134,14 +134,14 @@ void GltfMeshes::append(std::vector<T>& values, const GltfEntry& owner, const ch
                  read.not_finite);
 }
 
-GltfMeshes::Added GltfMeshes::add_vertices(Mesh& mesh, const GltfEntry& primitive)
+GltfMeshes::VertexRange GltfMeshes::add_vertices(Mesh& mesh, const GltfEntry& primitive)
 {
     const GltfEntry attributes = primitive.needed_part("attributes");
     const GltfAccessors::Table positions = accessors_.floats(attributes, "POSITION");
     if (positions.not_finite > 0)
         attributes.fail(fmt::format("'POSITION' has numbers that are infinite or none, {} in all",
                                     positions.not_finite));
-    const Added added{mesh.vertex_count(), positions.count};
+    const VertexRange added{mesh.vertex_count(), positions.count};
     if (added.end() > 0xfffffff0u)
         primitive.fail("with it, the mesh has more vertices than can be counted");
     accessors_.file().account(primitive, added.count, "vertices", vertex_bytes);
@@ -155,7 +155,7 @@ GltfMeshes::Added GltfMeshes::add_vertices(Mesh& mesh, const GltfEntry& primitiv
     return added;
 }
 
-void GltfMeshes::add_uvs(Mesh& mesh, const GltfEntry& attributes, Added added)
+void GltfMeshes::add_uvs(Mesh& mesh, const GltfEntry& attributes, VertexRange added)
 {
     std::size_t set = 0;
     for (; set < max_uv_sets; ++set) {
@@ -175,7 +175,7 @@ void GltfMeshes::add_uvs(Mesh& mesh, const GltfEntry& attributes, Added added)
                      "can be read, which were left out");
 }
 
-void GltfMeshes::add_targets(Mesh& mesh, const GltfEntry& primitive, Added added)
+void GltfMeshes::add_targets(Mesh& mesh, const GltfEntry& primitive, VertexRange added)
 {
     const std::size_t count = primitive.count("targets");
     if (count > max_targets)
@@ -203,14 +203,14 @@ void GltfMeshes::add_targets(Mesh& mesh, const GltfEntry& primitive, Added added
     }
 }
 
-GltfMeshes::Added GltfMeshes::add_line_points(Mesh& points, const GltfEntry& primitive)
+GltfMeshes::VertexRange GltfMeshes::add_line_points(Mesh& points, const GltfEntry& primitive)
 {
     const GltfEntry attributes = primitive.needed_part("attributes");
     const GltfAccessors::Table positions = accessors_.floats(attributes, "POSITION");
     if (positions.not_finite > 0)
         attributes.fail(fmt::format("'POSITION' has numbers that are infinite or none, {} in all",
                                     positions.not_finite));
-    const Added added{points.vertex_count(), positions.count};
+    const VertexRange added{points.vertex_count(), positions.count};
     accessors_.file().account(primitive, added.count, "points", vertex_bytes);
     append(points.positions, attributes, "POSITION", added, glm::vec3(0));
     append(points.colors, attributes, "COLOR_0", added, glm::vec4(1), 3);
@@ -223,7 +223,7 @@ GltfMeshes::Added GltfMeshes::add_line_points(Mesh& points, const GltfEntry& pri
 }
 
 void GltfMeshes::add_lines(FileLines& lines, const GltfEntry& primitive, std::size_t mode,
-                           Added points)
+                           VertexRange points)
 {
     std::vector<std::uint32_t> order = order_of(primitive, points);
     accessors_.file().account(primitive, order.size(), "points", line_point_bytes);
@@ -242,7 +242,7 @@ void GltfMeshes::add_lines(FileLines& lines, const GltfEntry& primitive, std::si
     }
 }
 
-std::vector<std::uint32_t> GltfMeshes::order_of(const GltfEntry& primitive, Added vertices)
+std::vector<std::uint32_t> GltfMeshes::order_of(const GltfEntry& primitive, VertexRange vertices)
 {
     if (primitive.index("indices") >= 0)
         return accessors_.indices(primitive, "indices", vertices.count);
@@ -251,7 +251,8 @@ std::vector<std::uint32_t> GltfMeshes::order_of(const GltfEntry& primitive, Adde
     return order;
 }
 
-void GltfMeshes::add_faces(Mesh& mesh, const GltfEntry& primitive, std::size_t mode, Added vertices)
+void GltfMeshes::add_faces(Mesh& mesh, const GltfEntry& primitive, std::size_t mode,
+                           VertexRange vertices)
 {
     const std::vector<std::uint32_t> order = order_of(primitive, vertices);
     const bool listed = mode == triangle_list;

@@ -6,8 +6,8 @@
 
 namespace trivar {
 
-// The meshes of a glTF file: faces, attributes, influences, morph targets, and lines. Throws
-// Rejected; what can be left out is a notice.
+// GltfMeshes reads the meshes of a glTF file: faces, attributes, influences, morph targets, and
+// lines. Throws Rejected; parts that can be left out become notices.
 class GltfMeshes {
 public:
     GltfMeshes(GltfAccessors& accessors, CountedNotices& notices);
@@ -16,26 +16,29 @@ public:
         Curves curves;
     };
     Shapes read(const GltfEntry& mesh);
-    // Whether a face was given the material after the last one of the file, for it names none.
+    // Whether a face got the material that follows the file's last one, because it names no
+    // material.
     bool uses_plain_material() const { return plain_used_; }
 
 private:
-    // The vertices of a primitive, which are the last ones of the mesh while it is read.
-    struct Added {
+    // A VertexRange is the vertices of a primitive, which are the last ones of the mesh while it is
+    // read.
+    struct VertexRange {
         std::size_t first, count;
         std::size_t end() const { return first + count; }
     };
-    Added add_vertices(Mesh& mesh, const GltfEntry& primitive);
-    void add_uvs(Mesh& mesh, const GltfEntry& attributes, Added added);
-    void add_influences(Mesh& mesh, const GltfEntry& attributes, Added added);
-    void add_targets(Mesh& mesh, const GltfEntry& primitive, Added added);
-    Added add_line_points(Mesh& points, const GltfEntry& primitive);
-    void add_lines(FileLines& lines, const GltfEntry& primitive, std::size_t mode, Added points);
-    std::vector<std::uint32_t> order_of(const GltfEntry& primitive, Added vertices);
-    void add_faces(Mesh& mesh, const GltfEntry& primitive, std::size_t mode, Added vertices);
+    VertexRange add_vertices(Mesh& mesh, const GltfEntry& primitive);
+    void add_uvs(Mesh& mesh, const GltfEntry& attributes, VertexRange added);
+    void add_influences(Mesh& mesh, const GltfEntry& attributes, VertexRange added);
+    void add_targets(Mesh& mesh, const GltfEntry& primitive, VertexRange added);
+    VertexRange add_line_points(Mesh& points, const GltfEntry& primitive);
+    void add_lines(FileLines& lines, const GltfEntry& primitive, std::size_t mode,
+                   VertexRange points);
+    std::vector<std::uint32_t> order_of(const GltfEntry& primitive, VertexRange vertices);
+    void add_faces(Mesh& mesh, const GltfEntry& primitive, std::size_t mode, VertexRange vertices);
     std::uint32_t material_of(const GltfEntry& primitive);
     template <class T>
-    void append(std::vector<T>& values, const GltfEntry& owner, const char* name, Added added,
+    void append(std::vector<T>& values, const GltfEntry& owner, const char* name, VertexRange added,
                 T neutral, std::size_t least_components = T::length());
     GltfAccessors::Table table(const GltfEntry& owner, const char* name, std::size_t count,
                                std::size_t least, std::size_t most);

@@ -8,9 +8,9 @@
 
 namespace trivar {
 
-// Decodes the pictures of a glTF file when they are asked for: each once, however many images and
-// textures share its bytes or its uri, and no more together than the file accounts for. What cannot
-// be had is null and a notice.
+// GltfPictures decodes the pictures of a glTF file when they are asked for: each once, even if
+// several images and textures share its bytes or its uri, and together no more than the file's size
+// allows. A picture that cannot be read is null, with a notice.
 class GltfPictures {
 public:
     GltfPictures(const GltfFile& file, CountedNotices& notices);

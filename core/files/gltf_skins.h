@@ -6,14 +6,14 @@
 
 namespace trivar {
 
-// The skins of a glTF file, to a model that has its nodes and meshes; `node_of`: where each of the
-// file's nodes is in it, or -1. A skin that lacks something is left out with a notice. Throws
-// Rejected where a vertex names a joint that its skin does not have.
+// Adds the skins of a glTF file to a model that has its nodes and meshes. `node_of` gives for each
+// of the file's nodes its number in the model, or -1. An incomplete skin is left out with a notice.
+// Throws Rejected where a vertex names a joint that its skin does not have.
 void add_gltf_skins(Model& model, GltfAccessors& accessors, const std::vector<int>& node_of,
                     CountedNotices& notices);
 
-// Leaves skins and weights of morph targets out, with notices, where they take a mesh out of reach
-// (most_coordinate), and throws Rejected where it is there without.
+// Removes skins and weights of morph targets, with notices, where they take a mesh out of range
+// (most_coordinate), and throws Rejected where the mesh is out of range without them.
 void check_gltf_reach(Model& model, const std::string& file_name, CountedNotices& notices);
 
 } // namespace trivar

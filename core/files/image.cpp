@@ -57,8 +57,8 @@ PictureReader::~PictureReader() = default;
 PictureReader::PictureReader(PictureReader&&) noexcept = default;
 PictureReader& PictureReader::operator=(PictureReader&&) noexcept = default;
 
-Decoded PictureReader::decoded(std::string_view bytes, const std::string& name,
-                               const std::vector<std::string>& tags, const TakeRows& take)
+DecodeResult PictureReader::decoded(std::string_view bytes, const std::string& name,
+                                    const std::vector<std::string>& tags, const TakeRows& take)
 {
     const PictureKind& kind = picture_kind(bytes, name);
     const PictureHead head = picture_head(bytes, name, Look::whole);
@@ -75,9 +75,9 @@ Decoded PictureReader::decoded(std::string_view bytes, const std::string& name,
     std::string reason;
     try {
         if (!kind.decode && (!apart_ || apart_->ended())) apart_ = std::make_unique<ApartDecoder>();
-        Decoded result = kind.decode
-                             ? kind.decode(task, take_known)
-                             : apart_->decode(task, limits_of(head, bytes.size()), take_known);
+        DecodeResult result = kind.decode
+                                  ? kind.decode(task, take_known)
+                                  : apart_->decode(task, limits_of(head, bytes.size()), take_known);
         if (result.whole && taken == all) return result;
         reason = fmt::format("is damaged: of its {} rows of pixels {} can be decoded",
                              head.size_px.y, taken / row);
@@ -111,7 +111,7 @@ Image PictureReader::read(const std::string& path)
 ImageHead PictureReader::head(const std::string& path, const std::vector<std::string>& tags)
 {
     const std::string bytes = trivar::read_bytes(path, max_file_bytes);
-    const Decoded found = decoded(bytes, path, tags, [](std::span<const std::uint8_t>) {});
+    const DecodeResult found = decoded(bytes, path, tags, [](std::span<const std::uint8_t>) {});
     return {picture_size(bytes, path), found.bits, found.tags};
 }
 

@@ -15,23 +15,24 @@
 
 namespace trivar {
 
-// Of all pictures of a model together: 1 GiB of RGBA.
+// The largest number of pixels in all pictures of a model together: 1 GiB of RGBA.
 constexpr std::uint64_t max_pixels_per_model = std::uint64_t{1} << 28;
 
-// What the head of a picture's file says; all of its pixels were read, so the file is whole.
+// An ImageHead is what the head of a picture's file says; all of its pixels were read, so the file
+// is complete.
 struct ImageHead {
     glm::ivec2 size_px{0};
-    int bits = 0;   // a channel
-    ImageTags tags; // those that were asked for and are there
+    int bits = 0;   // per channel
+    ImageTags tags; // the requested ones that exist
 };
 
 class ApartDecoder;
-struct Decoded;
+struct DecodeResult;
 
-// Decodes pictures one after another into 8-bit RGBA: PNG and JPEG here, the other kinds in
-// a process of their own that is started for the first of them (pictures/apart.h). Every function
-// throws Rejected for what is no whole picture, for sides above 16384 pixels and for more pixels
-// than the bytes can hold, before they are allocated.
+// A PictureReader decodes pictures one after another into 8-bit RGBA: PNG and JPEG here, the other
+// kinds in a process of their own that is started for the first of them (pictures/apart.h). Every
+// function throws Rejected for anything that is no complete picture, for sides above 16384 pixels
+// and for more pixels than the bytes can hold, before they are allocated.
 class PictureReader {
 public:
     PictureReader();
@@ -44,27 +45,28 @@ public:
     ImageHead head(const std::string& path, const std::vector<std::string>& tags);
 
 private:
-    Decoded decoded(std::string_view bytes, const std::string& name,
-                    const std::vector<std::string>& tags,
-                    const std::function<void(std::span<const std::uint8_t>)>& take);
+    DecodeResult decoded(std::string_view bytes, const std::string& name,
+                         const std::vector<std::string>& tags,
+                         const std::function<void(std::span<const std::uint8_t>)>& take);
     std::unique_ptr<ApartDecoder> apart_;
 };
 
 // A single picture, as PictureReader reads it.
 Image read_image(const std::string& path);
 
-// Width and height, by the file's head alone. Throws Rejected; what it gives may still be damaged.
+// Width and height from the file's head alone. Throws Rejected; the rest of the file may still be
+// damaged.
 glm::ivec2 picture_size(std::string_view bytes, const std::string& name);
 
-// The bytes of a picture file of the kind that the extension (.png, .jpg, .exr, ...) names, 8 bits
-// a channel or, of a deep image, 16; in EXR half floats, linear. Equal pictures and tags give equal
-// bytes. Throws Rejected.
+// The bytes of a picture file of the kind that the extension (.png, .jpg, .exr, ...) names, with 8
+// bits per channel, or 16 for a deep image; EXR gets half floats, linear. Equal pictures and tags
+// give equal bytes. Throws Rejected.
 std::string encoded_image(const Image& image, const std::string& extension,
                           const ImageTags& tags = {});
 std::string encoded_image(const DeepImage& image, const std::string& extension,
                           const ImageTags& tags = {});
 
-// Throws Rejected where the name ends as no picture does that can be written.
+// Throws Rejected where the name's ending is that of no picture that can be written.
 void check_picture_name(const std::string& path);
 
 // Writes by extension (png, jpg, exr, ...), through a temporary file. Throws Rejected.

@@ -7,7 +7,7 @@
 
 namespace trivar {
 
-// What a picture's file says beside its pixels: names and words.
+// ImageTags are what a picture's file says besides its pixels: names and words.
 using ImageTags = std::vector<std::pair<std::string, std::string>>;
 
 } // namespace trivar

@@ -9,34 +9,36 @@
 
 namespace trivar {
 
-// Indices from 0, or below 0. A relative index is kept as its distance from the first element of
-// its block plus `relative`, since the elements before the block are not counted yet.
+// An ObjCorner holds indices from 0, or below 0. A relative index is stored as its distance from
+// the first element of its block plus `relative`, because the elements before the block are not
+// counted yet.
 struct ObjCorner {
     std::int32_t v, vt, vn;
     static constexpr std::int32_t none = -1;
-    static constexpr std::int32_t absent = -2; // named, and not there
+    static constexpr std::int32_t absent = -2; // named, but missing
     static constexpr std::int32_t relative = 3 << 29;
     static constexpr std::int32_t limit = 1 << 30; // more lines than the largest file has
 };
 
-// A statement that sets something for the faces and lines after it.
+// An ObjEvent is a statement that sets something for the faces and lines after it.
 struct ObjEvent {
     enum class Kind { object, group, material, library, tag } kind;
     std::uint32_t face, line; // the numbers of faces and lines of the block before it
     std::string_view text;
 };
 
-// What one stretch of whole lines says.
+// An ObjBlock is the content of a range of whole lines.
 struct ObjBlock {
-    std::vector<glm::vec3> v, vn, colors; // colors as many as v, or none
+    std::vector<glm::vec3> v, vn, colors; // as many colors as v, or none
     std::vector<glm::vec2> vt;            // vt and vn that cannot be read begin with NaN
     struct {
         std::size_t v, vt, vn;
-    } counts{}; // of them, also when they were taken out
+    } counts{}; // of the elements, also after they were taken out
     std::vector<ObjCorner> corners;
-    std::vector<std::uint32_t> face_end;       // into corners
-    std::vector<std::uint32_t> left_out;       // faces, rising
-    std::vector<std::int32_t> line_vertices;   // as ObjCorner::v; absent, too, where it is none
+    std::vector<std::uint32_t> face_end; // into corners
+    std::vector<std::uint32_t> left_out; // faces, rising
+    // as ObjCorner::v; absent also where the word is no index
+    std::vector<std::int32_t> line_vertices;
     std::vector<std::uint32_t> line_end;       // into line_vertices
     std::vector<std::uint32_t> lines_left_out; // rising
     std::vector<ObjEvent> events;
@@ -45,13 +47,13 @@ struct ObjBlock {
     struct Trouble {
         const char* at = nullptr; // the line; null: none
         std::string what;
-    } error, first_bad; // the line that ended it; the first of bad_lines
+    } error, first_bad; // the line that ended the block; the first of bad_lines
 };
 
 // Reads whole lines up to the first wrong one. Throws nothing.
 ObjBlock read_obj_block(std::string_view text);
 
-// Where a face, or a line that is drawn, begins in the text, by the number of those before it.
+// The place in the text where a face, or a drawn line, begins; counted from 0.
 const char* line_of_face(std::string_view text, std::size_t face);
 const char* line_of_line(std::string_view text, std::size_t line);
 

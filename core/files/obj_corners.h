@@ -9,32 +9,33 @@
 
 namespace trivar {
 
-// What faces (or lines) name and is not there: how often, and the first face that does, as its
-// block and the number of the block's faces before it.
+// ObjAbsent counts the missing things that faces (or lines) name, and gives the first such face by
+// its block and its number in the block.
 struct ObjAbsent {
     std::size_t count = 0, block = 0, face = 0;
 };
 void count_absent(ObjAbsent& absent, std::size_t block, std::size_t face);
 
-// From 0, or ObjCorner::none, or ObjCorner::absent where there are no more than `count`; `before`
-// of them come before the index's block.
+// The index from 0, or ObjCorner::none, or ObjCorner::absent where it is not below `count`;
+// `before` is the number of elements before the index's block.
 std::int32_t absolute_index(std::int32_t index, std::size_t before, std::size_t count);
 
-// The faces of all blocks, with indices from 0, or below 0: none.
+// ObjFaces are the faces of all blocks, with indices from 0, or below 0: none.
 struct ObjFaces {
     std::vector<ObjCorner> corners;
     std::vector<std::uint32_t> begin{0}; // #F + 1 to corner
-    ObjAbsent left_out;                  // faces that name a vertex that is not there
-    ObjAbsent details;                   // corners that name a vt or vn that is not there
+    ObjAbsent left_out;                  // faces that name a missing vertex
+    ObjAbsent details;                   // corners that name a missing vt or vn
 };
 
-// Takes the faces out of the blocks, in which ObjBlock::left_out tells of those that are gone.
-// Faces may come before what they name. A vt or vn that begins with NaN was none and counts as not
-// given.
+// Moves the faces out of the blocks; ObjBlock::left_out then tells which are gone. Faces may come
+// before the things that they name. A vt or vn that begins with NaN was unreadable and counts as
+// not given.
 ObjFaces faces_of(std::vector<ObjBlock>& blocks, std::size_t v_count,
                   const std::vector<glm::vec2>& vt, const std::vector<glm::vec3>& vn);
 
-// Every different (v, vt, vn) is one vertex of the mesh, in the order of the file's v.
+// ObjVertices makes every different (v, vt, vn) one vertex of the mesh, in the order of the file's
+// v.
 struct ObjVertices {
     std::vector<ObjCorner> of;           // #V
     std::vector<std::uint32_t> corners;  // #C to vertex

@@ -6,14 +6,14 @@
 
 namespace trivar {
 
-// The lines of all blocks, as numbers of the file's v.
+// ObjLines are the lines of all blocks, as numbers of the file's v.
 struct ObjLines {
     FileLines lines;    // without their materials
-    ObjAbsent left_out; // lines that name fewer than two vertices, or one that is not there
+    ObjAbsent left_out; // lines that name fewer than two vertices, or a missing one
 };
 
-// Takes the lines out of the blocks, in which ObjBlock::lines_left_out tells of those that are
-// gone. Lines may come before the vertices that they name.
+// Moves the lines out of the blocks; ObjBlock::lines_left_out then tells which are gone. Lines may
+// come before the vertices that they name.
 ObjLines lines_of(std::vector<ObjBlock>& blocks, std::size_t v_count);
 
 } // namespace trivar

@@ -58,7 +58,7 @@ public:
 
     void apply(const ObjBlock& block)
     {
-        Left faces{block.left_out}, lines{block.lines_left_out};
+        GapCursor faces{block.left_out}, lines{block.lines_left_out};
         const auto count = [](const auto& all) { return static_cast<std::uint32_t>(all.size()); };
         for (const ObjEvent& event : block.events) {
             go_on(faces, event.face, lines, event.line);
@@ -103,7 +103,7 @@ private:
     static constexpr std::uint32_t none = ~0u;
 
     // Which of a block's faces, or lines, are gone, and how far one is.
-    struct Left {
+    struct GapCursor {
         const std::vector<std::uint32_t>& out;
         std::size_t gone = 0;
         std::uint32_t at = 0;
@@ -117,7 +117,7 @@ private:
     };
 
     // What stands before the next statement is as the statements before it say.
-    void go_on(Left& faces, std::uint32_t face_end, Left& lines, std::uint32_t line_end)
+    void go_on(GapCursor& faces, std::uint32_t face_end, GapCursor& lines, std::uint32_t line_end)
     {
         while (faces.at < face_end) {
             if (!faces.next_is_there()) continue;

@@ -10,9 +10,9 @@
 
 namespace trivar {
 
-// Adds what an OBJ's statements between its faces say: materials with their libraries, groups and
-// creases. `first_of` is as ObjVertices has it, `plain` the text of the blocks. Returns what
-// Curves::material is to be.
+// Adds the content of an OBJ's statements between its faces: materials with their libraries, groups
+// and creases. `first_of` is that of ObjVertices, `plain` the text of the blocks. Returns the
+// values for Curves::material.
 std::vector<std::uint32_t> add_obj_statements(Model& model, Mesh& mesh,
                                               const std::vector<ObjBlock>& blocks,
                                               const std::vector<std::uint32_t>& first_of,

@@ -55,13 +55,13 @@ void complete_normals(Mesh& mesh)
     }
 }
 
-Repaired finished(Mesh mesh, const FileText& file)
+RepairedMesh finished(Mesh mesh, const FileText& file)
 {
     for (std::size_t f = 0; f < mesh.face_count(); ++f)
         if (mesh.face_begin[f + 1] - mesh.face_begin[f] > max_face_corners)
             throw Rejected(fmt::format("{}: face {} has more than {} corners", file.name, f,
                                        max_face_corners));
-    Repaired result = repaired(std::move(mesh));
+    RepairedMesh result = repaired(std::move(mesh));
     complete_normals(result.mesh);
     validate(result.mesh, file.name);
     return result;
@@ -120,7 +120,7 @@ Model read_model_bytes(std::string_view bytes, const std::string& name, const st
     std::size_t faces = 0;
     Repairs repairs;
     for (Ref<Mesh>& ref : model.meshes) {
-        Repaired result = finished(*ref, file);
+        RepairedMesh result = finished(*ref, file);
         repairs += result.repairs;
         Mesh mesh = std::move(result.mesh);
         faces += mesh.face_count();

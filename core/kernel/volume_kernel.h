@@ -7,11 +7,11 @@
 
 namespace trivar {
 
-// What the formulas know of a volume and of how an object lies in it; std140, field by field as in
-// gpu/shaders/volume_inputs.glsl. p is in object space.
+// A VolumeFrame is what the formulas know of a volume and of an object's place in it; std140, field
+// by field as in gpu/shaders/volume_inputs.glsl. p is in object space.
 struct VolumeFrame {
-    glm::mat4 x_by_p{1};    // p - x_middle to -1/2..1/2 over the domain of every axis
-    glm::mat4 rest_by_p{1}; // p - rest_middle to where p is before the displacement
+    glm::mat4 x_by_p{1};    // maps p - x_middle to -1/2..1/2 over the domain of every axis
+    glm::mat4 rest_by_p{1}; // maps p - rest_middle to the place of p before the displacement
     glm::vec4 x_middle{0}, rest_middle{0};   // xyz
     glm::ivec4 cell_begin{0}, cell_count{0}; // of the axes, in the table of cells
     glm::ivec4 closure{0};                   // 0 open, 1 periodic, 2 twisted
@@ -26,7 +26,7 @@ inline constexpr int cell_rows = 10; // see axis.glsl
 namespace kernel {
 using namespace glm;
 
-// The formulas of core/kernel as C++. The shaders include the same text.
+// A VolumeKernel is the formulas of core/kernel as C++. The shaders include the same text.
 template <int ou, int ov, int ow> struct VolumeKernel {
     const VolumeFrame& volume;
     std::span<const vec4> points, cells;

@@ -21,7 +21,7 @@ std::vector<double> as_values(const glm::dquat& q)
 
 } // namespace
 
-glm::dmat4 Placed::matrix() const
+glm::dmat4 NodeTransform::matrix() const
 {
     const glm::dmat4 turned = glm::translate(glm::dmat4(1), translation) * glm::mat4_cast(rotation);
     return glm::scale(turned, scale);
@@ -29,7 +29,7 @@ glm::dmat4 Placed::matrix() const
 
 std::vector<double> value_at(const Channel& channel, double time_s)
 {
-    const bool cubic = channel.between == Channel::Between::cubic;
+    const bool cubic = channel.interpolation == Channel::Interpolation::cubic;
     const bool turns = channel.of == Channel::Of::rotation;
     // The part of a key: of a cubic one 0 the tangent in, 1 the value, 2 the tangent out.
     const auto part = [&](std::size_t key, std::size_t which) {
@@ -48,7 +48,8 @@ std::vector<double> value_at(const Channel& channel, double time_s)
     const auto after = std::upper_bound(times.begin(), times.end(), time_s);
     if (after == times.begin()) return unit(value(0));
     const auto key = static_cast<std::size_t>(after - times.begin()) - 1;
-    if (after == times.end() || channel.between == Channel::Between::step) return unit(value(key));
+    if (after == times.end() || channel.interpolation == Channel::Interpolation::step)
+        return unit(value(key));
     const double span = static_cast<double>(times[key + 1]) - static_cast<double>(times[key]);
     const double t = (time_s - static_cast<double>(times[key])) / span;
     std::vector<double> a = value(key), b = value(key + 1);

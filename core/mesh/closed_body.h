@@ -5,9 +5,10 @@
 
 namespace trivar {
 
-// Whether the faces are the skins of solid bodies: along every edge between two points as many run
-// one way as the other, and the faces of each connected piece look outwards. From outside of all
-// of them only the fronts of faces can be seen. Not where there are no faces. O(#C log valence).
+// Whether the faces are the skins of solid bodies: along every edge between two points as many
+// faces run one way as the other, and the faces of each connected piece look outwards. From outside
+// of all bodies only the fronts of faces can then be seen. False where there are no faces. O(#C log
+// valence).
 bool is_closed_body(const Mesh& mesh);
 
 } // namespace trivar

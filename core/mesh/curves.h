@@ -26,8 +26,8 @@ struct Curves {
 
 Curves transformed(const Curves& curves, const glm::dmat4& matrix);
 
-// Throws Rejected, with `name` in the sentence, unless the lines have at least two points each,
-// together all of them, and every number is finite.
+// Throws Rejected, with `name` in the sentence, unless every line has at least two points, every
+// point belongs to a line, and every number is finite.
 void validate(const Curves& curves, const std::string& name);
 
 } // namespace trivar

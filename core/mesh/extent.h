@@ -8,24 +8,24 @@
 
 namespace trivar {
 
-// No place that is worked with is further out along an axis, in metres: products of two lengths
-// then keep to single precision, which ends near 3e38.
+// The largest coordinate that is accepted, in metres: products of two lengths then stay within
+// single precision, which ends near 3e38.
 inline constexpr double most_coordinate = 1e15;
 inline constexpr const char* too_large_words =
     "too large to be worked with (beyond 1e15 m from the origin)";
 
-// Whether all of a box is within that where a matrix takes it, and none of its numbers is too
-// large. An empty box is.
+// Whether the whole of a box is within most_coordinate after a matrix, and every number of the
+// matrix small enough. True for an empty box.
 bool within_reach(const Box& box, const glm::dmat4& matrix = glm::dmat4(1));
 
-// How far out the vertices of a mesh are, whichever pose it takes.
+// An Extent tells how far out the vertices of a mesh are, in any pose.
 class Extent {
 public:
     explicit Extent(const Ref<Mesh>& mesh); // O(#V)
 
-    // A box that holds the mesh in a pose; null: as it came. Nothing where a vertex is out of reach
-    // or a number that goes with it is none. O(#joints + #targets), and O(#V) only where that
-    // leaves it open.
+    // A box that holds the mesh in a pose; null: in the pose of its file. Empty where a vertex is
+    // out of range or one of its numbers is not finite. O(#joints + #targets), and O(#V) only where
+    // that cannot decide.
     std::optional<Box> posed(const Pose* pose) const;
 
 private:
@@ -35,7 +35,8 @@ private:
     Lazy<std::vector<Box>> targets_;
 };
 
-// Whether a mesh or a curve that hangs on a node of the model is out of reach there, as it came.
+// Whether a mesh or a curve that hangs on a node of the model is out of range there, in the file's
+// pose.
 bool too_large(const Model& model);
 
 } // namespace trivar

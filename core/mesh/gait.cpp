@@ -243,16 +243,16 @@ Run without_lifted_ends(Run run, const Path& path, const Ground& ground)
 }
 
 // A foot in a gait that is not settled yet: as it goes through its stance.
-struct Seen {
+struct SeenFoot {
     Path path;
     Run stance;
     glm::dvec3 velocity{0}; // in the stance, mostly
 };
 
-std::optional<Seen> seen_foot(const Cluster& cluster, const Ground& ground)
+std::optional<SeenFoot> seen_foot(const Cluster& cluster, const Ground& ground)
 {
     constexpr std::size_t shortest = poses / 24;
-    Seen out;
+    SeenFoot out;
     out.path = path_of(cluster.tracks, ground);
     out.stance = stance_of(out.path, ground);
     if (out.stance.count == 0) return {};
@@ -285,7 +285,7 @@ void find_legs(const Model& model, std::vector<Foot>& feet)
 // In the stance what touches the ground goes with it, by as little as that takes. In the air what
 // was added fades from one stance to the next, setting out and arriving as fast as it went there.
 // The whole foot is lifted off what it would sink into, and in the air soon clear of it.
-void settle(Foot& foot, const Seen& seen, const Gait& gait, const Ground& ground)
+void settle(Foot& foot, const SeenFoot& seen, const Gait& gait, const Ground& ground)
 {
     constexpr double soon = poses / 16.0; // steps
     constexpr double clear = 1.0 / 4;     // of what is near the ground
@@ -366,12 +366,12 @@ Gait gait_of(const Model& model, const Clip& clip, const glm::dvec3& up, double 
     constexpr double least_stride = 1e-3; // of the box's diagonal: less is trembling
     if (glm::length(ground.velocity) < least_stride * size) return gait;
 
-    std::vector<Seen> seen;
+    std::vector<SeenFoot> seen;
     glm::dvec3 way(0);
     double poses_seen = 0;
     for (const Cluster& cluster :
          clusters(model, tracks, foot_size * size, glm::length(ground.velocity))) {
-        std::optional<Seen> each = seen_foot(cluster, ground);
+        std::optional<SeenFoot> each = seen_foot(cluster, ground);
         if (!each) continue;
         Foot foot;
         for (const Track* track : sole_of(cluster.tracks, each->stance, ground))

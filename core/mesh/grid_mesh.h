@@ -45,7 +45,7 @@ void append_grid(Mesh& mesh, glm::ivec2 cells, VertexAt vertex_at, bool turned =
         }
 }
 
-// Welds equal positions to points and drops the vertices that collapsed sides left over.
+// Welds equal positions to points and removes the vertices that collapsed sides left over.
 inline Mesh finished_grids(Mesh mesh)
 {
     mesh = without_loose_vertices(std::move(mesh));

@@ -5,16 +5,16 @@
 
 namespace trivar {
 
-// A vertex of the mesh that hangs on a node.
+// A ModelVertex is a vertex of the mesh that hangs on a node.
 struct ModelVertex {
     int node = 0;
     std::uint32_t vertex = 0;
 };
 
-// The joint or node that moves it most.
+// The joint or node with the greatest influence on the vertex.
 int mover_of(const Model& model, const ModelVertex& vertex);
 
-// What moves a vertex: each by its matrix times `before`, and so much of it.
+// A VertexMover is one influence on a vertex: a matrix times `before`, and its weight.
 struct VertexMover {
     int node = 0;
     glm::dmat4 before{1};
@@ -22,21 +22,21 @@ struct VertexMover {
 };
 std::vector<VertexMover> movers_of(const Model& model, const ModelVertex& vertex);
 
-// Where it is in a model that stands so, with that pose of its mesh.
+// The position of a vertex in a model in that stance, with that pose of its mesh.
 glm::dvec3 position_of(const Model& model, const ModelVertex& vertex, const Stance& stance,
                        const Pose& pose);
-// Where several are; each mesh is posed once.
+// The positions of several vertices; each mesh is posed once.
 std::vector<glm::dvec3> positions_of(const Model& model, const std::vector<ModelVertex>& vertices,
                                      const Stance& stance);
 
 struct LowVertices {
     std::vector<ModelVertex> vertices; // the lowest first
-    double ground = 0;                 // height of the lowest of all, no less than the floor
+    double ground = 0;                 // height of the lowest vertex of all, at least the floor
 };
 
-// The vertices that come less than `within` over the ground while a model stands in these ways.
-// Where they are more than `most`, evenly some of them. Bit for bit the same for any number of
-// threads. O(#stances #V).
+// The vertices that come within `within` of the ground in one of these stances. Where there are
+// more than `most`, an even selection of them. Any number of threads gives the same bits.
+// O(#stances #V).
 LowVertices low_vertices(const Model& model, const std::vector<Stance>& stances,
                          const glm::dvec3& up, double within, double floor, std::size_t most);
 

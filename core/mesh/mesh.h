@@ -12,10 +12,10 @@
 
 namespace trivar {
 
-// A polygon mesh as arrays. A vertex is what a GPU calls one: a position with one normal, one
-// tangent, one colour and one texture coordinate a set. Where a seam gives a point of the surface
-// two normals or two texture coordinates there are two vertices, and `points` says that they are
-// one point. A deformation maps vertex by vertex: equal positions stay equal, bit for bit.
+// A Mesh is a polygon mesh as arrays. A vertex is what a GPU calls one: a position with one normal,
+// one tangent, one colour and one texture coordinate per set. Where a seam gives a point of the
+// surface two normals or two texture coordinates there are two vertices, and `points` says that
+// they are one point. A deformation maps vertex by vertex: equal positions stay equal, bit for bit.
 //
 //   faces    f: corners[face_begin[f]] .. corners[face_begin[f + 1] - 1], counter-clockwise
 //   corners  c: a vertex index                 vertices v: positions[v], normals[v], ...
@@ -37,13 +37,14 @@ struct Mesh {
         bool operator==(const Crease&) const = default;
     };
     std::vector<Crease> creases;
-    // What a pose moves a vertex by; see core/mesh/pose.h. A mesh that was posed has none.
+    // Influences say how a pose moves a vertex; see core/mesh/pose.h. A mesh that was posed has
+    // none.
     struct Influences {
         std::array<std::uint16_t, 4> joints{}; // of a skin
         glm::vec4 weights{1, 0, 0, 0};         // not negative, their sum 1
         bool operator==(const Influences&) const = default;
     };
-    std::vector<Influences> influences; // #V, or empty: it goes with its node
+    std::vector<Influences> influences; // #V, or empty: the mesh moves with its node
     struct MorphTarget {                // differences; each #V or empty: none
         std::vector<glm::vec3> positions, normals, tangents;
         bool operator==(const MorphTarget&) const = default;
@@ -67,15 +68,15 @@ void add_face(Mesh& mesh, std::span<const std::uint32_t> vertices);
 // Twice the area of a face times its unit normal (Newell's sum over its corners).
 glm::dvec3 area_normal(const Mesh& mesh, std::size_t face);
 
-// For Mesh::points: vertices at exactly one position are one point. Numbered from 0 in the order
-// of first appearance; O(#V).
+// The table for Mesh::points in which vertices at exactly one position are one point. Points are
+// numbered from 0 in the order of first appearance; O(#V).
 std::vector<std::uint32_t> points_by_position(const std::vector<glm::vec3>& positions);
 
-// One more than the largest point number: the length of a table by point.
+// The largest point number + 1: the length of a table by point.
 std::size_t point_count(const Mesh& mesh);
 
-// The mesh less the vertices that no face has a corner at, the others in their order and their
-// points numbered anew: the same mesh as if they had never been there.
+// The mesh without the vertices that no face uses. The others keep their order and their points are
+// numbered anew, as if the removed ones had never been there.
 Mesh without_loose_vertices(Mesh mesh);
 
 // #C - 2 #F by 3 vertex indices: face f's triangles are consecutive and begin at

@@ -28,8 +28,8 @@ struct Texture {
     bool operator==(const Texture&) const = default;
 };
 
-// A stuff that fills a body, in place of textures: it follows from where a point is before the body
-// is deformed. No file format has it.
+// A Filling is a material that fills a body, in place of textures: its pattern follows from where a
+// point is before the body is deformed. No file format stores it.
 enum class Filling { none, wood, flesh };
 
 // glTF 2.0's metallic-roughness material. Colours are linear.
@@ -53,22 +53,24 @@ struct Node {
     std::string name;
     int parent = -1; // index into Model::nodes, always smaller than the node's own
     glm::dmat4 to_parent{1};
-    int mesh = -1;                         // index into Model::meshes, or none
+    int mesh = -1;                         // index into Model::meshes, or -1: none
     int skin = -1;                         // index into Model::skins, or none: of the mesh
-    std::vector<float> morph_weights = {}; // of the mesh's targets; the others' are 0
+    std::vector<float> morph_weights = {}; // of the mesh's targets; missing ones are 0
     int curves = -1;                       // index into Model::curves, or none; no skin moves them
-    // Where a clip moves the node, to_parent is outer * the matrix of what it makes of `rest`.
+    // Where a clip moves the node, to_parent is outer times the matrix that the clip makes of
+    // `rest`.
     glm::dmat4 outer{1};
-    Placed rest = {};
+    NodeTransform rest = {};
 };
 
-// The nodes that move the vertices of a mesh.
+// A Skin names the nodes that move the vertices of a mesh.
 struct Skin {
     std::vector<int> joints;               // indices into Model::nodes
     std::vector<glm::dmat4> mesh_to_joint; // as the mesh was made: "inverse bind matrices"
 };
 
-// What a file or a primitive gives: meshes and curves hung on a tree of nodes. World: Z up, metres.
+// A Model is what a file or a primitive gives: meshes and curves that hang on a tree of nodes.
+// World: Z up, metres.
 struct Model {
     std::vector<Node> nodes;
     std::vector<Ref<Mesh>> meshes;
@@ -83,10 +85,10 @@ struct Model {
 // Node to model space: the product of to_parent up to the root.
 glm::dmat4 node_to_model(const Model& model, int node);
 
-// How many lines hang on its nodes.
+// The number of lines that hang on the model's nodes.
 std::size_t line_count(const Model& model);
 
-// One mesh, one root node, one default material if there is none.
+// A model of one mesh on one root node, with one default material if none is given.
 Model single_mesh_model(std::string name, Mesh mesh, std::vector<Material> materials = {});
 
 } // namespace trivar

@@ -5,11 +5,11 @@
 
 namespace trivar {
 
-// Which part of its object one is, whichever of the others are shown.
+// A PartKey tells a part from the other parts of its object; it does not depend on which are shown.
 struct PartKey {
     int member = 0; // of a procession
     int mesh = 0;   // of the shape
-    int piece = 0;  // that a step made of that mesh
+    int piece = 0;  // number of the piece, where a step cut the mesh
     auto operator<=>(const PartKey&) const = default;
 };
 

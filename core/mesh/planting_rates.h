@@ -6,25 +6,28 @@
 
 namespace trivar {
 
-// How fast what planted() adds to the points of a leg changes, at most, between two moments of a
-// clip with no break (breaks_of) between: a point p takes the share f of the displacement
+// PlantingRates bounds how fast the movement changes that planted() adds to the points of a leg,
+// between two moments of a clip with no break (breaks_of) between them. A point p takes the share f
+// of the displacement:
 //
 //   f = (l + e . (p - o)) / L,    displacement = d / s,
 //
-// o and e being the joint above it and the direction to the next one, l and L the lengths of the
-// leg down to o and in whole, and s the mean share of the sole, or 1 (core/mesh/foot_lock.h). d
-// goes evenly. A point that stays where it is by a joint of a leg that does nothing but turn takes
-// the same share at all times. Else the product rule bounds it; e, l and p are seen from the joint,
-// where all above it keeps lengths. Units of the model, seconds.
+// o and e are the joint above the point and the direction to the next joint, l and L the lengths of
+// the leg down to o and of the whole leg, and s the mean share of the sole, or 1
+// (core/mesh/foot_lock.h). d moves evenly. A point that keeps its place beside a joint of a leg
+// that only turns takes the same share at all times. Otherwise the product rule bounds it; e, l and
+// p are seen from the joint, where all nodes above it keep lengths. Units of the model, seconds.
 class PlantingRates {
 public:
-    // Of the gait's foot with that number. Nothing where it is not known: where a bone of the leg
-    // may come to no length, or the sole may or may not take the least share of it.
+    // The rates for the foot with that number in the gait. Empty where they are not known: where a
+    // bone of the leg may come to length 0, or where the sole's share may be above or below the
+    // least one.
     static std::optional<PlantingRates> of(const Model& model, const Clip& clip, const Gait& gait,
                                            std::size_t foot, const std::vector<LocalRates>& local,
                                            double from_s, double to_s);
 
-    // Of what is added to the points of a node, these being so in the node's own space.
+    // The rates of what is added to the points of a node; `point` gives a point's rates in the
+    // node's own space.
     Rates at(int node, const Rates& point) const;
 
 private:
@@ -44,7 +47,7 @@ private:
     Rates share(int node, const Rates& point) const;
 
     std::vector<int> bone_of_node_;
-    std::vector<Bone> bones_;         // none: all take all of it
+    std::vector<Bone> bones_;         // empty: every point takes the whole displacement
     std::vector<glm::dvec3> origins_; // of nodes, at the middle moment
     std::vector<double> sizes_;       // of their matrices, at most
     double half_s_ = 0;

@@ -6,11 +6,12 @@
 
 namespace trivar {
 
-// Points that are joined in their order. Where the last one is the first the line is closed. One
-// that is not finite is a gap.
+// A Polyline is points that are joined in their order. Where the last point equals the first, the
+// line is closed. A point that is not finite is a gap.
 struct Polyline {
     std::vector<glm::vec3> points;
-    std::vector<glm::vec4> colors; // linear, a coverage; one a point, or one for all; empty: white
+    // linear with coverage; one per point, or one for all; empty: white
+    std::vector<glm::vec4> colors;
     bool operator==(const Polyline&) const = default;
 };
 

@@ -62,7 +62,7 @@ Stance stance_at(const Model& model, const Clip* clip, double time_s)
     Stance out;
     out.to_model.resize(model.nodes.size());
     for (const Node& node : model.nodes) out.morph_weights.push_back(weights_of(model, node));
-    std::vector<Placed> placed(model.nodes.size());
+    std::vector<NodeTransform> placed(model.nodes.size());
     std::vector<bool> moved(model.nodes.size(), false);
     for (std::size_t i = 0; i < model.nodes.size(); ++i) placed[i] = model.nodes[i].rest;
     for (std::size_t c = 0; clip && c < clip->channels.size(); ++c) {
@@ -189,10 +189,10 @@ Box posed_bounds(const Box& mesh, const std::vector<Box>& targets, const Pose& p
     return out;
 }
 
-Ref<Posed> posed_later(const Ref<Mesh>& rest, Pose pose)
+Ref<PosedMesh> posed_later(const Ref<Mesh>& rest, Pose pose)
 {
     const Lazy<Ref<Mesh>> mesh([=] { return make_ref(posed(*rest, pose)); });
-    return make_ref(Posed{rest, std::move(pose), mesh});
+    return make_ref(PosedMesh{rest, std::move(pose), mesh});
 }
 
 } // namespace trivar

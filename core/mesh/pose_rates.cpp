@@ -22,7 +22,7 @@ struct ChannelRates : Rates {
 std::vector<double> part_of_key(const Channel& c, std::size_t key, std::size_t which)
 {
     const std::size_t n = c.components;
-    const bool cubic = c.between == Channel::Between::cubic;
+    const bool cubic = c.interpolation == Channel::Interpolation::cubic;
     const std::size_t at = (cubic ? 3 * key + which : key) * n; // 0 tangent in, 1 value, 2 out
     return {c.values.begin() + static_cast<std::ptrdiff_t>(at),
             c.values.begin() + static_cast<std::ptrdiff_t>(at + n)};
@@ -71,7 +71,7 @@ std::optional<std::size_t> key_before(const Channel& c, double time_s)
 {
     const auto after = std::upper_bound(c.times_s.begin(), c.times_s.end(), time_s);
     if (after == c.times_s.begin() || after == c.times_s.end() ||
-        c.between == Channel::Between::step)
+        c.interpolation == Channel::Interpolation::step)
         return {};
     return static_cast<std::size_t>(after - c.times_s.begin()) - 1;
 }
@@ -86,7 +86,7 @@ ChannelRates rates_of(const Channel& c, double from_s, double to_s)
     const double middle_s = (from_s + to_s) / 2;
     const auto key = key_before(c, middle_s);
     if (!key) return {{size_of(value_at(c, middle_s)), 0, 0}};
-    if (c.between == Channel::Between::cubic) {
+    if (c.interpolation == Channel::Interpolation::cubic) {
         const Rates rates = cubic_rates(c, *key, from_s, to_s, size_of);
         if (!turns) return {rates};
         const double least =
@@ -161,7 +161,7 @@ std::optional<std::vector<LocalRates>> local_rates(const Model& model, const Cli
     const auto alike = [](double x, double y, double z) { return x == y && y == z; };
     std::vector<Moving> moving(model.nodes.size());
     for (std::size_t n = 0; n < moving.size(); ++n) {
-        const Placed& rest = model.nodes[n].rest;
+        const NodeTransform& rest = model.nodes[n].rest;
         moving[n].translation.most = glm::length(rest.translation);
         moving[n].scale.most =
             std::max({std::abs(rest.scale.x), std::abs(rest.scale.y), std::abs(rest.scale.z)});
@@ -240,7 +240,7 @@ std::vector<Rates> weight_rates(const Model& model, const Clip& clip, int index,
             const auto one = [&](const std::vector<double>& all) { return std::abs(all[t]); };
             if (!key) {
                 out[t] = {one(held), 0, 0};
-            } else if (c.between == Channel::Between::cubic) {
+            } else if (c.interpolation == Channel::Interpolation::cubic) {
                 out[t] = cubic_rates(c, *key, from_s, to_s, one);
             } else {
                 const double p = part_of_key(c, *key, 1)[t], q = part_of_key(c, *key + 1, 1)[t],

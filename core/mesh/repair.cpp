@@ -178,7 +178,7 @@ std::vector<std::string> sentences(const Repairs& repairs)
     return said;
 }
 
-Repaired repaired(Mesh mesh)
+RepairedMesh repaired(Mesh mesh)
 {
     Repairs repairs;
     std::tie(repairs.repeats, repairs.dropped) = drop_degenerate(mesh);
@@ -192,7 +192,7 @@ Repaired repaired(Mesh mesh)
         repairs.turned = static_cast<std::size_t>(std::count(turn.begin(), turn.end(), true));
     }
     repairs.loose = mesh.vertex_count();
-    Repaired result{without_loose_vertices(std::move(mesh)), repairs};
+    RepairedMesh result{without_loose_vertices(std::move(mesh)), repairs};
     result.repairs.loose -= result.mesh.vertex_count();
     return result;
 }

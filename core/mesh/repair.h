@@ -8,7 +8,7 @@
 
 namespace trivar {
 
-// Numbers of what was damaged.
+// Repairs counts what was damaged.
 struct Repairs {
     std::size_t repeats = 0; // faces whose corners repeated a point
     std::size_t dropped = 0; // faces left with fewer than three corners
@@ -17,18 +17,18 @@ struct Repairs {
     Repairs& operator+=(const Repairs& other);
 };
 
-// A sentence for each kind, with its number; none where nothing was damaged.
+// One sentence per kind of damage, with its number; empty where nothing was damaged.
 std::vector<std::string> sentences(const Repairs& repairs);
 
-struct Repaired {
+struct RepairedMesh {
     Mesh mesh;
     Repairs repairs;
 };
 
-// Takes the harmless damage out of a mesh whose indices are in range: corners that repeat the
-// point before them, faces left with fewer than three different ones, vertices no face has, and
-// faces turned against the rest of their component (where the component can be turned consistently
-// at all: a Moebius band stays as it is). O(#C log valence).
-Repaired repaired(Mesh mesh);
+// Repairs harmless damage of a mesh whose indices are in range: corners that repeat the point
+// before them, faces with fewer than three different corners, vertices that no face uses, and faces
+// turned against the rest of their component (where the component can be turned consistently at
+// all: a Moebius band stays as it is). O(#C log valence).
+RepairedMesh repaired(Mesh mesh);
 
 } // namespace trivar

@@ -6,10 +6,10 @@
 
 namespace trivar {
 
-// Catmull-Clark subdivision of a cage, `levels` times (0..6), creases and corners kept, the last
-// level moved to its limit position with limit normals. Texture coordinates are face-varying:
-// seams stay seams. Throws Rejected if the result would exceed 20 million faces.
-// E. Catmull, J. Clark 1978; creases after DeRose, Kass, Truong 1998.
+// Subdivides a cage by Catmull and Clark, `levels` times (0..6). Creases and corners are kept; the
+// last level is moved to its limit position and has limit normals. Texture coordinates are
+// face-varying: seams stay seams. Throws Rejected if the result would exceed 20 million faces. E.
+// Catmull, J. Clark 1978; creases after DeRose, Kass, Truong 1998.
 Mesh subdivide(const Mesh& cage, int levels, const Progress& progress = {});
 
 } // namespace trivar

@@ -38,10 +38,10 @@ public:
 
     template <class Emit> void cut(Emit emit)
     {
-        struct Waiting {
+        struct WaitingEar {
             std::size_t corner, round;
         };
-        std::deque<Waiting> ears;
+        std::deque<WaitingEar> ears;
         std::vector<std::size_t> round_of(p_.size(), 0);
         for (std::size_t i = 0; i < p_.size(); ++i)
             if (ear(i)) ears.push_back({i, 0});
@@ -50,7 +50,7 @@ public:
         while (left > 3) {
             std::size_t i;
             if (!ears.empty()) {
-                const Waiting first = ears.front();
+                const WaitingEar first = ears.front();
                 ears.pop_front();
                 i = first.corner;
                 if (!alive_[i] || round_of[i] != first.round || !ear(i)) continue;

@@ -6,14 +6,15 @@
 
 namespace trivar {
 
-// Where in ascending places a value stands: between the first and the one after it.
+// A Bracket says where a value stands among ascending places: between number `first` and the one
+// after it.
 struct Bracket {
     int first;
     double share;
 };
 Bracket bracket(const std::vector<double>& places, double at);
 
-// The rays through a strip by the parameters of its nodes, and what lies between: linear.
+// A StripChart gives the rays through a strip by the parameters of its nodes, linear between nodes.
 class StripChart {
 public:
     StripChart(const StripLayout& strip, const View& view); // both must outlive it
@@ -31,25 +32,28 @@ private:
     std::array<std::vector<double>, 2> places_;
 };
 
-// A point of an edge of the scene, met on a line of the strip.
+// A CreasePoint is a point of an edge of the scene that was found on a line of the strip.
 struct CreasePoint {
     glm::dvec2 uv;
     glm::dvec3 p_world;
-    int axis = 0;  // along which the line runs
-    int line = -1; // which one of the grid, or as it was asked for; -1: between them
+    int axis = 0; // along which the line runs
+    // number of the line in the grid, or as given in AskedCrease; -1: a line between those of the
+    // grid
+    int line = -1;
     std::array<Hit, 2> sides;
-    bool ridge = true; // else the bottom of a valley
+    bool ridge = true; // false: the bottom of a valley
 };
 
-// Looks along the lines of the grid, and from the middles of cells that are not where their corners
-// tell. An interval is halved, four times at most, while its ends differ by more than 25 degrees or
-// in their object, or its middle lies off; where they still do, bisection finds the edge, and the
-// planes of both sides the point on it. Cliffs, whose sides are not seen to meet, are none: springs
-// and the lift see to them. Some rays a node, and some hundred an edge met.
+// Searches along the lines of the grid, and from the middles of those cells that are not where
+// their corners suggest. An interval is halved, at most four times, while its ends differ by more
+// than 25 degrees or in their object, or while its middle lies off. Where they still differ,
+// bisection finds the edge, and the planes of both sides give the point on it. A cliff, whose sides
+// are not seen to meet, is no crease: springs and the lift treat cliffs. Cost: a few rays per node
+// and some hundred per edge found.
 std::vector<CreasePoint> crease_points(const StripChart& chart, const RayScene& scene,
                                        bool skip_back_faces);
 
-// The same between two places each.
+// An AskedCrease asks for the crease between two places.
 struct AskedCrease {
     glm::dvec2 from, to;
     int axis, line;

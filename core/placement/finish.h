@@ -5,13 +5,14 @@
 
 namespace trivar {
 
-// From nodes, displaced by s along their springs, to the placement: contact surface, lift, volume,
-// embedding, report. What place() does with the nodes at rest and an animation with moving ones.
+// The placement of nodes that are displaced by s along their springs: contact surface, lift,
+// volume, embedding, report. place() calls it with the nodes at rest, an animation with moving
+// ones.
 Placement finished(const StripLayout& layout, const std::vector<double>& s, const Camera& camera,
                    const PlacementParameters& parameters, const ModelFrame& frame,
                    const RayScene& scene, Timings& timings);
 
-// The middle line of a contact surface and its two rims, as chords.
+// The middle line of a contact surface and both of its rims, as chords.
 std::vector<std::vector<glm::dvec3>> outline(const Surface<glm::dvec3>& contact);
 
 } // namespace trivar

@@ -5,16 +5,18 @@
 
 namespace trivar {
 
-// Throws Rejected for a stroke that meets nothing, or too little, and sizes that do not fit.
+// Throws Rejected for a stroke that meets too little of the scene or nothing, and for sizes that do
+// not fit.
 StripLayout lay_out(const Sketch& sketch, const PlacementParameters& parameters,
                     const ModelFrame& frame, const RayScene& scene, Timings& timings);
 
-// The middle line of the strip as rays see it, `count` points; misses filled by the membrane.
+// The middle line of the strip as rays see it, at `count` points; the membrane fills misses.
 RayGrid center_line(const Curve<glm::dvec2>& center, int count, const Camera& camera,
                     const RayScene& scene, bool skip_back_faces);
 
-// Half the strip's width in pixels at `steps` equal steps of the center line, for a width in
-// metres at the line's depth, which is smoothed so that a step of the scene makes no notch.
+// Half of the strip's width in pixels at `steps` equal steps of the center line. The width in
+// metres is taken at the line's depth, which is smoothed so that a step of the scene makes no
+// notch.
 std::vector<double> half_width_px(const RayGrid& center, const Camera& camera, double width,
                                   std::size_t steps);
 

@@ -6,8 +6,8 @@
 
 namespace trivar {
 
-// The surface w = `level` of a volume, in the world, over the volume's own u and v axes: one that
-// is closed stays so. O(#control points).
+// The surface w = `level` of a volume, in the world, over the volume's own u and v axes; a closed
+// axis stays closed. O(#control points).
 Surface<glm::dvec3> level_surface(const Lattice& volume, double level);
 
 } // namespace trivar

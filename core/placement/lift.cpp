@@ -93,13 +93,13 @@ double most_behind(const std::vector<Gap>& at, double clearance)
 
 } // namespace
 
-Lifted lifted(Surface<glm::dvec3> contact, const Camera& camera, const RayScene& scene,
-              const LiftOptions& options)
+LiftedSurface lifted(Surface<glm::dvec3> contact, const Camera& camera, const RayScene& scene,
+                     const LiftOptions& options)
 {
     const View view(camera);
     const double enough = options.clearance, pass = pass_share * options.tolerance;
     const JudgeOptions judging{enough, let_be_share * options.tolerance, pass};
-    Lifted out{std::move(contact)};
+    LiftedSurface out{std::move(contact)};
     const SurfaceTable table(out.contact);
     const StripCut cut{table.cells(), quads_a_cell};
 

@@ -6,28 +6,29 @@
 namespace trivar {
 
 struct LiftOptions {
-    double tolerance = 1e-3; // metres that may stay behind the scene
-    double clearance = 0;    // metres to keep in front of it
+    double tolerance = 1e-3; // metres of the surface that may stay behind the scene
+    double clearance = 0;    // metres that the surface must keep in front of the scene
     bool skip_back_faces = false;
-    // No control point rises above what it is lifted over: over a cliff the shortest steps would
-    // throw those on top of it as far up as those at its foot.
+    // Whether control points stay below the top of what they are lifted over. Over a cliff the
+    // shortest steps would throw control points on its top as far up as those at its foot.
     bool never_overshoot = false;
 };
 
-struct Lifted {
+struct LiftedSurface {
     Surface<glm::dvec3> contact;
-    double penetration = 0; // largest left, metres
+    double penetration = 0; // largest penetration that is left, metres
     double largest_gap = 0; // metres between contact surface and scene, along the rays
     int rounds = 0;
 };
 
 // Moves control points toward the camera until the surface lies in front of everything the camera
-// sees, within the tolerance. judge() finds the points of the scene that are not; their control
-// points move outward, each point's by the shortest step that satisfies it (Kaczmarz 1937), the
-// deepest first; and it is judged again. One that never overshoots can be satisfied too: with all
-// its control points level with the sample, so is the surface. Rays do most of it before in less
-// time, and check it independently.
-Lifted lifted(Surface<glm::dvec3> contact, const Camera& camera, const RayScene& scene,
-              const LiftOptions& options);
+// sees, within the tolerance. judge() finds the points of the scene that are in front of the
+// surface. The control points near each such point move outward by the shortest step that satisfies
+// it (Kaczmarz 1937), the deepest point first; then the surface is judged again. With
+// `never_overshoot` every sample can still be satisfied: where all its control points are level
+// with it, so is the surface. Rays do most of the work beforehand in less time, and check the
+// result independently.
+LiftedSurface lifted(Surface<glm::dvec3> contact, const Camera& camera, const RayScene& scene,
+                     const LiftOptions& options);
 
 } // namespace trivar

@@ -25,7 +25,7 @@ Place place_of(const std::array<glm::dvec3, N>& points, const View& view,
     glm::dvec2 lo(1e300), hi(-1e300);
     std::size_t behind = 0;
     for (const glm::dvec3& p : points) {
-        const Projected at = view.project(p);
+        const PicturePoint at = view.project(p);
         behind += !(at.depth_world > 0);
         lo = glm::min(lo, at.p_px);
         hi = glm::max(hi, at.p_px);
@@ -79,13 +79,14 @@ void add_entry(NearScene& out, const RayScene::Entry& entry, const View& view,
         return (glm::dot(n, view.toward_eye(a)) > 0) != mirrored;
     };
     // In fixed blocks, so that the order of the result does not depend on the threads.
-    struct Found {
+    struct FoundTriangle {
         glm::uvec3 triangle;
         bool cut;
     };
-    std::vector<std::vector<Found>> near((boxes.size() + boxes_at_once - 1) / boxes_at_once);
+    std::vector<std::vector<FoundTriangle>> near((boxes.size() + boxes_at_once - 1) /
+                                                 boxes_at_once);
     parallel_blocks(boxes.size(), boxes_at_once, [&](std::size_t begin, std::size_t end) {
-        std::vector<Found>& found = near[begin / boxes_at_once];
+        std::vector<FoundTriangle>& found = near[begin / boxes_at_once];
         for (std::size_t box = begin; box < end; ++box) {
             if (!near_box(boxes[box])) continue;
             const std::size_t last = std::min(triangles.size(), (box + 1) * RayMesh::block);

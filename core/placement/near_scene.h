@@ -9,14 +9,14 @@
 
 namespace trivar {
 
-// The triangles of the scene that may come near the strip in the picture, and their vertices,
-// projected once. All in front of the camera: what reaches behind it is cut off. With
-// `skip_back_faces` only those turned to the camera, as the rays see them. Parallel; a few
-// nanoseconds for each triangle of the scene, for they are told apart in blocks.
+// NearScene holds the triangles of the scene that may come near the strip in the picture, with
+// their vertices projected once. All lie in front of the camera: a triangle that reaches behind it
+// is cut. `skip_back_faces` keeps only triangles that face the camera, as rays do. Parallel; a few
+// nanoseconds per triangle of the scene, for whole blocks are rejected at once.
 struct NearScene {
     struct Vertex {
         glm::dvec3 p_world;
-        Projected at;
+        PicturePoint at;
     };
     std::vector<Vertex> vertices;
     std::vector<std::array<std::uint32_t, 3>> triangles;

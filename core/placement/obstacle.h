@@ -5,9 +5,9 @@
 
 namespace trivar {
 
-// minimise 1/2 s.A s - b.s subject to lo <= s <= hi, over the unknowns that are free; the others
-// keep the value they have. A is symmetric positive semidefinite, in rows of (column, value) with
-// the diagonal apart. What the springs, the membrane and the live animation solve.
+// An ObstacleProblem asks to minimise 1/2 s.A s - b.s subject to lo <= s <= hi over the free
+// unknowns; all others keep their value. A is symmetric positive semidefinite, in rows of (column,
+// value) with the diagonal apart. Springs, membrane and live animation solve such problems.
 struct ObstacleProblem {
     std::vector<int> row_begin{0}; // #unknowns + 1
     std::vector<int> column;
@@ -16,7 +16,7 @@ struct ObstacleProblem {
     std::vector<char> free;
 
     std::size_t size() const { return diagonal.size(); }
-    // b - A s in one row: the force that pulls s up.
+    // The value of b - A s in one row: the force that pulls s up.
     double force(const std::vector<double>& s, std::size_t row) const;
 };
 
@@ -26,8 +26,8 @@ struct ObstacleSolution {
     double residual = 0; // largest |s - clamp(s + force / diagonal, lo, hi)| of the free unknowns
 };
 
-// Projected successive over-relaxation from s, in the given order of unknowns, until no unknown of
-// a sweep moves by more than the tolerance. 0 < omega < 2. Cryer 1971.
+// Applies projected successive over-relaxation from s, in the given order of unknowns, until no
+// unknown of a sweep moves by more than the tolerance. 0 < omega < 2. Cryer 1971.
 ObstacleSolution projected_sor(const ObstacleProblem& problem, std::vector<double> s,
                                const std::vector<int>& order, double omega, double tolerance,
                                int most_sweeps);

@@ -105,7 +105,7 @@ Placement finished(const StripLayout& layout, const std::vector<double>& s, cons
     std::vector<glm::dvec3> points(s.size());
     for (std::size_t k = 0; k < s.size(); ++k) points[k] = layout.sheet.point(k, s);
     const bool through_nodes = !jumps(layout.axes, points, layout.sheet.direction);
-    const Lifted lift = timed(timings, "lift", [&] {
+    const LiftedSurface lift = timed(timings, "lift", [&] {
         Surface<glm::dvec3> surface = contact_surface(layout.axes, points, through_nodes);
         if (!layout.features.empty())
             surface =

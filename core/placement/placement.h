@@ -25,10 +25,10 @@ struct Sketch {
     bool operator==(const Sketch&) const = default;
 };
 
-// Control points of a volume, at most; of each axis at least its order.
+// The largest number of control points of a volume per axis; the smallest is the axis's order.
 inline constexpr int most_along_or_across = 400, most_layers = 64;
 
-// What a node of the grid does whose ray hits nothing.
+// What a node of the grid does when its ray hits nothing.
 enum class Misses { membrane, ground, nearest, shrink };
 
 // The model's axis that runs along the stroke.
@@ -43,7 +43,7 @@ struct PlacementParameters {
     bool springs = true;     // bridge gaps by the obstacle problem
     double stiffness = 0.25; // a span of stiffness x length sags by a tenth of the gap, 0.001..1000
     double bending = 0;      // resistance to bending, relative to stiffness, 0..10
-    int neighborhood = 3;    // grid steps round a rough node that are let loose
+    int neighborhood = 3;    // grid steps round a rough node whose nodes are free to move
     double roughness_deg = 20; // angle between neighbouring faces that counts as rough, 1..90
     bool free_ends = false;    // the first and the last row of nodes may move too
     Misses misses = Misses::membrane;
@@ -55,51 +55,54 @@ struct PlacementParameters {
     bool reverse = false;         // the model looks toward the start of the stroke
     double roll_deg = 0;          // quarter turns of the model about its length: 0, 90, 180, 270
     // Factors of width and height along the stroke, as control points (share, factor) of a Profile;
-    // none: 1 everywhere.
+    // empty: 1 everywhere.
     std::vector<glm::dvec2> width_profile{}, height_profile{};
-    // The same of the height across it, from its right to its left: the height at (u, v) is the
-    // height times both factors.
+    // The same for the height across the stroke, from its right to its left. The height at (u, v)
+    // is the height times both factors.
     std::vector<glm::dvec2> height_across{};
     // Factors of the height over the whole strip, as the control points of a HeightMap: rows along
-    // the stroke, in each from its right to its left; none: 1 everywhere. All three multiply.
+    // the stroke, each from its right to its left; empty: 1 everywhere. All three factors multiply.
     std::vector<std::vector<double>> height_map{};
-    // How far the volume has risen at a share of its height, as control points of a Rise; none: as
-    // far as that.
+    // The height that the volume has reached at a share of w, as control points of a Rise; empty:
+    // the share itself.
     std::vector<glm::dvec2> rise_profile{};
-    double contact_level = 0;         // the w that lies on the scene: 0 its floor, 1 its roof
-    LengthAxis along = LengthAxis::x; // turned first of all, then rolled, then reversed
-    bool sharp = false;               // the surface has the creases of the scene under it
+    double contact_level = 0; // the w that lies on the scene: 0 the floor of the volume, 1 its roof
+    // the model's axis; the model is turned first, then rolled, then reversed
+    LengthAxis along = LengthAxis::x;
+    bool sharp = false; // the surface has the creases of the scene under it
     bool operator==(const PlacementParameters&) const = default;
 };
 
 struct PlacementReport {
     double length_world = 0, width_world = 0, height_world = 0;
-    double missed_share = 0;  // of the nodes
-    double contact_share = 0; // of the nodes, after the springs
-    double largest_gap = 0;   // metres between contact surface and scene
-    double penetration = 0; // largest left after the lift or made after it, as a fraction of height
+    double missed_share = 0;    // of the nodes
+    double contact_share = 0;   // of the nodes, after the springs
+    double largest_gap = 0;     // metres between contact surface and scene
+    double penetration = 0;     // largest penetration after the lift, as a fraction of height
     double largest_stretch = 1; // of the contact surface along the stroke
     int spring_iterations = 0;
-    int narrowed = 0;                 // columns narrowed so that the strip does not fold
+    int narrowed = 0;                 // number of columns narrowed so that the strip does not fold
     double smallest_jacobian = 0;     // sampled at the nodes, relative to the undeformed volume's
     std::vector<std::string> notices; // sentences for the user
-    std::string folds;                // one more of them where the volume folds; else empty
+    // the sentence among them that says that the volume folds; empty: it does not
+    std::string folds;
     std::vector<std::string> all_notices() const;
 };
 
-// The volume's control points are held in memory, 24 bytes each.
+// The largest number of control points of a volume; each takes 24 bytes.
 inline constexpr double most_control_points = 1e6;
 
-// How a node of the strip came to rest, for whoever shows it.
+// How a node of the strip came to rest.
 enum class Contact : char { touches, bridges, missed };
 struct StripNode {
     glm::dvec3 p_world{0}; // of the contact surface
     Contact contact = Contact::touches;
-    double spread = 1;  // area of the surface there, 1 where it is what width and length ask for
-    bool folds = false; // det J <= 0 over it
+    double spread = 1;  // area of the surface there, relative to that of the given width and length
+    bool folds = false; // det J <= 0 over the node
 };
 
-// Everything one stroke gives. The contact surface is the volume's iso-surface w = `ground`.
+// A Placement is everything that one stroke gives. The contact surface is the volume's iso-surface
+// w = `ground`.
 struct Placement {
     Surface<glm::dvec3> contact;
     Lattice volume;
@@ -111,10 +114,10 @@ struct Placement {
     std::vector<StripNode> nodes; // at the Greville abscissae of the contact surface, v fastest
 };
 
-// Lays a volume for a model with the given box along the stroke: sketch fit, offsets, ray grid,
+// Lays a volume along the stroke for a model with the given box: sketch fit, offsets, ray grid,
 // misses, springs, contact surface, lift, volume. The model's +x runs along the stroke, its +z
-// stands on the scene. Throws Rejected with a sentence that says what to do: a click, a stroke
-// that leaves the picture or hits nothing, sizes that are not positive. Pure; any number of
+// stands on the scene. Throws Rejected with a sentence that says what to do, for a click, a stroke
+// that leaves the picture or hits nothing, and sizes that are not positive. Pure; any number of
 // threads gives the same bits. Schein 2006, chapter 2.
 Placement place(const Sketch& sketch, const PlacementParameters& parameters, const Box& model,
                 const RayScene& scene, Timings& timings);

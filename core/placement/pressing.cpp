@@ -188,7 +188,7 @@ std::vector<PointMove> Pressing::on_columns(const std::vector<double>& weights, 
     return out;
 }
 
-Pressing::Came Pressing::add(const glm::dvec4& sample)
+Pressing::BallMotion Pressing::add(const glm::dvec4& sample)
 {
     const std::vector<double> w = weights(sample);
     std::vector<PointMove> taken = moves(sample, w);

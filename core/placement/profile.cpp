@@ -20,7 +20,7 @@ constexpr double slowness = 0.5;      // the width goes by this power of the slo
 constexpr double hand_s = 0.08;       // a hand's speed is its mean over this time
 
 // A value given at ascending places, linear in between.
-double between(const std::vector<double>& places, const std::vector<double>& values, double at)
+double interpolated(const std::vector<double>& places, const std::vector<double>& values, double at)
 {
     const auto above = std::upper_bound(places.begin(), places.end(), at);
     if (above == places.begin()) return values.front();
@@ -204,7 +204,7 @@ std::vector<glm::dvec2> brush_profile(const std::vector<StrokeSample>& samples, 
     std::vector<glm::dvec2> wanted;
     for (std::size_t i = 0; i < brush_steps; ++i) {
         shares.push_back(static_cast<double>(i) / static_cast<double>(brush_steps - 1));
-        wanted.emplace_back(shares.back(), between(walked, factors, shares.back()));
+        wanted.emplace_back(shares.back(), interpolated(walked, factors, shares.back()));
     }
     const Knots knots = Knots::uniform(3, brush_points);
     std::vector<glm::dvec2> out = fit(knots, shares, wanted, {.smoothing = 1e-6}).points;

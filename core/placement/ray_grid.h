@@ -6,16 +6,16 @@
 
 namespace trivar {
 
-// Rays through a ruled grid of the strip and what they meet. Node (i, j) has index
-// i * columns + j; i runs along the stroke, j from its right to its left.
+// A RayGrid holds the rays through a ruled grid of the strip and what they meet. Node (i, j) has
+// index i * columns + j; i runs along the stroke, j from its right to its left.
 struct RayGrid {
     int rows = 0, columns = 0;
     std::vector<double> a;          // #rows, along the strip
     std::vector<double> v;          // #nodes, across
     std::vector<Ray> rays;          // #nodes
-    std::vector<double> distance;   // #nodes, along the ray; of misses only after filled()
+    std::vector<double> distance;   // #nodes, along the ray; for misses only after filled()
     std::vector<char> hit;          // #nodes
-    std::vector<glm::dvec3> normal; // #nodes, of the scene, toward the camera; misses: the ray's
+    std::vector<glm::dvec3> normal; // #nodes, of the scene, toward the camera; for misses the ray's
 
     std::size_t index(int i, int j) const
     {
@@ -29,18 +29,18 @@ struct RayGrid {
     double missed_share() const;
 };
 
-// What the grid's rays meet. A surface met at less than about a degree counts as missed: such a hit
-// jumps with the smallest move of the strip.
+// Fills in what the grid's rays meet. A hit at less than about a degree to the surface counts as a
+// miss: such a hit jumps with the smallest move of the strip.
 RayGrid met(RayGrid grid, const RayScene& scene, bool skip_back_faces);
 inline constexpr double grazing = 0.02; // cosine between normal and ray
 
-// The same with one ray a node.
+// The same with one ray per node.
 RayGrid shoot(const Strip& strip, std::vector<double> a, std::vector<double> v,
               const Camera& camera, const RayScene& scene, bool skip_back_faces);
 
-// The grid with a distance for every node: missed ones get theirs from the membrane that spans the
-// hits around them (discrete Laplace equation), from the ground z = 0 or from the nearest hit.
-// At least one node must be a hit.
+// Gives every node a distance. A missed node takes its distance from the membrane that spans the
+// hits around it (discrete Laplace equation), from the ground z = 0 or from the nearest hit. At
+// least one node must be a hit.
 RayGrid filled(RayGrid grid, Misses misses);
 
 } // namespace trivar

@@ -12,8 +12,9 @@
 
 namespace trivar {
 
-// One mesh made ready for rays: a bounding-volume hierarchy over its triangles, in object space.
-// Building costs about 0.4 microseconds a triangle; it is shared by all scenes that hold it.
+// A RayMesh is one mesh made ready for rays: a bounding-volume hierarchy over its triangles, in
+// object space. Building costs about 0.4 microseconds per triangle; all scenes that hold the mesh
+// share it.
 class RayMesh {
 public:
     explicit RayMesh(Ref<Mesh> mesh);
@@ -23,8 +24,7 @@ public:
 
     const Mesh& mesh() const;
     const std::vector<glm::uvec3>& triangles() const; // #T by 3 vertex indices
-    // Boxes round every `block` triangles one after the other: most meshes keep neighbours
-    // together.
+    // Boxes round `block` consecutive triangles each: most meshes keep neighbours together.
     static constexpr std::size_t block = 64;
     const std::vector<Box>& block_boxes() const;
 
@@ -44,8 +44,9 @@ struct Hit {
     bool back_face = false;     // the ray came from inside
 };
 
-// The scene as rays see it. No ray slips through a shared edge; the hit is recomputed in double,
-// and of several triangles that meet in the hit the one of the first entry and face is taken.
+// A RayScene is the scene as rays see it. No ray slips through a shared edge. The hit is computed
+// again in double precision; where several triangles meet in the hit, the first entry and the first
+// face win.
 class RayScene {
 public:
     struct Entry {
@@ -62,8 +63,8 @@ public:
     // The nearest hit between the two distances. Thread-safe. About 0.6 microseconds.
     std::optional<Hit> hit(const Ray& ray, double from = 0, double to = 1e300,
                            bool skip_back_faces = false) const;
-    // The same for many rays, in parallel; each up to a distance of its own where those are given.
-    // Short ones that meet nothing cost a fifth of the others.
+    // The same for many rays, in parallel; `to` may give each ray a distance of its own. A short
+    // ray that meets nothing costs a fifth of the others.
     std::vector<std::optional<Hit>> hits(std::span<const Ray> rays, bool skip_back_faces = false,
                                          std::span<const double> to = {}) const;
     Box bounds() const; // world; a little larger than the scene where an object is turned

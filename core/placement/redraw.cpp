@@ -84,7 +84,7 @@ Samples seen_from(const Camera& sketch, const Camera& drawn_in, const Samples& s
     Samples out;
     for (std::size_t i = 0; i < samples.size(); ++i) {
         if (hits[i]) distance = hits[i]->distance;
-        const Projected p = to.project(rays[i].origin + distance * rays[i].direction);
+        const PicturePoint p = to.project(rays[i].origin + distance * rays[i].direction);
         if (!(p.depth_world > 0)) continue;
         out.push_back(samples[i]);
         out.back().p_px = p.p_px;

@@ -5,30 +5,32 @@
 
 namespace trivar {
 
-// Changes of a stroke that was drawn before. Pixels are those of the sketch's own picture.
+// These functions change a stroke that was drawn before. Pixels are those of the sketch's own
+// picture.
 
-// Samples drawn in another view, as if drawn in the sketch's: where their rays meet the scene, or
-// go by at the depth they met it last, is seen from there. Equal views change nothing. Empty where
-// no ray meets the scene.
+// The samples of another view, as if they had been drawn in the sketch's view. Each is the place at
+// which its ray meets the scene, or where the ray passes at the depth of the last meeting. Equal
+// views change nothing. Empty where no ray meets the scene.
 std::vector<StrokeSample> seen_from(const Camera& sketch, const Camera& drawn_in,
                                     const std::vector<StrokeSample>& samples,
                                     const RayScene& scene);
 
-// Where on the stroke, as a share of its length, it comes nearest to a point, and how near.
+// The share of the stroke's length at which it comes nearest to a point, and the distance there.
 struct NearestShare {
     double share = 0, distance_px = 0;
 };
 NearestShare nearest_share(const Sketch& sketch, glm::dvec2 p_px);
 double length_px(const std::vector<StrokeSample>& samples);
 
-// The stroke with a piece drawn anew. It leaves the old stroke at the sample nearest to where the
-// piece begins. A piece that ends within `near_px` of the stroke replaces what is between; any
-// other replaces the rest, on the side it sets out to. All other samples stay as they are; times
-// go on without a break.
+// The stroke with a piece drawn anew. The new piece leaves the old stroke at the sample that is
+// nearest to its beginning. A piece that ends within `near_px` of the stroke replaces the part
+// between; any other replaces the rest, on the side toward which it sets out. All other samples
+// stay as they are; times continue without a break.
 Sketch redrawn(const Sketch& sketch, const std::vector<StrokeSample>& piece, double near_px);
 
-// The stroke pulled at one place: it goes there by the whole way, to both sides ever less, and from
-// `reach` (a share of the length) on not at all. A ring is bent across its seam too.
+// The stroke after it was pulled at one place. That place moves by the whole way, its neighbours on
+// both sides by less and less, and samples further than `reach` (a share of the length) do not
+// move. A ring is bent across its seam too.
 Sketch bent(const Sketch& sketch, double share, glm::dvec2 by_px, double reach);
 
 } // namespace trivar

@@ -57,7 +57,7 @@ LaidVolume with_knots(const LaidVolume& v, const KnotInsertion& insertion)
 LaidVolume with_fewer(const LaidVolume& v, const Coarsening& coarsening, double& deviation)
 {
     const int axis = static_cast<int>(coarsening.axis);
-    Coarsened fewer = coarsened(*v.volume, axis, coarsening.count);
+    CoarserLattice fewer = coarsened(*v.volume, axis, coarsening.count);
     deviation = fewer.deviation;
     LaidVolume out = with_volume(v, std::move(fewer.lattice));
     out.as_laid = make_ref(coarsened(*v.as_laid, axis, coarsening.count).lattice);
@@ -84,7 +84,7 @@ LaidVolume mended(const LaidVolume& v, Shaping& what, const Progress& progress)
     const Knots& up = v.volume->displacement.axes[2];
     while (options.ground_layer + 1 < up.count() && up.greville(options.ground_layer) < v.ground)
         ++options.ground_layer;
-    const Unfolded out = unfolded(*v.volume, options, progress);
+    const UnfoldedLattice out = unfolded(*v.volume, options, progress);
     if (!out.certified)
         throw Rejected("the volume folds, and no change was found after which it does not; take "
                        "the last steps back, or place it anew");
@@ -183,7 +183,7 @@ Shaper::Done Shaper::pressed(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>&
                "pressing");
         const glm::dvec4 sample = press.samples[known];
         so_far_.asked += sample.w;
-        const Pressing::Came came = pressing_->add(sample);
+        const Pressing::BallMotion came = pressing_->add(sample);
         so_far_.done += came.metres;
         so_far_.would_fold = so_far_.would_fold || came.would_fold;
         press_.samples.push_back(sample);
@@ -233,7 +233,7 @@ Shaper::Done Shaper::done(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>& be
         }
         if (edit->mending) after = mended(after, what, progress);
         if (edit->warp) {
-            Warped bent = warped(after, *edit->warp);
+            WarpedVolume bent = warped(after, *edit->warp);
             after = std::move(bent.volume);
             what.done = bent.moved;
             what.asked = bent.share > 0 ? bent.moved / bent.share : bent.moved;
@@ -287,7 +287,7 @@ Ref<ShapedVolume> Shaper::operator()(const Ref<Placement>& laid,
         const std::size_t step = done_.size();
         report(progress, share(step), "shaping");
         done_.push_back(done(edits[step], done_.empty() ? begun_ : done_.back().after,
-                             between(progress, share(step), share(step + 1))));
+                             part_of(progress, share(step), share(step + 1))));
         forget();
     }
     const Ref<LaidVolume> after = done_.empty() ? begun_ : done_.back().after;

@@ -8,33 +8,35 @@
 
 namespace trivar {
 
-// What came of one step of shaping.
+// A Shaping is the result of one step of shaping.
 struct Shaping {
-    // Metres that the ball or the points should go, and went; of a ball that was drawn along, how
-    // far it took any point; of what has no such wish both are how far the volume moved anywhere,
-    // at most.
+    // `asked` is how far, in metres, the ball or the points should move, `done` how far they moved.
+    // For a ball that was drawn along, `done` is the longest way of any point; for a step without a
+    // wished distance both are the largest movement anywhere in the volume.
     double asked = 0, done = 0;
-    bool would_fold = false; // why less was done than asked
+    bool would_fold = false; // the guard is why less was done than asked
     std::string words = {};  // what was done, where there was a choice
-    std::string notice = {}; // why the step gave nothing; else empty
+    std::string notice = {}; // why the step gave nothing; empty: it worked
 };
 
 struct ShapedVolume {
-    Ref<Placement> placement; // with the volume as it is, and its contact surface
+    Ref<Placement> placement; // with the present volume and its contact surface
     Ref<LaidVolume> volume;
-    std::vector<Shaping> steps; // one for each edit
+    std::vector<Shaping> steps; // one per edit
 };
 
-// Does the steps one after another, and remembers some of the volumes between them: a step at the
-// end, or one more sample of the last press, costs that much, the way back by one nothing for the
-// last three and less than two steps on the mean. After Cancelled it goes on where it was.
+// A Shaper does the steps one after another and remembers some of the volumes between them. A step
+// at the end, or one more sample of the last press, costs only itself; going back by one step costs
+// nothing for the last three steps, and fewer than two steps on average. After Cancelled it
+// continues where it was.
 class Shaper {
 public:
     Ref<ShapedVolume> operator()(const Ref<Placement>& laid,
                                  const std::vector<Ref<VolumeEdit>>& edits,
                                  const Progress& progress = {});
 
-    // Volumes, of n steps at most 1 + 2 log2 n; each holds 24 bytes a control point and 12 a cell.
+    // The number of remembered volumes: for n steps at most 1 + 2 log2 n. Each takes 24 bytes per
+    // control point and 12 per cell.
     std::size_t remembered() const;
 
 private:
@@ -53,7 +55,7 @@ private:
     Ref<LaidVolume> begun_;
     Ref<ShapedVolume> last_;
     std::vector<Done> done_;
-    // The last press, and from where it went on.
+    // The last press, and the volume from which it continued.
     Ref<LaidVolume> pressed_from_;
     Press press_;
     Shaping so_far_;

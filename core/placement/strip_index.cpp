@@ -77,13 +77,13 @@ std::vector<StripIndex::Bend> bends(const std::vector<glm::dvec3>& points,
 } // namespace
 
 // A quad in the picture: where in the parameters, its middle, and the areas of its halves.
-struct StripIndex::Seen {
+struct StripIndex::SeenQuad {
     glm::ivec2 at{0};
     glm::dvec2 middle_px{0};
     double least = 0, most = 0;
 
-    Seen() = default;
-    Seen(const StripIndex& s, std::size_t first_corner)
+    SeenQuad() = default;
+    SeenQuad(const StripIndex& s, std::size_t first_corner)
     {
         const auto columns = static_cast<std::size_t>(s.steps_.y) + 1;
         at = {first_corner / columns, first_corner % columns};
@@ -132,10 +132,10 @@ StripIndex::StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2
         glm::clamp(glm::ivec2(buckets_a_quad * size / quad_px_), glm::ivec2(1), glm::ivec2(1024));
     buckets_per_px_ = glm::dvec2(buckets_) / size;
 
-    struct Touched {
+    struct BucketRange {
         glm::ivec2 from{0}, to{-1};
     };
-    std::vector<Touched> touched(corners.size()); // of each quad, in buckets
+    std::vector<BucketRange> touched(corners.size()); // of each quad, in buckets
     parallel_blocks(static_cast<std::size_t>(steps.x), 16, [&](std::size_t begin, std::size_t end) {
         const glm::ivec2 most = buckets_ - 1;
         for (int i = static_cast<int>(begin); i < static_cast<int>(end); ++i)
@@ -145,7 +145,7 @@ StripIndex::StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2
                     lo = glm::min(lo, corners_px_[static_cast<std::size_t>(k)]);
                     hi = glm::max(hi, corners_px_[static_cast<std::size_t>(k)]);
                 }
-                Touched& r = touched[static_cast<std::size_t>(quad(i, j)[0])];
+                BucketRange& r = touched[static_cast<std::size_t>(quad(i, j)[0])];
                 r.from = glm::clamp(glm::ivec2((lo - lo_) * buckets_per_px_), glm::ivec2(0), most);
                 r.to = glm::clamp(glm::ivec2((hi - lo_) * buckets_per_px_), glm::ivec2(0), most);
             }
@@ -165,14 +165,14 @@ StripIndex::StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2
     each([&](std::size_t b, int corner) { quads_[static_cast<std::size_t>(next[b]++)] = corner; });
     const std::vector<Bend> at_corners = bends(corners, seen_px, steps, quad_px_, view);
     bend_.resize(corners.size());
-    std::vector<Seen> seen(corners_px_.size());
+    std::vector<SeenQuad> seen(corners_px_.size());
     parallel_blocks(static_cast<std::size_t>(steps.x), 16, [&](std::size_t begin, std::size_t end) {
         for (int i = static_cast<int>(begin); i < static_cast<int>(end); ++i)
             for (int j = 0; j < steps.y; ++j) {
                 const auto first = static_cast<std::size_t>(quad(i, j)[0]);
                 for (const int k : quad(i, j))
                     bend_[first].add(at_corners[static_cast<std::size_t>(k)]);
-                seen[first] = Seen(*this, first);
+                seen[first] = SeenQuad(*this, first);
             }
     });
     for (const Bend& bend : bend_) most_bend_.add(bend);
@@ -184,7 +184,7 @@ StripIndex::StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2
 
 // Few quads of similar size, neighbours in the parameters, all seen from the same side, cannot lie
 // over one another.
-int StripIndex::plain_quad(std::size_t bucket, const std::vector<Seen>& quads) const
+int StripIndex::plain_quad(std::size_t bucket, const std::vector<SeenQuad>& quads) const
 {
     constexpr int widest = 6;           // along each axis of the parameters
     constexpr double most_uneven = 0.1; // smallest over largest area
@@ -195,7 +195,7 @@ int StripIndex::plain_quad(std::size_t bucket, const std::vector<Seen>& quads) c
     int out = -1;
     for (int e = begin_[bucket]; e < begin_[bucket + 1]; ++e) {
         const int corner = quads_[static_cast<std::size_t>(e)];
-        const Seen& quad = quads[static_cast<std::size_t>(corner)];
+        const SeenQuad& quad = quads[static_cast<std::size_t>(corner)];
         first = glm::min(first, quad.at);
         last = glm::max(last, quad.at);
         least = std::min(least, quad.least);

@@ -9,44 +9,47 @@
 
 namespace trivar {
 
-// Where a contact surface lies in the picture: from a pixel position to the parameters seen there.
-// The surface is cut into steps x steps quads, which a grid of buckets finds.
+// A StripIndex finds, for a pixel position, the parameters of the contact surface seen there. The
+// surface is cut into steps x steps quads, which a grid of buckets finds.
 class StripIndex {
 public:
     StripIndex(const SurfaceTable& surface, const View& view, glm::ivec2 steps);
 
-    // False where the strip certainly is not; for a rectangle, where it meets no bucket of it.
+    // False only where the strip certainly is not; for a rectangle, where it meets no bucket of the
+    // strip.
     bool may_cover(glm::dvec2 p_px) const;
     bool may_touch(glm::dvec2 lo_px, glm::dvec2 hi_px) const { return meets(begin_, lo_px, hi_px); }
 
-    // The strip and what is round it by up to `px` pixels; the index must outlive it.
+    // Surroundings are the strip and everything within `px` pixels of it; the index must outlive
+    // them.
     class Surroundings {
     public:
         Surroundings(const StripIndex& strip, double px);
-        // False where the strip certainly is further away than that.
+        // False only where the strip certainly is further away than that.
         bool may_touch(glm::dvec2 lo_px, glm::dvec2 hi_px) const;
 
     private:
         const StripIndex& strip_;
         double px_;
-        std::vector<int> near_; // how many buckets are before each
+        std::vector<int> near_; // number of buckets before each
     };
 
-    // Says at which corners of quads (steps + 1 along each axis, v fastest) the surface is another
-    // than it was, and asks whether it is anywhere in a rectangle; before that, it is everywhere.
+    // Marks the corners of quads (steps + 1 along each axis, v fastest) at which the surface has
+    // changed; changed() then tells whether a rectangle meets a change. Before the first call
+    // everything has changed.
     void mark_changed(const std::vector<char>& corners);
     bool changed(glm::dvec2 lo_px, glm::dvec2 hi_px) const
     {
         if (changed_.empty()) return may_touch(lo_px, hi_px);
-        // Mostly little has changed, and all of it in one place.
+        // Usually little has changed, and all of it in one place.
         return lo_px.x <= changed_hi_.x && lo_px.y <= changed_hi_.y && hi_px.x >= changed_lo_.x &&
                hi_px.y >= changed_lo_.y && meets(changed_, lo_px, hi_px);
     }
 
-    // How much the surface bends between the parameters: the largest second derivatives of how far
-    // it lies in front, metres along the line of sight, by quads along u and along v; of the mixed
-    // one the least and the largest. `quad_px2` is how long the shortest quad is in the picture,
-    // squared.
+    // A Bend says how much the surface bends between the parameters: the largest second derivatives
+    // of its distance in front, in metres along the line of sight, per quad along u and along v,
+    // and the least and the largest mixed one. `quad_px2` is the squared length of the shortest
+    // quad in the picture.
     struct Bend {
         glm::dvec2 along{-1e300}, mixed{1e300, -1e300}, quad_px2{1e300};
 
@@ -56,8 +59,8 @@ public:
             mixed = {std::min(mixed.x, other.mixed.x), std::max(mixed.y, other.mixed.y)};
             quad_px2 = glm::min(quad_px2, other.quad_px2);
         }
-        // Along a chord, which is given in quads: at its middle the surface is behind it by an
-        // eighth of that.
+        // The second derivative along a chord, which is given in quads. At the chord's middle the
+        // surface is behind the chord by an eighth of it.
         double across(glm::dvec2 chord) const
         {
             const double twist = chord.x * chord.y;
@@ -68,9 +71,9 @@ public:
     Bend bend(glm::dvec2 lo, glm::dvec2 hi) const;
     const glm::ivec2& steps() const { return steps_; }
 
-    // Calls visit(uv) for parameters near which the strip is seen at the pixel: several where it
-    // crosses itself, and two on the line between two quads. Outside the rim by up to the size of a
-    // quad it does, too.
+    // Calls visit(uv) for parameters near which the strip is seen at the pixel: several where the
+    // strip crosses itself, and two on the line between two quads. Pixels outside of the rim by up
+    // to the size of a quad are found too.
     template <class Visit> void find(glm::dvec2 p_px, const Visit& visit) const
     {
         if (!may_cover(p_px)) return;
@@ -92,8 +95,8 @@ private:
     std::size_t bucket(glm::dvec2 p_px) const;
     std::optional<glm::dvec2> in_quad(int first_corner, glm::dvec2 p_px) const;
     glm::dvec2 along_quad(int first_corner, glm::dvec2 p_px) const;
-    struct Seen;
-    int plain_quad(std::size_t bucket, const std::vector<Seen>& quads) const;
+    struct SeenQuad;
+    int plain_quad(std::size_t bucket, const std::vector<SeenQuad>& quads) const;
 
     glm::ivec2 steps_;
     std::vector<glm::dvec2> corners_px_; // (steps.x + 1) x (steps.y + 1)
@@ -101,13 +104,13 @@ private:
     double quad_px_ = 1;
     glm::ivec2 buckets_{1};
     glm::dvec2 buckets_per_px_{1};
-    std::vector<int> begin_, quads_; // of each bucket: the first corners of quads
-    std::vector<int> changed_;       // how many buckets are before each
-    glm::dvec2 changed_lo_{1e300}, changed_hi_{-1e300}; // round all of them
+    std::vector<int> begin_, quads_; // for each bucket: the first corners of its quads
+    std::vector<int> changed_;       // number of changed buckets before each
+    glm::dvec2 changed_lo_{1e300}, changed_hi_{-1e300}; // round all changed corners
     std::vector<Bend> bend_; // the largest of each quad, by its first corner
-    Bend most_bend_;         // of all
-    // Of each bucket in which a few neighbouring quads lie side by side: the first corner of the
-    // one nearest to its middle. -1 of others.
+    Bend most_bend_;         // the largest of all quads
+    // For each bucket in which a few neighbouring quads lie side by side, the first corner of the
+    // quad nearest to the bucket's middle; -1 for all other buckets.
     std::vector<int> plain_;
 };
 

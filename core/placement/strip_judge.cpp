@@ -29,7 +29,7 @@ public:
     {
     }
 
-    Corner corner(const glm::dvec3& p_world, const Projected& at, Judgement& out) const
+    Corner corner(const glm::dvec3& p_world, const PicturePoint& at, Judgement& out) const
     {
         Corner c{p_world, at.p_px, at.depth_world};
         strip_.find(at.p_px, [&](const glm::dvec2& uv) {
@@ -114,13 +114,13 @@ private:
     void halve(const Corner& a, const Corner& b, const Corner& apex, int halvings,
                Judgement& out) const
     {
-        const Corner middle = between(a, b, 0.5, out);
+        const Corner middle = corner_between(a, b, 0.5, out);
         triangle(a, middle, apex, halvings, out);
         triangle(middle, b, apex, halvings, out);
     }
 
     // At a share of the edge in the picture; equal steps there are not equal steps in space.
-    Corner between(const Corner& a, const Corner& b, double t, Judgement& out) const
+    Corner corner_between(const Corner& a, const Corner& b, double t, Judgement& out) const
     {
         const double za = a.depth_world, zb = b.depth_world;
         const double s = view_.perspective() ? t * za / (t * za + (1 - t) * zb) : t;
@@ -150,7 +150,7 @@ private:
                 return tried.gap;
             }
             share *= std::max(0.0, cut - rim_share);
-            tried = between(inside, outside, share, out);
+            tried = corner_between(inside, outside, share, out);
             if (tried.covered) return tried.gap;
         }
         return inside.gap;

@@ -8,8 +8,8 @@
 
 namespace trivar {
 
-// A strip cut into quads: so many a cell of control points along each axis, an even number. Marks
-// on it are one a corner of the quads, v fastest.
+// A StripCut is a strip cut into quads, with the same even number of quads per cell of control
+// points along each axis. Marks on it are one per corner of the quads, v fastest.
 struct StripCut {
     glm::ivec2 cells;
     int quads_a_cell;
@@ -29,27 +29,31 @@ struct StripCut {
     }
 };
 
-// Marks the cells in or beside which the cosine between the surface and the line of sight falls
-// below the limit, among what has changed.
+// Marks the changed cells in or beside which the cosine between the surface and the line of sight
+// falls below the limit.
 std::vector<char> steep_corners(const SurfaceTable& s, const StripCut& cut,
                                 const std::vector<char>& changed, const View& view, double limit);
 
-// How to look along rays: one a cell, and many along each axis of it at the rim and where the
-// surface is seen edge-on, for there the picture hardly tells where on the surface a point of the
-// scene belongs.
+// A RayLook says how densely rays look at the surface: one ray per cell, and many along each axis
+// of a cell at the rim and where the surface is seen edge-on, for there the picture hardly tells
+// where on the surface a point of the scene belongs.
 struct RayLook {
     int where_steep = 1;
-    int turn = 0;        // each elsewhere in the cells: a second one there would find nothing
-    bool beyond = false; // looks for what is in front of the surface alone, or behind it, too
+    // each turn looks at other places in the cells: a second look at the same place finds nothing
+    // new
+    int turn = 0;
+    // false: looks only for what is in front of the surface; true: also behind the surface
+    bool beyond = false;
     bool skip_back_faces = false;
 };
 
 struct SeenBehind {
     Judgement found;
-    double largest_gap = 0; // metres between surface and scene; where asked to look beyond
+    double largest_gap = 0; // metres between surface and scene; only with `beyond`
 };
 
-// What the camera sees behind the surface, of cells whose middle is marked. Parallel.
+// The points that the camera sees in front of the surface, in cells whose middle is marked.
+// Parallel.
 SeenBehind seen_behind(const SurfaceTable& s, const StripCut& cut, const std::vector<char>& marked,
                        const RayLook& look, const View& view, const RayScene& scene,
                        const JudgeOptions& options);

@@ -8,8 +8,8 @@
 
 namespace trivar {
 
-// The basis functions of an open axis as polynomials, one row of coefficients a span: their values
-// cost a few multiplications where basis() walks the triangle of de Boor.
+// An AxisTable holds the basis functions of an open axis as polynomials, one row of coefficients
+// per span. A value costs a few multiplications, where basis() walks the triangle of de Boor.
 class AxisTable {
 public:
     explicit AxisTable(const Knots& knots);
@@ -18,7 +18,7 @@ public:
         int first = 0; // control points first .. first + order - 1
         std::array<double, max_order> value, slope;
     };
-    Row at(double t) const; // beyond the domain the first and the last polynomial go on
+    Row at(double t) const; // outside of the domain the first and the last polynomial continue
 
 private:
     friend class SurfaceTable;
@@ -32,11 +32,11 @@ private:
         int first;
     };
     std::vector<Span> spans_;
-    std::vector<double> coefficients_; // of each span: order x order, by function, lowest first
+    std::vector<double> coefficients_; // per span: order x order, by function, lowest power first
 };
 
-// A surface with open axes made ready for many evaluations. The surface must outlive it and keep
-// its axes; its control points may move.
+// A SurfaceTable is a surface with open axes made ready for many evaluations. The surface must
+// outlive the table and keep its axes; its control points may move.
 class SurfaceTable {
 public:
     explicit SurfaceTable(const Surface<glm::dvec3>& surface);
@@ -46,17 +46,18 @@ public:
     };
     Jet jet(glm::dvec2 uv) const;
     const glm::dvec2& cells() const { return cells_; } // of control points, along both axes
-    bool creased() const { return creased_; }          // it may fold along a line of control points
+    bool creased() const { return creased_; } // the surface may fold along a line of control points
 
-    // At every u with every v, which ascend, v fastest: two matrix products.
+    // The surface at every u with every v, both ascending, v fastest: two matrix products.
     std::vector<glm::dvec3> grid(std::span<const double> u, std::span<const double> v) const;
-    // At (steps.x + 1) x (steps.y + 1) evenly spread parameters.
+    // The surface at (steps.x + 1) x (steps.y + 1) evenly spread parameters.
     std::vector<glm::dvec3> grid(glm::ivec2 steps) const;
 
-    // Which of those parameters the marked control points bear on.
+    // Which of those parameters the marked control points influence.
     std::vector<char> touched(glm::ivec2 steps, const std::vector<char>& points) const;
 
-    // Calls visit(index of the control point, weight) for those that bear on the point.
+    // Calls visit(index of the control point, weight) for every control point that influences the
+    // place.
     template <class Visit> void each_weight(glm::dvec2 uv, const Visit& visit) const
     {
         const AxisTable::Row a = axes_[0].at(uv.x), b = axes_[1].at(uv.y);

@@ -5,7 +5,8 @@
 
 namespace trivar {
 
-// A camera made ready to project many points: project() without setting up the frame each time.
+// A View is a camera made ready to project many points: project() without setting up the frame each
+// time.
 class View {
 public:
     explicit View(const Camera& camera)
@@ -18,13 +19,13 @@ public:
     {
     }
 
-    Projected project(const glm::dvec3& p_world) const
+    PicturePoint project(const glm::dvec3& p_world) const
     {
         const glm::dvec3 p(world_to_view_ * glm::dvec4(p_world, 1));
         const double pixels = 1 / pixel_size(-p.z);
         return {center_px_ + glm::dvec2(p.x, -p.y) * pixels, -p.z};
     }
-    // The ray through the pixel, as ray_through() gives it.
+    // The ray through a pixel, the same as ray_through() gives.
     Ray ray(glm::dvec2 p_px) const
     {
         const glm::dvec2 offset = (p_px - center_px_) * glm::dvec2(pixel_at_one_, -pixel_at_one_);
@@ -34,25 +35,25 @@ public:
         if (perspective_) return {eye_, glm::normalize(forward_ + across)};
         return {eye_ + across, forward_};
     }
-    // The ray on which a point in front of the camera is seen.
+    // The ray on which the camera sees a point in front of it.
     Ray ray_to(const glm::dvec3& p_world) const
     {
         if (perspective_) return {eye_, glm::normalize(p_world - eye_)};
         return {p_world + glm::dot(eye_ - p_world, forward_) * forward_, forward_};
     }
-    // The same view for points given in an object's space; only project() may be asked.
+    // The same view for points in an object's space; only project() may be called.
     View of_object(const glm::dmat4& to_world) const
     {
         View out = *this;
         out.world_to_view_ = world_to_view_ * to_world;
         return out;
     }
-    // World length of a pixel at that depth.
+    // The world length of a pixel at that depth.
     double pixel_size(double depth_world) const
     {
         return perspective_ ? pixel_at_one_ * depth_world : pixel_at_one_;
     }
-    // Unit, from the point to where it is seen from.
+    // The unit direction from the point to the eye.
     glm::dvec3 toward_eye(const glm::dvec3& p_world) const
     {
         return perspective_ ? glm::normalize(eye_ - p_world) : -forward_;

@@ -82,7 +82,7 @@ Warp part_of(Warp warp, double share)
     return warp;
 }
 
-Warped warped(const LaidVolume& volume, const Warp& warp)
+WarpedVolume warped(const LaidVolume& volume, const Warp& warp)
 {
     if (!was_a_box(volume))
         throw Rejected("only a lattice that is a box can be twisted, bent, tapered, sheared or "

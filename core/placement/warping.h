@@ -5,21 +5,21 @@
 
 namespace trivar {
 
-// Where a warp takes a point of a box about the origin. `p` and `size` are in metres along the
-// box's own X, Y and Z; size is above 0.
+// The place to which a warp takes a point of a box about the origin. `p` and `size` are in metres
+// along the box's own X, Y and Z; size is above 0.
 glm::dvec3 warped(const glm::dvec3& p, const glm::dvec3& size, const Warp& warp);
 
-// The part of a warp: every amount times `share`.
+// A share of a warp: every amount times `share`.
 Warp part_of(Warp warp, double share);
 
-// A volume after a warp, and the share of it that was done: where guarded the largest of 64 that is
-// proven not to fold. Throws Rejected where the volume was no box when it was laid. O(#control
-// points), and judges the volume up to seven times.
-struct Warped {
+// A WarpedVolume is a volume after a warp, and the share of the warp that was done: where guarded,
+// the largest of 64 shares that is proven not to fold. warped() throws Rejected where the volume
+// was no box when it was laid. O(#control points), and judges the volume up to seven times.
+struct WarpedVolume {
     LaidVolume volume;
     double share = 1;
-    double moved = 0; // metres that any control point went, at most
+    double moved = 0; // longest way of any control point, metres
 };
-Warped warped(const LaidVolume& volume, const Warp& warp);
+WarpedVolume warped(const LaidVolume& volume, const Warp& warp);
 
 } // namespace trivar

@@ -6,12 +6,13 @@
 
 namespace trivar {
 
-// Plane regions on a grid of whole numbers, em_units to the em: turns and areas of loops are exact.
+// Regions of the plane lie on a grid of whole numbers, em_units to the em: turns and areas of loops
+// are exact.
 inline constexpr int em_units = 1 << 18;
-inline constexpr int most_units = 1 << 23; // of a coordinate: 32 em
+inline constexpr int most_units = 1 << 23; // greatest coordinate: 32 em
 
-using Loop = std::vector<glm::ivec2>; // closed, its end joined to its beginning
-using Region = std::vector<Loop>;     // what lies left of its loops: holes run clockwise
+using Loop = std::vector<glm::ivec2>; // closed; its end is joined to its beginning
+using Region = std::vector<Loop>;     // the area to the left of its loops: holes run clockwise
 
 // Twice the area of the triangle a b c, positive where it runs counter-clockwise.
 inline std::int64_t turn(const glm::ivec2& a, const glm::ivec2& b, const glm::ivec2& c)
@@ -21,12 +22,12 @@ inline std::int64_t turn(const glm::ivec2& a, const glm::ivec2& b, const glm::iv
     return u.x * v.y - u.y * v.x;
 }
 
-// What any of the loops winds round; with `even_odd`, what an odd number of them does. Where loops
-// overlap or cross, their union.
+// The area that any of the loops winds round; with `even_odd`, the area inside of an odd number of
+// them. Where loops overlap or cross, the result is their union.
 Region united(const Region& loops, bool even_odd = false);
 
-// What is left of a region when everything nearer than `distance` units to its edge is taken away,
-// sharp corners kept: parts narrower than twice that vanish.
+// The part of a region that is at least `distance` units from its edge, with sharp corners kept:
+// parts narrower than twice that vanish.
 Region inset(const Region& region, double distance);
 
 // The same region with no edge longer than `longest` units, edges cut evenly.

@@ -117,15 +117,15 @@ int Triangulation::insert(const glm::ivec2& p)
     return point;
 }
 
-Triangulation::Joined Triangulation::join(int a, int b)
+Triangulation::JoinResult Triangulation::join(int a, int b)
 {
     const auto from = plane_->vertex(a), to = plane_->vertex(b);
     try {
         plane_->delaunay.insert_constraint(from, to);
     } catch (const Delaunay::Intersection_of_constraints_exception&) {
-        return Joined::crosses;
+        return JoinResult::crosses;
     }
-    return plane_->delaunay.is_edge(from, to) ? Joined::one_edge : Joined::several;
+    return plane_->delaunay.is_edge(from, to) ? JoinResult::one_edge : JoinResult::several;
 }
 
 void Triangulation::fill(const std::vector<std::pair<int, int>>& edges)

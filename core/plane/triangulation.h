@@ -11,8 +11,9 @@
 
 namespace trivar {
 
-// A constrained Delaunay triangulation of points of the grid. It is CGAL's, which decides by exact
-// numbers: no input puts it in disorder, and every machine makes the same triangles.
+// A Triangulation is a constrained Delaunay triangulation of points of the grid. It is CGAL's,
+// which decides by exact numbers: no input brings it into disorder, and every machine makes the
+// same triangles.
 class Triangulation {
 public:
     using Corners = std::array<int, 3>; // point numbers, counter-clockwise
@@ -20,14 +21,14 @@ public:
     Triangulation();
     ~Triangulation();
 
-    // The number of the point there, a new one or the one that was; numbers count up from 0.
+    // The number of the point at that place, a new one or an existing one; numbers count up from 0.
     int insert(const glm::ivec2& p);
-    // Makes a - b an edge that stays: several, one after another, where points lie on it. It ends
-    // at an edge that stays and would be crossed.
-    enum class Joined { one_edge, several, crosses };
-    Joined join(int a, int b);
+    // Makes a - b an edge that stays, or several edges in a row where points lie on it. It stops at
+    // an edge that stays and would be crossed.
+    enum class JoinResult { one_edge, several, crosses };
+    JoinResult join(int a, int b);
 
-    // Takes for inside what lies left of those edges, which stay and enclose it.
+    // Declares as inside the area to the left of these edges, which must stay and enclose it.
     void fill(const std::vector<std::pair<int, int>>& edges);
     // Inserts centres of circumscribed circles [1] of triangles inside that have an edge longer
     // than that, as long as one lies, within sight, in a triangle that `may_split`; `added` is told
@@ -38,7 +39,7 @@ public:
                 const std::function<void(int point, const Corners&)>& added);
 
     const std::vector<glm::ivec2>& points() const { return points_; }
-    std::vector<Corners> inside() const; // the triangles that fill() found
+    std::vector<Corners> inside() const; // the triangles that fill() found inside
 
 private:
     struct Plane;

@@ -8,20 +8,20 @@
 namespace trivar {
 namespace {
 
-template <class Vector> Vector between(const Vector& a, const Vector& b, float t)
+template <class Vector> Vector blended(const Vector& a, const Vector& b, float t)
 {
     return a + t * (b - a);
 }
 
-glm::vec3 unit_between(const glm::vec3& a, const glm::vec3& b, float t)
+glm::vec3 unit_blended(const glm::vec3& a, const glm::vec3& b, float t)
 {
-    const glm::vec3 v = between(a, b, t);
+    const glm::vec3 v = blended(a, b, t);
     const float length = glm::length(v);
     return length > 0 ? v / length : a;
 }
 
 // The four heaviest joints of both, their weights scaled to the sum 1 again.
-Mesh::Influences between(const Mesh::Influences& a, const Mesh::Influences& b, float t)
+Mesh::Influences blended(const Mesh::Influences& a, const Mesh::Influences& b, float t)
 {
     struct Joint {
         std::uint16_t joint;
@@ -71,13 +71,13 @@ void extend(std::vector<Value>& values, const std::vector<BornVertex>& born, std
 void add_vertices(Mesh& mesh, const std::vector<BornVertex>& born)
 {
     const std::size_t own = mesh.vertex_count();
-    const auto linear = [](const auto& a, const auto& b, float t) { return between(a, b, t); };
+    const auto linear = [](const auto& a, const auto& b, float t) { return blended(a, b, t); };
     extend(mesh.positions, born, own, [](const glm::vec3& a, const glm::vec3& b, float t) {
         return glm::vec3(glm::dvec3(a) + double{t} * (glm::dvec3(b) - glm::dvec3(a)));
     });
-    extend(mesh.normals, born, own, unit_between);
+    extend(mesh.normals, born, own, unit_blended);
     extend(mesh.tangents, born, own, [](const glm::vec4& a, const glm::vec4& b, float t) {
-        return glm::vec4(unit_between(glm::vec3(a), glm::vec3(b), t), a.w);
+        return glm::vec4(unit_blended(glm::vec3(a), glm::vec3(b), t), a.w);
     });
     extend(mesh.colors, born, own, linear);
     for (auto& set : mesh.uvs) extend(set, born, own, linear);

@@ -5,15 +5,16 @@
 
 namespace trivar {
 
-// A vertex on the edge from one vertex to another, at t from 0 to 1.
+// A BornVertex is a new vertex on the edge from vertex a to vertex b, at t from 0 to 1.
 struct BornVertex {
     std::uint32_t a, b;
     float t;
-    std::uint32_t point; // for Mesh::points, where the mesh has them
+    std::uint32_t point; // its number in Mesh::points, where the mesh has them
 };
 
-// The mesh with further vertices behind its own, in their order: positions are rounded once,
-// normals and tangents unit again. Faces stay as they are. a and b are among the mesh's own.
+// Appends new vertices to the mesh, in their order. Positions are rounded once; normals and
+// tangents are made unit again. Faces stay as they are. a and b must be among the mesh's own
+// vertices.
 void add_vertices(Mesh& mesh, const std::vector<BornVertex>& born);
 
 } // namespace trivar

@@ -5,19 +5,20 @@
 
 namespace trivar {
 
-// A short way to the composed net of a piece that is small in its cell: of the Taylor polynomial
-// round its middle the terms up to third order, whose net has ten points (an edge's: four) and is
-// cheap to cut up finely, and a bound of all that is left out.
+// CubicError is a short way to the composed net of a piece that is small in its cell. It takes the
+// terms up to third order of the Taylor polynomial about the piece's middle, whose net has ten
+// points (four on an edge) and is cheap to cut up finely, and bounds the sum of all other terms.
 class CubicError {
 public:
-    // Takes the cell's polynomial about the cell's middle.
+    // Takes the cell's polynomial about the middle of the cell.
     CubicError(const DisplacementCells::Cell& cell, const glm::ivec3& orders);
 
     struct Bound {
         double error = 0;    // of the terms up to third order
-        double left_out = 0; // what the others may add
+        double left_out = 0; // the most that the other terms may add
     };
-    // Corners in the cell, 0 to 1 along each axis, and the linear function that the error is from.
+    // The corners lie in the cell, 0 to 1 along each axis. `linear` holds the corners of the linear
+    // function from which the error is measured.
     template <std::size_t corners>
     Bound operator()(const std::array<glm::dvec3, corners>& local,
                      const std::array<glm::dvec3, corners>& linear) const;

@@ -5,37 +5,38 @@
 
 namespace trivar {
 
-// One axis as slabs between its knot planes. Slab 0 begins at the begin of the domain; before and
-// behind an open axis lies one more slab each, without an end, where nothing changes along it. A
-// closed axis goes on for ever.
+// AxisSlabs divides one axis into slabs between its knot planes. Slab 0 begins where the domain
+// begins. An open axis has one endless slab more on either side, where nothing changes along it. A
+// closed axis has slabs without end.
 class AxisSlabs {
 public:
     explicit AxisSlabs(const Knots& knots);
 
     int order() const { return order_; }
     bool open() const { return closure_ == Closure::open; }
-    // The slab that x lies in; of two that meet in x the upper or the lower one.
+    // The slab in which x lies; where two slabs meet in x, the upper or the lower one of them.
     int upper(double x) const;
     int lower(double x) const;
-    double begin(int slab) const; // -infinity where it has none
+    double begin(int slab) const; // -infinity where the slab has none
     double end(int slab) const { return begin(slab + 1); }
     bool beyond(int slab) const { return open() && (slab < 0 || slab >= count_); }
 
-    // How much of continuity is left where a slab meets the next one.
+    // The continuity that is left where a slab meets the next one.
     enum class Joint { smooth, kink, jump };
     Joint joint(int slab) const;
 
-    // What a slab takes its values from: the span, from its first unwrapped control point on, with
-    // the Bezier points of the span as order x order weights of control points, row by row.
+    // The span from which a slab takes its values: its first unwrapped control point, and the
+    // Bezier points of the span as order x order weights of control points, row by row.
     struct Span {
         int first = 0;
         std::array<double, max_order * max_order> bezier{};
         bool mirrors_others = false; // an odd number of times round a twisted axis
     };
     Span span(int slab) const;
-    // The slab that stands where this one is seen from the other end; open axes only.
+    // The slab at this one's place when counted from the other end; open axes only.
     int mirrored(int slab) const { return count_ - 1 - slab; }
-    // A parameter just outside an open axis, give or take a rounding, is brought to its end.
+    // A parameter that is outside of an open axis by a rounding error is moved to the end of the
+    // axis.
     double snapped(double x) const;
 
 private:
@@ -47,7 +48,7 @@ private:
     std::vector<Joint> joints_; // where slab i begins, i = 0 .. count_
 };
 
-// The displacement of a lattice cell by cell, in Bernstein form.
+// DisplacementCells holds the displacement of a lattice cell by cell, in Bernstein form.
 class DisplacementCells {
 public:
     explicit DisplacementCells(const Trivariate<glm::dvec3>& displacement);
@@ -56,19 +57,20 @@ public:
     const AxisSlabs& axis(int a) const { return axes_[static_cast<std::size_t>(a)]; }
     glm::ivec3 orders() const { return {axes_[0].order(), axes_[1].order(), axes_[2].order()}; }
 
-    // The Bezier points over the slabs of a cell, w fastest, and how they are reached.
+    // A Cell holds the Bezier points over its slabs, w fastest, and how its parameters are mapped.
     struct Cell {
         glm::ivec3 slabs{0};
         std::array<glm::dvec4, max_order * max_order * max_order> points;
         glm::bvec3 mirrored{false};
         glm::bvec3 beyond{false};
-        glm::dvec3 begin{0}, size{1}; // of the slabs; beyond an axis at its end, 1
-        double local(const glm::dvec3& uvw, int a) const; // 0 to 1
+        glm::dvec3 begin{0}, size{1}; // of the slabs; beyond an axis: the axis's end, and 1
+        double local(const glm::dvec3& uvw, int a) const; // from 0 to 1
     };
     void load(const glm::ivec3& slabs, Cell& cell) const;
 
-    double largest() const { return largest_; }          // length of a control point
-    const glm::dvec3& slopes() const { return slopes_; } // no longer is the derivative by u, v, w
+    double largest() const { return largest_; } // greatest length of a control point
+    // greatest length of the derivative by u, v and w
+    const glm::dvec3& slopes() const { return slopes_; }
     bool zero() const { return largest_ == 0; }
 
 private:

@@ -9,15 +9,17 @@
 
 namespace trivar {
 
-// Certified bounds in world units: what they promise holds for exact arithmetic, and the bound is
-// raised by what rounding may hide in its own computation. Infinite where a method says nothing:
-// all where the map jumps inside, the ones by second derivatives also where it has a kink (a knot
+// ErrorBounds gives certified bounds in world units. Their promise holds for exact arithmetic, and
+// each bound is raised by what rounding may hide in its own computation. A bound is infinite where
+// a method does not apply: for all methods where the map jumps inside, for those by second
+// derivatives also where it has a kink (a knot of an axis of order 2, the end of an open axis). The
+// last cell is remembered, so each thread needs an ErrorBounds of its own.
 // of an axis of order 2, the end of an open axis). Remembers the last cell: one for each thread.
 class ErrorBounds {
 public:
     explicit ErrorBounds(Ref<DisplacementCells> cells) : cells_(std::move(cells)) {}
 
-    // Corners with the displacement there: evaluate(displacement, uvw).value.
+    // A Corner is a point with the displacement there: evaluate(displacement, uvw).value.
     struct Corner {
         glm::dvec3 uvw, displacement;
     };
@@ -25,7 +27,7 @@ public:
     double triangle(const std::array<Corner, 3>& corners, BoundMethod method);
     double edge(const std::array<Corner, 2>& corners, BoundMethod method);
 
-    // The displacement along an edge as the Bezier nets of its pieces.
+    // An EdgePiece is a piece of an edge, with the displacement along it as a Bezier net.
     struct EdgePiece {
         double from, to; // of the edge, 0 to 1
         int degree;
@@ -43,10 +45,11 @@ private:
     Ref<DisplacementCells> cells_;
     DisplacementCells::Cell cell_;
     bool loaded_ = false;
-    std::optional<CubicError> cubic_; // of that cell
+    std::optional<CubicError> cubic_; // of the remembered cell
 };
 
-// The least circle round a triangle, and the one through its corners: radii in the units of p.
+// The radii of the smallest circle round a triangle, and of the circle through its corners, in the
+// units of p.
 double least_circle_radius(const std::array<glm::dvec3, 3>& p);
 double circumradius(const std::array<glm::dvec3, 3>& p);
 

@@ -9,9 +9,10 @@
 
 namespace trivar {
 
-// The nets on the halves of an edge, or of a triangle (a, b, c) cut through the middle m of a and
-// b: those on (c, a, m) and (b, c, m), so that the next edge's turn comes next. Means of points
-// only, after de Casteljau. `degree` is a number, or a constant that the compiler knows.
+// Gives the nets on both halves of an edge, or of a triangle (a, b, c) that is cut through the
+// middle m of a and b. The halves are (c, a, m) and (b, c, m), so that another edge is cut next
+// time. Only means of points are taken, as de Casteljau does. `degree` is a number, or a constant
+// that the compiler knows.
 template <int corners, class Net> void bisect(const Net& net, auto degree, Net& p, Net& q)
 {
     const int most = degree;
@@ -28,8 +29,8 @@ template <int corners, class Net> void bisect(const Net& net, auto degree, Net& 
     }
 }
 
-// The square of the greatest length of a net's points after some bisections: no less than that of
-// what it spans. Parts that cannot raise `most` are left alone.
+// The square of the greatest length of a net's points after some bisections: an upper bound for the
+// function that the net spans. Parts that cannot raise `most` are skipped.
 template <int corners, class Net>
 double longest_squared(const Net& net, auto degree, int levels, double most)
 {

@@ -36,7 +36,7 @@ public:
         measure_rounding(parts);
     }
     void split();
-    Refined result();
+    RefinementResult result();
 
 private:
     void measure_rounding(const std::vector<RefinePart>& parts);
@@ -320,10 +320,10 @@ void Refinement::split()
     }
 }
 
-Refined Refinement::result()
+RefinementResult Refinement::result()
 {
     bound_triangles(true);
-    Refined out;
+    RefinementResult out;
     out.out_of_budget = out_of_budget_;
     for (const auto& point : all_.points()) {
         out.depth = std::max(out.depth, point.depth);
@@ -356,22 +356,22 @@ Refined Refinement::result()
 
 } // namespace
 
-std::size_t Refined::triangles() const
+std::size_t RefinementResult::triangles() const
 {
     std::size_t sum = 0;
     for (const RefinedPart& part : parts) sum += part.triangles;
     return sum;
 }
 
-std::size_t Refined::not_certified() const
+std::size_t RefinementResult::not_certified() const
 {
     std::size_t sum = 0;
     for (const RefinedPart& part : parts) sum += part.not_certified.size();
     return sum;
 }
 
-Refined refine(const std::vector<RefinePart>& parts, const Lattice& lattice,
-               const RefineOptions& options, const Progress& progress)
+RefinementResult refine(const std::vector<RefinePart>& parts, const Lattice& lattice,
+                        const RefineOptions& options, const Progress& progress)
 {
     if (!(options.tolerance_world > 0) || !std::isfinite(options.tolerance_world))
         throw Rejected("a tolerance has to be a length above 0 m");
@@ -380,8 +380,8 @@ Refined refine(const std::vector<RefinePart>& parts, const Lattice& lattice,
     return refinement.result();
 }
 
-Refined bounded(const std::vector<RefinePart>& parts, const Lattice& lattice,
-                const RefineOptions& options, const Progress& progress)
+RefinementResult bounded(const std::vector<RefinePart>& parts, const Lattice& lattice,
+                         const RefineOptions& options, const Progress& progress)
 {
     return Refinement(parts, lattice, options, progress).result();
 }

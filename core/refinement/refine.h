@@ -12,44 +12,48 @@ namespace trivar {
 struct RefineOptions {
     double tolerance_world = 0;
     SplitPoint split = SplitPoint::equidistributed;
-    BoundMethod method = BoundMethod::composed_net; // subdivided where that may save a split
+    // composed_net is subdivided where that may save a split
+    BoundMethod method = BoundMethod::composed_net;
     RefinementRule rule = RefinementRule::edge_driven;
-    std::size_t budget = 4'000'000; // triangles of all parts
+    std::size_t budget = 4'000'000; // greatest number of triangles of all parts together
 };
 
 struct RefinedPart {
-    Ref<Mesh> mesh; // triangles; the mesh that was given where none had to be split
+    Ref<Mesh> mesh; // in triangles; the given mesh itself where nothing was split
     std::size_t triangles_before = 0, triangles = 0;
-    std::size_t degenerate = 0; // of them without area in parameter space: bounded like the others
-    // What every triangle's error is proven not to exceed, rounding included; world units.
-    // Infinite where a bound says nothing, and after chua_neumann_midpoint.
+    // triangles without area in parameter space: bounded like the others
+    std::size_t degenerate = 0;
+    // The proven greatest error of any triangle in world units, rounding included. Infinite where
+    // the method gives no bound, and after chua_neumann_midpoint.
     double bound = 0;
     std::vector<std::uint32_t> not_certified; // faces of `mesh` whose bound exceeds the tolerance
-    std::vector<BornVertex> born; // how its further vertices came from earlier ones, in their order
-    std::vector<float> bound_at;  // by vertex of `mesh`: the greatest bound of its triangles
+    // how each new vertex came from earlier ones, in the order of the vertices
+    std::vector<BornVertex> born;
+    std::vector<float> bound_at; // for each vertex of `mesh`, the greatest bound of its triangles
 };
 
-struct Refined {
+struct RefinementResult {
     std::vector<RefinedPart> parts;
-    double bound = 0;    // the greatest of the parts
-    double rounding = 0; // its share that is single precision's: of vertices and their deformation
-    int depth = 0;       // how often an edge was split, over and over
+    double bound = 0; // the greatest of the parts
+    // the share of the bound that comes from single precision, in vertices and their deformation
+    double rounding = 0;
+    int depth = 0; // greatest number of splits that one edge went through
     bool out_of_budget = false;
     std::size_t triangles() const;
     std::size_t not_certified() const;
 };
 
-// The meshes with edges split until the deformed flat triangles are nowhere further from the
-// deformed surface than the tolerance; no T-junctions, not even between parts whose boundaries meet
-// in parameter space bit by bit. Positions, normals, tangents, colours, texture coordinates,
-// influences and morph targets of new vertices are those of the flat triangle; seams stay seams.
-// Each triangle that comes into being is bounded once, 2 to 5 us tri-cubic; the same bits for any
-// number of threads. Throws Rejected for a tolerance that is not above 0, or finer than rounding;
-// progress is the share of the edges that need no split, over and over.
-Refined refine(const std::vector<RefinePart>& parts, const Lattice& lattice,
-               const RefineOptions& options, const Progress& progress = {});
-// What is proven of the triangles as they are: nothing is split.
-Refined bounded(const std::vector<RefinePart>& parts, const Lattice& lattice,
-                const RefineOptions& options, const Progress& progress = {});
+// Splits edges until the deformed flat triangles are nowhere further from the deformed surface than
+// the tolerance. There are no T-junctions, also not between parts whose boundaries meet in
+// parameter space bit by bit. New vertices take positions, normals, tangents, colours, texture
+// coordinates, influences and morph targets from the flat triangle; seams stay seams. Cost: each
+// new triangle is bounded once, 2 to 5 us for a tri-cubic lattice. Any number of threads gives the
+// same bits. Throws Rejected for a tolerance that is not above 0 or is finer than rounding.
+// Progress is the share of the edges that need no split; it may fall back when edges are split.
+RefinementResult refine(const std::vector<RefinePart>& parts, const Lattice& lattice,
+                        const RefineOptions& options, const Progress& progress = {});
+// Bounds the triangles as they are; nothing is split.
+RefinementResult bounded(const std::vector<RefinePart>& parts, const Lattice& lattice,
+                         const RefineOptions& options, const Progress& progress = {});
 
 } // namespace trivar

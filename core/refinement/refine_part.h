@@ -7,7 +7,7 @@
 
 namespace trivar {
 
-// A mesh and how it lies in the volume: what Deformer takes.
+// A RefinePart is a mesh and its place in the volume, as Deformer takes them.
 struct RefinePart {
     Ref<Mesh> mesh;
     Embedding embedding;

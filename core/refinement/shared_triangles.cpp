@@ -23,11 +23,11 @@ SharedTriangles::SharedTriangles(const std::vector<RefinePart>& parts, const Lat
 
 void SharedTriangles::take_vertices()
 {
-    struct Placed {
+    struct VertexPlace {
         glm::dvec3 uvw;
         Index part, vertex;
     };
-    std::vector<Placed> placed;
+    std::vector<VertexPlace> placed;
     for (std::size_t p = 0; p < given_.size(); ++p) {
         parts_[p].mesh = *given_[p].mesh;
         parts_[p].next_surface_point = static_cast<Index>(point_count(*given_[p].mesh));
@@ -39,7 +39,7 @@ void SharedTriangles::take_vertices()
                 {glm::dvec3(given_[p].embedding.to_uvw * glm::dvec4(positions[v], 1)) + 0.0,
                  static_cast<Index>(p), static_cast<Index>(v)});
     }
-    std::ranges::sort(placed, [](const Placed& x, const Placed& y) {
+    std::ranges::sort(placed, [](const VertexPlace& x, const VertexPlace& y) {
         return std::tie(x.uvw.x, x.uvw.y, x.uvw.z, x.part, x.vertex) <
                std::tie(y.uvw.x, y.uvw.y, y.uvw.z, y.part, y.vertex);
     });
@@ -51,7 +51,7 @@ void SharedTriangles::take_vertices()
     points_.resize(first.size());
     parallel_blocks(first.size(), 1024, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const Placed& from = placed[first[i]];
+            const VertexPlace& from = placed[first[i]];
             Point& point = points_[i];
             point.uvw = from.uvw;
             point.displacement = evaluate(lattice_.displacement, from.uvw).value;

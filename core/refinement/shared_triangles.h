@@ -7,9 +7,10 @@
 
 namespace trivar {
 
-// The triangles of several meshes in one volume, with the points and edges that they share, so that
-// an edge is split once for all that have it as a side. Points are told apart by their parameters
-// alone: seams, and boundaries between meshes, split alike on both sides.
+// SharedTriangles holds the triangles of several meshes in one volume, with the points and edges
+// that they share, so that an edge is split once for all triangles beside it. Two vertices are one
+// point if their parameters are equal: seams, and boundaries between meshes, split alike on both
+// sides.
 class SharedTriangles {
 public:
     using Index = std::uint32_t;
@@ -18,24 +19,25 @@ public:
 
     struct Point {
         glm::dvec3 uvw{0}, displacement{0}, rest_world{0};
-        int depth = 0; // how often an edge was split to come here
-        // By single precision, at most: its vertices from the flat triangles that were given, in
-        // the object, and from where the volume takes them, in the world.
+        int depth = 0; // number of splits that led to this vertex
+        // The most that single precision may have changed: `moved` is the distance of its vertices
+        // from the given flat triangles, in the object; `misplaced` their distance from where the
+        // volume takes them, in the world.
         double moved = 0, misplaced = 0;
         glm::dvec3 world() const { return rest_world + displacement; }
     };
     struct Edge {
         Index a, b; // points
         double bound = unknown;
-        float t = 0.5f; // where to split it
+        float t = 0.5f; // the place at which to split it
         bool marked = false;
-        Index middle = none; // once it is split
-        Index halves = none; // the one at a; the one at b comes next
+        Index middle = none; // the point there, once it is split
+        Index halves = none; // the half at a; the half at b follows it
         Index first_twin = none;
     };
     struct Triangle {
         std::array<Index, 3> vertices, edges; // edge i from vertex i to the next one
-        Index part, face;                     // of the mesh that was given
+        Index part, face;                     // of the given mesh
         double bound = unknown;
     };
 
@@ -55,20 +57,22 @@ public:
         return {corner(edge.a), corner(edge.b)};
     }
     std::array<ErrorBounds::Corner, 3> corners(const Triangle& triangle) const;
-    double length_world(const Edge& edge) const; // of the deformed chord
+    double length_world(const Edge& edge) const; // length of the deformed chord
 
-    // Splits the marked edges, and their triangles into two, three (along the shorter diagonal, as
-    // it is deformed) or four. No edge is marked then, and the new ones stand behind the others.
+    // Splits the marked edges, and their triangles into two, three (along the diagonal that is
+    // shorter after deformation) or four. Afterwards no edge is marked, and the new edges stand
+    // behind the others.
     void split_marked();
 
-    // A part as a mesh of triangles, in their order; the mesh that was given where none was split.
+    // A part as a mesh of triangles, in their order; the given mesh itself where none was split.
     Ref<Mesh> mesh(std::size_t part) const;
     const std::vector<BornVertex>& born(std::size_t part) const { return parts_[part].all_born; }
     std::size_t part_count() const { return parts_.size(); }
     std::size_t triangles_before(std::size_t part) const { return triangles_before_[part]; }
 
 private:
-    // A vertex on a split edge: one for every pair of vertices of a part at its ends.
+    // A Twin is a vertex on a split edge: one for every pair of vertices of a part at the edge's
+    // ends.
     struct Twin {
         Index part, a, b, born, surface_point, next;
     };
@@ -77,7 +81,7 @@ private:
         std::vector<BornVertex> born; // in this round
         std::vector<BornVertex> all_born;
         Index next_surface_point = 0; // for Mesh::points
-        Mesh mesh;                    // vertices only are kept up
+        Mesh mesh;                    // only its vertices are kept up to date
         bool split = false;
     };
     void take_vertices();
@@ -85,7 +89,7 @@ private:
     void measure_places(std::size_t part, std::size_t first_vertex);
     void split_triangle(const Triangle& triangle, std::vector<Triangle>& out);
     Index add_edge(Index p, Index q);
-    // Of an edge that is split; made where it is not there.
+    // The vertex on a split edge; it is made where it does not exist.
     Index vertex_on(Index edge, Index part, Index va, Index vb);
 
     const std::vector<RefinePart>& given_;

@@ -33,7 +33,7 @@ template <int corners> void each_term(int degree, auto&& visit)
         for (int c = 0; c <= (corners == 2 ? 0 : r); ++c) visit(index++, r, c);
 }
 
-// N! / ((N-r)! (r-c)! c!)
+// The multinomial coefficient N! / ((N-r)! (r-c)! c!).
 inline double multinomial(int degree, int r, int c)
 {
     constexpr auto factorial = [] {
@@ -45,7 +45,7 @@ inline double multinomial(int degree, int r, int c)
            (factorial[at(degree - r)] * factorial[at(r - c)] * factorial[at(c)]);
 }
 
-// out += a b, for a with numbers and b with numbers or points as coefficients.
+// Computes out += a b, for a with numbers and b with numbers or points as coefficients.
 template <int corners, class Value>
 void add_product(const double* a, int degree_a, const Value* b, int degree_b, Value* out)
 {
@@ -75,7 +75,7 @@ BasisOnSimplex<corners> basis_on_simplex(int order, const std::array<double, cor
     const int degree = order - 1;
     std::array<double, corners> rest;
     for (std::size_t i = 0; i < corners; ++i) rest[i] = 1 - u[i];
-    // Powers of u and of 1 - u; binomials in the former.
+    // The powers of u and of 1 - u; `power` includes the binomials.
     BasisOnSimplex<corners> power{}, rest_power{}, out{};
     power[0][0] = rest_power[0][0] = 1;
     for (int i = 1; i <= degree; ++i) {

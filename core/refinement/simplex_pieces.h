@@ -9,14 +9,15 @@
 
 namespace trivar {
 
-// An edge (two corners) or a triangle (three) in parameter space, or a piece of one.
+// A SimplexPiece is an edge (two corners) or a triangle (three) in parameter space, or a piece of
+// one.
 template <int corners> struct SimplexPiece {
     glm::ivec3 slabs{0};
-    std::array<glm::dvec3, corners> weight; // of each corner: barycentric, of the whole
+    std::array<glm::dvec3, corners> weight; // barycentric place of each corner in the whole simplex
     std::array<glm::dvec3, corners> uvw;
 };
 
-// The convex part of a simplex between some knot planes.
+// A CutSimplex is the convex part of a simplex between some knot planes.
 template <int corners> class CutSimplex {
 public:
     struct Corner {
@@ -53,7 +54,7 @@ public:
         }
         return out;
     }
-    // As simplices, fan-wise.
+    // Visits the part as simplices, in a fan.
     void each_simplex(auto&& visit) const
     {
         for (std::size_t i = corners - 1; i < count_; ++i)
@@ -79,13 +80,13 @@ private:
     std::size_t count_ = 0;
 };
 
-// Where the map of a simplex is smooth: in one polynomial, across smooth knots, across kinks, or
-// not even continuous.
+// A Crossing says how smooth the map of a simplex is: one polynomial, across smooth knots, across
+// kinks, or not even continuous.
 struct Crossing {
     bool kink = false, jump = false;
 };
 
-// Calls visit(piece) for the pieces of a simplex between knot planes: one polynomial each.
+// Calls visit(piece) for the pieces of a simplex between knot planes; each holds one polynomial.
 template <int corners>
 Crossing each_piece(const DisplacementCells& cells, const std::array<glm::dvec3, corners>& uvw,
                     auto&& visit)

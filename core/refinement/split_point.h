@@ -5,7 +5,7 @@
 
 namespace trivar {
 
-// Where to split an edge, 0.2 to 0.8.
+// The place at which to split an edge, 0.2 to 0.8.
 double split_point(ErrorBounds& bounds, const std::array<ErrorBounds::Corner, 2>& edge,
                    SplitPoint split);
 

@@ -14,7 +14,7 @@ namespace {
 
 std::string content_of(const ImportedFile& file, const AssetStore& assets, bool missing_is_well)
 {
-    const AssetStore::Loaded loaded = assets.load(file);
+    const AssetStore::LoadedModel loaded = assets.load(file);
     if (loaded.hash.empty() && !missing_is_well)
         throw Rejected(loaded.notices.empty() ? file.path + ": cannot be read"
                                               : loaded.notices.front());

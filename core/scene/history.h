@@ -9,21 +9,22 @@
 
 namespace trivar {
 
-// The way from a first document to the present one. `propose` replaces the pending proposal and
-// always works on the last committed document, so a drag is many proposals and one commit. There
-// is no inverse code: undo returns to a document that is still held, at no cost.
+// A History is the way from a first document to the present one. `propose` replaces the pending
+// proposal and always works on the last committed document, so a drag is many proposals and one
+// commit. There is no inverse code: undo returns to a document that is still held, at no cost.
 class History {
 public:
     struct Step {
         Command command;
         Document result;
-        std::string note = {}; // of the author, to whom reads the scene; may be empty
+        std::string note = {}; // from the author to the reader of the scene; may be empty
     };
-    // Steps that were undone when another was made instead, after `from` steps in force.
+    // A Branch is the steps that were undone when another step was made instead, after `from` steps
+    // in force.
     struct Branch {
         std::size_t from = 0;
         std::vector<Step> steps;
-        std::vector<Branch> others; // that had left these steps before
+        std::vector<Branch> others; // branches that had left these steps before
     };
     explicit History(Document start = {});
 
@@ -31,21 +32,22 @@ public:
     const Document& committed() const; // after position() steps
     const std::optional<Step>& proposal() const { return proposal_; }
 
-    // Rejected: the pending proposal stays as it was.
+    // Proposes a command. If it is Rejected, the pending proposal stays as it was.
     void propose(Command command, std::string note = {});
-    // False: nothing was proposed. The undone steps become a branch; a command that begins a branch
-    // brings back its steps, the others of them undone.
+    // Commits the proposal; false: there was none. The undone steps become a branch. A command that
+    // begins a branch brings back the steps of that branch, all but the first of them undone.
     bool commit();
     void cancel() { proposal_.reset(); }
     void run(Command command, std::string note = {}); // propose and commit
-    bool undo(); // false: nothing to undo. Both cancel a pending proposal
+    bool undo(); // false: there is nothing to undo. undo and redo both cancel a pending proposal
     bool redo();
-    void forget_undone(); // nothing to redo any more, and no branches
+    void forget_undone(); // afterwards there is nothing to redo, and there are no branches
 
     const Document& start() const { return start_; }
     const std::vector<Step>& steps() const { return steps_; } // undone ones at the end
-    std::size_t position() const { return position_; }        // how many of them are in force
-    const std::vector<Branch>& branches() const { return branches_; } // that leave these steps
+    std::size_t position() const { return position_; }        // number of steps in force
+    // branches that leave these steps
+    const std::vector<Branch>& branches() const { return branches_; }
 
 private:
     void set_aside_undone();

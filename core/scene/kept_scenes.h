@@ -8,29 +8,29 @@
 #include <utility>
 #include <vector>
 
-// The files of scenes without a name, in a folder for them.
+// These functions handle the files of scenes without a name, in a folder for them.
 
 namespace trivar {
 
 // A scene without a name is kept as untitled-PROCESS-NUMBER.trivar.
 inline constexpr const char* kept_name = "untitled-";
 inline constexpr const char* kept_extension = ".trivar";
-// What was set aside is found by the time of that.
+// The prefix of a scene that was set aside; the time when that happened follows it.
 inline constexpr const char* aside_name = "discarded ";
 
 std::string absolute_folder(const std::string& path);
 
 using TimedPaths = std::vector<std::pair<std::filesystem::file_time_type, std::string>>;
 std::vector<std::string> paths_of(const TimedPaths& scenes);
-// The files of such names in a folder with the time they were written last, the latest first.
+// The files in a folder whose name begins so, with the time of their last change, the latest first.
 TimedPaths scenes_in(const std::string& folder, std::string_view name);
-// Those that were set aside so long ago.
+// Deletes scenes that were set aside at least that long ago.
 void forget_old_scenes(const std::string& folder, std::chrono::hours aside_for);
 
 std::string free_kept_path(const std::string& folder);
-// What was set aside is worked on again: under which path.
+// Brings back a scene that was set aside; returns its new path.
 std::string brought_back(const std::string& path);
-// A name that no file has, which says when: "discarded 2025-03-01 16.40.trivar".
+// Renames a scene to an unused name that says when: "discarded 2025-03-01 16.40.trivar".
 void put_aside(const std::string& path);
 
 } // namespace trivar

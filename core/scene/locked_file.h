@@ -7,13 +7,13 @@
 
 namespace trivar {
 
-// An open file that is locked against other programs (flock) while it lives.
+// A LockedFile is an open file that is locked against other programs (flock) while it lives.
 class LockedFile {
 public:
     enum class Access { locked, in_use, read_only };
 
     // Opens an existing regular file for appending. Waits for the lock where a killed program is
-    // about to lose it. Throws Rejected if it cannot even be read.
+    // about to lose it. Throws Rejected if the file cannot be read.
     explicit LockedFile(const std::string& path);
     // Writes `text` to a file beside `path`, flushes it to the disk, locks it, and renames it
     // over `path`. Throws Rejected; what was at `path` is then still there.
@@ -23,10 +23,10 @@ public:
     LockedFile& operator=(LockedFile&&) noexcept;
 
     Access access() const { return access_; }
-    std::string read() const; // everything. Throws Rejected
+    std::string read() const; // the whole content. Throws Rejected
 
-    // Cuts the file at `length` and appends `text` there, all or (cut again) nothing. Returns
-    // why it failed, or nothing.
+    // Cuts the file at `length` and appends `text` there, completely or (cut again) not at all.
+    // Returns why it failed; empty: it worked.
     std::string write_at(std::uintmax_t length, std::string_view text);
 
 private:

@@ -30,37 +30,39 @@ struct CheckLine {};
 struct LogLine {
     int number = 0; // in the file, from 1
     std::variant<Command, UndoLine, RedoLine, CheckLine> what;
-    std::string digest, effects; // after this line; empty: not said
+    std::string digest, effects; // of the document after this line; empty: not given
     std::string note;            // of a command
 };
 struct Log {
-    std::string name; // for messages
+    std::string name; // used in messages
     std::vector<LogLine> lines;
-    std::size_t good_bytes = 0;  // up to and without a torn last line
-    bool ends_with_break = true; // the last good line does
-    std::string notice;          // that a torn last line was dropped; or empty
+    std::size_t good_bytes = 0;  // up to a torn last line, which is not included
+    bool ends_with_break = true; // whether the last good line ends with one
+    std::string notice;          // says that a torn last line was dropped; or empty
 };
 
-// Strict. Throws Rejected as NAME:LINE: what is wrong. A last line that is no whole JSON and has
-// no line break was torn by a crash: it is dropped and said. A newer format version is refused.
+// Reads strictly. Throws Rejected as NAME:LINE: what is wrong. A last line that is no whole JSON
+// and has no line break was torn by a crash: it is dropped, and the notice says so. A newer format
+// version is refused.
 Log read_log(std::string_view text, const std::string& name);
 
-// One line that is not the header. Throws Rejected, without its place.
+// Reads one line that is not the header. Throws Rejected, without its place.
 LogLine read_log_line(std::string_view line);
 
-// One line on top of a history; digests are not looked at. Throws Rejected with NAME:LINE.
+// Applies one line to a history; digests are not checked. Throws Rejected with NAME:LINE.
 void apply(History& history, const LogLine& line, const std::string& name);
-// All lines on top of an empty document.
+// Applies all lines to an empty document.
 History replay(const Log& log);
 
-// Each with its line break.
+// Both texts end with a line break.
 std::string log_header();
 std::string command_line(const Command& command, const std::string& note = {});
 std::string undo_line();
 std::string redo_line();
 std::string check_line(const std::string& digest, const std::string& effects);
 
-// The whole text: all steps, those that are undone undone at the end; or only those in force.
+// The whole text. Either all steps, followed by the undo lines for the undone ones, or only those
+// in force.
 std::string log_text(const History& history);
 std::string compact_log_text(const History& history);
 

@@ -7,10 +7,10 @@
 
 namespace trivar {
 
-// Whether a step names a file by a path that is told from the scene's folder.
+// Whether a step names a file by a path relative to the scene's folder.
 bool imports_by_relative_path(const History::Step& step);
 
-// The history with the paths of imports as they are from another folder.
+// The history with the paths of imports rewritten for another folder.
 History moved(const History& history, const std::filesystem::path& from,
               const std::filesystem::path& to);
 

@@ -11,15 +11,15 @@ namespace trivar {
 struct Collapse;
 class FanHalfEdges;
 
-// What it costs to let a node vanish; see decimated().
+// A CollapseCost computes the cost of removing a node; see decimated().
 class CollapseCost {
 public:
     CollapseCost(const Mesh& mesh, const Fans& fans, const FanHalfEdges& surface,
                  const NodePlaces& places, std::vector<double> tolerance);
 
-    // Nothing where it is forbidden, or costs no less than `best`. O(valence, poses).
+    // The cost; empty where the collapse is forbidden or costs at least `best`. O(valence, poses).
     std::optional<double> operator()(const Collapse& c, double best) const;
-    void after(const Collapse& c); // the goal stands for what vanished too
+    void after(const Collapse& c); // the goal now stands for the removed node too
 
 private:
     bool joins_rails(const Collapse& c) const;

@@ -6,14 +6,14 @@
 
 namespace trivar {
 
-// Half-edges of OpenMesh are collapsed one after another, a node onto a neighbour, as its decimater
-// allows it, till the target is met or nothing can be collapsed any more. A collapse costs the sum
-// of squared distances from the planes of all triangles that the node stands for, weighted by their
-// areas, and from planes along rails that stand on the surface [1]; summed over the poses [2]. The
-// least comes first. The tolerance is for the mean in each pose; a node that others were collapsed
-// onto has the least tolerance of them all. No triangle turns over, at rest, in a pose or in
-// texture coordinates. Rails keep their ends and never meet; the surface stays of one topology. One
-// thread; the same bits every time. O(#T log #T).
+// Collapses half-edges of OpenMesh one after another, a node onto a neighbour, as its decimater
+// allows it, until the target is met or nothing can be collapsed any more. A collapse costs the sum
+// of squared distances from the planes of all triangles for which the node stands, weighted by
+// their areas, and from planes along rails that stand on the surface [1]; summed over the poses
+// [2]. The cheapest collapse comes first. The tolerance bounds the mean in each pose; a node onto
+// which others were collapsed has the least tolerance of them all. No triangle turns over, at rest,
+// in a pose or in texture coordinates. Rails keep their ends and never meet; the surface keeps its
+// topology. One thread; the same bits every time. O(#T log #T).
 //   [1] Garland, Heckbert, Surface simplification using quadric error metrics, 1997
 //   [2] Mohr, Gleicher, Deformation sensitive decimation, 2003
 Decimation decimated(const Mesh& mesh, const Fans& fans, const NodePlaces& places,

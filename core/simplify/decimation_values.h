@@ -9,19 +9,20 @@
 
 namespace trivar {
 
-// Where the nodes stand, once at rest and once in each pose; about the middle of them all.
+// The places of the nodes, at rest and in each pose, relative to the middle of all nodes.
 using NodePlaces = std::vector<std::vector<glm::dvec3>>; // each #N
 
 struct DecimationTarget {
-    std::size_t triangles = 0;     // to stop at, of those that are not left out
+    std::size_t triangles = 0; // number at which to stop; triangles that are left out do not count
     std::vector<double> tolerance; // #N, or empty: none. Root mean square distance, see below
 };
 
 struct Decimation {
-    std::vector<glm::uvec3> triangles, nodes; // #T as of Fans; nodes.x is `none` for what is gone
-    std::vector<bool> changed;                // #T: a corner went elsewhere
-    std::vector<Fans::Rail> creases;          // those rails with a sharpness that are left
-    std::size_t count = 0;                    // of triangles that are neither gone nor left out
+    // #T as in Fans; nodes.x is `none` for a removed triangle
+    std::vector<glm::uvec3> triangles, nodes;
+    std::vector<bool> changed;       // #T: a corner moved to another node
+    std::vector<Fans::Rail> creases; // the rails with a sharpness that are left
+    std::size_t count = 0;           // number of triangles that are neither removed nor left out
 };
 
 inline bool is_gone(const Fans& fans, const Decimation& left, std::size_t triangle)

@@ -10,7 +10,7 @@ namespace trivar {
 
 using HalfEdges = OpenMesh::TriMesh_ArrayKernelT<>;
 using HalfEdge = HalfEdges::HalfedgeHandle;
-// A half-edge v0 -> v1 that v0 vanishes along, with what is round it.
+// A Collapse is a half-edge v0 -> v1 along which v0 is removed, with its neighbourhood.
 struct Collapse : OpenMesh::Decimater::CollapseInfoT<HalfEdges> {
     Collapse(HalfEdges& half_edges, HalfEdge along) : CollapseInfoT(half_edges, along) {}
 };
@@ -20,9 +20,9 @@ inline std::size_t index(OpenMesh::BaseHandle handle)
     return static_cast<std::size_t>(handle.idx());
 }
 
-// The triangles of fans as OpenMesh's half-edges, and beside them the vertices that their corners
-// have. Nodes have the numbers that they had in the fans; faces follow the triangles that are in.
-// Rails are edges with the status `feature`, nodes on them have it too; fixed nodes are `locked`.
+// FanHalfEdges are the triangles of fans as OpenMesh's half-edges, with the vertices of their
+// corners. Nodes keep their numbers in the fans; faces follow the triangles that are not left out.
+// Rails are edges with the status `feature`, as are the nodes on them; fixed nodes are `locked`.
 class FanHalfEdges {
 public:
     explicit FanHalfEdges(const Fans& fans);
@@ -40,9 +40,9 @@ public:
         return half_edges_.status(half_edges_.edge_handle(h)).feature();
     }
 
-    // use(face, corner of v0, the vertex of v1 that it gets) for every face that a collapse moves,
-    // till it returns false. From the collapsed edge to either side up to a rail: beyond it lies
-    // what has the vertex of the other side.
+    // Calls use(face, corner of v0, the vertex of v1 that it gets) for every face that a collapse
+    // moves, until it returns false. It goes from the collapsed edge to either side up to a rail:
+    // beyond the rail faces have the vertex of the other side.
     template <class Use> bool each_moved_face(const Collapse& c, Use use) const
     {
         const auto moved = [&](OpenMesh::FaceHandle face, std::uint32_t vertex) {

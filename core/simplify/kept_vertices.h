@@ -5,22 +5,23 @@
 
 namespace trivar {
 
-// The vertices of a mesh that are kept, some of them several times with different normals.
+// KeptVertices are the remaining vertices of a mesh, some of them several times with different
+// normals.
 class KeptVertices {
 public:
     explicit KeptVertices(const Mesh& mesh) : mesh_(mesh), list_(mesh.vertex_count(), none) {}
 
-    // A number for the pair, in the order of first use. The normal means nothing where the mesh
-    // has none.
+    // A number for the pair, in the order of first use. The normal is ignored where the mesh has
+    // none.
     std::uint32_t number(std::uint32_t vertex, const glm::vec3& normal);
 
-    // Everything by vertex, in the order of the old ones, into a mesh whose corners are numbers.
-    // `numbers` are mapped as the corners are.
+    // Writes all values by vertex, in the order of the old vertices, into a mesh whose corners are
+    // such numbers. `numbers` are mapped as the corners are.
     void write(Mesh& out, std::vector<std::uint32_t>& numbers) const;
 
 private:
     static constexpr std::uint32_t none = ~0u;
-    struct Made {
+    struct MadeVertex {
         std::uint32_t vertex;
         glm::vec3 normal;
         std::uint32_t next; // of the same old vertex
@@ -28,8 +29,8 @@ private:
     void write_points(Mesh& out, const std::vector<std::uint32_t>& order) const;
 
     const Mesh& mesh_;
-    std::vector<std::uint32_t> list_; // by old vertex, the first made of it
-    std::vector<Made> made_;
+    std::vector<std::uint32_t> list_; // by old vertex: the first entry made from it
+    std::vector<MadeVertex> made_;
 };
 
 } // namespace trivar

@@ -78,7 +78,7 @@ Decimation decimated_within(double error, const Mesh& mesh, const Fans& fans,
     for (int round = 0; round < most_rounds; ++round) {
         const double next = (done + 1) / 2;
         Decimation left =
-            decimated(mesh, fans, nodes, target, between(progress, done, (done + next) / 2));
+            decimated(mesh, fans, nodes, target, part_of(progress, done, (done + next) / 2));
         const std::vector<std::uint32_t> bad = proof.unproven_nodes(left);
         if (bad.empty()) return left;
         for (const std::uint32_t n : bad)
@@ -91,12 +91,12 @@ Decimation decimated_within(double error, const Mesh& mesh, const Fans& fans,
 
 } // namespace
 
-Simplified simplified(const Ref<Mesh>& mesh, const SimplifyOptions& options,
-                      const Progress& progress)
+SimplifiedMesh simplified(const Ref<Mesh>& mesh, const SimplifyOptions& options,
+                          const Progress& progress)
 {
     check(*mesh, options);
     const std::size_t before = mesh->corners.size() - 2 * mesh->face_count();
-    Simplified out{mesh, before, before, 0, 0};
+    SimplifiedMesh out{mesh, before, before, 0, 0};
     const std::size_t wanted = options.triangles.value_or(options.error ? 0 : before);
     if (wanted >= before) return out;
     const Fans fans = fans_of(*mesh);

@@ -22,7 +22,7 @@ struct SimplifyOptions {
     bool measured = false; // whether the error of a number of triangles is wanted too
 };
 
-struct Simplified {
+struct SimplifiedMesh {
     Ref<Mesh> mesh; // the one that was given where nothing was to be done
     std::size_t triangles_before = 0, triangles = 0;
     std::size_t left_out = 0; // of them: round edges of more than two faces and the like, kept
@@ -42,7 +42,7 @@ struct Simplified {
 // The cost is 2 to 10 microseconds a triangle to a number, about 30 to an error. The same bits for
 // any number of threads. Throws Rejected for an error that is not a number from 0 up and for poses
 // of another mesh; and what `progress` throws, to cancel.
-Simplified simplified(const Ref<Mesh>& mesh, const SimplifyOptions& options,
-                      const Progress& progress = {});
+SimplifiedMesh simplified(const Ref<Mesh>& mesh, const SimplifyOptions& options,
+                          const Progress& progress = {});
 
 } // namespace trivar

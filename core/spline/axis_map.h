@@ -8,19 +8,20 @@
 
 namespace trivar {
 
-// A linear map along one axis of a tensor product: row r of the result is
-// sum_k weights[r * width + k] * (point first[r] + k). Indices are unwrapped, so that a row may
-// reach round a closed axis. Insertion, sub-boxes, derivatives, sampling and fits are such maps;
-// they are computed in double and applied to values of any type.
+// An AxisMap is a linear map along one axis of a tensor product: row r of the result is sum_k
+// weights[r * width + k] * (point first[r] + k). Indices are unwrapped, so that a row may reach
+// round a closed axis. Insertion, sub-boxes, derivatives, sampling and fits are such maps; they are
+// computed in double and applied to values of any type.
 struct AxisMap {
-    int width = 0;               // weights a row
-    std::vector<int> first;      // one a row
+    int width = 0;               // number of weights per row
+    std::vector<int> first;      // one per row
     std::vector<double> weights; // rows x width, row-major
 
     std::size_t rows() const { return first.size(); }
 };
 
-// How many points the source axis stores, and how indices beyond them come back to one.
+// An AxisExtent is the number of points that the source axis stores, and how indices outside of it
+// are wrapped.
 struct AxisExtent {
     int count = 0;
     Closure closure = Closure::open;
@@ -30,9 +31,9 @@ inline AxisExtent extent(const Knots& knots)
     return {knots.count(), knots.closure()};
 }
 
-// The points after the map. `inner` is how many points vary faster than the axis. On a twisted
-// axis all other axes are mirrored together, which reverses both the slower and the faster index.
-// O(points x width).
+// The points after the map. `inner` is the number of points that vary faster than the axis. On a
+// twisted axis all other axes are mirrored together, which reverses both the slower and the faster
+// index. O(#points x width).
 template <class T>
 std::vector<T> applied(const AxisMap& map, AxisExtent axis, std::span<const T> points,
                        std::size_t inner)
@@ -58,9 +59,9 @@ std::vector<T> applied(const AxisMap& map, AxisExtent axis, std::span<const T> p
     return out;
 }
 
-// Values at the given parameters, each brought into the domain: rows of basis functions or, for
-// `derivative` 1 or 2, of their derivatives. On a twisted axis a parameter an odd number of turns
-// away takes the mirrored points.
+// The map to values at the given parameters, each brought into the domain: rows of basis functions
+// or, for `derivative` 1 or 2, of their derivatives. On a twisted axis a parameter that is an odd
+// number of turns away takes the mirrored points.
 AxisMap sampling_map(const Knots& knots, std::span<const double> parameters, int derivative = 0);
 
 } // namespace trivar

@@ -5,11 +5,11 @@
 
 namespace trivar {
 
-// The axis cut open with every interior knot repeated order - 1 times (order times where it was):
-// the control points of each span are then those of a Bezier cell.
+// The axis cut open with every interior knot repeated order - 1 times (order times where it was
+// cut): the control points of each span are then those of a Bezier cell.
 Knots bezier_knots(const Knots& knots);
 
-// Where each cell of such an axis lies and the first of its `order` control points.
+// A BezierSpan is the place of a cell of such an axis and the first of its `order` control points.
 struct BezierSpan {
     double lo, hi;
     int first;
@@ -25,8 +25,8 @@ template <class Spline> Spline bezier_form(Spline f)
     return f;
 }
 
-// Rows of the square matrix that takes the control points of a Bezier polynomial over [0, 1] to
-// those of the same polynomial over [lo, hi], order x order, row-major: coefficient i is the
+// The rows of the square matrix that turns the control points of a Bezier polynomial over [0, 1]
+// into those of the same polynomial over [lo, hi], order x order, row-major: coefficient i is the
 // blossom at (lo^(d-i), hi^i). No allocation.
 std::array<double, max_order * max_order> bezier_segment(int order, double lo, double hi);
 

@@ -8,7 +8,8 @@
 
 namespace trivar {
 
-// One polynomial piece of a trivariate map, in Bernstein form over the box [lo, hi].
+// A BezierCell is one polynomial piece of a trivariate map, in Bernstein form over the box [lo,
+// hi].
 struct BezierCell {
     glm::ivec3 orders{0};
     glm::dvec3 lo{0}, hi{1};        // uvw
@@ -18,15 +19,16 @@ struct BezierCell {
 // The pieces of a map, the last axis fastest. Closed axes are cut open.
 std::vector<BezierCell> bezier_cells(const Trivariate<glm::dvec3>& f);
 
-// Value and Jacobian [F_x F_y F_z] at local parameters x in [0, 1]^3. O(order^3), no allocation.
+// A CellValue is the value and Jacobian [F_x F_y F_z] at local parameters x in [0, 1]^3.
+// O(order^3), no allocation.
 struct CellValue {
     glm::dvec3 value{0};
     glm::dmat3 jacobian{0};
 };
 CellValue evaluate(const BezierCell& cell, const glm::dvec3& x);
 
-// The same polynomial over the local box [lo, hi]; and the box round the control points, which
-// holds the piece (convex hull).
+// The first function gives the same polynomial over the local box [lo, hi]; the second the box
+// round the control points, which holds the piece (convex hull).
 BezierCell part_of(const BezierCell& cell, const glm::dvec3& lo, const glm::dvec3& hi);
 Box bounds(const BezierCell& cell);
 

@@ -7,8 +7,8 @@
 
 namespace trivar {
 
-// A balanced tree of boxes over given boxes. Queries report indices in ascending order, whatever
-// the shape of the tree.
+// A BoxTree is a balanced tree over given boxes. Queries report indices in ascending order, for any
+// shape of the tree.
 class BoxTree {
 public:
     BoxTree() = default;
@@ -18,7 +18,8 @@ public:
     std::vector<int> near(const glm::dvec3& p, double distance) const;
     // The smallest distance for which near() reports anything; 1e300 for an empty tree.
     double distance(const glm::dvec3& p) const;
-    const Box& bounds() const { return nodes_.front().bounds; } // of all; not when empty
+    // box round all of them; not for an empty tree
+    const Box& bounds() const { return nodes_.front().bounds; }
 
 private:
     // A leaf holds one box; an inner node's children are the next node and `second`.

@@ -7,7 +7,7 @@
 
 namespace trivar {
 
-// C(t) = sum_i P_i N_i(t).
+// A Curve is C(t) = sum_i P_i N_i(t).
 template <class T> struct Curve {
     Knots knots;
     std::vector<T> points; // stored control points
@@ -18,7 +18,8 @@ template <class T> struct CurveJet {
     T value{}, first{}, second{};
 };
 
-// The jet at t, brought into the domain; `derivatives` 0, 1 or 2 says what is filled in.
+// The jet at t, which is first brought into the domain; `derivatives` 0, 1 or 2 says how many are
+// computed.
 template <class T> CurveJet<T> evaluate(const Curve<T>& c, double t, int derivatives = 0)
 {
     const Basis b = basis(c.knots, c.knots.into_domain(t).t, derivatives);

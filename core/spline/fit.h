@@ -8,8 +8,8 @@
 
 namespace trivar {
 
-// The spline with given values at the Greville sites of its axes (for grids: every combination,
-// the last axis fastest). Rejected: another number of values; see interpolation_map.
+// The spline with given values at the Greville sites of its axes (for grids: every combination, the
+// last axis fastest). Throws Rejected for another number of values; see interpolation_map.
 template <class T> Curve<T> interpolate(const Knots& knots, const std::vector<T>& values)
 {
     return {knots, fitted_points<T, 1>({knots}, {interpolation_map(knots)}, values)};
@@ -80,17 +80,17 @@ Trivariate<T> fit(const std::array<Knots, 3>& axes,
                                       values)};
 }
 
-// Length of the polygon up to each point as a share of its whole length, scaled to [begin, end].
-// Each step counts by its length to the power of `exponent`: 1 chord length, 1/2 centripetal.
-// Rejected where all points coincide or one is not finite.
+// The length of the polygon up to each point as a share of its whole length, scaled to [begin,
+// end]. Each step counts by its length to the power of `exponent`: 1 chord length, 1/2 centripetal.
+// Throws Rejected where all points coincide or one is not finite.
 std::vector<double> chord_length_parameters(std::span<const glm::dvec2> points, double begin = 0,
                                             double end = 1, double exponent = 1);
 std::vector<double> chord_length_parameters(std::span<const glm::dvec3> points, double begin = 0,
                                             double end = 1, double exponent = 1);
 
-// One Newton step that moves each parameter toward the foot of its point on the curve,
-// t += <q - C, C'> / (|C'|^2 - <q - C, C''>), kept inside the domain; a step that would not descend
-// is left out. Hoschek 1988.
+// Takes one Newton step that moves each parameter toward the foot of its point on the curve, t +=
+// <q - C, C'> / (|C'|^2 - <q - C, C''>), kept inside the domain; a step that would not descend is
+// left out. Hoschek 1988.
 std::vector<double> corrected_parameters(const Curve<glm::dvec2>& c, std::vector<double> parameters,
                                          std::span<const glm::dvec2> points);
 

@@ -5,38 +5,39 @@
 
 namespace trivar {
 
-// Where the control points of an axis sit: their Greville abscissae, brought into the domain.
+// The sites of an axis's control points: their Greville abscissae, brought into the domain.
 std::vector<double> greville_sites(const Knots& knots);
 
 struct FitOptions {
     double smoothing = 0; // mu of mu int |C''|^2 dt over the domain (|C'|^2 for order 2)
-    bool ends = false;    // pass through the first and the last sample; clamped axes only
-    std::span<const double> weights = {}; // one a sample, >= 0; empty: all 1
+    bool ends = false;    // passes through the first and the last sample; clamped axes only
+    std::span<const double> weights = {}; // one per sample, >= 0; empty: all 1
 };
 
-// Control points from values at the Greville sites: the inverse of sampling there. Rejected where
-// two sites coincide (a knot of multiplicity `order` inside the axis). O(count^2 x order).
+// The map from values at the Greville sites to control points: the inverse of sampling there.
+// Throws Rejected where two sites coincide (a knot of multiplicity `order` inside the axis).
+// O(count^2 x order).
 AxisMap interpolation_map(const Knots& knots);
 
-// Control points from m values q at parameters t, brought into the domain, that minimise
-// sum_s w_s |C(t_s) - q_s|^2 + mu int |C''|^2. Rejected: numbers that are not finite, negative
-// weights or smoothing, samples that leave a control point undetermined (Schoenberg and Whitney:
-// with mu = 0 every control point wants a sample of its own inside its support), tables of more
-// than 2^24 numbers. A dense table of count x m, O(count x m x order).
+// The map from m values q at parameters t, brought into the domain, to the control points that
+// minimise sum_s w_s |C(t_s) - q_s|^2 + mu int |C''|^2. Throws Rejected for numbers that are not
+// finite, negative weights or smoothing, samples that leave a control point undetermined
+// (Schoenberg and Whitney: with mu = 0 every control point needs a sample of its own inside its
+// support), and tables of more than 2^24 numbers. A dense table of count x m, O(count x m x order).
 AxisMap least_squares_map(const Knots& knots, std::span<const double> parameters,
                           const FitOptions& options = {});
 
-// The same for one set of values: control points from the right sides of the normal equations,
-// sum_s w_s N_i(t_s) q_s for each i, where with `ends` the first and the last right side are the
-// first and the last value. O(m x order^2 + count^2 x order), which no table of m makes dearer.
+// The same for one set of values: the map from the right sides of the normal equations, sum_s w_s
+// N_i(t_s) q_s for each i, to control points. With `ends` the first and the last right side are the
+// first and the last value. O(m x order^2 + count^2 x order), without a table of m columns.
 AxisMap normal_inverse(const Knots& knots, std::span<const double> parameters,
                        const FitOptions& options = {});
 
-// How many samples a map of this file takes, once round the axis.
+// The number of samples that a map of this file takes, once round the axis.
 int sample_count(const Knots& knots, const AxisMap& map);
 void check_value_count(std::size_t values, std::span<const int> counts);
 
-// One map after the other along the axes of a grid of values, the last axis fastest. Throws
+// Applies one map after the other along the axes of a grid of values, the last axis fastest. Throws
 // Rejected unless there is one value for every combination. Used by fit and interpolate.
 template <class T, std::size_t N>
 std::vector<T> fitted_points(const std::array<Knots, N>& axes, const std::array<AxisMap, N>& maps,

@@ -5,11 +5,12 @@
 
 namespace trivar {
 
-// The nodes of a surface with open axes, one at each pair of its Greville abscissae, made ready to
-// interpolate and to evaluate there many times: what does not depend on the points is done once.
+// A GrevilleGrid is the nodes of a surface with open axes, one at each pair of its Greville
+// abscissae, made ready to interpolate and to evaluate there many times: work that does not depend
+// on the points is done once.
 class GrevilleGrid {
 public:
-    // Rejected where an axis cannot be interpolated: two of its Greville abscissae coincide.
+    // Throws Rejected where an axis cannot be interpolated: two of its Greville abscissae coincide.
     explicit GrevilleGrid(std::array<Knots, 2> axes);
 
     // The surface through values at the nodes, v fastest. Banded, O(nodes x order).

@@ -18,8 +18,8 @@ AxisMap refinement_map(const Knots& from, const Knots& to);
 std::array<double, max_order> blossom(const std::vector<double>& t, int s, int degree,
                                       const double* arguments);
 
-// The knots with further ones, in any order. Throws Rejected where one lies outside the domain or
-// its multiplicity would exceed the order (on a closed axis: where one would make it jump).
+// The knots with additional ones, in any order. Throws Rejected where one lies outside the domain
+// or its multiplicity would exceed the order (on a closed axis: where one would make it jump).
 Knots with_inserted(const Knots& knots, std::span<const double> inserted);
 
 // The same axis cut open: clamped at both ends of its domain, same breaks and multiplicities.
@@ -34,8 +34,8 @@ template <class Spline> Spline over_knots(const Spline& f, int axis, const Knots
     return out;
 }
 
-// The same spline with its twisted axes cut open, but for the one named. What treats the two halves
-// of a mirrored axis differently starts here.
+// The same spline with its twisted axes cut open, but for the named one. Work that treats both
+// halves of a mirrored axis differently starts here.
 template <class Spline> Spline opened_twists(Spline f, int except = -1)
 {
     for (int axis = 0; axis < static_cast<int>(axes_of(f).size()); ++axis)

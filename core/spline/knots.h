@@ -6,8 +6,8 @@
 
 namespace trivar {
 
-// What happens at the ends of an axis. Periodic: the control points repeat. Twisted: they repeat
-// mirrored in the other axes, as round a Moebius band.
+// A Closure says what happens at the ends of an axis. Periodic: the control points repeat. Twisted:
+// they repeat mirrored in the other axes, as round a Moebius band.
 enum class Closure { open, periodic, twisted };
 
 inline constexpr int max_order = 6;
@@ -39,9 +39,9 @@ public:
     double begin() const { return knots_[static_cast<std::size_t>(order_ - 1)]; }
     double end() const { return knots_[static_cast<std::size_t>(unwrapped_count())]; }
 
-    // t brought into the domain: clamped on an open axis, modulo the period on a closed one, where
-    // `odd` says that an odd number of periods was taken off and the axis is twisted: the other
-    // axes are mirrored there. A NaN stays one.
+    // An InDomain is t brought into the domain: limited on an open axis, modulo the period on a
+    // closed one. `odd` says that an odd number of periods was removed and the axis is twisted: the
+    // other axes are mirrored there. A NaN stays a NaN.
     struct InDomain {
         double t;
         bool odd;
@@ -56,20 +56,20 @@ public:
     double greville(int i) const;
 
     // Stored index of unwrapped control point i, and whether the other axes are mirrored there.
-    struct Wrapped {
+    struct WrappedIndex {
         int index;
         bool mirrored;
     };
-    Wrapped wrapped(int i) const
+    WrappedIndex wrapped(int i) const
     {
         if (closure_ == Closure::open) return {i, false};
         return {i % count_, closure_ == Closure::twisted && (i / count_) % 2 == 1};
     }
 
-    // How many times t stands in values().
+    // The number of times that t stands in values().
     int multiplicity(double t) const;
 
-    // Parameter values where non-empty spans start, and the end of the domain: ascending, distinct.
+    // The parameters where non-empty spans start, and the end of the domain: ascending, distinct.
     std::vector<double> breaks() const;
 
     bool operator==(const Knots&) const = default;

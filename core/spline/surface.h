@@ -8,7 +8,7 @@
 
 namespace trivar {
 
-// S(u,v) = sum_ij P_ij N_i(u) N_j(v).
+// A Surface is S(u,v) = sum_ij P_ij N_i(u) N_j(v).
 template <class T> struct Surface {
     std::array<Knots, 2> axes;
     std::vector<T> points; // n_u x n_v stored control points, v fastest
@@ -18,10 +18,10 @@ template <class T> struct Surface {
         return static_cast<std::size_t>(i) * static_cast<std::size_t>(axes[1].count()) +
                static_cast<std::size_t>(j);
     }
-    // By unwrapped indices: closed axes repeat, a twisted one mirrors the other.
+    // A control point by unwrapped indices: closed axes repeat, a twisted one mirrors the other.
     const T& point(int i, int j) const
     {
-        const Knots::Wrapped u = axes[0].wrapped(i), v = axes[1].wrapped(j);
+        const Knots::WrappedIndex u = axes[0].wrapped(i), v = axes[1].wrapped(j);
         return points[index(v.mirrored ? axes[0].count() - 1 - u.index : u.index,
                             u.mirrored ? axes[1].count() - 1 - v.index : v.index)];
     }
@@ -32,7 +32,7 @@ template <class T> struct SurfaceJet {
     T value{}, u{}, v{}, uu{}, uv{}, vv{};
 };
 
-// The jet at (u, v), brought into the domain; `derivatives` 0, 1 or 2 says what is filled in.
+// The jet at (u, v), brought into the domain; `derivatives` 0, 1 or 2 says how many are computed.
 template <class T> SurfaceJet<T> evaluate(const Surface<T>& s, glm::dvec2 uv, int derivatives = 0)
 {
     // A twisted axis that was gone round an odd number of times mirrors the other one.

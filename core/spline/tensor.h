@@ -8,8 +8,8 @@
 
 namespace trivar {
 
-// What curves, surfaces and trivariate functions have in common, so that an algorithm along one
-// axis is written once.
+// These functions are what curves, surfaces and trivariate functions have in common, so that an
+// algorithm along one axis is written once.
 
 template <class T> std::span<const Knots> axes_of(const Curve<T>& f)
 {
@@ -42,7 +42,7 @@ template <class T> void replace_axis(Trivariate<T>& f, int axis, const Knots& kn
     f.axes[static_cast<std::size_t>(axis)] = knots;
 }
 
-// How many stored points vary faster than the axis.
+// The number of stored points that vary faster than the axis.
 inline std::size_t points_inside(std::span<const Knots> axes, int axis)
 {
     std::size_t inner = 1;

@@ -8,8 +8,8 @@
 
 namespace trivar {
 
-// F(u,v,w) = sum_ijk P_ijk N_i(u) N_j(v) N_k(w): a tensor-product B-spline with values of type T
-// (anything with + and a product with double).
+// A Trivariate is F(u,v,w) = sum_ijk P_ijk N_i(u) N_j(v) N_k(w): a tensor-product B-spline with
+// values of type T (anything with + and a product with double).
 template <class T> struct Trivariate {
     std::array<Knots, 3> axes;
     std::vector<T> points; // n_u x n_v x n_w stored control points, w fastest
@@ -21,10 +21,11 @@ template <class T> struct Trivariate {
                    static_cast<std::size_t>(axes[2].count()) +
                static_cast<std::size_t>(k);
     }
-    // By unwrapped indices: closed axes repeat, twisted ones mirror the other two.
+    // A control point by unwrapped indices: closed axes repeat, twisted ones mirror the other two.
     const T& point(int i, int j, int k) const
     {
-        const Knots::Wrapped u = axes[0].wrapped(i), v = axes[1].wrapped(j), w = axes[2].wrapped(k);
+        const Knots::WrappedIndex u = axes[0].wrapped(i), v = axes[1].wrapped(j),
+                                  w = axes[2].wrapped(k);
         const bool flip_u = v.mirrored != w.mirrored, flip_v = u.mirrored != w.mirrored,
                    flip_w = u.mirrored != v.mirrored;
         return points[index(flip_u ? axes[0].count() - 1 - u.index : u.index,
@@ -34,15 +35,16 @@ template <class T> struct Trivariate {
     bool operator==(const Trivariate&) const = default;
 };
 
-// Value, gradient (d/du, d/dv, d/dw) and second derivatives (uu, vv, ww, uv, vw, wu) at a point.
+// A Jet is the value, gradient (d/du, d/dv, d/dw) and second derivatives (uu, vv, ww, uv, vw, wu)
+// at a point.
 template <class T> struct Jet {
     T value{};
     std::array<T, 3> first{};
     std::array<T, 6> second{};
 };
 
-// The jet at uvw, brought into the domain; `derivatives` 0, 1 or 2 says what is filled in.
-// O(order^3). The reference that every faster evaluator is tested against.
+// The jet at uvw, brought into the domain; `derivatives` 0, 1 or 2 says how many are computed.
+// O(order^3). It is the reference against which every faster evaluator is tested.
 template <class T> Jet<T> evaluate(const Trivariate<T>& f, glm::dvec3 uvw, int derivatives = 0);
 
 template <class T> Jet<T> evaluate(const Trivariate<T>& f, glm::dvec3 uvw, int derivatives)

@@ -3,12 +3,12 @@
 
 namespace trivar {
 
-// How a flat region becomes a body. In em.
+// An Extrusion says how a flat region becomes a body. All lengths are in em.
 struct Extrusion {
     double depth = 0.2;
-    double bevel = 0;    // how far the front and the back draw in; at most 0.45 of the depth counts
-    int bevel_steps = 1; // 1: a flat chamfer; more: a quarter circle
-    double max_edge = 0.1; // of all edges of the faces and, bevels apart, of the sides
+    double bevel = 0;      // how far front and back are drawn in; at most 0.45 of the depth
+    int bevel_steps = 1;   // 1: a flat chamfer; more: a quarter circle
+    double max_edge = 0.1; // greatest length of the edges of faces and sides; bevels are excepted
 };
 
 } // namespace trivar

@@ -8,7 +8,8 @@
 
 namespace trivar {
 
-// What reads the outlines of a font and what reads its tables, over the same bytes.
+// A FontState holds the reader of a font's outlines and the reader of its tables, over the same
+// bytes.
 struct FontState {
     std::string bytes, title, digest;
     FT_Library library = nullptr;

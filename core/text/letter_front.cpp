@@ -60,9 +60,9 @@ std::optional<LetterFront> letter_front(const std::vector<BevelRing>& rings, dou
         for (const std::vector<int>& loop : corners[r])
             for (std::size_t i = 0; i < loop.size(); ++i) {
                 const int a = loop[i], b = loop[(i + 1) % loop.size()];
-                const Triangulation::Joined joined = plane.join(a, b);
+                const Triangulation::JoinResult joined = plane.join(a, b);
                 if (r > 0) continue;
-                if (joined != Triangulation::Joined::one_edge) return std::nullopt;
+                if (joined != Triangulation::JoinResult::one_edge) return std::nullopt;
                 edges.emplace_back(a, b);
             }
     for (std::size_t r = 0; r + 1 < rings.size(); ++r) {

@@ -8,33 +8,34 @@
 
 namespace trivar {
 
-// Rings about a region, one within the other, and the heights that they are lifted to.
+// A BevelRing is one of the rings about a region, one within the other, with the height to which it
+// is lifted.
 struct BevelRing {
-    Region region;     // its edges cut short
-    double inset = 0;  // units from the outermost
-    double height = 0; // em above it
-    double slope = 0;  // radians that normals of the bevel are raised by here
+    Region region;     // its edges are cut short
+    double inset = 0;  // units from the outermost ring
+    double height = 0; // em above the outermost ring
+    double slope = 0;  // radians by which normals of the bevel are raised here
 };
-// The first is the region itself, cut short; those that vanish are left out.
+// The rings, beginning with the region itself, its edges cut short; rings that vanish are left out.
 std::vector<BevelRing> bevel_rings(const Region& region, const Extrusion& extrusion);
-double bevel_of(const Extrusion& extrusion); // em; what counts of it
+double bevel_of(const Extrusion& extrusion); // em; the part of the bevel that is used
 
-// The outward normals beside a corner of a ring: of the edges that end and begin there, one and the
-// same where the ring is smooth.
+// EdgeNormals are the outward normals beside a corner of a ring: of the edge that ends and of the
+// edge that begins there. They are equal where the ring is smooth.
 struct EdgeNormals {
     glm::dvec2 before{0}, behind{0};
 };
 std::vector<EdgeNormals> edge_normals(const Loop& loop);
 
-// The front as triangles over the plane.
+// A LetterFront is the front of a letter as triangles over the plane.
 struct LetterFront {
     std::vector<glm::ivec2> points;
-    std::vector<int> ring_of;                 // #points to ring whose height it has
-    std::vector<std::vector<EdgeNormals>> at; // #points to the corners of rings there
+    std::vector<int> ring_of;                 // #points to the ring whose height the point has
+    std::vector<std::vector<EdgeNormals>> at; // #points to the corners of rings at the point
     std::vector<Triangulation::Corners> triangles;
-    std::vector<std::vector<int>> rim; // the outermost ring's corners as points, a list a loop
+    std::vector<std::vector<int>> rim; // the outermost ring's corners as points, one list per loop
 };
-// Nothing where the outermost ring touches or crosses itself.
+// Empty where the outermost ring touches or crosses itself.
 std::optional<LetterFront> letter_front(const std::vector<BevelRing>& rings, double max_edge);
 
 } // namespace trivar

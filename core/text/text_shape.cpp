@@ -121,7 +121,7 @@ void add_missing(std::u32string& missing, const Font& font, std::u32string_view 
                  const Font::Line& line)
 {
     std::map<std::size_t, bool> clusters{{letters.size(), false}}; // whether it has a box
-    for (const Font::Put& put : line.glyphs) clusters[put.letter] |= put.glyph == 0;
+    for (const Font::PlacedGlyph& put : line.glyphs) clusters[put.letter] |= put.glyph == 0;
     const auto add = [&](char32_t letter) {
         if (missing.find(letter) == missing.npos) missing += letter;
     };
@@ -177,7 +177,7 @@ TextBody text_body(const TextShape& shape, const Font& font)
                             : shape.align == TextAlign::center ? 0.5
                                                                : 1;
         const double x = -part * line.width / em_units;
-        for (const Font::Put& put : line.glyphs) {
+        for (const Font::PlacedGlyph& put : line.glyphs) {
             const Mesh* letter = glyphs(put.glyph);
             if (!letter) continue;
             if (body.mesh.face_count() + letter->face_count() > most_faces)

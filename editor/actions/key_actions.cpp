@@ -66,7 +66,7 @@ std::vector<KeyTarget> targets(const Editor& e)
                     one.names.push_back(std::string("transform.") + part + "." + axis);
         if (!one.names.empty()) out.push_back(std::move(one));
     }
-    if (ids.empty() && document.bookmarks.contains("picture"))
+    if (ids.empty() && document.kept_views.contains("picture"))
         out.push_back({{0}, names_of_view("picture")});
     return out;
 }
@@ -75,9 +75,9 @@ std::vector<KeyTarget> targets(const Editor& e)
 bool key_view(Editor& e)
 {
     if (!e.keys_under_mouse.empty() || !e.session.selected.ids().empty() || e.timeline.hovered ||
-        !e.session.document().bookmarks.contains("picture") || e.session.proposing())
+        !e.session.document().kept_views.contains("picture") || e.session.proposing())
         return false;
-    const Command view = SaveCamera{"picture", camera_for_pictures(e.session)};
+    const Command view = KeepView{"picture", camera_for_pictures(e.session)};
     const Command keys = keyed(e.session.committed(), view, e.session.frame(), true);
     return std::holds_alternative<Animate>(keys) && e.session.run(keys);
 }

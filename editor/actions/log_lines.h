@@ -11,12 +11,12 @@ namespace trivar {
 struct Editor;
 class Session;
 
-// A line of the file, or a command that was refused and is in no file.
+// A LogEntry is a line of the file, or a command that was refused and is in no file.
 struct LogEntry {
     std::size_t number = 0; // in the file; 0: refused
     std::string_view line, why;
 };
-// In the order in which they came.
+// All entries in the order in which they came.
 std::vector<LogEntry> log_entries(const Session& session);
 
 struct LogLines { // those that are selected

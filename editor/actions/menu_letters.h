@@ -7,8 +7,8 @@
 
 namespace trivar {
 
-// For each name a letter of its own by which it is chosen: the first of its letters that no name
-// before it has and that is not `taken`, a capital; 0 where none is left.
+// For each name a letter by which it is chosen: the first of its letters that is not used by an
+// earlier name and not `taken`, as a capital; 0 where no letter is left.
 std::vector<char> menu_letters(const std::vector<std::string>& names, std::string_view taken = {});
 
 } // namespace trivar

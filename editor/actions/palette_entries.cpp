@@ -48,9 +48,9 @@ Command about_selection(const Command& command, const Editor& editor)
         c->object = model_to_place(session, 0);
         c->onto = bases_for_stroke(session, c->object);
     }
-    if (auto* c = std::get_if<SaveCamera>(&ready)) *c = {"View", session.view.camera};
-    if (auto* c = std::get_if<DeleteCamera>(&ready); c && !document.bookmarks.empty())
-        c->name = document.bookmarks.begin()->first;
+    if (auto* c = std::get_if<KeepView>(&ready)) *c = {"View", session.view.camera};
+    if (auto* c = std::get_if<ForgetView>(&ready); c && !document.kept_views.empty())
+        c->name = document.kept_views.begin()->first;
     return ready;
 }
 
@@ -61,11 +61,11 @@ constexpr const char* empty_scene = "the scene is empty";
 std::string why_not(const Command& command, const Editor& editor)
 {
     const Document& document = editor.session.document();
-    if (std::holds_alternative<DeleteCamera>(command) && document.bookmarks.empty())
+    if (std::holds_alternative<ForgetView>(command) && document.kept_views.empty())
         return "no view is kept";
     if (!is_about_objects(command)) return {};
     if (document.objects.empty()) return empty_scene;
-    return nature_of(command).asked == Asked::at_once && editor.session.selected == 0
+    return nature_of(command).asked == Invocation::at_once && editor.session.selected == 0
                ? "select an object first"
                : "";
 }
@@ -121,7 +121,7 @@ std::vector<PaletteEntry> palette_commands(const Editor& editor)
             entry.fill = about_selection(*command, editor);
     }
     for (const Command& each : commands) {
-        if (nature_of(each).asked == Asked::by_actions) continue;
+        if (nature_of(each).asked == Invocation::by_actions) continue;
         const Command ready = about_selection(each, editor);
         const bool written = std::holds_alternative<Relink>(each);
         const std::string missing = why_not(each, editor);
@@ -136,7 +136,7 @@ std::vector<PaletteEntry> palette_commands(const Editor& editor)
                            },
                            {},
                            written || missing == empty_scene ? std::nullopt : std::optional(ready),
-                           !written && nature_of(each).asked == Asked::with_values});
+                           !written && nature_of(each).asked == Invocation::with_values});
     }
     return entries;
 }

@@ -7,7 +7,7 @@ struct Editor;
 
 struct HeldSpace {
     bool down = false;
-    bool used = false; // for something else than what it does alone
+    bool used = false; // for something else than its own action
 };
 
 // Runs the actions whose keys were struck in this frame.

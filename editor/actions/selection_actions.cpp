@@ -24,7 +24,7 @@ bool in_reach(const Session& session, Id id)
 {
     const Document& document = session.document();
     return visible(document, id) && !locked(document, id) &&
-           !std::ranges::binary_search(session.aside, id);
+           !std::ranges::binary_search(session.hidden_here, id);
 }
 
 std::vector<Id> visible_ones(const Editor& e)
@@ -40,7 +40,7 @@ std::vector<Id> others(const Editor& e)
     const Members chosen(document, ids);
     return objects_that(e, [&](Id id) {
         if (!visible(document, id) || chosen.contain(id) ||
-            std::ranges::binary_search(e.session.aside, id))
+            std::ranges::binary_search(e.session.hidden_here, id))
             return false;
         for (const Id each : ids)
             if (belongs_to(document, each, id)) return false;
@@ -70,11 +70,11 @@ void select_keeping_active(Editor& e, const std::vector<Id>& ids)
 // Only what is selected is shown, or everything again.
 void isolate(Editor& e)
 {
-    std::vector<Id>& aside = e.session.aside;
-    if (aside.empty())
-        aside = others(e);
+    std::vector<Id>& hidden_here = e.session.hidden_here;
+    if (hidden_here.empty())
+        hidden_here = others(e);
     else
-        aside.clear();
+        hidden_here.clear();
 }
 
 } // namespace
@@ -131,7 +131,7 @@ void add_selection_actions(std::vector<Action>& a)
          isolate_action,
          {{ui::key_slash}, {ui::key_keypad_divide}},
          isolate,
-         {[](const Editor& e) { return e.session.selected != 0 || !e.session.aside.empty(); },
+         {[](const Editor& e) { return e.session.selected != 0 || !e.session.hidden_here.empty(); },
           "select an object first"},
          true});
     a.push_back({"Select",

@@ -13,8 +13,8 @@ namespace trivar {
 KeyMap changed_keys(const std::vector<Action>& actions);
 void use_keys(std::vector<Action>& actions, const KeyMap& map); // all others get their usual ones
 
-// Gives the action this key instead of its keys. A key belongs to one action: the names of those
-// that had it and lost it.
+// Gives the action this key in place of its keys. A key belongs to one action: returns the names of
+// those that lost it.
 std::vector<std::string> give_key(std::vector<Action>& actions, const std::string& name,
                                   const ui::Chord& chord);
 std::vector<std::string> give_usual_keys(std::vector<Action>& actions, const std::string& name);

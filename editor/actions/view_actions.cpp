@@ -90,7 +90,7 @@ void add_view_actions(std::vector<Action>& a)
          "View of pictures",
          {keypad(0)},
          [](Editor& e) { e.session.view.follows = FollowedView{"picture"}; },
-         {[](const Editor& e) { return e.session.document().bookmarks.contains("picture"); },
+         {[](const Editor& e) { return e.session.document().kept_views.contains("picture"); },
           "no view is kept for pictures"}});
     const auto shading = [&](const char* name, const ui::Chord& key, bool Shading::*part) {
         a.push_back(
@@ -128,15 +128,15 @@ void add_view_actions(std::vector<Action>& a)
                      std::string name;
                      int n = 1;
                      do name = "View " + std::to_string(n++);
-                     while (e.session.document().bookmarks.contains(name));
-                     if (e.session.run(SaveCamera{name, e.session.view.camera}))
+                     while (e.session.document().kept_views.contains(name));
+                     if (e.session.run(KeepView{name, e.session.view.camera}))
                          e.session.notices.say(ui::NoticeKind::good, name + " is kept",
                                                "It is in the View menu.");
                  },
                  {},
                  true});
     a.push_back({"View", "Use this view for pictures", {}, [](Editor& e) {
-                     if (e.session.run(SaveCamera{"picture", camera_for_pictures(e.session)}))
+                     if (e.session.run(KeepView{"picture", camera_for_pictures(e.session)}))
                          e.session.notices.say(ui::NoticeKind::good, "This view is kept",
                                                "Replayed pictures and this scene open in it.");
                  }});

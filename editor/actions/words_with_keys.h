@@ -9,8 +9,8 @@ namespace trivar {
 
 struct Editor;
 
-// The runs with @NAME, the name of an action, as the key it has at present, or where it has none as
-// its place in the menus. What no action is called stays as it is.
+// The runs with @NAME, the name of an action, replaced by the action's present key, or by its place
+// in the menus where it has no key. Names of no action stay.
 std::vector<ui::Run> with_keys(const Editor& editor, const std::vector<ui::Run>& runs);
 
 } // namespace trivar

@@ -77,7 +77,7 @@ void add_drawing(CLI::App& app, DrawingOptions& o)
                    "differences, raised or filtered; processor if left out")
         ->type_name("WHERE");
     app.add_option("--camera", o.camera,
-                   "bookmark to look from; else the one named picture, else all is in view")
+                   "kept view to look from; else the one named picture, else all is in view")
         ->type_name("NAME");
     add_shaders(app, o.shaders);
 }

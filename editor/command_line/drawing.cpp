@@ -52,7 +52,7 @@ Ref<gpu::ShaderTexts> shaders_of(const DrawingOptions& options)
 
 void check_camera(const DrawingOptions& options, const Document& document)
 {
-    if (!options.camera.empty() && !document.bookmarks.contains(options.camera))
+    if (!options.camera.empty() && !document.kept_views.contains(options.camera))
         throw Rejected(fmt::format("--camera {}: the scene has no point of view of that name",
                                    options.camera));
 }
@@ -70,13 +70,13 @@ void Drawing::say_once(const std::string& sentence)
     if (said_.insert(sentence).second) streams_.talk << "trivar: " << sentence << "\n";
 }
 
-Camera Drawing::camera(const Evaluated& evaluated, const Document& document) const
+Camera Drawing::camera(const Evaluation& evaluated, const Document& document) const
 {
     if (named_camera_.empty()) return picture_camera(evaluated, document, options_.size_px);
-    return ui::reshaped(document.bookmarks.at(named_camera_), options_.size_px);
+    return ui::reshaped(document.kept_views.at(named_camera_), options_.size_px);
 }
 
-const Still& Drawing::draw(const Evaluated& evaluated, const Document& shown, const Camera& camera,
+const Still& Drawing::draw(const Evaluation& evaluated, const Document& shown, const Camera& camera,
                            bool deep)
 {
     options_.deep = deep;

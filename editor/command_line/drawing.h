@@ -11,11 +11,11 @@
 
 namespace trivar {
 
-// An option's value that is no value of that option: status 2.
+// WrongUsage reports a value that an option does not accept: status 2.
 struct WrongUsage : Rejected {
     using Rejected::Rejected;
 };
-// What reads such a value, before anything else is looked at.
+// Reads such a value, before anything else is looked at.
 template <class Read> auto option_value(Read read)
 {
     try {
@@ -25,27 +25,27 @@ template <class Read> auto option_value(Read read)
     }
 }
 
-// How the commands draw, as it is typed.
+// DrawingOptions say how the commands draw, as they are typed.
 struct DrawingOptions {
     std::string size = "1280x720", camera, quality = "standard", deform = "processor", shaders;
 };
 // Throws WrongUsage.
 glm::ivec2 picture_size(const std::string& text);
 StillOptions still_options(const DrawingOptions& options);
-// Null: those of the program. Throws Rejected where there are none.
+// The shaders of the options; null: those of the program. Throws Rejected where there are none.
 Ref<gpu::ShaderTexts> shaders_of(const DrawingOptions& options);
 
-// Throws Rejected where the scene has no point of view of the name that is asked for.
+// Throws Rejected where the scene has no kept view of the given name.
 void check_camera(const DrawingOptions& options, const Document& document);
 
-// Pictures without a window, one after another. Throws Rejected where there is no OpenGL.
+// A Drawing makes pictures without a window, one after another. Throws Rejected where there is no
+// OpenGL.
 class Drawing {
 public:
     Drawing(const DrawingOptions& options, const Streams& streams);
-    // The bookmark that the options name, which check_camera() found, else what picture_camera()
-    // says.
-    Camera camera(const Evaluated& evaluated, const Document& document) const;
-    const Still& draw(const Evaluated& evaluated, const Document& shown, const Camera& camera,
+    // The kept view that the options name, which check_camera() found, or else picture_camera().
+    Camera camera(const Evaluation& evaluated, const Document& document) const;
+    const Still& draw(const Evaluation& evaluated, const Document& shown, const Camera& camera,
                       bool deep = false);
 
 private:

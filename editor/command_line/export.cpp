@@ -64,7 +64,7 @@ Status run_export(const ExportOptions& options, const Streams& streams)
         return tell(
             write_animated(scene, assets, options.to, stoppable(streams, interrupts), sources),
             options, streams);
-    } catch (const Lacking& lacking) {
+    } catch (const IncompleteScene& lacking) {
         say(lacking.sentences, streams);
         say_not_whole(options.scene, streams);
         return Status::rejected;

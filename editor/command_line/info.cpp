@@ -80,20 +80,20 @@ Facts scene_facts(const std::string& path)
     const Log log = read_log(read_text_file(path), path);
     const History history = replay(log);
     const Document& document = history.document();
-    std::vector<std::string> files, bookmarks;
+    std::vector<std::string> files, kept_views;
     std::size_t placed = 0;
     for (const auto& [id, ref] : document.objects) {
         for (NamedFile& file : files_named(*ref)) files.push_back(std::move(file.path));
         placed += ref->placement ? 1 : 0;
     }
-    for (const auto& [name, camera] : document.bookmarks) bookmarks.push_back(name);
+    for (const auto& [name, camera] : document.kept_views) kept_views.push_back(name);
     Facts facts{{"kind", "scene"},
                 {"steps", history.position()},
                 {"undone_steps", history.steps().size() - history.position()},
                 {"objects", document.objects.size()},
                 {"placed", placed},
                 {"files", files},
-                {"points_of_view", bookmarks},
+                {"points_of_view", kept_views},
                 {"digest", digest(document)}};
     if (!log.notice.empty()) facts["notice"] = log.notice;
     return facts;

@@ -7,13 +7,14 @@
 
 namespace trivar {
 
-// While it lives Ctrl C (SIGINT), SIGTERM and, where the terminal goes, SIGHUP wait to be asked for
-// instead of ending the program, so that what is at hand can be finished; a second one ends it. For
-// threads that begin meanwhile, too. What the program was started to ignore (nohup) it ignores.
+// While an Interrupts lives, Ctrl C (SIGINT), SIGTERM and, where the terminal ends, SIGHUP wait to
+// be asked for and do not end the program, so that the current work can be finished; a second one
+// ends it. This also holds for threads that begin meanwhile. Signals that the program was started
+// to ignore (nohup) stay ignored.
 class Interrupts {
 public:
     Interrupts();
-    ~Interrupts(); // what came is forgotten
+    ~Interrupts(); // signals that came are forgotten
     Interrupts(const Interrupts&) = delete;
     Interrupts& operator=(const Interrupts&) = delete;
     bool came() const { return came_; }

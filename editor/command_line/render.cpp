@@ -162,19 +162,19 @@ private:
     {
         const int first = document_.time.first_frame;
         const Document at_first = document_at(document_, first);
-        if (!options_.drawing.camera.empty() || at_first.bookmarks.contains("picture")) return {};
+        if (!options_.drawing.camera.empty() || at_first.kept_views.contains("picture")) return {};
         return drawing.camera(evaluated_at(first), at_first);
     }
     const Still& drawn_frame(Drawing& drawing, int frame, const std::optional<Camera>& fixed)
     {
         const Document now = document_at(document_, frame);
-        const Evaluated evaluated = evaluated_at(frame);
+        const Evaluation evaluated = evaluated_at(frame);
         const Camera camera = fixed ? *fixed : drawing.camera(evaluated, now);
         return drawing.draw(evaluated, now, camera, sequence_.deep());
     }
-    Evaluated evaluated_at(int frame)
+    Evaluation evaluated_at(int frame)
     {
-        Evaluated out = evaluator_(document_, frame);
+        Evaluation out = evaluator_(document_, frame);
         for (const auto& [id, ref] : out.objects)
             for (const std::string& notice : ref->notices) {
                 const std::string sentence = object(document_, id).name + ": " + notice;
@@ -221,7 +221,7 @@ Status run_render(const RenderOptions& options, const Streams& streams)
         if (!options.sheet.empty()) return rendering.write_sheet(interrupts);
         const Status status = rendering.run(interrupts);
         if (status != Status::done || options.video.empty()) return status;
-    } catch (const Lacking&) { // what was said
+    } catch (const IncompleteScene&) { // what was said
         say_not_whole(options.scene, streams);
         return Status::rejected;
     }

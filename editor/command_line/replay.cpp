@@ -23,9 +23,9 @@
 namespace trivar {
 namespace {
 
-struct Replayed {
+struct ReplayResult {
     Document document, shown; // shown: refined as --epsilon wants it
-    Evaluated evaluated;
+    Evaluation evaluated;
     Timings timings;
     bool same = true; // all that --check looked at
     SourceFiles sources;
@@ -37,13 +37,13 @@ void go_on(const Interrupts& interrupts)
     if (interrupts.came()) throw Cancelled();
 }
 
-void differs(Replayed& replayed, const Streams& streams, const std::string& sentence)
+void differs(ReplayResult& replayed, const Streams& streams, const std::string& sentence)
 {
     if (replayed.same) streams.talk << "trivar: " << sentence << "\n"; // the first one tells most
     replayed.same = false;
 }
 
-void check_line(Replayed& replayed, const LogLine& line, const std::string& name,
+void check_line(ReplayResult& replayed, const LogLine& line, const std::string& name,
                 const Document& document, Evaluator& evaluator, const Streams& streams)
 {
     const auto compare = [&](const std::string& stored, const std::string& now,
@@ -69,7 +69,7 @@ double frame_of(const ReplayOptions& options, const Document& document)
 }
 
 // What was asked of a volume and not done, or not wholly.
-void tell_of_shaping(const Replayed& replayed, const Streams& streams)
+void tell_of_shaping(const ReplayResult& replayed, const Streams& streams)
 {
     for (const auto& [id, ref] : replayed.evaluated.objects) {
         if (!ref->shaped) continue;
@@ -90,7 +90,7 @@ void tell_of_shaping(const Replayed& replayed, const Streams& streams)
 }
 
 // What is proven of every volume. One that folds may be meant so: this is no check that fails.
-void tell_of_volumes(const Replayed& replayed, const Streams& streams)
+void tell_of_volumes(const ReplayResult& replayed, const Streams& streams)
 {
     for (const auto& [id, ref] : replayed.evaluated.objects) {
         if (!ref->placement) continue;
@@ -101,7 +101,7 @@ void tell_of_volumes(const Replayed& replayed, const Streams& streams)
 }
 
 // How much the planted feet slide that are locked to a travel.
-void tell_of_walks(const Replayed& replayed, const Streams& streams)
+void tell_of_walks(const ReplayResult& replayed, const Streams& streams)
 {
     for (const auto& [id, ref] : replayed.evaluated.objects)
         if (ref->walk && ref->walk->trouble.empty())
@@ -111,7 +111,7 @@ void tell_of_walks(const Replayed& replayed, const Streams& streams)
 }
 
 // One thread must give the same bits as many, and nothing may be missing.
-void check_result(Replayed& replayed, const ReplayOptions& options, const Streams& streams)
+void check_result(ReplayResult& replayed, const ReplayOptions& options, const Streams& streams)
 {
     const ThreadLimit one_thread(1);
     Evaluator again(asset_store(options.scene));
@@ -129,9 +129,10 @@ void check_result(Replayed& replayed, const ReplayOptions& options, const Stream
                                 ref->notices.empty() ? "it has no shape" : ref->notices.front()));
 }
 
-Replayed replay(const ReplayOptions& options, const Streams& streams, const Interrupts& interrupts)
+ReplayResult replay(const ReplayOptions& options, const Streams& streams,
+                    const Interrupts& interrupts)
 {
-    Replayed result;
+    ReplayResult result;
     const Log log = timed(result.timings, "read log", [&] {
         return scene_log(log_text(options.scene), options.scene.path, streams);
     });
@@ -173,7 +174,7 @@ Replayed replay(const ReplayOptions& options, const Streams& streams, const Inte
     return result;
 }
 
-void draw(const ReplayOptions& options, Replayed& replayed, const Streams& streams)
+void draw(const ReplayOptions& options, ReplayResult& replayed, const Streams& streams)
 {
     const Document shown = document_at(replayed.shown, frame_of(options, replayed.document));
     check_camera(options.drawing, shown);
@@ -207,7 +208,7 @@ bool certified(const Export& result, const ReplayOptions& options, const Streams
 }
 
 // All that is to be written, one file after another.
-Status write_all(const ReplayOptions& options, Replayed& replayed, const Streams& streams,
+Status write_all(const ReplayOptions& options, ReplayResult& replayed, const Streams& streams,
                  const Interrupts& interrupts)
 {
     Export result;
@@ -248,7 +249,7 @@ Status run_replay(const ReplayOptions& options, const Streams& streams)
     std::optional<ThreadLimit> limit;
     if (options.threads > 0) limit.emplace(options.threads);
     try {
-        Replayed replayed = replay(options, streams, interrupts);
+        ReplayResult replayed = replay(options, streams, interrupts);
         if (!options.scene.keep_going && !lacks(replayed.evaluated, replayed.document).empty()) {
             say_not_whole(options.scene, streams);
             return options.check ? Status::check_failed : Status::rejected;

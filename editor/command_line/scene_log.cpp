@@ -55,7 +55,7 @@ SourceFiles kept_sources(const SceneLog& scene, const Document& document, const 
     return source_files(document, assets, scene.path, "or say --overwrite");
 }
 
-void check_whole(const SceneLog& scene, const Evaluated& evaluated, const Document& document)
+void check_whole(const SceneLog& scene, const Evaluation& evaluated, const Document& document)
 {
     if (!scene.keep_going) check_whole(lacks(evaluated, document));
 }

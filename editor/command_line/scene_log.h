@@ -13,35 +13,36 @@
 
 namespace trivar {
 
-// What a command runs: the file, and other files than it names.
+// A SceneLog is the input of a command: the scene's file, and replacements for files that it names.
 struct SceneLog {
     std::string path;
-    std::vector<std::string> relinked; // NAME=FILE, as --set has it
-    bool keep_going = false;           // without what it lacks
-    bool overwrite = false;            // also files that it is made from
+    std::vector<std::string> relinked; // NAME=FILE, as for --set
+    bool keep_going = false;           // even where the scene lacks something
+    bool overwrite = false;            // even files from which the scene is made
 };
 
 // NAME=FILE, as --set has it. Throws WrongUsage.
 std::map<std::string, std::string> relinked_files(const std::vector<std::string>& settings);
 Ref<AssetStore> asset_store(const SceneLog& scene);
-// Whoever relinks a file means one that the scene names and one that is there. Throws Rejected.
+// Throws Rejected unless each relinked name is one that the scene uses and each file exists.
 void check_relinked(const SceneLog& scene, const Document& document);
 
-// The files that what is written may not replace: none with --overwrite.
+// The files that the output may not replace; empty with --overwrite.
 SourceFiles kept_sources(const SceneLog& scene, const Document& document, const AssetStore& assets);
-// What a scene lacks ends a command, unless --keep-going was said. Throws Lacking.
-void check_whole(const SceneLog& scene, const Evaluated& evaluated, const Document& document);
+// Ends a command where the scene lacks something, unless --keep-going was given. Throws
+// IncompleteScene.
+void check_whole(const SceneLog& scene, const Evaluation& evaluated, const Document& document);
 void say_not_whole(const SceneLog& scene, const Streams& streams);
 
-// Throws Rejected where a file that is to be written has the name of what is none.
+// Throws Rejected where the name of an output belongs to something that is no ordinary file.
 void check_written(const std::vector<std::string>& paths);
 
 // The text of an ordinary file. Throws Rejected.
 std::string log_text(const SceneLog& scene);
-// The lines of that text; a notice of it is said. Throws Rejected.
+// The lines of that text; its notice is written. Throws Rejected.
 Log scene_log(const std::string& text, const std::string& path, const Streams& streams);
 
-// One line of talk in place, on a terminal only.
+// Writes one line of progress in place, on a terminal only.
 Progress shown_progress(const Streams& streams);
 // The same, and Ctrl C ends the work: it throws Cancelled.
 Progress stoppable(const Streams& streams, const Interrupts& interrupts);

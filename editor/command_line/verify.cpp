@@ -187,7 +187,7 @@ private:
     std::string bytes_, plain_; // the file, and the one that the scene gives
     GlbContent content_;
     Certificate claims_, given_; // what the file says, and what its scene does
-    Evaluated evaluated_;
+    Evaluation evaluated_;
     bool holds_ = true;
 };
 

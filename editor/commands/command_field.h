@@ -7,7 +7,7 @@
 
 namespace trivar {
 
-// Where commands are typed, at the foot of the log.
+// A CommandField is the field for typed commands, at the foot of the log.
 struct CommandField {
     std::string text, trouble;
     std::string offered;            // the text after which ...

@@ -355,7 +355,7 @@ std::vector<FormOption> options_of(const CommandForm& form, const Document& docu
     std::vector<FormOption> found;
     std::string_view letters = letters_of(field);
     if (letters.starts_with('"')) letters.remove_prefix(1);
-    for (Ranked& each : ranked(letters, names, {})) {
+    for (RankedName& each : ranked(letters, names, {})) {
         found.push_back(std::move(options[each.index]));
         found.back().letters = std::move(each.letters);
     }

@@ -9,8 +9,9 @@
 
 namespace trivar {
 
-// A command whose values are filled in one after another, as a person types them: "12 mm" and
-// "+=0.1" for a number, "1 2 3" for three, "Snake, Big rock" for objects, "0 1, 0.5 2" for points.
+// A CommandForm is a command whose values are filled in one after another, as a person types them:
+// "12 mm" and "+=0.1" for a number, "1 2 3" for three, "Snake, Big rock" for objects, "0 1, 0.5 2"
+// for points.
 struct CommandForm {
     struct Field {
         enum Kind { number, text, choice, object, objects, points };
@@ -23,29 +24,29 @@ struct CommandForm {
             std::string words, typed;
         };
         std::vector<Ready> ready = {};
-        std::string typed = {};   // empty: as it is
-        std::string present = {}; // the value that it has then, as it would be typed
+        std::string typed = {};   // empty: unchanged
+        std::string present = {}; // the value of an unchanged field, as it would be typed
     };
     std::string title; // "Set material"
-    Command otherwise; // the values of what is not typed
+    Command otherwise; // gives the values that are not typed
     std::vector<Field> fields;
     std::size_t at = 0; // the field at hand
-    // Of `options_of` the one that was chosen by hand.
+    // The one of `options_of` that a hand chose.
     std::optional<std::size_t> chosen = {};
-    std::string trouble = {}; // why it was not run
+    std::string trouble = {}; // why it did not run
 };
 
-// The form of a command; nothing where it takes what nobody types, like files, or no values.
+// The form of a command; empty where it takes values that nobody types, like files, or no values.
 std::optional<CommandForm> form_of(const Command& ready, std::string title,
                                    const Document& document);
 
-// The command with what was typed. Throws Rejected.
+// The command with the typed values. Throws Rejected.
 Command filled(const CommandForm& form, const Document& document);
-// The values that hold beside those typed, of a command that `filled` gave.
+// Shows the values of unchanged fields, from a command that `filled` gave.
 void show_present(CommandForm& form, const Command& command, const Document& document);
 
-// What could stand in the field at hand, the best match of what is typed first; nothing where
-// anything can.
+// A FormOption is a possible value of the current field; the best match of what is typed comes
+// first. There are none where any value is possible.
 struct FormOption {
     std::string typed;                // as it would be typed
     std::string words;                // as it is shown
@@ -53,7 +54,7 @@ struct FormOption {
     std::vector<std::size_t> letters; // of the words that matched
 };
 std::vector<FormOption> options_of(const CommandForm& form, const Document& document);
-// The one that would be taken: chosen by hand, or the best match of what is only begun.
+// The option that would be taken: the one chosen by hand, or the best match of an incomplete word.
 std::optional<std::size_t> taken_option(const CommandForm& form,
                                         const std::vector<FormOption>& options,
                                         const Document& document);

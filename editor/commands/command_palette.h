@@ -9,12 +9,13 @@
 
 namespace trivar {
 
-// The list that everything can be found in: what the person has typed and which row is chosen.
+// A CommandPalette is the list in which everything can be found: what the person has typed and
+// which row is chosen.
 struct CommandPalette {
     bool open = false, fresh = false; // fresh: takes the keyboard in its first frame
     std::string typed;
     std::size_t chosen = 0;
-    // Instead of the list: a command whose values are filled in.
+    // A command whose values are filled in, shown in place of the list.
     struct Filling {
         CommandForm form;
         std::vector<Id> selected;             // before it began

@@ -5,8 +5,8 @@
 
 namespace trivar {
 
-// What a primitive looks like till it is given a material: a middle grey, which leaves room for
-// light and for shade.
+// The look of a primitive until it gets a material: a middle grey, which leaves room for light and
+// for shade.
 inline const Surfacing new_material{.base_color = {0.5f, 0.5f, 0.5f, 1}};
 
 } // namespace trivar

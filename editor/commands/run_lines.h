@@ -8,16 +8,16 @@
 
 namespace trivar {
 
-// A line that is empty, or what a scene says of itself.
+// Whether a line is empty, or is no step but a line that a scene says of itself.
 bool is_no_step(std::string_view line);
 
-// Runs what a person typed; why it was refused, or nothing.
+// Runs what a person typed; returns why it was refused, or an empty text.
 std::string run_typed(Session& session, std::string_view line);
 
 bool holds_lines(std::string_view text); // more than one that is not empty
 
-// Runs one line after another, each a step, till one is refused: that is told in one notice, and
-// what ran before stays. Headers and digests of a scene are passed over.
+// Runs one line after another, each as a step, until one is refused: one notice tells that, and
+// what ran before stays. Headers and digests of a scene are skipped.
 void run_lines(Session& session, std::string_view text);
 
 } // namespace trivar

@@ -23,7 +23,7 @@ LogLine typed_line(std::string_view text, const Document& document); // throws R
 std::string typed_text(const Command& command, const Document& document);
 
 // The command with other values of some fields, each as JSON; objects by name or number. Where that
-// makes it about other objects, what is not given stays as it is with those. Throws Rejected.
+// changes the objects, values that are not given are those of the new objects. Throws Rejected.
 struct TypedValue {
     std::string field, json; // "parameters.width", "0.24"
 };
@@ -34,8 +34,8 @@ Command typed_values(const Command& otherwise, const std::vector<TypedValue>& va
 bool names_object(std::string_view field);
 bool names_objects(std::string_view field);
 
-// The text with its last word continued as far as it is certain, and what could follow: verbs,
-// then the fields of the verb, then names of objects.
+// A Completion is the text with its last word continued as far as it is certain, and the possible
+// next words: verbs, then the fields of the verb, then names of objects.
 struct Completion {
     std::string text;
     std::vector<std::string> words; // more than one: the choice that is left

@@ -7,7 +7,7 @@
 
 namespace trivar {
 
-// What a person says of frames that become one file for other programs, before they are written.
+// An ExportPlan is what a person chooses about exporting frames as one file, before it is written.
 struct ExportPlan {
     std::string file; // its ending decides what it is
     int first = 1, last = 1;
@@ -15,7 +15,7 @@ struct ExportPlan {
     bool operator==(const ExportPlan&) const = default;
 };
 
-// Where a person says it.
+// An ExportDialog is the dialog in which a person chooses that.
 struct ExportDialog {
     bool open = false;
     std::string of; // the scene's file, for which it is
@@ -23,19 +23,19 @@ struct ExportDialog {
     ui::FileDialog browser; // over it
 };
 
-// All frames as a .glb beside the scene, or in that folder where the scene has no file; under no
-// name that one of the scene's models has.
+// The plan with all frames as a .glb beside the scene, or in `models_folder` where the scene has no
+// file; its name is not that of one of the scene's models.
 ExportPlan usual_export(const Session& session, const std::string& models_folder);
 
-// Among animated_extensions(); -1: none of them.
+// The number of the file's kind among animated_extensions(); -1: none of them.
 int kind_of(const ExportPlan& plan);
 void set_kind(ExportPlan& plan, int kind); // by the ending of its file
 
-// The scene as it is now. Throws Rejected where the plan makes no sense, in a sentence that says
-// what does.
+// The wish for the present scene. Throws Rejected where the plan makes no sense, in a sentence that
+// says what would.
 ExportWish wish_of(const ExportPlan& plan, const Session& session);
 
-// What the plan comes to, and whether it takes the place of something.
+// An ExportOutlook says what the plan gives, and whether it replaces something.
 struct ExportOutlook {
     std::string words;
     bool replaces = false;

@@ -94,23 +94,23 @@ void Files::keep_or(std::function<void()> go_on)
     if (!ask_to_keep && !s.unnamed_folder().empty()) return go_on();
     const std::size_t steps = s.scene().history().steps().size();
     const std::string what = std::to_string(steps) + (steps == 1 ? " step" : " steps");
-    question_ =
-        Asked{{"Keep this scene?",
-               "It has " + what + " and no name yet. " +
-                   (s.unnamed_folder().empty() ? "It is gone when you discard it. "
-                                               : "Every step is safe in the recovery folder " +
-                                                     for_days(recovery_->discarded_days) + ". ") +
-                   "Name it to keep it with your scenes.",
-               {{"Discard", ui::ButtonKind::plain, true},
-                {"Cancel", ui::ButtonKind::plain},
-                {"Name it...", ui::ButtonKind::primary}},
-               2},
-              [this, go_on = std::move(go_on)](int answer) {
-                  if (answer == 0) go_on();
-                  if (answer != 2) return;
-                  ask_save_as();
-                  after_save_ = go_on;
-              }};
+    question_ = PendingQuestion{
+        {"Keep this scene?",
+         "It has " + what + " and no name yet. " +
+             (s.unnamed_folder().empty() ? "It is gone when you discard it. "
+                                         : "Every step is safe in the recovery folder " +
+                                               for_days(recovery_->discarded_days) + ". ") +
+             "Name it to keep it with your scenes.",
+         {{"Discard", ui::ButtonKind::plain, true},
+          {"Cancel", ui::ButtonKind::plain},
+          {"Name it...", ui::ButtonKind::primary}},
+         2},
+        [this, go_on = std::move(go_on)](int answer) {
+            if (answer == 0) go_on();
+            if (answer != 2) return;
+            ask_save_as();
+            after_save_ = go_on;
+        }};
 }
 
 void Files::new_scene(std::function<void()> then)
@@ -221,21 +221,21 @@ void Files::ask_save_as()
 
 void Files::ask_save_compact()
 {
-    question_ =
-        Asked{{"Forget the undone steps?",
-               "A compact scene holds only the steps that are in force. It is smaller, "
-               "and what was undone cannot be redone from it.",
-               {{"Cancel", ui::ButtonKind::plain}, {"Save compact...", ui::ButtonKind::primary}},
-               0},
-              [this](int answer) {
-                  if (answer != 1) return;
-                  ask_for_file(Purpose::save_compact,
-                               {.title = "Save a compact scene as",
-                                .action = "Save",
-                                .extensions = {scene_extension},
-                                .saving = true,
-                                .name = stem_of(session_->scene()) + "_compact" + scene_extension});
-              }};
+    question_ = PendingQuestion{
+        {"Forget the undone steps?",
+         "A compact scene holds only the steps that are in force. It is smaller, "
+         "and what was undone cannot be redone from it.",
+         {{"Cancel", ui::ButtonKind::plain}, {"Save compact...", ui::ButtonKind::primary}},
+         0},
+        [this](int answer) {
+            if (answer != 1) return;
+            ask_for_file(Purpose::save_compact,
+                         {.title = "Save a compact scene as",
+                          .action = "Save",
+                          .extensions = {scene_extension},
+                          .saving = true,
+                          .name = stem_of(session_->scene()) + "_compact" + scene_extension});
+        }};
 }
 
 void Files::save_numbered_copy()
@@ -267,7 +267,7 @@ void Files::collect()
         {"Collecting files",
          [this, folder, document = session_->committed(),
           store = session_->assets()](const Progress& progress) -> Jobs::Finish {
-             const Collected done = collect_files(document, *store, folder, progress);
+             const Collection done = collect_files(document, *store, folder, progress);
              return [this, done, folder, store] {
                  if (session_->assets() != store) return; // another scene
                  if (!done.command) {
@@ -323,7 +323,7 @@ void Files::write_model_to(const std::string& path)
         .lines = static_cast<int>(scene.lines().size()),
     };
     // What is seen, if that is what the file of the scene says.
-    std::optional<Evaluated> seen;
+    std::optional<Evaluation> seen;
     if (session_->up_to_date() && !session_->proposing() && !session_->previewing())
         seen = session_->evaluated();
     session_->jobs().start(
@@ -331,7 +331,7 @@ void Files::write_model_to(const std::string& path)
          [this, path, exported, seen,
           assets = session_->assets()](const Progress& progress) -> Jobs::Finish {
              report(progress, 0.1, "gathering");
-             const Evaluated evaluated =
+             const Evaluation evaluated =
                  seen ? *seen : Evaluator(assets)(exported.document, exported.frame, progress);
              const Export result = export_of(evaluated, exported);
              report(progress, 0.3, "writing");

@@ -19,8 +19,8 @@ const std::vector<std::string>& export_extensions();
 std::string numbered_name(const std::string& path);
 inline constexpr const char* scene_extension = ".trivar";
 
-// Everything that goes in and out of files by hand: dialogs, drops, questions. Reading and writing
-// run as jobs; a file that is not understood changes nothing.
+// Files is everything that a person reads and writes: dialogs, drops, questions. Reading and
+// writing run as jobs; a file that cannot be read changes nothing.
 class Files {
 public:
     Files(Session& session, Recovery& recovery) : session_(&session), recovery_(&recovery) {}
@@ -39,42 +39,43 @@ public:
     void save_numbered_copy(); // beside the scene, which stays what is worked on
     void collect();            // every model's file into NAME.assets beside the scene
     void open_scene(const std::string& path); // asks first if the present one has no name
-    // The same, but the file stays as it is; `then` is called when the copy is the scene.
+    // Opens a copy, and the file stays unchanged; `then` is called when the copy is the scene.
     void open_copy(const std::string& path, std::function<void()> then);
-    // The first model of a scene is framed, and with `frame_all` everything with this one.
+    // Imports a model. The first model of a scene is framed, and with `frame_all` the whole scene.
     void import(const std::string& path, bool frame_all = false)
     {
         read_model_of(path, frame_all, std::make_shared<Batch>(Batch{1, {}}));
     }
-    // What is visible, as committed; with a certificate where something is refined.
+    // Writes what is visible, as committed; with a certificate where something is refined.
     void write_model_to(const std::string& path);
     void take_dropped(const std::vector<std::string>& paths); // scenes open, models are imported
     void ask_close();
 
     void draw(const ui::Theme& theme); // whatever is asked at present
-    // A scene is being read that takes the place of the present one: no key belongs to that.
+    // Whether a scene is being read that replaces the present one: keys do not count for the
+    // present one then.
     bool opening() const { return !opening_.expired(); }
     bool asking() const { return dialog_.is_open() || question_.has_value() || opening(); }
     bool close_agreed() const { return close_agreed_; }
 
-    // Scenes to try, offered over an empty viewport: what opens is a copy, they stay as they are.
+    // Scenes to try, offered over an empty viewport: a copy is opened, they stay unchanged.
     std::vector<std::string> samples;
-    // As the preferences say: where dialogs begin that have no better place, and whether it is
-    // asked what becomes of a scene without a name.
+    // From the preferences: where dialogs begin that have no better place, and whether it is asked
+    // what becomes of a scene without a name.
     std::string scenes_folder, models_folder;
     bool ask_to_keep = true;
 
 private:
     enum class Purpose { open, take_up, import, relink, write_model, save_as, save_compact };
-    // Files that came together: what cannot be read of them is told once, at the end.
+    // A Batch is files that came together: what cannot be read of them is told once, at the end.
     struct Batch {
         std::size_t coming = 0;
-        struct Lost {
+        struct LostFile {
             std::string name, why;
         };
-        std::vector<Lost> lost;
+        std::vector<LostFile> lost;
     };
-    struct Asked {
+    struct PendingQuestion {
         ui::Question question;
         std::function<void(int)> answer;
     };
@@ -85,7 +86,7 @@ private:
     };
     Present present() const { return {session_->scenes(), session_->scene().lines().size()}; }
     void open(const std::string& path, bool copy, std::function<void()> then);
-    // It was read; asks once more if something was done since it was asked for.
+    // Takes in a scene that was read; asks once more if something was done since the request.
     void take_opened(const Present& since, const std::shared_ptr<SceneFile>& scene,
                      const std::function<void()>& then);
     void show(SceneFile scene); // where it is a copy, its notice offers to save it
@@ -106,7 +107,7 @@ private:
     std::string import_folder_; // of the last model that was imported by the dialog
     Purpose purpose_ = Purpose::open;
     Id relinked_ = 0;
-    std::optional<Asked> question_;
+    std::optional<PendingQuestion> question_;
     std::function<void()> after_save_;
     bool close_agreed_ = false;
 };

@@ -58,7 +58,7 @@ void FramesExport::tell(const std::string& path, const AnimatedFile& made, bool 
     std::vector<ui::Notices::Action> more;
     if (open.size() > 1)
         more.push_back({fmt::format("Read all {}...", open.size()), [this, name, open] {
-                            reading = Open{name, open};
+                            reading = OpenPoints{name, open};
                         }});
     lines.insert(lines.begin(), open.front());
     notices_.say_all(ui::NoticeKind::warning, title + ", not all of it certified", lines, {}, more);

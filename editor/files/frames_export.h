@@ -7,18 +7,18 @@
 
 namespace trivar {
 
-// Frames that are to be written as one file for other programs.
+// An ExportWish is frames that are to be written as one file for other programs.
 struct ExportWish {
     AnimatedScene scene;
     Ref<AssetStore> assets;
     std::string path; // its ending decides what it is
 };
 
-// Writes them, as the scene was when this began, while work on it goes on: the files of `trivar
-// export`. Those that are asked for meanwhile come after it.
+// A FramesExport writes frames of the scene as it was at the beginning, while work on it continues:
+// the files of `trivar export`. Later requests wait for it.
 class FramesExport {
 public:
-    // How it ended is told by a notice.
+    // A notice tells how it ended.
     FramesExport(std::function<void()> wake, ui::Notices& notices)
         : notices_(notices),
           jobs_(std::move(wake))
@@ -29,12 +29,13 @@ public:
     void stop() { jobs_.cancel(); }
     std::optional<Jobs::Status> status() const { return jobs_.status(); } // while it runs
 
-    // What is not certified of one that a person wants to read about.
-    struct Open {
+    // OpenPoints are the points of a file that are not certified, for a person who wants to read
+    // them.
+    struct OpenPoints {
         std::string file;
         std::vector<std::string> sentences;
     };
-    std::optional<Open> reading;
+    std::optional<OpenPoints> reading;
 
 private:
     void tell(const std::string& path, const AnimatedFile& made, bool named);

@@ -40,7 +40,7 @@ Model model_then(const EvaluatedObject& object, const Document& then)
         part.curves = make_ref(std::move(kept));
         part.points = {.rest = part.curves->points, .key = part.points.key};
     }
-    Evaluated one;
+    Evaluation one;
     one.objects.emplace(object.id, make_ref(std::move(there)));
     return model_of(one, then);
 }

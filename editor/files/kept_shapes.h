@@ -6,9 +6,9 @@
 
 namespace trivar {
 
-// Deletes a lattice and keeps what is seen in it in its present shape: writes one .glb for each
-// object into the scene's folder, with a name that is free, and names them. The scene must have a
-// name. Throws Rejected where a file cannot be written.
+// The command that deletes a lattice and keeps its contents in their present shape. It writes one
+// .glb per object into the scene's folder, under a free name, and names these files. The scene must
+// have a name. Throws Rejected where a file cannot be written.
 Command kept_shapes(const Session& session, Id lattice);
 
 } // namespace trivar

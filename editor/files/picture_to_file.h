@@ -10,14 +10,15 @@
 
 namespace trivar {
 
-// The picture of the present view, as the scene asks for it and in full, written beside the scene's
-// file under the next free number. It is drawn a piece a frame, so the window goes on.
+// A PictureToFile draws the present view as the scene asks for it, in full quality, and writes it
+// beside the scene's file under the next free number. It draws one piece per frame, so the window
+// stays responsive.
 class PictureToFile {
 public:
     bool running() const { return wanted_px_ > 0 || still_; }
     const std::string& path() const { return path_; }
-    // `width_px` wide, in the shape of the viewport, as soon as the scene is evaluated and nothing
-    // else is being read or written. Needs the scene's file, for its folder.
+    // Begins a picture `width_px` wide, in the shape of the viewport, as soon as the scene is
+    // evaluated and nothing else is read or written. The scene must have a file, for its folder.
     void begin(const Session& session, int width_px);
     // Once a frame, in the window's context.
     void advance(Session& session, ui::Frame& frame, const Ref<gpu::ShaderTexts>& shaders = {});

@@ -83,24 +83,24 @@ void Files::show(SceneFile scene)
 void Files::ask_how_to_open(const std::shared_ptr<SceneFile>& copy)
 {
     const std::string path = copy->original();
-    question_ = Asked{{file_name(path) + " is open in another window",
-                       "Look at it here, and see what is done there as it is done. Or go on in a "
-                       "copy of your own, which has no name yet.",
-                       {{"Cancel", ui::ButtonKind::plain},
-                        {"Open a copy", ui::ButtonKind::plain},
-                        {"Look only", ui::ButtonKind::primary}},
-                       2},
-                      [this, copy, path](int answer) {
-                          if (answer == 1) show(std::move(*copy));
-                          if (answer != 2) return;
-                          try {
-                              session_->replace_scene(SceneFile::looked_at(path));
-                          } catch (const Rejected& why) {
-                              session_->notices.say(ui::NoticeKind::error,
-                                                    file_name(path) + " was not opened",
-                                                    reason(why.what(), path));
-                          }
-                      }};
+    question_ = PendingQuestion{
+        {file_name(path) + " is open in another window",
+         "Look at it here, and see what is done there as it is done. Or go on in a "
+         "copy of your own, which has no name yet.",
+         {{"Cancel", ui::ButtonKind::plain},
+          {"Open a copy", ui::ButtonKind::plain},
+          {"Look only", ui::ButtonKind::primary}},
+         2},
+        [this, copy, path](int answer) {
+            if (answer == 1) show(std::move(*copy));
+            if (answer != 2) return;
+            try {
+                session_->replace_scene(SceneFile::looked_at(path));
+            } catch (const Rejected& why) {
+                session_->notices.say(ui::NoticeKind::error, file_name(path) + " was not opened",
+                                      reason(why.what(), path));
+            }
+        }};
 }
 
 void Files::read_model_of(const std::string& path, bool frame_all,
@@ -114,7 +114,7 @@ void Files::read_model_of(const std::string& path, bool frame_all,
              import.file.path = fs::absolute(path).string();
              const Command command = prepare(import, *store, progress);
              const auto& ready = std::get<ImportModel>(command);
-             const AssetStore::Loaded loaded = store->load(ready.file, progress);
+             const AssetStore::LoadedModel loaded = store->load(ready.file, progress);
              if (!loaded.model)
                  throw Rejected(loaded.notices.empty() ? "It cannot be read."
                                                        : loaded.notices.front());

@@ -5,8 +5,9 @@
 
 namespace trivar {
 
-// The cards at the foot of the picture that lead a hand through its first stroke. Each goes when
-// what it says was done, or when it is closed; preferences keep that, so that none comes twice.
+// A HintCard is a card at the foot of the picture that guides a person through the first stroke. It
+// leaves when its step was done, or when it is closed; preferences remember that, so that none
+// comes twice.
 struct HintCard {
     std::string name; // in the preferences
     int number = 0;   // of the three; 0: the scene lacks what a stroke needs

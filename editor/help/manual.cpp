@@ -91,20 +91,20 @@ std::string linked_page(std::string_view target)
     return std::string(target.substr(0, target.size() - 3));
 }
 
-std::vector<Found> found_in(const std::vector<ManualPage>& pages, std::string_view words)
+std::vector<FoundPassage> found_in(const std::vector<ManualPage>& pages, std::string_view words)
 {
-    std::vector<Found> found;
+    std::vector<FoundPassage> found;
     for (const ManualPage& page : pages) {
         if (holds_all(page.title, words)) {
             found.push_back({page.name, page.title, 0});
             continue;
         }
-        std::optional<Found> best;
+        std::optional<FoundPassage> best;
         for (std::size_t i = 0; i < page.blocks.size(); ++i) {
             const std::string text = words_in(page.blocks[i]);
             if (!holds_all(text, words)) continue;
             const bool heading = page.blocks[i].kind == Block::Kind::heading;
-            if (!best || heading) best = Found{page.name, text, i};
+            if (!best || heading) best = FoundPassage{page.name, text, i};
             if (heading) break;
         }
         if (best) found.push_back(*best);

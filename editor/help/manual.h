@@ -10,7 +10,8 @@
 
 namespace trivar {
 
-// A page for artists, from a Markdown file of a folder; its name is the file's, without .md.
+// A ManualPage is a page for artists, from a Markdown file of a folder; its name is the file's,
+// without .md.
 struct ManualPage {
     std::string name, title; // the title is its first heading, which is not among the blocks
     std::vector<Block> blocks;
@@ -18,20 +19,19 @@ struct ManualPage {
 
 inline constexpr const char* keys_page = "keys"; // the last; followed by the keys there are
 
-// The pages of a folder, in the order in which one would read them. Pictures are told by their
-// whole path.
+// The pages of a folder, in the order in which one would read them. Pictures have their full path.
 std::vector<ManualPage> manual_in(const std::string& folder);
 
 const ManualPage* page_of(const std::vector<ManualPage>& pages, std::string_view name);
-// The page that a link on another one leads to: "place.md#gaps" is place; empty: none of these.
+// The page to which a link leads: "place.md#gaps" is place; empty: no page of these.
 std::string linked_page(std::string_view target);
 
-// Where all the words are found, whatever their case, the best place of each page: its title, a
-// heading, then any block.
-struct Found {
+// A FoundPassage is a place that contains all the words, in any case of letters; for each page the
+// best one: its title, a heading, or else any block.
+struct FoundPassage {
     std::string page, words; // the words round it
     std::size_t block = 0;
 };
-std::vector<Found> found_in(const std::vector<ManualPage>& pages, std::string_view words);
+std::vector<FoundPassage> found_in(const std::vector<ManualPage>& pages, std::string_view words);
 
 } // namespace trivar

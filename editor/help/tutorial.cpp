@@ -26,7 +26,7 @@ const Sketch* sketch_of(const Command& command)
 const Camera* camera_of(const Command& command)
 {
     if (const Sketch* sketch = sketch_of(command)) return &sketch->camera;
-    const auto* kept = std::get_if<SaveCamera>(&command);
+    const auto* kept = std::get_if<KeepView>(&command);
     return kept ? &kept->camera : nullptr;
 }
 

@@ -9,10 +9,10 @@
 
 namespace trivar {
 
-// A scene whose lines carry notes, shown step by step in the viewport. What a hand did is done
-// again before one's eyes: the camera goes where it was, the stroke grows, the object moves. The
-// steps are those of the session's history, so that whoever does something of their own in
-// between has a scene like any other.
+// A Tutorial is a scene whose lines carry notes, shown step by step in the viewport. What a hand
+// did is done again before the person's eyes: the camera goes where it was, the stroke grows, the
+// object moves. The steps are those of the session's history, so a person who does something else
+// in between has a scene like any other.
 class Tutorial {
 public:
     // The session's scene is a copy of the tutorial, as it was opened; shows its first step.
@@ -25,14 +25,14 @@ public:
     std::size_t step(const Session& session) const;        // from 1; the one that is being shown
     const std::string& note(const Session& session) const; // of it; empty: somebody's own step
 
-    // What is being shown is finished at once.
+    // Finishes the present step at once and shows the next one.
     void next(Session& session, bool at_once = false);
     void back(Session& session);
 
-    // A piece further, once a frame; whether there is more to come. `at_once` where pictures come
-    // too slowly to show a motion.
+    // Advances the step, once per frame; returns whether there is more to come. `at_once` is for
+    // pictures that come too slowly to show a motion.
     bool advance(Session& session, double time_s, bool at_once);
-    // The stroke that is growing, in the picture of the session's camera, pixels.
+    // The stroke that is growing, in the picture of the session's camera, in pixels.
     std::vector<glm::dvec2> stroke(const Session& session) const;
 
 private:
@@ -52,11 +52,11 @@ private:
     std::optional<Motion> motion_;
 };
 
-// What a hand had done of a command when this much of it was over, 0..1; nothing for what is done
-// at once. `before` is what it is done to.
+// The part of a command that a hand had done when `done` of it was over, 0..1; empty for a command
+// that is done at once. `before` is the document before the command.
 std::optional<Command> part_of(const Command& command, const Document& before, double done);
 
-// The tutorials of a folder: those every artist should begin with first.
+// The tutorials of a folder; the ones with which every artist should begin come first.
 std::vector<std::string> tutorials_in(const std::string& folder);
 
 } // namespace trivar

@@ -29,7 +29,7 @@ BackgroundEvaluator::~BackgroundEvaluator()
 long BackgroundEvaluator::submit(Document document, double frame, bool deform_parts)
 {
     const std::lock_guard lock(mutex_);
-    waiting_ = Asked{std::move(document), frame, deform_parts};
+    waiting_ = Request{std::move(document), frame, deform_parts};
     something_new_.notify_one();
     return ++submitted_;
 }
@@ -81,7 +81,7 @@ void BackgroundEvaluator::work(const std::stop_token& stop)
 
 void BackgroundEvaluator::evaluate(const std::stop_token& stop, std::unique_lock<std::mutex>& lock)
 {
-    const Asked asked = std::move(*waiting_);
+    const Request asked = std::move(*waiting_);
     waiting_.reset();
     Result result;
     result.ticket = submitted_;

@@ -11,32 +11,34 @@
 
 namespace trivar {
 
-// Evaluates documents on a thread of its own, so that the window never waits. A document that
-// comes while another is being worked on replaces the one that waits: only the latest counts, and
-// the one being worked on is finished first, so that a drag always shows something new.
+// A BackgroundEvaluator evaluates documents on a thread of its own, so that the window never waits.
+// A new document replaces one that still waits: only the latest counts. The current one is finished
+// first, so that a drag always shows something new.
 class BackgroundEvaluator {
 public:
-    // `wake` is called on the other thread when a result is there or progress was made.
+    // The other thread calls `wake` when there is a result or progress.
     BackgroundEvaluator(Ref<AssetStore> assets, std::function<void()> wake);
     ~BackgroundEvaluator(); // stops the work
     BackgroundEvaluator(const BackgroundEvaluator&) = delete;
     BackgroundEvaluator& operator=(const BackgroundEvaluator&) = delete;
 
-    // Its ticket: 1, 2, ... Parts are deformed here where that is wanted, else by who asks them.
+    // Returns the document's ticket: 1, 2, ... Parts are deformed on this thread if wanted, else by
+    // whoever asks for them.
     long submit(Document document, double frame, bool deform_parts = true);
 
     struct Result {
         long ticket = 0;
-        Evaluated evaluated;
+        Evaluation evaluated;
         std::string problem;  // why there is no result; empty: there is one
         bool stopped = false; // that is why
     };
     std::optional<Result> poll(); // what was finished since the last call
 
-    // Splits effects as finely as a camera wants them, whenever there is no document to evaluate;
-    // one that comes meanwhile is evaluated first. The newest request counts here, too.
+    // A ViewRequest asks to split effects as finely as a camera wants them, whenever there is no
+    // document to evaluate; a document that comes meanwhile is evaluated first. The newest request
+    // counts here, too.
     struct ViewRequest {
-        Evaluated evaluated;
+        Evaluation evaluated;
         Camera camera;
         double tolerance_px = 1;
         bool deform_parts = true;
@@ -68,12 +70,12 @@ private:
     std::function<void()> wake_;
     mutable std::mutex mutex_;
     std::condition_variable_any something_new_;
-    struct Asked {
+    struct Request {
         Document document;
         double frame;
         bool deform_parts;
     };
-    std::optional<Asked> waiting_;
+    std::optional<Request> waiting_;
     std::optional<Result> finished_;
     std::optional<ViewRequest> view_waiting_;
     std::optional<SeenResult> view_finished_;

@@ -14,8 +14,9 @@ namespace trivar {
 
 inline constexpr double progress_shown_s = 0.6; // after which working on the scene shows a bar
 
-// Long work that is done once: reading a model, writing a file. Jobs run one after another on a
-// thread of their own; what a job returns is called on the frame thread when it is done.
+// Jobs runs long work that is done once: reading a model, writing a file. Jobs run one after
+// another on a thread of their own; the function that a job returns is called on the frame thread
+// when the job is done.
 class Jobs {
 public:
     explicit Jobs(std::function<void()> wake);

@@ -9,12 +9,13 @@
 
 namespace trivar {
 
-// The cards at the foot of the picture, none over another: each stands where those before it end.
+// FootCards places the cards at the foot of the picture, none over another: each stands where the
+// previous ones end.
 class FootCards {
 public:
     explicit FootCards(const ui::Rect& view) : view_(view) {}
     const ui::Rect& view() const { return view_; } // the whole picture
-    // The picture above the cards that stand between two places across it, pixels.
+    // The part of the picture above the cards between two places across it, in pixels.
     ui::Rect above(float left, float right) const
     {
         ui::Rect room = view_;

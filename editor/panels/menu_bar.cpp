@@ -46,18 +46,18 @@ void underline(ImDrawList& list, const ui::Theme& theme, const ImVec2& at, const
     list.AddRectFilled({x, y}, {x + wide, y + theme.size.hairline}, theme.color.text_2);
 }
 
-void bookmarks(Editor& editor)
+void kept_views(Editor& editor)
 {
-    if (editor.session.document().bookmarks.empty()) return;
+    if (editor.session.document().kept_views.empty()) return;
     ImGui::Separator();
     std::string forget;
-    for (const auto& [name, camera] : editor.session.document().bookmarks) {
+    for (const auto& [name, camera] : editor.session.document().kept_views) {
         if (!ImGui::BeginMenu(name.c_str())) continue;
         if (ImGui::MenuItem("Go there")) editor.session.view.follows = FollowedView{name};
         if (ImGui::MenuItem("Forget")) forget = name;
         ImGui::EndMenu();
     }
-    if (!forget.empty()) editor.session.run(DeleteCamera{forget});
+    if (!forget.empty()) editor.session.run(ForgetView{forget});
 }
 
 void recent_scenes(Editor& editor)
@@ -165,7 +165,7 @@ void menus(Editor& editor, const ui::Theme& theme)
         if (ImGui::BeginMenu(menu.c_str())) {
             open = menu;
             menu_items(editor, theme, menu);
-            if (menu == "View") bookmarks(editor);
+            if (menu == "View") kept_views(editor);
             if (menu == "Help")
                 for (const char* each : {"Samples", "Tutorials"}) menu_beside(editor, theme, each);
             go_to_neighbour(editor, i);

@@ -28,7 +28,7 @@ void add_lattices(std::vector<gpu::Line>& lines, const Session& session, const u
     constexpr ShellLook selected, many{.sides = 0}, other{.edges = 0.3f, .sides = 0};
     for (const auto& [id, each] : session.evaluated().objects) {
         if (!is_lattice(session.document(), id) || !each->placement ||
-            std::ranges::binary_search(session.aside, id))
+            std::ranges::binary_search(session.hidden_here, id))
             continue;
         const Lattice& volume = each->placement->volume;
         const ShellLook& look = !session.selected.contains(id)                    ? other
@@ -51,7 +51,7 @@ Helpers helpers_of(Editor& editor, const ui::Theme& theme)
     if (!shown_already) add_lattices(helpers.lines, editor.session, theme);
     const auto found = objects.find(editor.session.selected);
     if (found == objects.end() || !found->second->placement || !tool.shows_volume() ||
-        shown_already || std::ranges::binary_search(editor.session.aside, found->first))
+        shown_already || std::ranges::binary_search(editor.session.hidden_here, found->first))
         return helpers;
     const Placement& placement = *found->second->placement;
     if (is_lattice(editor.session.document(), found->first)) {
@@ -71,13 +71,13 @@ Helpers helpers_of(Editor& editor, const ui::Theme& theme)
 }
 
 // That most of the scene is left out, and how it comes back.
-std::string aside_words(const Editor& editor)
+std::string hidden_here_words(const Editor& editor)
 {
     const Session& session = editor.session;
-    if (session.aside.empty()) return {};
+    if (session.hidden_here.empty()) return {};
     std::vector<Id> shown;
     for (const auto& [id, each] : session.evaluated().objects)
-        if (!each->shows_nothing() && !std::ranges::binary_search(session.aside, id))
+        if (!each->shows_nothing() && !std::ranges::binary_search(session.hidden_here, id))
             shown.push_back(id);
     const std::string key = key_text(action(editor, isolate_action));
     const std::string back = "  ·  " + (key.empty() ? "Isolate" : key) + " brings the others back";
@@ -116,7 +116,7 @@ void labels(Editor& editor, const ui::Theme& theme, ui::Frame& frame, const ui::
     const float room = view.width() - theme.px(12 + 130); // the axes stand at the right
     ui::paint_chip(theme, at, {ui::elided(theme.font.small, label, room)});
     at.y += theme.px(28);
-    if (const std::string words = aside_words(editor); !words.empty()) {
+    if (const std::string words = hidden_here_words(editor); !words.empty()) {
         ui::paint_chip(theme, at, {ui::elided(theme.font.small, words, room)});
         at.y += theme.px(28);
     }
@@ -273,10 +273,11 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
         ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(name), lo, hi, {0, 1},
                                              {1, 0});
     if (session.shown().render->captions) { // they count the triangles of the document
-        std::vector<Id> aside = refined.split(session.evaluated());
-        aside.insert(aside.end(), session.aside.begin(), session.aside.end());
-        std::ranges::sort(aside);
-        paint_captions(captions_of(session.evaluated(), session.shown(), aside), view,
+        std::vector<Id> hidden_here = refined.split(session.evaluated());
+        hidden_here.insert(hidden_here.end(), session.hidden_here.begin(),
+                           session.hidden_here.end());
+        std::ranges::sort(hidden_here);
+        paint_captions(captions_of(session.evaluated(), session.shown(), hidden_here), view,
                        session.view.camera, over);
     }
     tool.overlay(session, over, input);

@@ -18,7 +18,7 @@ std::string at_most_mm(double metres)
     return ui::short_number(rounded_up(metres * 1000, 3)) + " mm";
 }
 
-std::string words_of(const Refined& refined, const Refining& refining)
+std::string words_of(const RefinementResult& refined, const Refining& refining)
 {
     if (refining.rule == RefinementRule::chua_neumann_midpoint)
         return "by the midpoint test, nothing certified";
@@ -54,7 +54,7 @@ std::optional<glm::vec2> foot_of(const Caption& caption, const Camera& camera)
 {
     glm::dvec2 lo(1e300), hi(-1e300);
     for (const glm::dvec3& p : caption.points) {
-        const Projected at = project(camera, p);
+        const PicturePoint at = project(camera, p);
         if (at.depth_world <= 0) continue;
         lo = glm::min(lo, at.p_px);
         hi = glm::max(hi, at.p_px);
@@ -65,14 +65,14 @@ std::optional<glm::vec2> foot_of(const Caption& caption, const Camera& camera)
 
 } // namespace
 
-std::vector<Caption> captions_of(const Evaluated& evaluated, const Document& document,
-                                 std::span<const Id> aside)
+std::vector<Caption> captions_of(const Evaluation& evaluated, const Document& document,
+                                 std::span<const Id> hidden_here)
 {
     std::vector<Caption> out;
     for (const auto& [id, object] : evaluated.objects) {
         const auto cause = document.objects.find(id); // it may be deleted since
         if (!object->refined || cause == document.objects.end() || !cause->second->refining ||
-            std::ranges::binary_search(aside, id))
+            std::ranges::binary_search(hidden_here, id))
             continue;
         const std::size_t count = object->refined->triangles();
         out.push_back({ui::with_commas(count) + (count == 1 ? " triangle" : " triangles"),

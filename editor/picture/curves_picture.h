@@ -8,9 +8,9 @@
 
 namespace trivar {
 
-// What the renderer draws of an object's curves: one for each part of them and material, in the
-// material's colour times that of their points. Something solid hides them. O(#points), and where a
-// volume bends them and nobody asked before, what that takes the processor.
+// The renderer's curves for an object: one per curve part and material, in the material's colour
+// times that of the points. Solid things hide them. O(#points), and the time of deforming them
+// where a volume does and nobody has asked before.
 std::vector<gpu::Curve> curves_of(const EvaluatedObject& object, float width_px);
 
 } // namespace trivar

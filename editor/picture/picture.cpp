@@ -33,7 +33,7 @@ Ref<std::vector<float>> values_of(const EvaluatedObject& object, std::size_t par
 
 } // namespace
 
-gpu::Picture picture_of(const Evaluated& evaluated, const Document& document, const Camera& camera,
+gpu::Picture picture_of(const Evaluation& evaluated, const Document& document, const Camera& camera,
                         ShownValues& values, gpu::DeformBy by)
 {
     gpu::Picture picture;
@@ -91,18 +91,18 @@ void add_seen_points(std::vector<glm::dvec3>& points, const EvaluatedObject& obj
                 points.push_back(control_point(volume, i, j, k));
 }
 
-std::vector<glm::dvec3> points_of(const Evaluated& evaluated, const std::vector<Id>& aside)
+std::vector<glm::dvec3> points_of(const Evaluation& evaluated, const std::vector<Id>& hidden_here)
 {
     std::vector<glm::dvec3> points;
     for (const auto& [id, object] : evaluated.objects)
-        if (!std::ranges::binary_search(aside, id)) add_seen_points(points, *object);
+        if (!std::ranges::binary_search(hidden_here, id)) add_seen_points(points, *object);
     return points;
 }
 
-Camera picture_camera(const Evaluated& evaluated, const Document& document, glm::ivec2 size_px)
+Camera picture_camera(const Evaluation& evaluated, const Document& document, glm::ivec2 size_px)
 {
-    const auto bookmark = document.bookmarks.find("picture");
-    if (bookmark != document.bookmarks.end()) return ui::reshaped(bookmark->second, size_px);
+    const auto kept = document.kept_views.find("picture");
+    if (kept != document.kept_views.end()) return ui::reshaped(kept->second, size_px);
     Camera camera;
     camera.size_px = size_px;
     std::vector<glm::dvec3> all;

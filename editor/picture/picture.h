@@ -7,21 +7,21 @@
 
 namespace trivar {
 
-// What the renderer draws of an evaluated document, seen from a camera. Objects can be picked by
-// their id. What colours show besides materials is kept in `values`. Placed objects are drawn as
-// they were evaluated, by the processor, or deformed by the renderer from what they were before.
-gpu::Picture picture_of(const Evaluated& evaluated, const Document& document, const Camera& camera,
+// The picture of an evaluated document for the renderer, seen from a camera. Objects can be picked
+// by their id. Values that colours show in place of materials are kept in `values`. Placed objects
+// are drawn as the processor deformed them, or are deformed by the renderer.
+gpu::Picture picture_of(const Evaluation& evaluated, const Document& document, const Camera& camera,
                         ShownValues& values, gpu::DeformBy by = gpu::DeformBy::processor);
 
 // Adds the vertices of an object and the points of its curves, in world space.
 void add_points(std::vector<glm::dvec3>& points, const EvaluatedObject& object);
-// The same, and of a lattice, which has none, its control points: what a window shows.
+// The same, and for a lattice, which has no vertices, its control points: what a window shows.
 void add_seen_points(std::vector<glm::dvec3>& points, const EvaluatedObject& object);
-// These of all objects but the ones that are left aside, ascending ids.
-std::vector<glm::dvec3> points_of(const Evaluated& evaluated, const std::vector<Id>& aside);
+// The points of all objects but those that are hidden here, ascending ids.
+std::vector<glm::dvec3> points_of(const Evaluation& evaluated, const std::vector<Id>& hidden_here);
 
-// The bookmark "picture" if there is one, else a view of everything from the front, somewhat from
-// the right and above. An empty scene gives the camera that a new document starts with.
-Camera picture_camera(const Evaluated& evaluated, const Document& document, glm::ivec2 size_px);
+// The kept view "picture" if there is one, else a view of the whole scene from the front, somewhat
+// from the right and above. An empty scene gives the camera with which a new document starts.
+Camera picture_camera(const Evaluation& evaluated, const Document& document, glm::ivec2 size_px);
 
 } // namespace trivar

@@ -9,34 +9,34 @@
 
 namespace trivar {
 
-// The numbers that colours show at the vertices of what was placed, by parts of objects; worked out
-// once for each part and kept as long as that. Null for a part that was not deformed.
+// ShownValues gives the numbers that colours show at the vertices of deformed parts. They are
+// computed once per part and kept as long as the part. Null for a part that is not deformed.
 class ShownValues {
 public:
-    // How much the volume changed beside what is usual in that mesh, the median.
+    // The change of volume, relative to its median in that mesh.
     Ref<std::vector<float>> stretch_of(const Part& part);
-    // The greatest certified bound of the triangles at a vertex, over the tolerance. Where the
-    // object is not refined its triangles are bounded for this call, some 3 us each. Null, too,
-    // where the tolerance is finer than anything can be certified to.
+    // The greatest certified bound of the triangles at a vertex, divided by the tolerance. Where
+    // the object is not refined its triangles are bounded now, in some 3 us each. Null also where
+    // the tolerance is finer than any certificate can be.
     Ref<std::vector<float>> error_of(const EvaluatedObject& object, std::size_t part,
                                      const Refining& refining);
 
 private:
-    // What the numbers depend on beside the part; a tolerance of 0 is for the stretch.
+    // The key beside the part; a tolerance of 0 means the stretch.
     using By = std::tuple<double, BoundMethod, RefinementRule>;
     Ref<std::vector<float>> kept(const Part& part, const By& by, auto&& work_out);
-    struct Known {
-        std::weak_ptr<const Bent> alive;
+    struct KnownValues {
+        std::weak_ptr<const Deformation> alive;
         Ref<std::vector<float>> values;
     };
-    std::map<std::pair<const Bent*, By>, Known> known_;
+    std::map<std::pair<const Deformation*, By>, KnownValues> known_;
 };
 
-// What colours tell apart, the error over the tolerance by log2: from an eighth to eight times.
+// The range of shown errors, relative to the tolerance, as log2: from an eighth to eight times.
 inline constexpr glm::vec2 shown_errors(-3, 3);
 
-// The tolerance of all visible objects that lie in a volume; none where they differ. Objects
-// without one are measured by that which a refinement has first.
+// The tolerance of all visible objects that lie in a volume; empty where they differ. An object
+// without a tolerance counts with that of a new refinement.
 std::optional<double> shown_tolerance(const Document& document);
 
 } // namespace trivar

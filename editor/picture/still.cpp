@@ -7,7 +7,7 @@
 
 namespace trivar {
 
-void Still::begin(const Evaluated& evaluated, const Document& document, const Camera& camera,
+void Still::begin(const Evaluation& evaluated, const Document& document, const Camera& camera,
                   const StillOptions& options)
 {
     camera_ = camera;
@@ -20,7 +20,7 @@ void Still::begin(const Evaluated& evaluated, const Document& document, const Ca
     renderer_.begin(picture, options.size_px);
 }
 
-void Still::draw(const Evaluated& evaluated, const Document& document, const Camera& camera,
+void Still::draw(const Evaluation& evaluated, const Document& document, const Camera& camera,
                  const StillOptions& options)
 {
     begin(evaluated, document, camera, options);

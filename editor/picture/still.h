@@ -17,15 +17,15 @@ struct StillOptions {
     Ref<gpu::ShaderTexts> shaders = {};
 };
 
-// A picture of a scene as it goes into a file, with what stands written over it, and the next one
-// after it. In the current OpenGL context. It may be drawn in pieces: see gpu::Renderer.
+// A Still is a picture of a scene as it goes into a file, with its captions, and then the next one.
+// In the current OpenGL context. It may be drawn in pieces: see gpu::Renderer.
 class Still {
 public:
     // Throws Rejected.
-    void begin(const Evaluated& evaluated, const Document& document, const Camera& camera,
+    void begin(const Evaluation& evaluated, const Document& document, const Camera& camera,
                const StillOptions& options);
     bool advance(double budget_ms) { return renderer_.advance(budget_ms); }
-    void draw(const Evaluated& evaluated, const Document& document, const Camera& camera,
+    void draw(const Evaluation& evaluated, const Document& document, const Camera& camera,
               const StillOptions& options); // all of it
     Image image() const;                    // when it is whole
     DeepImage deep_image() const;

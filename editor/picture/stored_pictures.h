@@ -10,15 +10,15 @@
 
 namespace trivar {
 
-// Pictures of files for panels: read on a thread of their own the first time they are asked for,
-// made as wide as they are shown, and kept. Needs the window's OpenGL context.
+// StoredPictures gives pictures of files to panels: they are read on a thread of their own when
+// they are first asked for, scaled to the shown width, and kept. Needs the window's OpenGL context.
 class StoredPictures {
 public:
     explicit StoredPictures(std::function<void()> wake) : jobs_(std::move(wake)) {}
 
-    // Nothing while it is being read, and where it cannot be.
+    // Null while the picture is being read, and where it cannot be read.
     const gpu::Texture2D* of(const std::string& path, int width_px);
-    // Width over height once it is there; else as most pictures are.
+    // Width over height once it is read; before that the usual ratio.
     double shape(const std::string& path, int width_px);
     void forget_gpu() { pictures_.clear(); } // before the context goes
     void poll() { jobs_.poll(); }            // once a frame
@@ -29,7 +29,7 @@ private:
     Jobs jobs_;
 };
 
-// The picture with sides that many times smaller that it is as wide as asked, or not much wider.
+// The picture, made smaller by a whole factor until it is as wide as asked, or slightly wider.
 Image shrunk(const Image& image, int width_px);
 
 } // namespace trivar

@@ -13,18 +13,18 @@
 
 namespace trivar {
 
-// How many control points of an axis are left where they are made a quarter fewer.
+// The number of control points that an axis keeps when a quarter of them is removed.
 int fewer_points(const Knots& axis);
 
 // Of the volume of a placed object, with what may fold in it.
 Lazy<CellVerdicts> verdicts_of(const EvaluatedObject& placed);
 
-// The cells where a volume is proven to fold, where that is not known, and where it may. Nothing
-// for what is proven good.
+// The cells where a volume is proven to fold, where that is unknown, and where it is allowed to.
+// Empty where every cell is proven good.
 std::vector<gpu::Translucent> fold_veils(const EvaluatedObject& placed, const ui::Palette& color);
 
-// What is known of the volume that is looked at. What takes longer than a frame is worked out on a
-// thread of its own. Frame thread only.
+// VolumeFacts is what is known of the volume that is looked at. What takes longer than a frame is
+// computed on a thread of its own. Frame thread only.
 class VolumeFacts {
 public:
     VolumeFacts();
@@ -32,21 +32,23 @@ public:
     VolumeFacts(const VolumeFacts&) = delete;
     VolumeFacts& operator=(const VolumeFacts&) = delete;
 
-    // As fold_veils; those of the volume before as long as they are not known.
+    // As fold_veils(); those of the previous volume while the new ones are unknown.
     const std::vector<gpu::Translucent>& folds(const EvaluatedObject& placed,
                                                const ui::Palette& color);
-    // How far anything moves at most where an axis is left fewer_points(); none: it cannot be.
+    // The largest movement in a volume if an axis keeps only fewer_points(); empty: the axis
+    // cannot.
     using Deviations = std::array<std::optional<double>, 3>;
     // Null: not known yet. Overlap is looked for only once it was asked for.
     const CellVerdicts* verdicts(const EvaluatedObject& placed);
     const Deviations* deviations(const EvaluatedObject& placed);
     const Overlap* overlap(const EvaluatedObject& placed);
-    // Where far parts meet, as far as that was asked for and is known: a slice at both places.
+    // The places where distant parts meet, if that was asked for and is known: a slice at each of
+    // both places.
     std::vector<gpu::Translucent> meeting(const EvaluatedObject& placed,
                                           const ui::Palette& color) const;
 
     bool busy() const;
-    int known() const; // counts up with what there is to show
+    int known() const; // grows with each new fact
 
 private:
     struct Facts {

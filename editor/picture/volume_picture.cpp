@@ -139,7 +139,7 @@ std::vector<gpu::Translucent> balls_of(const Press& press, const Lattice& volume
     return out;
 }
 
-void add_volumes(gpu::Picture& picture, const Evaluated& evaluated, const Document& document,
+void add_volumes(gpu::Picture& picture, const Evaluation& evaluated, const Document& document,
                  const ui::Palette& color, float line_px)
 {
     std::vector<const Lattice*> drawn;

@@ -7,14 +7,14 @@
 
 namespace trivar {
 
-// What shows the volume of a placed object: its edges and ribs with the stroke, and its faces.
-// `line_px`: of a line that is one pixel wide at scale 1.
+// The lines that show the volume of a placed object: its edges and ribs with the stroke; and its
+// faces. `line_px` is the width of a line that is one pixel wide at scale 1.
 std::vector<gpu::Line> placement_lines(const Placement& placement, const ui::Palette& color,
                                        float line_px);
 gpu::Translucent placement_veil(const Placement& placement, const ui::Palette& color);
 
-// How strong the lines between control points are: along the twelve edges of the volume, and the
-// others on its six sides; 0 leaves them out. Lines within are never drawn.
+// A ShellLook says how strong the lines between control points are: along the twelve edges of the
+// volume, and elsewhere on its six sides; 0 leaves them out. Lines inside are never drawn.
 struct ShellLook {
     float edges = 0.9f, sides = 0.26f;
 };
@@ -29,9 +29,8 @@ gpu::Translucent ball_veil(const glm::dvec3& center, double radius, const ui::Pa
 std::vector<gpu::Translucent> balls_of(const Press& press, const Lattice& volume,
                                        const ui::Palette& color);
 
-// Adds all volumes, those that are the same once, and the ball of each one's last step where that
-// was a press.
-void add_volumes(gpu::Picture& picture, const Evaluated& evaluated, const Document& document,
+// Adds all volumes, equal ones once, and for each the ball of its last step if that was a press.
+void add_volumes(gpu::Picture& picture, const Evaluation& evaluated, const Document& document,
                  const ui::Palette& color, float line_px);
 
 } // namespace trivar

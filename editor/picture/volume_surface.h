@@ -20,17 +20,18 @@ struct VolumeSurface {
 };
 VolumeSurface volume_surface(const Lattice& volume);
 
-// The faces of the cells that are proven bad, not known or not judged, a few triangles each; of
-// many cells, and of those not judged, only the faces round all of them.
+// FoldSurfaces are the faces of the cells that are proven bad, unknown or not judged, a few
+// triangles each; of many cells, and of those not judged, only the outer faces of all of them
+// together.
 struct FoldSurfaces {
     VolumeSurface bad, unknown, allowed;
 };
 FoldSurfaces fold_surfaces(const Lattice& volume, const CellVerdicts& verdicts);
 
-// The faces of the slice across the stroke that is three cells long, with that in the middle one.
+// The faces of a slice across the stroke, three cells long, with the given u in the middle cell.
 VolumeSurface slice_at(const Lattice& volume, double u);
 
-// Where a ray first meets the faces, of either side. O(triangles).
+// An OnVolume is where a ray first meets the faces, on either side. O(#triangles).
 struct OnVolume {
     glm::dvec3 p_world, uvw;
 };

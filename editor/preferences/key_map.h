@@ -9,7 +9,8 @@
 
 namespace trivar {
 
-// The keys of the actions that a person gave other keys than the usual ones, by name.
+// A KeyMap holds the keys that a person gave to actions in place of the usual ones, by the action's
+// name.
 using KeyMap = std::map<std::string, std::vector<ui::Chord>>;
 
 } // namespace trivar

@@ -12,7 +12,7 @@
 
 namespace trivar {
 
-// What a person has arranged, for all scenes. Sizes are pixels at scale 1.
+// Preferences are what a person has arranged for all scenes. Sizes are pixels at scale 1.
 struct Preferences {
     double scale = 1; // of the interface, times the monitor's, 0.75..2
     double dock = 320, outliner = 256, timeline = 184;
@@ -40,10 +40,11 @@ struct Preferences {
     bool operator==(const Preferences&) const = default;
 };
 
-// Text of JSON. What is of another type, or no JSON at all, is as if it were not there, and a
-// number out of its range is the nearest in it, for a program must start whatever its settings say;
-// `odd` names both, "the whole file" where it is none at all. Lists are cut at their longest, and
-// what is odd in one is left out of it: `odd` names the list, of keys "keys, Undo".
+// Reads preferences from JSON text. Values of a wrong type, and text that is no JSON, count as
+// missing, and a number out of its range becomes the nearest one in it, because a program must
+// start with any settings. `odd` names these values, or "the whole file" where it is no JSON. Lists
+// are cut at their greatest length, and odd entries are left out: `odd` then names the list, for
+// keys "keys, Undo".
 struct ReadPreferences {
     Preferences preferences;
     std::vector<std::string> odd;
@@ -55,25 +56,27 @@ inline Preferences preferences_from(std::string_view text)
 }
 std::string text_of(const Preferences& preferences);
 
-// Puts it in front of the list, once.
+// Puts an entry at the front of a list, in which it stands once.
 inline constexpr std::size_t most_remembered = 16;
 void remember(std::vector<std::string>& recent, const std::string& what,
               std::size_t most = most_remembered);
 
-// The scales of the interface that can be chosen, rising; and the next one up or down.
+// The scales of the interface that can be chosen, ascending; and the next one up or down.
 inline constexpr std::array interface_scales{0.75, 0.9, 1.0, 1.1, 1.25, 1.5, 2.0};
 double next_scale(double scale, int direction);
 
-// Preferences in a file, written when they differ from what it holds. Without a path in memory.
+// A PreferencesFile keeps preferences in a file and writes them when they differ from its content.
+// Without a path it keeps them in memory.
 class PreferencesFile {
 public:
     explicit PreferencesFile(std::string path);
     const Preferences& read() const { return kept_; } // as they were when it was opened
     const std::string& path() const { return path_; }
-    // What is odd in it, in a sentence; empty: nothing. No JSON at all is kept beside it, and what
-    // cannot be read stays as it is: then these are in memory.
+    // A sentence that says what is odd in the file; empty: nothing. A file that is no JSON is kept
+    // beside the new one; one that cannot be read is not touched, and the preferences are then kept
+    // in memory.
     const std::string& trouble() const { return trouble_; }
-    // Why they could not be written, once; else nothing.
+    // Why the preferences could not be written, said once; else empty.
     std::string keep(const Preferences& preferences);
 
 private:

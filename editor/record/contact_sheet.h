@@ -11,7 +11,8 @@ namespace trivar {
 // COLUMNSxROWS, such as 3x2. Throws Rejected.
 glm::ivec2 sheet_grid(std::string_view text);
 
-// So many of these frames, evenly, the first and the last among them; all where there are no more.
+// `count` of these frames, evenly chosen, with the first and the last; all of them where there are
+// no more.
 std::vector<int> evenly_chosen(const std::vector<int>& frames, int count);
 
 // Pictures of one size side by side, row by row from the top left, with narrow gaps between.

@@ -77,7 +77,7 @@ RecordingWish wish_of(const RecordPlan& plan, const Session& session)
     sequence.log = digest_of_log(text);
     sequence.settings =
         "quality=" + std::string(gpu::level_names[static_cast<std::size_t>(plan.level)]);
-    if (!wish.document.bookmarks.contains("picture")) {
+    if (!wish.document.kept_views.contains("picture")) {
         wish.camera = session.view.camera;
         sequence.settings += view_words(session.view.camera);
     }

@@ -24,7 +24,7 @@ struct Recording::Run {
     RecordingWish wish;
     Evaluator evaluator; // of the other thread
     Document shown;      // in the frame at hand
-    Evaluated evaluated;
+    Evaluation evaluated;
     std::function<void()> writer;
     std::atomic<std::size_t> at = 0; // of the frames; before it all are there
     int drawn = 0;

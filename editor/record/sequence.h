@@ -12,7 +12,8 @@
 
 namespace trivar {
 
-// Where the pictures of a sequence go: DIR/name.####.png, with a # for each digit of the number.
+// FrameNames says where the pictures of a sequence go: DIR/name.####.png, with one # per digit of
+// the number.
 struct FrameNames {
     std::string before, after; // of the number
     int digits = 4;
@@ -20,18 +21,19 @@ struct FrameNames {
     std::string folder() const;        // "." where none is said
     std::string extension() const;     // .png or .exr
 };
-// Throws Rejected where the #'s are missing or apart, and for another extension.
+// Throws Rejected where the #'s are missing or separated, and for another extension.
 FrameNames frame_names(const std::string& text);
 
 // A:B or A:B:S: frames A to B, every Sth. One number is one frame. Throws Rejected.
 std::vector<int> frames_of(std::string_view text);
-// Throws Rejected where one of them is none of the scene's.
+// Throws Rejected where a frame is outside the scene's.
 void check_frames(const std::vector<int>& frames, const Time& time);
-// I/N, I from 1: every Nth of them, from the Ith on. Throws Rejected.
+// The share I/N of the frames, with I from 1: every Nth frame, beginning with the Ith. Throws
+// Rejected.
 std::vector<int> share_of(const std::vector<int>& frames, std::string_view shard);
 
-// A sequence of pictures, every one by itself: which files make it whole, and what they say of
-// themselves, so that one which is there need not be drawn again.
+// A Sequence is a sequence of picture files: which files belong to it, and what they say of
+// themselves, so that an existing picture need not be drawn again.
 struct Sequence {
     FrameNames names;
     glm::ivec2 size_px{0};
@@ -39,17 +41,17 @@ struct Sequence {
     std::string log;      // digest of the scene file's text
     std::string settings; // what else decides what its pictures show
     bool deep() const { return depth == 16 || names.extension() == ".exr"; }
-    // Whether that frame's file is whole and one of this sequence. Reads all of it.
+    // Whether that frame's file is complete and belongs to this sequence. Reads the whole file.
     bool has(int frame, PictureReader& reader) const;
-    // How many of the frames have no file, whatever is in those that are there.
+    // The number of frames without a file; the content of existing files does not matter.
     int gone(const std::vector<int>& frames) const;
-    // What writes a frame that was drawn, on any thread: beside the file, flushed, then renamed.
+    // A function that writes a drawn frame, on any thread: beside the file, flushed, then renamed.
     // It throws Rejected.
     std::function<void()> writer(int frame, const Still& still) const;
 };
-// What else than the log decides what its pictures show: words of who draws it, the program's
-// version, a developer's shaders if there are any, and the files that the scene uses, as they were
-// read. Throws Rejected where one is missing, unless that is well.
+// The settings besides the log that decide what the pictures show: a description of the renderer,
+// the program's version, a developer's shaders if there are any, and the files that the scene uses,
+// as they were read. Throws Rejected where a file is missing, unless that is allowed.
 std::string sequence_settings(std::string drawn, const Document& document, const AssetStore& assets,
                               const Ref<gpu::ShaderTexts>& shaders = {},
                               bool missing_is_well = false);
@@ -58,7 +60,7 @@ std::string digest_of_log(std::string_view text);
 // The folder of a file, made if only the last part of its name is missing. Throws Rejected.
 void make_folder_of(const std::string& file);
 
-// "3 min left", from what the ones before took; empty while nothing is known.
+// "3 min left", estimated from the previous ones; empty while nothing is known.
 std::string time_left(int done, int of, double seconds);
 
 } // namespace trivar

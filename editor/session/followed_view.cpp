@@ -11,8 +11,8 @@ Camera followed(std::optional<FollowedView>& view, const Document& document, Cam
     camera.size_px = glm::max(size_px, 1.0);
     if (!view) return camera;
     if (view->shown) view->shown->size_px = camera.size_px; // a window that grew is no hand
-    const auto kept = document.bookmarks.find(view->name);
-    if (kept == document.bookmarks.end() || (view->shown && *view->shown != camera)) {
+    const auto kept = document.kept_views.find(view->name);
+    if (kept == document.kept_views.end() || (view->shown && *view->shown != camera)) {
         view.reset();
         return camera;
     }

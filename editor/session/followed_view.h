@@ -8,15 +8,15 @@
 
 namespace trivar {
 
-// The kept view that the window looks through: where it has keys the camera goes with the frames,
-// till a hand moves it.
+// A FollowedView is the kept view through which the window looks: where it has keys the camera
+// follows the frames, until a hand moves it.
 struct FollowedView {
     std::string name;
     std::optional<Camera> shown = {}; // as it was last
 };
 
-// The camera for a picture of that size: the view's as the document has it, or the one it is
-// where a hand moved it, and then none is followed any more.
+// The camera for a picture of that size: the kept view's in the document; or the given camera where
+// a hand has moved it, and then no view is followed any more.
 Camera followed(std::optional<FollowedView>& view, const Document& document, Camera camera,
                 glm::dvec2 size_px);
 

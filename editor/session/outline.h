@@ -9,7 +9,7 @@
 
 namespace trivar {
 
-// The scene as rows, groups above what is in them.
+// An OutlineRow is a row of the scene's outline; groups stand above their contents.
 struct OutlineRow {
     Id id = 0;
     int depth = 0;
@@ -17,20 +17,21 @@ struct OutlineRow {
     bool found = true; // false: only there because something in it matches the filter
 };
 
-// The rows of a document in their order, without what is in closed groups. The filter's letters
-// are found in names in order, "type:model" in types; what a match is in stays, and is open.
+// The rows of a document in their order, without the contents of closed groups. The filter's
+// letters are found in names in order, "type:model" in types; the groups round a match stay, and
+// are open.
 std::vector<OutlineRow> outline(const Document& document, const std::string& filter,
                                 const std::set<Id>& closed);
 
-// Where rows that are dragged would go.
+// A RowDrop says where dragged rows would go.
 struct RowDrop {
     Reorder command;
     int line = -1;       // it would be drawn above this row, or below the last
     int onto = -1;       // or into this one
     std::string refused; // why it cannot be
 };
-// `at` counts rows from the top: 2.5 is the middle of the third. Rows that come to where they
-// already are give a command without objects.
+// `at` counts rows from the top: 2.5 is the middle of the third. Rows that would not move give a
+// command without objects.
 RowDrop row_drop(const Document& document, const std::vector<OutlineRow>& rows,
                  const std::vector<Id>& dragged, double at);
 
@@ -44,7 +45,7 @@ struct OutlinerState {
     Id shown = 0;            // the active object that was scrolled to
     std::vector<Id> dragged; // rows in the hand
     bool scrolling = false;  // by itself, as the hand is near an edge of the list
-    // A hand goes down a column and gives all that it meets what the first one got.
+    // A hand that goes down a column gives all rows the state that it gave the first one.
     enum class Column { none, eye, lock } painting = Column::none;
     bool paint = false; // hidden, or locked
     std::vector<Id> painted;

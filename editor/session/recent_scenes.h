@@ -7,23 +7,24 @@
 
 namespace trivar {
 
-// A scene that was worked on, for lists of them.
+// A RecentScene is a scene that was worked on, for lists of them.
 struct RecentScene {
     std::string path, name, folder; // the folder as people write it: ~/scenes
     bool there = false;
     std::time_t changed = 0; // when it was written last, where it is there
 };
 
-// The name of a file as the title of what is in it: first_placement.trivar is First placement.
+// The name of a file as the title of its scene: first_placement.trivar is First placement.
 std::string scene_title(const std::string& path);
 
-// "Today, 14:20", "Yesterday", "12 March", "12 March 2023": as one would say it now, local time.
+// The date as one would say it now, local time: "Today, 14:20", "Yesterday", "12 March", "12 March
+// 2023".
 std::string day_words(std::time_t then, std::time_t now);
 
-// The scenes that are not there any more and are called as this one: it was found again.
+// Removes missing scenes that have the name of this one, because it was found again.
 void forget_moved(std::vector<std::string>& paths, const std::string& found);
 
-// Looks on the disk only when the list of paths is another one than at the last call.
+// RecentScenes looks on the disk only when the list of paths has changed since the last call.
 class RecentScenes {
 public:
     const std::vector<RecentScene>& of(const std::vector<std::string>& paths);

@@ -9,15 +9,15 @@
 
 namespace trivar {
 
-// The scene without a name that a program left which was killed.
+// A LeftScene is the scene without a name that a killed program left.
 struct LeftScene {
     std::string path;
     std::time_t when = 0; // it was written last
 };
 
-// What becomes of scenes without a name, which are kept in the session's folder for them: the one
-// that an ended program left, and those that were discarded. Tells of each that the session
-// discards and offers to bring it back.
+// Recovery handles scenes without a name, which are kept in the session's folder for them: the one
+// that a killed program left, and those that were discarded. It tells of each scene that the
+// session discards and offers to bring it back.
 class Recovery {
 public:
     explicit Recovery(Session& session);
@@ -25,7 +25,8 @@ public:
     Recovery& operator=(const Recovery&) = delete;
     ~Recovery();
 
-    // What is discarded stays so long; what is older goes when something is discarded, or at once.
+    // Discarded scenes are kept for this many days; older ones are deleted at the next discarding,
+    // or at once.
     int discarded_days = 30;
     void forget_discarded() const;
 

@@ -8,14 +8,14 @@
 
 namespace trivar {
 
-// Whether it is that object or in that group, however deep; everything is in 0.
+// Whether an object is the group itself or in it, at any depth; everything is in group 0.
 bool belongs_to(const Document& document, Id id, Id group);
 // Whether the scene looks different from frame to frame.
 bool moves_in_time(const Document& document);
 
-// What travels, in the order of the outliner's rows.
+// The travelling objects, in the order of the outliner's rows.
 std::vector<Id> travelling(const Document& document);
-// The name in the outliner, or nothing for an id that is gone.
+// The name in the outliner; empty for an id that is gone.
 std::string name_of(const Document& document, Id id);
 
 } // namespace trivar

@@ -7,7 +7,7 @@
 
 namespace trivar {
 
-// What the scene is called: its file's name, that of the file it is a copy of, or untitled; and
+// The title of the scene: its file's name, that of the file of which it is a copy, or untitled; and
 // the same as the beginning of a new file's name.
 std::string title_of(const SceneFile& scene);
 std::string stem_of(const SceneFile& scene);

@@ -7,7 +7,7 @@
 
 namespace trivar {
 
-// The person's view of the scene; not part of the document and of no undo step.
+// A SceneView is the person's view of the scene; it is no part of the document and of no undo step.
 struct SceneView {
     Camera camera;
     bool frame_all_when_evaluated = false;

@@ -7,9 +7,9 @@
 
 namespace trivar {
 
-// The chosen objects in the order in which they were chosen. The last one is the active one: the
-// inspector shows it, and others are arranged by it. Where one object is meant the selection reads
-// as the active one's id, and an id that is assigned is the whole selection; 0: none.
+// A Selection holds the chosen objects in the order in which they were chosen. The last one is the
+// active one: the inspector shows it, and others are aligned to it. Where one object is meant the
+// selection reads as the active one's id, and an assigned id becomes the whole selection; 0: none.
 class Selection {
 public:
     operator Id() const { return active(); } // NOLINT(google-explicit-constructor)
@@ -30,8 +30,8 @@ private:
     std::vector<Id> ids_;
 };
 
-// Which objects are among those chosen or in a group among them, however deep. What the document
-// does not have, say because the picture is older than it, is not.
+// Members tells which objects are chosen or lie in a chosen group, at any depth. An object that the
+// document does not have (the picture may be older) is none of them.
 class Members {
 public:
     Members(const Document& document, const std::vector<Id>& ids);
@@ -42,8 +42,8 @@ private:
     std::vector<Id> ids_; // ascending
 };
 
-// Those that are in no group among them, in their order: what happens to a group happens to what
-// is in it.
+// Those that are in no group among them, in their order: what happens to a group happens to its
+// contents.
 std::vector<Id> topmost(const Document& document, const std::vector<Id>& ids);
 
 } // namespace trivar

@@ -43,7 +43,7 @@ void Session::refresh()
     asked_ticket_ = submit(scene_.document());
     look_at_frame();
     selected.keep_those_in(scene_.document());
-    std::erase_if(aside, [&](Id id) { return !scene_.document().objects.contains(id); });
+    std::erase_if(hidden_here, [&](Id id) { return !scene_.document().objects.contains(id); });
     if (scene_.trouble() == told_trouble_) return;
     told_trouble_ = scene_.trouble();
     if (told_trouble_.empty())
@@ -279,19 +279,19 @@ void Session::replace_scene(SceneFile scene, std::vector<ui::Notices::Action> of
     ++scenes_;
     scene_.keep_in(unnamed_folder_);
     selected = 0;
-    aside.clear();
+    hidden_here.clear();
     refused_.clear();
     evaluated_ = {};
     ++evaluation_;
     told_trouble_.clear();
     opened_ = true;
     meet_document();
-    const auto& bookmarks = document().bookmarks;
-    const auto picture = bookmarks.find("picture");
-    view.frame_all_when_evaluated = picture == bookmarks.end();
+    const auto& kept_views = document().kept_views;
+    const auto picture = kept_views.find("picture");
+    view.frame_all_when_evaluated = picture == kept_views.end();
     view.go_to.reset();
     view.follows.reset();
-    if (picture != bookmarks.end()) view.follows = FollowedView{"picture"};
+    if (picture != kept_views.end()) view.follows = FollowedView{"picture"};
     const std::vector<std::string>& said = scene_.notices();
     if (said.size() == 1)
         notices.say(ui::NoticeKind::warning, said.front(), {}, {}, std::move(offers));
@@ -377,7 +377,7 @@ void Session::poll()
         if (up_to_date()) tell_what_is_missing();
         if (view.frame_all_when_evaluated && up_to_date() && !evaluated_.objects.empty()) {
             view.frame_all_when_evaluated = false;
-            view.camera = ui::framed(view.camera, points_of(evaluated_, aside));
+            view.camera = ui::framed(view.camera, points_of(evaluated_, hidden_here));
         }
     }
     finish_check();

@@ -14,19 +14,19 @@
 
 namespace trivar {
 
-// What is open and what the person is doing with it: the scene with its proposal, what it looks
-// like by the latest evaluation, the selection and the point of view. Frame thread only.
+// A Session is what is open and what the person does with it: the scene with its proposal, its
+// latest evaluation, the selection and the point of view. Frame thread only.
 class Session {
 public:
     // Scenes without a name are kept in `unnamed_folder`; empty: in memory only.
     Session(std::function<void()> wake, std::string unnamed_folder);
 
     const SceneFile& scene() const { return scene_; }
-    // The proposal's if there is one, with the values that its parameters have at the present
-    // frame.
+    // The proposal's document if there is one, else the committed one, with the values of its
+    // parameters at the present frame.
     const Document& document() const { return now_; }
     const Document& committed() const { return scene_.history().committed(); } // as it was said
-    const Evaluated& evaluated() const { return evaluated_; } // may be a moment behind
+    const Evaluation& evaluated() const { return evaluated_; } // may be a moment behind
     // Counts up with every new evaluation; equal numbers mean equal effects.
     long evaluation() const { return evaluation_; }
     const Timings& timings() const { return timings_; } // of the last that had something to do
@@ -38,65 +38,70 @@ public:
     int frame() const { return frame_; }
     void show_frame(int frame);
 
-    // Gestures. A command that is Rejected becomes a notice and the return value is false.
+    // Gestures follow. A command that is Rejected becomes a notice, and the return value is false.
     bool propose(Command command);
     bool propose_quietly(Command command); // without the notice: more of the gesture is to come
     bool commit();
-    // Commits when the proposal was evaluated and the object could be placed; else cancels it and
-    // says why. A stroke is checked this way, for only its evaluation knows what it hits.
+    // Commits if the proposal was evaluated and the object could be placed; else cancels it and
+    // says why. A stroke is checked this way, because only its evaluation knows what it hits.
     void commit_if_placed(Id object);
     void cancel();
     bool run(const Command& command); // propose and commit
-    // Why it was refused, and no notice. The note stands beside it in the scene.
+    // Why the command was refused, without a notice; empty: it ran. The note is stored beside it in
+    // the scene.
     std::string try_run(const Command& command, const std::string& note = {});
     void undo();
     void redo();
     void go_to_step(std::size_t position); // by undo and redo
-    // Goes to the branch of that number and `count` of its steps; what is in force from there on
-    // becomes a branch itself.
+    // Goes to the branch of that number and to `count` of its steps; the steps in force from the
+    // branch's beginning on become a branch themselves.
     void go_to_branch(std::size_t branch, std::size_t count);
-    // Shows another document in the picture and nowhere else, till the next change; null: no more.
+    // Shows another document in the picture and nowhere else, until the next change; null: ends
+    // that.
     void preview(const Document* document);
     bool previewing() const { return previewed_.has_value(); }
     const Document& shown() const { return previewed_ ? *previewed_ : document(); }
-    // The same, but of a copy to which nothing was done: nor is anything done by this.
+    // Shows a step of an unchanged copy; the copy itself stays unchanged.
     void look_at_step(std::size_t position);
     bool proposing() const { return scene_.history().proposal().has_value(); }
     bool committing() const { return check_.has_value(); }
-    // What was refused, of the present scene: for the log, not in the file.
-    struct Refused {
+    // A RefusedCommand is one that was refused in the present scene: shown in the log, not stored
+    // in the file.
+    struct RefusedCommand {
         std::size_t after = 0; // lines of the file
         std::string line, why;
     };
-    const std::vector<Refused>& refused() const { return refused_; }
+    const std::vector<RefusedCommand>& refused() const { return refused_; }
 
-    // Another scene, with what its notices offer. Selection and effects start anew.
+    // Replaces the scene; `offers` are actions for its notices. Selection and effects start anew.
     void replace_scene(SceneFile scene, std::vector<ui::Notices::Action> offers = {});
-    long scenes() const { return scenes_; } // there have been
+    long scenes() const { return scenes_; } // number of scenes so far
     // Where scenes without a name are kept; empty: in memory only.
     const std::string& unnamed_folder() const { return unnamed_folder_; }
-    // Called when a scene without a name, that holds work, made room for another one.
+    // Called when a scene without a name that holds work was replaced by another one.
     std::function<void()> when_discarded;
     void save_as(const std::string& path);      // may throw Rejected
     void save_compact(const std::string& path); // may throw Rejected
     Ref<AssetStore> assets() const { return assets_; }
 
     void poll(); // takes in what other threads finished; once a frame
-    // While steps are not on disk: tries again every few seconds.
+    // Tries again every few seconds while steps are not on disk.
     void try_to_write(double time_s);
-    // While a file is only looked at: takes up, once a second, what was added to it.
+    // Takes up, once per second, lines that were added to a file that is only looked at.
     void follow_file(double time_s);
     Jobs& jobs() { return jobs_; }
     const Jobs& jobs() const { return jobs_; }
     BackgroundEvaluator& evaluator() { return *evaluator_; }
     const BackgroundEvaluator& evaluator() const { return *evaluator_; }
-    // The person's own; not part of the document and of no undo step.
+    // The selection belongs to the person and is no part of the document and of no undo step.
     Selection selected;
-    std::vector<Id> aside;     // ascending: left out of the picture while others are worked on
-    void select_new(Id first); // all from that id up, but not what is in groups among them
+    // ascending: left out of the picture while the person works on others
+    std::vector<Id> hidden_here;
+    // selects all objects from that id up, without those in groups among them
+    void select_new(Id first);
     SceneView view;
-    bool deform_on_processor = true; // else who draws does it: parts are left to be asked for
-    bool auto_key = false;           // every change of a number that can have keys is one
+    bool deform_on_processor = true; // false: parts are left for the graphics card to deform
+    bool auto_key = false;           // every change of a number that can have keys sets a key
     ui::Notices notices;
 
 private:
@@ -120,13 +125,13 @@ private:
     std::string unnamed_folder_, told_trouble_;
     SceneFile scene_;
     double next_try_s_ = 0, next_look_s_ = 0;
-    std::vector<Refused> refused_;
+    std::vector<RefusedCommand> refused_;
     bool opened_ = false; // and not evaluated yet
     Ref<AssetStore> assets_;
     std::unique_ptr<BackgroundEvaluator> evaluator_;
     Jobs jobs_;
     long scenes_ = 0;
-    Evaluated evaluated_;
+    Evaluation evaluated_;
     Timings timings_;
     long evaluation_ = 0, evaluated_ticket_ = 0, asked_ticket_ = 0;
     std::optional<Check> check_;

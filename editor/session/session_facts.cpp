@@ -26,7 +26,7 @@ Box bounds_of(const Session& session, const std::vector<Id>& ids)
 
 std::vector<glm::dvec3> points_of(const Session& session, const std::vector<Id>& ids)
 {
-    if (ids.empty()) return points_of(session.evaluated(), session.aside);
+    if (ids.empty()) return points_of(session.evaluated(), session.hidden_here);
     const Members members(session.document(), ids);
     std::vector<glm::dvec3> points;
     for (const auto& [id, object] : session.evaluated().objects)
@@ -36,8 +36,8 @@ std::vector<glm::dvec3> points_of(const Session& session, const std::vector<Id>&
 
 Camera camera_for_pictures(const Session& session)
 {
-    const auto kept = session.document().bookmarks.find("picture");
-    if (kept == session.document().bookmarks.end()) return session.view.camera;
+    const auto kept = session.document().kept_views.find("picture");
+    if (kept == session.document().kept_views.end()) return session.view.camera;
     if (session.view.follows && session.view.follows->name == "picture" &&
         session.view.follows->shown == session.view.camera)
         return kept->second;

@@ -7,14 +7,14 @@
 
 namespace trivar {
 
-// The box round an object, with what is in it if it is a group, or round everything for id 0.
+// The box round an object and, for a group, its contents; for id 0 round the whole scene.
 Box bounds_of(const Session& session, Id id);
 Box bounds_of(const Session& session, const std::vector<Id>& ids);
-// All vertices of these objects, and the control points of lattices, in world space; where there is
-// none, of everything but what is left aside.
+// All vertices of these objects, and the control points of lattices, in world space; for an empty
+// list, of everything that is not hidden here.
 std::vector<glm::dvec3> points_of(const Session& session, const std::vector<Id>& ids);
 
-// What the window shows now, in the shape that the view of pictures has already, if it is kept.
+// The camera of the window, in the shape of the kept view of pictures if there is one.
 Camera camera_for_pictures(const Session& session);
 
 } // namespace trivar

@@ -3,8 +3,8 @@
 
 namespace trivar {
 
-// The topics of notices. What is told of one step takes the place of what was told of the one
-// before; so with saving.
+// These are the topics of notices. A notice of a step replaces that of the step before; the same
+// holds for saving.
 inline constexpr const char* of_a_step = "step";
 inline constexpr const char* of_saving = "saving";
 

@@ -23,14 +23,14 @@ struct KeyName {
 };
 using ChosenKeys = std::set<KeyName>;
 
-// Those of them that are there.
+// The keys among them that exist.
 ChosenKeys present_keys(const Document& document, ChosenKeys keys);
 const Track* track_of(const Document& document, const TrackName& name);
 const Key* key_of(const Document& document, const KeyName& name);
 
-// What a hand does to keys: the command, if there is anything to do, and the same keys by their
-// names after it. A key that is moved onto another takes its place, and a value that is beyond its
-// range becomes the range's end. Tracks of what is not there any more stay.
+// A KeyEdit is what a hand does to keys: the command, if there is anything to do, and the names of
+// the same keys afterwards. A moved key replaces a key in its new frame, and a value beyond its
+// range becomes the range's end. Tracks of missing parameters stay.
 struct KeyEdit {
     std::optional<Command> command;
     ChosenKeys keys;
@@ -40,18 +40,18 @@ using TrackRise = std::function<double(const TrackName&)>;
 KeyEdit moved(const Document& document, const ChosenKeys& keys, double frames,
               const TrackRise& value = {});
 KeyEdit copied(const Document& document, const ChosenKeys& keys, double frames);
-// In time about a frame, to whole frames; below 0 turned round.
+// Keys scaled in time about a frame, to whole frames; a negative factor reverses them.
 KeyEdit scaled(const Document& document, const ChosenKeys& keys, double about, double factor);
 KeyEdit without(const Document& document, const ChosenKeys& keys);
 KeyEdit with_tween(const Document& document, const ChosenKeys& keys, Tween tween);
 KeyEdit with_value(const Document& document, const ChosenKeys& keys, double value);
 // Handles chosen so that the curve is smooth.
 KeyEdit smoothed(const Document& document, const ChosenKeys& keys);
-// What comes after the last key of each of their tracks.
+// What follows the last key of each of their tracks.
 KeyEdit with_repeat(const Document& document, const ChosenKeys& keys, Repeat repeat);
 
-// A key's curve handle, put to [frame, value], no further than the other key. The handle opposite
-// turns with it and keeps its reach, unless `alone`.
+// A key's curve handle, put to [frame, value], no further than the other key. The opposite handle
+// turns with it and keeps its length, unless `alone`.
 enum class KeyHandle { before, after };
 KeyEdit with_handle(const Document& document, const KeyName& key, KeyHandle which, glm::dvec2 to,
                     bool alone);

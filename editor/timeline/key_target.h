@@ -10,7 +10,7 @@ namespace trivar {
 
 class Session;
 
-// Numbers that keys are put on together, by hand.
+// A KeyTarget is the numbers that get keys together, by hand.
 struct KeyTarget {
     std::vector<Id> ids; // 0: the scene
     std::vector<std::string> names;
@@ -18,21 +18,23 @@ struct KeyTarget {
     bool operator==(const KeyTarget&) const = default;
 };
 
-// Those of its numbers that keys are meant for: where some have keys already, these alone.
+// The numbers of the target that keys are meant for: where some have keys already, only these.
 KeyTarget meant_by(const Document& document, KeyTarget target);
 
-// What the present frame is to them: no key anywhere, keys in others, or one of each that has any.
+// The state of the present frame: no key anywhere; keys in other frames; or a key here for each
+// number with keys.
 enum class KeyState { none, animated, here };
 KeyState state_of_keys(const Session& session, const KeyTarget& target);
 
-// Each a step: keys of the present values in the present frame, without those, without any. False
+// Each is one step: keys of the present values in the present frame; without these keys; without
+// any. False where there is nothing to do.
 // where there is nothing to do.
 bool insert_keys(Session& session, const KeyTarget& target);
 bool remove_keys(Session& session, const KeyTarget& target);
 bool remove_tracks(Session& session, const KeyTarget& target);
 void toggle_keys(Session& session, const KeyTarget& target);
 
-// The line of the log that gives them the keys they have; nothing without any.
+// The line of the log that gives the numbers their present keys; empty without any.
 std::optional<Command> tracks_command(const Document& document, const KeyTarget& target);
 
 } // namespace trivar

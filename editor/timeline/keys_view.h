@@ -7,8 +7,9 @@
 
 namespace trivar {
 
-// What a hand is doing to keys in the open timeline: a button is held, or, begun by a key, a click
-// will end it. Each is one proposal, always from what was there, and one step in the end.
+// A KeyGesture is what a hand does to keys in the open timeline: a button is held, or, begun by a
+// key, a click will end it. Each gesture is one proposal, always from the state before it, and one
+// step in the end.
 struct KeyGesture {
     enum class Hand { none, move, copy, scale, box, handle };
     Hand hand = Hand::none;
@@ -22,14 +23,14 @@ struct KeyGesture {
     glm::dvec2 values{0}; // that were shown, so that nothing moves under the hand
 };
 
-// How the open timeline shows keys, and which of them are chosen.
+// A KeysView says how the open timeline shows keys, and which of them are chosen.
 struct KeysView {
     bool curves = false;
     std::set<Id> unfolded;      // objects, 0: the scene, whose tracks have rows
     std::set<TrackName> tracks; // whose rows are chosen
     ChosenKeys chosen;
-    // Between which values curves are shown, or, where each fills the height by itself, shares of
-    // what it reaches; none: all of theirs.
+    // The values between which curves are shown; where each curve fills the height by itself,
+    // shares of its own range; empty: all values.
     std::optional<glm::dvec2> values;
     std::optional<bool> alone; // each fills the height by itself; none: where their units differ
     bool was_alone = false;    // when they were drawn last

@@ -6,14 +6,14 @@
 
 namespace trivar {
 
-// Plays the frames of the scene by the clock: what comes too late is left out, so that a second of
-// the scene stays a second. Paused it costs nothing.
+// Playback plays the frames of the scene by the clock: frames that come too late are left out, so
+// that a second of the scene stays a second. While it is paused it costs nothing.
 class Playback {
 public:
     bool playing() const { return playing_; }
     void play(Session& session); // from the first frame where it stands at the last
     void pause() { playing_ = false; }
-    // Once a frame of the window; `loop`: after the last frame comes the first.
+    // Called once per frame of the window; `loop`: the first frame follows the last one.
     void advance(Session& session, ui::Frame& frame, bool loop);
 
 private:

@@ -90,7 +90,7 @@ glm::dvec3 TransformGesture::turn_axis_world() const
     return frame().axes[about_view() ? 2 : constraint_.axis];
 }
 
-void TransformGesture::move_hand(const Camera& camera, glm::dvec2 to_px, Held held)
+void TransformGesture::move_hand(const Camera& camera, glm::dvec2 to_px, HeldKeys held)
 {
     const glm::dvec2 from = std::exchange(mouse_px_, to_px);
     held_ = held;

@@ -5,8 +5,8 @@
 
 namespace trivar {
 
-// What is struck while a gesture runs: X, Y, Z choose an axis (with Shift its plane), digits are
-// typed, Tab goes to the next number. Whether Enter ended it.
+// Takes the keys that are struck while a gesture runs: X, Y, Z choose an axis (with Shift its
+// plane), digits are typed, Tab goes to the next number. Returns whether Enter ended the gesture.
 bool take_gesture_keys(TransformGesture& gesture);
 
 } // namespace trivar

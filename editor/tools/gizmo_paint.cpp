@@ -83,7 +83,7 @@ void paint_turn(const ui::Theme& theme, glm::vec2 at, const Camera& camera,
                 const glm::dvec3& pivot_world, const glm::dvec3& axis, const glm::dvec3& from,
                 double angle_deg, ui::Color color)
 {
-    const Projected middle = project(camera, pivot_world);
+    const PicturePoint middle = project(camera, pivot_world);
     const glm::dvec3 flat = from - axis * glm::dot(from, axis);
     if (middle.depth_world <= 0 || glm::length(flat) < 1e-9) return;
     const double radius =
@@ -119,7 +119,7 @@ void paint_axis_line(const ui::Theme& theme, const ui::Rect& picture, const Came
                      const MotionFrame& frame, int axis)
 {
     const glm::dvec3 d = frame.axes[axis];
-    const Projected middle = project(camera, frame.pivot);
+    const PicturePoint middle = project(camera, frame.pivot);
     if (middle.depth_world <= 0) return;
     const double far = 50 * camera.size_px.y * pixel_size_world(camera, middle.depth_world);
     // An end that would lie behind the eye is drawn in to before it.

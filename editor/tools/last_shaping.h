@@ -7,16 +7,16 @@ namespace trivar {
 
 inline constexpr const char* allow_folds_action = "Allow folds here";
 
-// What became of the last step that shaped an object's volume, proposed or done; null: none.
+// The result of the last step that shaped an object's volume, proposed or done; null: none.
 const Shaping* last_shaping(const Session& session, Id id);
 
-// Of nothing: does nothing.
+// Allows folds in some parts; an empty list does nothing.
 void allow_folds(Session& session, Id id, const std::vector<VolumePart>& parts);
 
-// A part, and where wanted the one on the other side of the middle.
+// A part and, where wanted, the one on the other side of the middle.
 std::vector<VolumePart> with_mirrored(const VolumePart& part, bool mirror);
 
-// As metres, without the sign.
+// An amount in metres, without its sign.
 std::string amount_words(double metres);
 
 // Tells that the volume of that object would have folded, and how far "The press" came. Offers to

@@ -80,7 +80,7 @@ void LatticePointsTool::paint_gesture(const Session& session, const ui::Theme& t
     const Lattice& volume = selected_volume(session)->placement->volume;
     const glm::vec2 mouse = input.rect.lo + glm::vec2(input.mouse);
     if (proportional_.on) {
-        const Projected middle = project(session.view.camera, frame_of(volume).pivot);
+        const PicturePoint middle = project(session.view.camera, frame_of(volume).pivot);
         const double radius_px =
             proportional_.radius_m / pixel_size_world(session.view.camera, middle.depth_world);
         constexpr double most_px = 20000; // beyond it is no circle in the picture

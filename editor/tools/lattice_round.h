@@ -7,7 +7,7 @@ namespace trivar {
 
 inline constexpr const char* lattice_action = "Lattice round selection";
 
-// A box round what is selected, which is then selected itself; false where that is refused.
+// Puts a box round the selection, which is then selected itself; false where that is refused.
 bool put_lattice_round_selection(Session& session);
 
 } // namespace trivar

@@ -48,7 +48,7 @@ void measure_chips(const ui::Theme& theme, glm::vec2 at, const Placement* placem
 
 // What carries a model that was laid: a node of it touches the scene there. It is furniture, though
 // it was never placed itself.
-bool carries(const EvaluatedObject& furniture, const Evaluated& evaluated)
+bool carries(const EvaluatedObject& furniture, const Evaluation& evaluated)
 {
     const Box& bounds = *furniture.bounds;
     const double slack = 0.01 * glm::length(bounds.size());
@@ -74,8 +74,8 @@ std::optional<Refusal> refusal(const Session& session, Id model)
         return Refusal{"One object alone lies on nothing",
                        "Drop a second one into the window, or add one: of the two, one is laid on "
                        "the other."};
-    if (!session.aside.empty() && bases_for_stroke(session, model).empty())
-        return Refusal{"What it could lie on is set aside",
+    if (!session.hidden_here.empty() && bases_for_stroke(session, model).empty())
+        return Refusal{"What it could lie on is hidden here",
                        "Bring the other objects back, then draw the stroke again."};
     return {};
 }
@@ -97,9 +97,10 @@ void paint_no(const ui::Theme& theme, glm::vec2 at)
 
 std::vector<Id> bases_for_stroke(const Session& session, Id model)
 {
-    if (session.aside.empty()) return {};
+    if (session.hidden_here.empty()) return {};
     std::vector<Id> bases = possible_bases(session.committed(), model);
-    std::erase_if(bases, [&](Id id) { return std::ranges::binary_search(session.aside, id); });
+    std::erase_if(bases,
+                  [&](Id id) { return std::ranges::binary_search(session.hidden_here, id); });
     return bases;
 }
 

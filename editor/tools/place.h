@@ -65,7 +65,8 @@ private:
 // else the newest one that is not placed yet; 0 where there is none. Groups cannot be laid.
 Id model_to_place(const Session& session, Id chosen);
 
-// What its strokes fall on; none: whatever is visible. What is left aside is not meant.
+// The objects on which the model's strokes fall; empty: all visible ones. Objects that are hidden
+// here are not among them.
 std::vector<Id> bases_for_stroke(const Session& session, Id model);
 
 } // namespace trivar

@@ -7,24 +7,24 @@
 
 namespace trivar {
 
-// Which handles of a placed object are shown; the same for all tools that show them.
+// Which handles of a placed object are shown; all tools that show them share the choice.
 enum class HandleChoice { all, stroke, sizes, none };
 
-// The handles of the one selected object that lies on a stroke, for the tools that show them. A
-// drag is one step.
+// PlacementHandles are the handles of the one selected object on a stroke, for the tools that show
+// them. A drag is one step.
 class PlacementHandles {
 public:
     explicit PlacementHandles(std::shared_ptr<HandleChoice> choice) : choice_(std::move(choice)) {}
 
     bool shown(const Session& session) const;
-    // Whether the mouse is on a handle, or drags one, and is nobody else's.
+    // Returns whether the mouse is on a handle, or drags one, so that it belongs to nobody else.
     bool use(Session& session, const ViewportInput& input);
     bool busy() const { return drag_.has_value(); }
     void cancel(Session& session);
     void overlay(const Session& session, const ui::Theme& theme, const ViewportInput& input) const;
     std::vector<Hint> hints() const; // of a drag
     bool hovers() const { return hovered_.kind != HoldKind::none; }
-    // The choice of handles, where an object that has some is selected.
+    // The option to choose handles, where an object with handles is selected.
     std::optional<ui::Option> option(const Session& session, const ui::Theme& theme);
 
 private:
@@ -37,9 +37,10 @@ private:
     bool moved_ = false;
 };
 
-// The selected object, if it is the only one, lies on a stroke, can be seen and is not locked.
+// The selected object, if it is the only one, lies on a stroke, is visible and not locked; else
+// null.
 const EvaluatedObject* selected_placement(const Session& session);
-// The same of any volume: that of a placed object, or of a lattice.
+// The same for any volume: that of a placed object, or of a lattice.
 const EvaluatedObject* selected_volume(const Session& session);
 
 } // namespace trivar

@@ -58,7 +58,7 @@ bool end_on(const HoldPoint& point, const Camera& camera, double scale)
 // How many times longer the way from its base to the hold has become.
 double growth(const HoldDrag& drag, glm::dvec2 by_px)
 {
-    const Projected base = project(drag.camera, drag.held.base_world);
+    const PicturePoint base = project(drag.camera, drag.held.base_world);
     const glm::dvec2 way = project(drag.camera, drag.held.p_world).p_px - base.p_px;
     if (end_on(drag.held, drag.camera, drag.scale)) { // a pixel upward is a pixel's length
         const double size = glm::distance(drag.held.p_world, drag.held.base_world);
@@ -181,7 +181,7 @@ std::vector<HoldPoint> hold_points(const PlacementStep& step, const Placement& p
 
 std::optional<glm::dvec2> seen_at(const HoldPoint& point, const Camera& camera, double scale)
 {
-    const Projected p = project(camera, point.p_world), base = project(camera, point.base_world);
+    const PicturePoint p = project(camera, point.p_world), base = project(camera, point.base_world);
     if (p.depth_world <= 0) return {};
     const HoldKind kind = point.hold.kind;
     if (end_on(point, camera, scale)) return p.p_px - glm::dvec2(0, stalk_px * scale);
@@ -332,9 +332,9 @@ NearestLine nearest_on_line(const Placement& placement, const Camera& camera, gl
     if (placement.strip.empty() || placement.strip.front().size() < 2) return nearest;
     const std::vector<glm::dvec3>& line = placement.strip.front();
     const double steps = static_cast<double>(line.size() - 1);
-    Projected before = project(camera, line.front());
+    PicturePoint before = project(camera, line.front());
     for (std::size_t i = 1; i < line.size(); ++i) {
-        const Projected here = project(camera, line[i]);
+        const PicturePoint here = project(camera, line[i]);
         if (before.depth_world > 0 && here.depth_world > 0) {
             const glm::dvec2 way = here.p_px - before.p_px;
             const double square = glm::dot(way, way);

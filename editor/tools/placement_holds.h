@@ -10,10 +10,11 @@
 
 namespace trivar {
 
-// What a hand can take hold of on something that lies on a stroke: places of the stroke, the rims
-// and the roof of its volume (one for each point of their profiles, across: of the height across,
-// map: of the height map, rise: of the rise, up a corner of it), where on the stroke the model
-// begins and ends, the level that lies on the scene, and how deep the floor is sunk under it.
+// A HoldKind is a thing that a hand can take on an object on a stroke: points of the stroke; the
+// rims and the roof of its volume, with one hold per point of their profiles (across: of the height
+// across; map: of the height map; rise: of the rise, up a corner of the volume); where on the
+// stroke the model begins and ends; the level that lies on the scene; and how deep the floor is
+// sunk under it.
 enum class HoldKind { none, stroke, width, height, across, map, rise, start, end, contact, sunk };
 struct Hold {
     HoldKind kind = HoldKind::none;
@@ -31,27 +32,27 @@ struct HoldPoint {
 };
 std::vector<HoldPoint> hold_points(const PlacementStep& step, const Placement& placement);
 
-// Where it is drawn, pixels: a size that is seen end on, as heights are from where the stroke was
-// drawn, on a stalk of its own; start and end beyond the ends. Nothing behind the eye.
+// The place at which a hold is drawn, in pixels. A size that is seen end-on, like heights from the
+// view of the stroke, stands on a stalk; start and end stand beyond the ends. Empty behind the eye.
 std::optional<glm::dvec2> seen_at(const HoldPoint& point, const Camera& camera, double scale);
 
-// The one under a pixel, the nearest where several are; nothing where none is.
+// The hold under a pixel, the nearest where there are several; empty where there is none.
 std::optional<HoldPoint> hold_at(const std::vector<HoldPoint>& points, const Camera& camera,
                                  glm::dvec2 p_px, double scale);
 
-// A drag: what there was when it began, and where.
+// A HoldDrag is a drag: the state when it began, and the place.
 struct HoldDrag {
     Id object = 0;
     PlacementStep step;
     Ref<Placement> placement;
-    Ref<RayScene> scene; // what the stroke falls on
+    Ref<RayScene> scene; // the scene on which the stroke falls
     HoldPoint held;
     Camera camera;
     glm::dvec2 from_px{0};
     double scale = 1; // of the interface
 };
-// What it asks for when the hand is at `to_px`; with `snap` in round steps. Sizes are cut to what
-// is allowed. Pure.
+// The command for a hand at `to_px`; with `snap` in round steps. Sizes are limited to what is
+// allowed. Pure.
 EditPlacement dragged(const HoldDrag& drag, glm::dvec2 to_px, bool snap);
 
 // The number that such a drag changes: "width 0.49 m".
@@ -59,7 +60,8 @@ std::string words_of(const Hold& hold, const PlacementParameters& parameters,
                      const PlacementReport& report);
 std::string name_of(HoldKind kind); // "Width"
 
-// Where the middle line of the strip comes nearest to a pixel, along the stroke, and how near.
+// A NearestLine is where the middle line of the strip comes nearest to a pixel: the place along the
+// stroke, and the distance.
 struct NearestLine {
     double u = 0, distance_px = 1e300;
 };

@@ -7,8 +7,8 @@
 
 namespace trivar {
 
-// Which control points of a volume are meant, by their numbers along its three axes. `count` is how
-// many there are along each.
+// These functions choose control points of a volume by their numbers along its three axes. `count`
+// is the number of points along each axis.
 using Points = std::vector<glm::ivec3>;
 
 glm::ivec3 point_count(const Lattice& volume);

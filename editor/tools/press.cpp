@@ -27,7 +27,7 @@ constexpr double brush_step = 0.2; // of the radius, between samples; of the str
 // or, where that is hardly seen, downwards.
 glm::dvec2 metres_by_pixel(const Camera& camera, const glm::dvec3& center, const glm::dvec3& into)
 {
-    const Projected at = project(camera, center);
+    const PicturePoint at = project(camera, center);
     const double pixel = pixel_size_world(camera, std::max(1e-9, at.depth_world));
     const double step = 20 * pixel;
     const glm::dvec2 way = (project(camera, center + step * into).p_px - at.p_px) / step;
@@ -83,7 +83,7 @@ std::vector<VolumePart> parts_of(const Press& press, const Lattice& volume)
 void paint_held_ball(const ui::Theme& theme, const ViewportInput& input, const Camera& camera,
                      const glm::dvec3& center, double radius)
 {
-    const Projected at = project(camera, center);
+    const PicturePoint at = project(camera, center);
     if (at.depth_world <= 0) return;
     const auto radius_px = static_cast<float>(radius / pixel_size_world(camera, at.depth_world));
     ui::paint_ball(input.rect.lo + glm::vec2(at.p_px), radius_px, theme.color.sphere,
@@ -304,7 +304,7 @@ void PressTool::overlay(const Session& session, const ui::Theme& theme,
     }
     // The control points that the ball holds, as large as it moves them.
     const int inside = held_by(press, start, centers, [&](const glm::ivec3& at, double weight) {
-        const Projected p = project(session.view.camera, control_point(now, at.x, at.y, at.z));
+        const PicturePoint p = project(session.view.camera, control_point(now, at.x, at.y, at.z));
         if (p.depth_world <= 0) return;
         ui::paint_dot(input.rect.lo + glm::vec2(p.p_px),
                       static_cast<float>(1.5 + 3 * weight) * theme.scale, theme.color.lattice,

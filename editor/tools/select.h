@@ -6,8 +6,9 @@
 
 namespace trivar {
 
-// Click to select what is under the mouse, Ctrl click to add or remove it. A drag that begins on
-// nothing, or anywhere after begin_box(), selects what is seen in a box; with Ctrl it adds.
+// A SelectTool selects what is under the mouse by a click; Ctrl click adds or removes it. A drag
+// that begins on nothing, or anywhere after begin_box(), selects what is seen in a box; with Ctrl
+// it adds.
 class SelectTool : public Tool {
 public:
     explicit SelectTool(std::shared_ptr<HandleChoice> choice) : handles_(std::move(choice)) {}
@@ -32,17 +33,18 @@ public:
     void begin_box() { box_ = Box::armed; }
 
 private:
-    // armed: the next drag draws it; pressed: on nothing, a click as yet.
+    // armed: the next drag draws the box; pressed: on nothing, so far a click.
     enum class Box { none, armed, pressed, drawn } box_ = Box::none;
     glm::dvec2 corner_px_{0}; // of the box, where the drag began
     PlacementHandles handles_;
 };
 
-// The box of a choice that is being drawn from one corner to the mouse, in pixels of the picture.
+// Paints the box of a choice that is being drawn from one corner to the mouse, in pixels of the
+// picture.
 void paint_choice_box(const ui::Theme& theme, const ViewportInput& input,
                       const glm::dvec2& corner_px);
 
-// What a click on an object, or on nothing, does to the selection.
+// Changes the selection for a click on an object, or on nothing.
 void select_by_click(Session& session, Id under);
 
 } // namespace trivar

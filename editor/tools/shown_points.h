@@ -20,7 +20,7 @@ void each_point(const Lattice& volume, const Camera& camera, auto&& visit)
     for (int i = 0; i < n.x; ++i)
         for (int j = 0; j < n.y; ++j)
             for (int k = 0; k < n.z; ++k) {
-                const Projected p = project(camera, control_point(volume, i, j, k));
+                const PicturePoint p = project(camera, control_point(volume, i, j, k));
                 if (p.depth_world > 0) visit(glm::ivec3(i, j, k), p.p_px);
             }
 }

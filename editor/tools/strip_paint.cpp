@@ -20,12 +20,12 @@ NodeState state_of(const StripNode& node)
     return node.contact == Contact::touches ? NodeState::touches : NodeState::bridges;
 }
 
-struct Shown {
+struct NodeLook {
     const char* words;
     ui::Color color;
     float share; // of the light
 };
-Shown shown(const ui::Theme& theme, NodeState state)
+NodeLook shown(const ui::Theme& theme, NodeState state)
 {
     const ui::Palette& c = theme.color;
     switch (state) {
@@ -52,7 +52,7 @@ gpu::Translucent strip_veil(const Placement& placement, const ui::Theme& theme)
         const glm::dvec3 uvw(axes[0].greville(static_cast<int>(i)),
                              axes[1].greville(static_cast<int>(j)), placement.ground + over);
         veil.points.emplace_back(evaluate(placement.volume, uvw).value);
-        const Shown state = shown(theme, state_of(placement.nodes[k]));
+        const NodeLook state = shown(theme, state_of(placement.nodes[k]));
         veil.colors.push_back(ui::linear_light(ui::faded(state.color, state.share)));
         if (i == 0 || j == 0) continue;
         const std::uint32_t a = k - columns - 1, b = k - 1, c = k - columns;
@@ -75,7 +75,7 @@ void paint_nodes(const ui::Theme& theme, const ViewportInput& input, const Camer
         // The rims and the middle say enough; all of them would hide the model.
         const bool middle = column == columns / 2;
         if (column != 0 && column != columns - 1 && !middle && !node.folds) continue;
-        const Projected p = project(camera, node.p_world);
+        const PicturePoint p = project(camera, node.p_world);
         if (p.depth_world <= 0) continue;
         const glm::vec2 at = input.rect.lo + glm::vec2(p.p_px);
         if (!node.folds) {
@@ -108,7 +108,7 @@ void paint_strip_legend(const ui::Theme& theme, const ui::Rect& picture, const P
     glm::vec2 at{picture.hi.x - theme.px(196), picture.lo.y + theme.px(188)};
     for (std::size_t i = count.size(); i-- > 0;) {
         if (count.at(i) == 0) continue;
-        const Shown state = shown(theme, static_cast<NodeState>(i));
+        const NodeLook state = shown(theme, static_cast<NodeState>(i));
         const double share =
             100.0 * static_cast<double>(count.at(i)) / static_cast<double>(placement.nodes.size());
         ui::paint_chip(

@@ -5,20 +5,20 @@
 
 namespace trivar {
 
-// How the strip of a placement lies, as colours, dots and words.
+// These functions show how the strip of a placement lies, by colours, dots and words.
 
-// Where it touches the scene, bridges gaps, meets nothing, is stretched or squeezed by more than
-// half, or folds.
+// The strip in colours: where it touches the scene, bridges gaps, meets nothing, is stretched or
+// squeezed by more than half, or folds.
 gpu::Translucent strip_veil(const Placement& placement, const ui::Theme& theme);
 
-// The nodes of its rims and middle, as close as can be told apart: solid where it touches the
-// scene, hollow where it bridges or nothing was met; and a cross wherever the volume folds.
-// `trouble`: only those that met nothing, and the crosses.
+// Which nodes of its rims and middle line are drawn, as densely as they can be told apart: solid
+// where the strip touches the scene, hollow where it bridges or met nothing; and a cross wherever
+// the volume folds. `trouble`: only those that met nothing, and the crosses.
 enum class Nodes { all, trouble };
 void paint_nodes(const ui::Theme& theme, const ViewportInput& input, const Camera& camera,
                  const Placement& placement, Nodes which);
 
-// What the colours mean, of those that occur; at the right of the picture.
+// Paints the meaning of those colours that occur, at the right of the picture.
 void paint_strip_legend(const ui::Theme& theme, const ui::Rect& picture,
                         const Placement& placement);
 

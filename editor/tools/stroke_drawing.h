@@ -5,19 +5,20 @@
 
 namespace trivar {
 
-// What is held while a stroke is drawn.
+// StrokeKeys is what is held while a stroke is drawn.
 struct StrokeKeys {
-    bool straight = false; // on in a straight line from where it began to be held
+    bool straight = false; // the stroke goes straight on from where this began to be held
     bool close = false;    // the end snaps to the start when it comes near
     double pressure = 1;   // of the samples to come
     double scale = 1;      // of the interface
 };
 
-// A stroke while the hand draws it. Pixels of the picture, seconds since it began.
+// A StrokeDrawing is a stroke while the hand draws it: pixels of the picture, seconds since it
+// began.
 class StrokeDrawing {
 public:
     void begin(const Camera& camera, double time_s);
-    // More of the hand's way; whether the stroke is another one now.
+    // Takes more of the hand's way; returns whether the stroke has changed.
     bool take(const std::vector<StrokeSample>& moves, const StrokeKeys& keys);
     const Sketch& sketch() const { return sketch_; }
     bool is_click() const; // the hand never left the place where it began

@@ -9,9 +9,9 @@
 
 namespace trivar {
 
-// Moves, turns or scales what is selected: by a drag on a handle, or from its key on with the mouse
-// free until a click. What is seen is the proposal; a gesture is one step. A click beside the
-// handles selects.
+// A TransformTool moves, turns or scales the selection: by a drag on a handle, or after its key
+// with the mouse free until a click. The proposal is what is seen; a gesture is one step. A click
+// beside the handles selects.
 class TransformTool : public Tool {
 public:
     TransformTool(MotionKind kind, std::shared_ptr<TransformChoices> choices)
@@ -39,7 +39,7 @@ public:
 private:
     std::optional<MotionFrame> handles_at(const Session& session) const;
     void start(const Session& session, const Grasp& grasp);
-    void show(Session& session); // proposes what the gesture says now
+    void show(Session& session); // proposes the present result of the gesture
     void finish(Session& session);
     void gesture_overlay(const Camera& camera, const ui::Theme& theme,
                          const ViewportInput& input) const;
@@ -49,12 +49,12 @@ private:
     MotionKind kind_;
     std::shared_ptr<TransformChoices> choices_;
     std::optional<TransformGesture> gesture_;
-    bool by_key_ = false;     // the gesture ends with a click, not with letting go
-    bool beginning_ = false;  // by its key, as soon as it is known where the mouse is
+    bool by_key_ = false;     // a click ends the gesture, not a release
+    bool beginning_ = false;  // begun by its key, as soon as the place of the mouse is known
     bool outside_ = false;    // the mouse is not over the picture
-    double refused_s_ = -1e9; // when there was nothing to move, and axes may follow
+    double refused_s_ = -1e9; // when there was nothing to move, although axes may follow
     Handle hovered_;
-    std::vector<Transform> shown_; // proposed last
+    std::vector<Transform> shown_; // the last proposal
 };
 
 } // namespace trivar

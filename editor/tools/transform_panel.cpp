@@ -140,7 +140,7 @@ std::vector<Hint> TransformTool::hints_at_rest(const Session& session) const
                         : kind_ == MotionKind::rotate ? "@Reset rotation"
                                                       : "@Reset scale";
     if (const auto frame = handles_at(session)) {
-        const Projected middle = project(session.view.camera, frame->pivot);
+        const PicturePoint middle = project(session.view.camera, frame->pivot);
         const bool seen = middle.depth_world > 0 &&
                           glm::all(glm::greaterThan(middle.p_px, {0, 0})) &&
                           glm::all(glm::lessThan(middle.p_px, session.view.camera.size_px));

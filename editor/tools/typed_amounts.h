@@ -9,24 +9,24 @@
 
 namespace trivar {
 
-// Up to three numbers that are typed while a gesture goes on: "1.25", then Tab and the next. Any
-// digit, minus, point or "=" begins one. Letters that the gesture wants for itself (x, y, z) are
-// taken only after "=".
+// TypedAmounts are up to three numbers that are typed while a gesture runs: "1.25", then Tab and
+// the next. Any digit, minus, point or "=" begins one. Letters that the gesture itself uses (x, y,
+// z) are taken only after "=".
 class TypedAmounts {
 public:
     bool open() const; // something was typed
-    bool take(char c); // whether it belongs to the number
+    bool take(char c); // whether the character belongs to the number
     void erase_last();
     void next(int count) { at_ = (at_ + 1) % count; }
-    void begin_anew(); // other axes are meant now; the number that was being typed is the first
+    void begin_anew(); // the axes have changed; the number that was being typed is the first
     int at() const { return at_; }
     const std::string& text(int i) const { return texts_[static_cast<std::size_t>(i)]; }
-    // The last value of a number that could be read; nothing where nothing was.
+    // The last value of a number that could be read; empty where there was none.
     std::optional<double> value(int i, Measure measure) const;
-    // As a status line shows it: what is typed as it is typed, with a mark where the next letter
-    // goes, and what it comes to, which is `said`, "1.25 m", where nothing is typed.
+    // The number for a status line: the typed text with a mark where the next letter goes, and its
+    // value; where nothing is typed, `said`, for example "1.25 m".
     std::string words(int i, const std::string& unit, const std::string& said) const;
-    // The letters that were typed in this frame; whether there were any.
+    // Takes the letters of this frame; returns whether there were any.
     bool take_letters();
 
 private:

@@ -8,10 +8,10 @@
 
 namespace trivar {
 
-// How much is spent on the pictures of what moves, so that it keeps up with the hand. Told their
-// times one after the other, it goes by the median of the last eight: over 1.25 times the target it
-// steps down, the level first and then the size; sixty pictures under half of the target step up
-// again. A change waits for a second to pass. A level that was too slow is not tried again.
+// A DraftPace says how much is spent on pictures of moving things, so that they keep up with the
+// hand. It follows the median of the last eight drawing times: above 1.25 times the target it steps
+// down, the level first and then the size; after sixty pictures below half of the target it steps
+// up again. Changes are at least a second apart. A level that was too slow is not tried again.
 class DraftPace {
 public:
     DraftPace(double target_ms, gpu::Level highest, double scale = 1)

@@ -22,7 +22,8 @@ void RefinedView::follow(Session& session, double tolerance_px, bool moving, dou
         wanted_ = {};
     }
     if (changed) merge(session);
-    const Wanted now{&session.evaluator(), session.evaluation(), session.view.camera, tolerance_px};
+    const WantedView now{&session.evaluator(), session.evaluation(), session.view.camera,
+                         tolerance_px};
     if (tolerance_px > 0 && !moving && now != wanted_) {
         wanted_ = now;
         asked_s_ = time_s;
@@ -48,7 +49,7 @@ void RefinedView::merge(const Session& session)
     ++number_;
 }
 
-std::vector<Id> RefinedView::split(const Evaluated& evaluated) const
+std::vector<Id> RefinedView::split(const Evaluation& evaluated) const
 {
     std::vector<Id> out;
     for (const auto& [id, object] : seen_.objects)

@@ -41,13 +41,13 @@ void shade(gpu::Picture& picture, const ViewportStyle& style)
             instance.opacity = s.wireframe ? unseen : glassy;
 }
 
-gpu::Picture picture_of(const Session& session, const Evaluated& seen, gpu::Level level,
+gpu::Picture picture_of(const Session& session, const Evaluation& seen, gpu::Level level,
                         const ViewportStyle& style, ShownValues& values)
 {
     gpu::Picture picture =
         picture_of(seen, session.document(), session.view.camera, values, style.deform_by);
     gpu::set_level(picture, level);
-    leave_out(picture, session.aside);
+    leave_out(picture, session.hidden_here);
     outline_selected(picture, Members(session.document(), session.selected.ids()));
     shade(picture, style);
     return picture;
@@ -145,19 +145,19 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
         shaders_ = shader_folder_->texts(frame.time_s);
         frame.again_in(gpu::ShaderFolder::look_every_s);
     }
-    Shown wanted{session.view.camera,
-                 refined_.number(),
-                 session.selected,
-                 session.aside,
-                 size_px,
-                 state,
-                 false,
-                 session.shown().render.get(),
-                 style_,
-                 shaders_};
+    PictureState wanted{session.view.camera,
+                        refined_.number(),
+                        session.selected,
+                        session.hidden_here,
+                        size_px,
+                        state,
+                        false,
+                        session.shown().render.get(),
+                        style_,
+                        shaders_};
     const bool held = moving; // what ends that makes a frame of its own
     if (shown_) {             // what was drawn as a draft is compared without that
-        Shown before = *shown_;
+        PictureState before = *shown_;
         before.draft = false;
         if (before != wanted) moving = true;
     }
@@ -165,7 +165,7 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
     wanted.draft = !shown_ || frame.time_s - moved_s_ < rest_s;
     if (wanted.draft && !held) frame.again_in(rest_s - (frame.time_s - moved_s_) + 0.01);
     // A full picture of the same thing does for a draft.
-    Shown as_full = wanted;
+    PictureState as_full = wanted;
     as_full.draft = false;
     if (shown_ && (*shown_ == wanted || *shown_ == as_full)) return texture();
 
@@ -180,7 +180,7 @@ unsigned Viewport::draw(const Session& session, ui::Frame& frame, glm::ivec2 siz
     return texture();
 }
 
-void Viewport::draw_wanted(const Shown& wanted, const Session& session, ui::Frame& frame,
+void Viewport::draw_wanted(const PictureState& wanted, const Session& session, ui::Frame& frame,
                            const std::function<Helpers()>& helpers)
 {
     constexpr double budget_ms = 40; // in one frame, of a full picture: the mouse must not wait

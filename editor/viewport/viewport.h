@@ -17,13 +17,13 @@
 
 namespace trivar {
 
-// What is drawn over the scene to work on it.
+// Helpers are drawn over the scene to work on it.
 struct Helpers {
     std::vector<gpu::Line> lines;
     std::vector<gpu::Translucent> veils;
 };
 
-// What the window shows of surfaces; the scene and its pictures know nothing of it.
+// Shading says how the window shows surfaces; it is no part of the scene and its pictures.
 struct Shading {
     bool wireframe = false;   // nothing but the edges of the faces, those behind too
     bool see_through = false; // what is behind shows through
@@ -31,7 +31,8 @@ struct Shading {
     bool operator==(const Shading&) const = default;
 };
 
-// How the window shows the scene, beyond what the scene says of its pictures.
+// A ViewportStyle says how the window shows the scene, beyond the scene's own settings for
+// pictures.
 struct ViewportStyle {
     std::optional<gpu::Backdrop> backdrop; // with a grid; none: as in pictures
     gpu::Outline outline;
@@ -47,30 +48,30 @@ struct ViewportStyle {
 // `as_in_pictures`: the backdrop of the scene's look, else the theme's own.
 ViewportStyle viewport_style(const ui::Theme& theme, bool as_in_pictures);
 
-// The theme with the backdrop and the overlays that go with the scene: the look "dark" stays dark.
+// The theme with the backdrop and the overlays that suit the scene: the look "dark" stays dark.
 ui::Theme theme_over_picture(const ui::Theme& theme, const RenderSettings& settings,
                              bool as_in_pictures);
 
-// The picture in the middle: moves the camera, draws the scene when something changed, and tells
-// what lies under the mouse. Needs the window's OpenGL context.
+// A Viewport is the picture in the middle: it moves the camera, draws the scene when something
+// changed, and tells what lies under the mouse. Needs the window's OpenGL context.
 class Viewport {
 public:
-    // Takes the mouse over `rect` (ImGui's last item is the area): the camera's share is used, the
-    // rest is returned for the tool.
+    // Takes the mouse over `rect` (ImGui's last item is the area): it uses the camera's share and
+    // returns the rest for the tool.
     ViewportInput take_input(Session& session, const ui::Frame& frame, const ui::Rect& rect,
                              const Tool& tool);
     void set_manners(const MouseManners& manners) { manners_ = manners; }
     bool moves_camera() const { return move_ != Move::none; } // by a button that is held
 
-    // The scene's picture as a texture, drawn anew only if it would differ. While things move it
-    // is a draft; a moment after they rest it is drawn in full, a piece a frame, for which it asks
-    // for frames. The draft stays until all of it is there. What cannot be drawn leaves the picture
-    // as it was: see new_trouble(). 0: there has been none.
+    // The scene's picture as a texture, drawn anew only if it would differ. While things move it is
+    // a draft; a moment after they rest it is drawn in full, one piece per frame, for which it asks
+    // for frames. The draft stays until the full picture is complete. What cannot be drawn leaves
+    // the picture unchanged: see new_trouble(). 0: there has been no picture.
     unsigned draw(const Session& session, ui::Frame& frame, glm::ivec2 size_px, bool moving,
                   int state, const std::function<Helpers()>& helpers);
     void forget_gpu(); // before the context goes; the next frame makes all of it again
     void set_style(const ViewportStyle& style);
-    // A developer's shaders, drawn with from now on as their files are.
+    // Draws with a developer's shaders from now on, and follows changes of their files.
     void follow(gpu::ShaderFolder folder) { shader_folder_ = std::move(folder); }
     const Ref<gpu::ShaderTexts>& shaders() const { return shaders_; }
     unsigned texture() const { return renderer_ ? renderer_->texture() : 0; } // what shows
@@ -82,28 +83,28 @@ public:
     const Timings& full_timings() const { return full_timings_; }     // of the last one
     std::size_t uploaded_bytes() const { return renderer_ ? renderer_->uploaded_bytes() : 0; }
     long pictures() const { return pictures_; } // begun so far
-    // What the renderer could not do as it was asked, each time once; empty: nothing new.
+    // What the renderer could not do as asked, each sentence once; empty: nothing new.
     std::string new_notice();
-    // Why there is no picture of what is there now, and the renderer's shader_trouble(): where they
-    // are others than when they were last asked; empty: none any more.
+    // Why the present scene has no picture, and the renderer's shader_trouble(), if they changed
+    // since the last call; an empty text: there is no trouble any more.
     std::optional<std::string> new_trouble();
     std::optional<std::string> new_shader_trouble();
 
 private:
-    struct Shown { // what the present picture was drawn from
+    struct PictureState { // what the present picture was drawn from
         Camera camera;
         long effects = 0; // number of the refined view
         Selection selected;
-        std::vector<Id> aside;
+        std::vector<Id> hidden_here;
         glm::ivec2 size_px{0};
         int state = 0;
         bool draft = false;
         const RenderSettings* settings = nullptr;
         ViewportStyle style;
         Ref<gpu::ShaderTexts> shaders;
-        bool operator==(const Shown&) const = default;
+        bool operator==(const PictureState&) const = default;
     };
-    void draw_wanted(const Shown& wanted, const Session& session, ui::Frame& frame,
+    void draw_wanted(const PictureState& wanted, const Session& session, ui::Frame& frame,
                      const std::function<Helpers()>& helpers);
     enum class Move { none, orbit, pan, zoom };
     void navigate(Session& session, const ViewportInput& input, glm::dvec2 drag_px);
@@ -123,8 +124,8 @@ private:
     VolumeFacts volume_facts_;
     std::unique_ptr<gpu::Renderer> renderer_; // made at the first picture
     std::optional<DraftPace> pace_;           // as well
-    std::optional<Shown> shown_;
-    std::optional<Shown> begun_; // the full picture that is being drawn
+    std::optional<PictureState> shown_;
+    std::optional<PictureState> begun_; // the full picture that is being drawn
     ui::TimingHistory drafts_;
     long timed_evaluation_ = 0; // the last one that is in the history
     Timings full_timings_;
@@ -143,7 +144,7 @@ private:
 // Whether a turn of the wheel has fractional or sideways parts, as only fingers make them.
 bool is_fine_scroll(glm::dvec2 steps);
 
-// Where a ray first meets an object, by trying its triangles one after another: for one click.
+// Where a ray first meets an object. It tries the triangles one after another: for one click.
 std::optional<glm::dvec3> first_hit(const EvaluatedObject& object, const Ray& ray);
 
 } // namespace trivar

@@ -8,7 +8,7 @@
 
 namespace trivar {
 
-void WayComparison::advance(const Evaluated& evaluated, const Document& document,
+void WayComparison::advance(const Evaluation& evaluated, const Document& document,
                             const Ref<gpu::ShaderTexts>& shaders)
 {
     if (!running()) return;
@@ -26,7 +26,7 @@ void WayComparison::forget_gpu()
     next_ = deform_words.size();
 }
 
-std::vector<ui::TimedWay> WayComparison::rows(const Evaluated& evaluated, gpu::DeformBy used) const
+std::vector<ui::TimedWay> WayComparison::rows(const Evaluation& evaluated, gpu::DeformBy used) const
 {
     std::vector<ui::TimedWay> rows;
     const auto is_deformed = [](const auto& entry) {

@@ -9,7 +9,7 @@
 
 namespace trivar {
 
-// The ways to deform as people read them, in the order of gpu::DeformBy.
+// DeformWords names a way to deform as people read it, in the order of gpu::DeformBy.
 struct DeformWords {
     const char *name, *sentence;
 };
@@ -22,18 +22,18 @@ inline constexpr std::array<DeformWords, gpu::deform_names.size()> deform_words{
     {"Filtered", "The same lerps by the card's filter: a preview, for its fractions are coarse."},
 }};
 
-// Measures each way on what a scene deforms now, one a frame, so that the window stays awake.
+// A WayComparison measures each way on what a scene deforms now, one per frame, so that the window
+// stays responsive.
 class WayComparison {
 public:
     void begin() { next_ = 0; }
     bool running() const { return next_ < deform_words.size(); }
     // In the window's context.
-    void advance(const Evaluated& evaluated, const Document& document,
+    void advance(const Evaluation& evaluated, const Document& document,
                  const Ref<gpu::ShaderTexts>& shaders = {});
     void forget_gpu();
-    // To be shown: all of them, with times where they were measured; none where nothing is
-    // deformed.
-    std::vector<ui::TimedWay> rows(const Evaluated& evaluated, gpu::DeformBy used) const;
+    // All ways, with times where they were measured; empty where nothing is deformed.
+    std::vector<ui::TimedWay> rows(const Evaluation& evaluated, gpu::DeformBy used) const;
 
 private:
     std::unique_ptr<gpu::WayTimer> timer_;

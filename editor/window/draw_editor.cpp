@@ -50,14 +50,14 @@ void apply_preferences(Editor& editor)
     in_force = {threads, threads > 0 ? std::make_unique<ThreadLimit>(threads) : nullptr};
 }
 
-struct SceneMet { // the session's scene that the tools know
+struct KnownScene { // the session's scene that the tools know
     long number = 0;
 };
 
 // What was under way belongs to a scene that is gone.
 void meet_scene(Editor& editor)
 {
-    long& met = editor.memory.of<SceneMet>().number;
+    long& met = editor.memory.of<KnownScene>().number;
     if (met == editor.session.scenes()) return;
     met = editor.session.scenes();
     editor.active_tool().cancel(editor.session);

@@ -7,9 +7,9 @@
 
 namespace trivar {
 
-// How well `letters` are found in `text`, in order, whatever lies between and whatever their case;
-// blanks in `letters` say nothing. Letters side by side and at the beginnings of words count more.
-// Cost: the product of the lengths.
+// A LetterMatch says how well `letters` are found in `text`, in order, with anything between them
+// and in any case of letters; blanks in `letters` are ignored. Letters side by side and at the
+// beginnings of words count more. Cost: the product of the lengths.
 struct LetterMatch {
     int score = 0;
     std::vector<std::size_t> at; // their places in the text, rising

@@ -8,17 +8,17 @@
 
 namespace trivar {
 
-std::vector<Ranked> ranked(std::string_view letters, const std::vector<std::string>& names,
-                           const std::vector<std::string>& recent)
+std::vector<RankedName> ranked(std::string_view letters, const std::vector<std::string>& names,
+                               const std::vector<std::string>& recent)
 {
-    struct Scored {
-        Ranked ranked;
+    struct ScoredName {
+        RankedName ranked;
         int score = 0;
         bool whole = false;   // nothing of the name is left over
         std::size_t used = 0; // place among the recent ones
     };
     const bool all = letters.find_first_not_of(' ') == letters.npos;
-    std::vector<Scored> found;
+    std::vector<ScoredName> found;
     for (std::size_t i = 0; i < names.size(); ++i) {
         std::optional<LetterMatch> match = letters_in_order(letters, names[i]);
         if (!match) continue;
@@ -29,13 +29,13 @@ std::vector<Ranked> ranked(std::string_view letters, const std::vector<std::stri
                          whole,
                          static_cast<std::size_t>(place - recent.begin())});
     }
-    std::ranges::stable_sort(found, [](const Scored& a, const Scored& b) {
+    std::ranges::stable_sort(found, [](const ScoredName& a, const ScoredName& b) {
         if (a.score != b.score) return a.score > b.score;
         return a.whole != b.whole ? a.whole : a.used < b.used;
     });
-    std::vector<Ranked> result;
+    std::vector<RankedName> result;
     result.reserve(found.size());
-    for (Scored& each : found) result.push_back(std::move(each.ranked));
+    for (ScoredName& each : found) result.push_back(std::move(each.ranked));
     return result;
 }
 

@@ -8,15 +8,15 @@
 
 namespace trivar {
 
-// The names that hold the letters in order, the best match first; of equal ones one that is matched
-// as a whole, then those used last, then those listed first. Without letters: the recent ones and
-// then all others.
-struct Ranked {
+// The names that hold the letters in order, the best match first. Among equal matches a complete
+// word comes first, then the last used, then the first listed. Without letters: the recent names
+// and then all others.
+struct RankedName {
     std::size_t index = 0;            // in `names`
     std::vector<std::size_t> letters; // that matched
     bool recent = false;
 };
-std::vector<Ranked> ranked(std::string_view letters, const std::vector<std::string>& names,
-                           const std::vector<std::string>& recent);
+std::vector<RankedName> ranked(std::string_view letters, const std::vector<std::string>& names,
+                               const std::vector<std::string>& recent);
 
 } // namespace trivar

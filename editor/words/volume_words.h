@@ -8,9 +8,9 @@
 
 namespace trivar {
 
-// What a step of shaping is, for a list: "Press, Gaussian, radius 0.34 m".
+// A step of shaping in words, for a list: "Press, Gaussian, radius 0.34 m".
 std::string words_of(const VolumeEdit& edit);
-// The same once it is done, with what was chosen then: "Mended, it was lowered".
+// The same for a step that is done, with what was chosen then: "Mended, it was lowered".
 std::string words_of(const VolumeEdit& edit, const Shaping& done);
 
 // What is proven of a volume, as the end of a sentence: "folds nowhere, proven".

@@ -35,7 +35,7 @@ void BlindDraw::operator()(const std::vector<std::string>& volume_defines, Wante
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-Deformed BlindDraw::captured(const std::vector<std::string>& volume_defines)
+DeformedArrays BlindDraw::captured(const std::vector<std::string>& volume_defines)
 {
     const Wanted wanted = vertices_->tangents.bytes() > 0  ? Wanted::tangents
                           : vertices_->normals.bytes() > 0 ? Wanted::normals

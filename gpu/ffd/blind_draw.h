@@ -7,22 +7,23 @@
 
 namespace trivar::gpu {
 
-// What a pass wants of mesh.vert. A shadow and picking want positions alone.
+// The outputs of mesh.vert that a pass needs. A shadow and picking need positions only.
 enum class Wanted { positions, normals, tangents };
 
-// mesh.vert alone; what it hands on is written where buffers are bound for it.
+// The program of mesh.vert alone; its outputs are written to the buffers that are bound for them.
 ProgramName vertex_program(std::vector<std::string> volume_defines, Wanted wanted);
 
-// Runs mesh.vert, the shader of every pass over meshes, over vertices and draws nothing: to time
-// it, and to see what it hands on.
+// A BlindDraw runs mesh.vert, the shader of every pass over meshes, over vertices and draws
+// nothing: to measure its time, and to see its outputs.
 class BlindDraw {
 public:
-    // The vertices to draw from now on: they must live as long.
+    // Sets the vertices to draw from now on; they must live as long.
     void take(const DeviceVertices& vertices);
-    // As they are, or in one phase with the volume_defines() of what DeviceDeformer::bind() bound.
+    // Draws them undeformed, or in one phase with the volume_defines() of what
+    // DeviceDeformer::bind() bound.
     void operator()(const std::vector<std::string>& volume_defines, Wanted wanted);
-    // The same, and what came out: positions less the origin of bind().
-    Deformed captured(const std::vector<std::string>& volume_defines);
+    // The same, with the outputs: positions relative to the origin of bind().
+    DeformedArrays captured(const std::vector<std::string>& volume_defines);
     Programs& programs() { return programs_; }
 
 private:

@@ -5,12 +5,14 @@
 
 namespace trivar::gpu {
 
-// What copying and multiply-adds would allow at most, and which of the two says so.
+// The greatest rate that copying and multiply-adds allow; the second function says which of both
+// limits it.
 double allowed_per_s(const DeformRate& rate);
 const char* bound_by(const DeformRate& rate);
 
-// What the rates of a report say, a sentence each, each of the most vertices that it was measured
-// with: how near to its bound the device comes, what normals cost, what passes cost each way.
+// What the rates of a report say, one sentence per finding, each about the largest number of
+// vertices that was measured: how near the device comes to its bound, what normals cost, what
+// passes cost in each way.
 std::vector<std::string> findings(const DeformReport& report);
 
 } // namespace trivar::gpu

@@ -129,11 +129,11 @@ double sum_multiply_adds(int order, const Method& method)
 }
 
 // How many cases, by reason.
-struct LeftOut {
+struct OmittedCases {
     std::size_t slow = 0, late = 0;
 };
 
-void add_notices(DeformReport& report, const LeftOut& left_out, const DeformBudget& budget)
+void add_notices(DeformReport& report, const OmittedCases& left_out, const DeformBudget& budget)
 {
     if (left_out.slow > 0)
         report.notices.push_back(
@@ -202,7 +202,7 @@ DeformReport deform_rates(const std::vector<DeformCase>& cases, const DeformBudg
     Measuring measuring;
     report(progress, 0, "copy and arithmetic");
     out.device = measuring.device();
-    LeftOut left_out;
+    OmittedCases left_out;
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const DeformCase& what = cases[i];
         report(progress, static_cast<double>(i) / static_cast<double>(cases.size()),

@@ -20,7 +20,7 @@ double between_deg(const glm::dvec3& n, const glm::dvec3& m)
 
 } // namespace
 
-DeformErrors errors_of(const Deformed& found, const Deformed& exact)
+DeformErrors errors_of(const DeformedArrays& found, const DeformedArrays& exact)
 {
     assert(found.positions.size() == exact.positions.size());
     Box box;
@@ -93,7 +93,7 @@ double DeformTimer::time_ms(const Stage& stage, Way way, const Method& method, i
 double DeformTimer::processor_ms(const Stage& stage, const Method& method) const
 {
     const Deformer deformer(mesh(method), stage.embedding, stage.lattice->displacement.axes);
-    Deformed out;
+    DeformedArrays out;
     const auto run = [&] {
         Timings timings;
         out = timed(timings, "deform",

@@ -10,7 +10,8 @@ namespace trivar::gpu {
 
 enum class Way { processor, one_phase, two_phases };
 
-// The least time of some runs, milliseconds; the first run is not counted, for it compiles.
+// The least time of several runs, in milliseconds; the first run is not counted, because it
+// compiles.
 template <class Run> double least_ms(Run&& run, double enough_ms)
 {
     constexpr int most_runs = 12;
@@ -24,30 +25,30 @@ template <class Run> double least_ms(Run&& run, double enough_ms)
     return least;
 }
 
-// The largest ones; infinite where something is not a number.
+// DeformErrors hold the largest errors; infinite where a result is not a number.
 struct DeformErrors {
     double position = 0; // a distance, as a share of the box's diagonal
     double normal_deg = 0, tangent_deg = 0;
     double diagonal = 0; // scene units
 };
-// What the processor's evaluator says is taken for true.
-DeformErrors errors_of(const Deformed& found, const Deformed& exact);
+// The errors of `found`, with the result of the processor's evaluator taken as exact.
+DeformErrors errors_of(const DeformedArrays& found, const DeformedArrays& exact);
 DeformErrors worst(const DeformErrors& a, const DeformErrors& b);
 
-// Deforms one mesh again and again by a volume, three times at least and until `enough_ms` are
-// spent: by timer queries, or fences on software GL. Throws Rejected where the device lacks what
-// it takes.
+// A DeformTimer deforms one mesh again and again by a volume, at least three times and until
+// `enough_ms` are spent: by timer queries, or fences on software GL. Throws Rejected where the
+// device lacks something that it needs.
 class DeformTimer {
 public:
     explicit DeformTimer(double enough_ms) : enough_ms_(enough_ms) {}
-    void take(const Ref<Mesh>& mesh);                 // what is deformed from now on; uploads it
+    void take(const Ref<Mesh>& mesh); // the mesh that is deformed from now on; uploads it
     void take_shaders(const Ref<ShaderTexts>& texts); // see Programs
-    // To deform, and to draw in so many passes: the first with normals where the method has them,
-    // the others, as a shadow's and picking, without. One phase deforms in every pass, of which it
-    // has one at least; the processor is timed without drawing.
+    // The time to deform and to draw in `passes` passes: the first one with normals where the
+    // method has them, the others, like a shadow's and picking, without. One phase deforms in every
+    // pass, of which it has at least one; the processor is timed without drawing.
     double time_ms(const Stage& stage, Way way, const Method& method, int passes = 0);
-    // Of what the way writes or hands on, near an origin as pictures have it, so that where in the
-    // world it lies costs neither side digits. Reads the vertices back.
+    // The errors of the way's results, near an origin as pictures have it, so that the place in the
+    // world costs neither side digits. Reads the vertices back.
     DeformErrors errors(const Stage& stage, Way way, const Method& method);
     void drop_dead(); // of the lattices on the device
 

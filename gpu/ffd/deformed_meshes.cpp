@@ -231,7 +231,7 @@ void DeformedMeshes::deform_on_device(Entry& entry, const Instance& instance, Mi
 
 void DeformedMeshes::deform_on_processor(Entry& entry, const Instance& instance)
 {
-    Deformed out;
+    DeformedArrays out;
     const auto mesh = [&] {
         return with_normals(instance.posed ? *instance.posed->mesh : instance.mesh);
     };

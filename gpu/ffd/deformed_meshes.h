@@ -10,35 +10,37 @@
 
 namespace trivar::gpu {
 
-// An instance with a pose or stages as it is drawn.
+// A DeformedMesh is an instance with a pose or stages, as it is drawn.
 struct DeformedMesh {
     MirroredMesh mirrored;      // with the deformed vertices, or in one phase the undeformed ones
     MirroredEdges edges;        // where the picture draws them
-    glm::dvec3 origin_world{0}; // what its positions are relative to
+    glm::dvec3 origin_world{0}; // the origin of its positions
     Box box;                    // before to_world
-    // One phase: the volume that is left to the vertex shader, and how it is told of it.
+    // One phase: the volume that the vertex shader applies, and how the shader gets it.
     std::optional<Stage> stage;
     Box undeformed;
     std::vector<std::string> defines;
 };
 
-// The instances of pictures that carry poses or volumes, deformed where Picture::deform_by says and
-// only when mesh, pose or volumes change: then matrices and control points are uploaded, and
-// nothing else. An instance is known by its id and part from picture to picture, wherever it stands
-// among the others. What the device cannot do the processor does, and a notice says why.
+// DeformedMeshes are the instances of pictures that carry poses or volumes. They are deformed where
+// Picture::deform_by says, and only when mesh, pose or volumes change: then matrices and control
+// points are uploaded, and nothing else. An instance is known by its id and part from picture to
+// picture, at any place among the others. The processor does what the device cannot, and a notice
+// says why.
 class DeformedMeshes {
 public:
     void update(const Picture& picture, Mirror& mirror);
-    // How many vertices update() would deform: those of what changed.
+    // The number of vertices that update() would deform: those of what changed.
     std::size_t stale_vertices(const Picture& picture) const;
-    // By the index of an instance of the picture that was taken last; null where it has neither
-    // pose nor volumes, or no faces.
+    // The mesh for the index of an instance of the last taken picture; null where the instance has
+    // neither pose nor volumes, or no faces.
     const DeformedMesh* of(std::size_t instance) const;
-    // For one phase, before a draw with `defines`.
+    // Binds the volume of one phase, before a draw with `defines`.
     void bind(const DeformedMesh& mesh);
-    const std::string& notice() const { return notice_; } // empty: all went as it was asked
-    void take(const Ref<ShaderTexts>& texts); // for the programs that deform; all is deformed anew
-    std::string shader_trouble() const;       // see Programs
+    const std::string& notice() const { return notice_; } // empty: everything was done as asked
+    // for the programs that deform; all meshes are then deformed anew
+    void take(const Ref<ShaderTexts>& texts);
+    std::string shader_trouble() const; // see Programs
 
 private:
     struct OnProcessor { // the first stage of a stack
@@ -48,7 +50,7 @@ private:
     };
     struct Entry {
         std::weak_ptr<const Mesh> alive;
-        Ref<Posed> posed;
+        Ref<PosedMesh> posed;
         std::vector<Stage> stages;
         DeformBy by;
         bool wire;
@@ -57,9 +59,10 @@ private:
         DeformedMesh drawn;
         std::string notice; // why the processor did it
     };
-    // Id and part, and the number of instances before it that have the same.
+    // The key is id and part, and the number of instances before this one that have the same.
     using Key = std::tuple<int, PartKey, int>;
-    static std::vector<Key> keys_of(const Picture& picture); // of those that deform, in their order
+    // of the instances that deform, in their order
+    static std::vector<Key> keys_of(const Picture& picture);
     static bool current(const Entry& entry, const Instance& instance, const Picture& picture);
     DeviceDeformer& device();
     void deform(Entry& entry, const Instance& instance, Mirror& mirror);

@@ -67,7 +67,7 @@ DeviceVertices uploaded_vertices(const Mesh& mesh)
     return out;
 }
 
-Deformed read_back(const DeviceVertices& vertices)
+DeformedArrays read_back(const DeviceVertices& vertices)
 {
     return {values_in<glm::vec3>(vertices.positions), values_in<glm::vec3>(vertices.normals),
             values_in<glm::vec4>(vertices.tangents)};

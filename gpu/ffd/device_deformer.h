@@ -9,7 +9,7 @@
 
 namespace trivar::gpu {
 
-// How a deformation is evaluated. All but the first are there to be compared with it.
+// How a deformation is evaluated. All ways but the first exist to be compared with it.
 enum class Sum { nested, raised, filtered }; // filtered: by the device's filter, a preview
 enum class NormalsBy { nothing, cofactors, differences };
 struct Method {
@@ -19,15 +19,16 @@ struct Method {
 };
 Method method_of(DeformBy by);
 
-// Vertices on the device: three floats a position and a normal, four a tangent, as attributes and
-// storage alike. What a mesh has none of is an empty buffer.
+// DeviceVertices are vertices on the device: three floats per position and normal, four per
+// tangent, usable as attributes and as storage. An array that a mesh does not have is an empty
+// buffer.
 struct DeviceVertices {
     Buffer positions, normals, tangents;
     std::size_t count = 0;
-    Box bounds; // of the positions, or more
+    Box bounds; // of the positions; may be larger than needed
 };
 
-// The same in buffers that belong to somebody; null or empty: none.
+// A VertexSource is the same in buffers of another owner; null or empty: none.
 struct VertexSource {
     VertexSource() = default;
     VertexSource(const DeviceVertices& vertices);
@@ -36,16 +37,17 @@ struct VertexSource {
     Box bounds;
 };
 DeviceVertices uploaded_vertices(const Mesh& mesh);
-Deformed read_back(const DeviceVertices& vertices);
+DeformedArrays read_back(const DeviceVertices& vertices);
 
-// What deforming asks of a device.
+// DeviceLimits hold the limits of a device that deforming depends on.
 struct DeviceLimits {
     int gl_version = 0;             // 43 is 4.3
-    std::size_t storage_block = 0;  // bytes that a shader sees at once
-    std::size_t groups = 0;         // a dispatch
+    std::size_t storage_block = 0;  // bytes that a shader can access at once
+    std::size_t groups = 0;         // per dispatch
     std::size_t texels = 0;         // of a texel buffer
-    std::size_t slice_vertices = 0; // the most that one dispatch deforms
-    bool reads_texels = false;      // rather than storage: it is faster, or all a vertex shader has
+    std::size_t slice_vertices = 0; // greatest number that one dispatch deforms
+    // in place of storage: it is faster, or the only access of a vertex shader
+    bool reads_texels = false;
 };
 DeviceLimits device_limits(); // of the current context
 
@@ -58,39 +60,39 @@ struct DeformVariant {
 ProgramName deform_program(const DeformVariant& variant);
 ProgramName bounds_program(std::vector<std::string> volume_defines);
 
-// What makes mesh.vert deform as it draws.
+// The defines that make mesh.vert deform as it draws.
 std::vector<std::string> volume_defines(const std::array<int, 3>& orders, bool texels);
 
-// Runs a compute program in use over `from`, in slices that the device takes, with the buffers
-// bound as vertex_buffers.glsl has them; `to` has room. Sets vertex_count, and first_vertex where
-// it is asked for.
+// Runs the current compute program over `from`, in slices that the device accepts, with the buffers
+// bound as vertex_buffers.glsl has them; `to` must have room. Sets the uniform vertex_count, and
+// first_vertex where the program has it.
 struct Attributes {
     bool normals = false, tangents = false; // beside positions
 };
 void dispatch_vertices(const Program& program, const VertexSource& from, const DeviceVertices& to,
                        const Attributes& attributes, const DeviceLimits& limits);
 
-// Deforms on the device. Two phases: vertices are deformed to buffers, which any number of passes
-// draw. One phase: a vertex shader deforms as it draws.
+// A DeviceDeformer deforms on the device. Two phases: vertices are deformed into buffers, which any
+// number of passes draw. One phase: a vertex shader deforms as it draws.
 //
-// Positions, normals and tangents are those of trivar::Deformer up to single precision, except that
-// where no normal can be told it stays what it was before.
+// Positions, normals and tangents equal those of trivar::Deformer up to single precision, except
+// that a normal which cannot be determined keeps its old value.
 class DeviceDeformer {
 public:
-    // Throws Rejected where the device lacks what it takes.
+    // Throws Rejected where the device lacks something that it needs.
     explicit DeviceDeformer(const DeviceLimits& limits = device_limits());
 
-    // Through one volume after another, without read-back. `to` is relative to `origin_world`.
-    // Throws Rejected before anything was drawn: orders above 4, order raising of what is torn, no
-    // room.
+    // Deforms through one volume after another, without read-back. `to` is relative to
+    // `origin_world`. Throws Rejected before anything is drawn: orders above 4, order raising of a
+    // torn lattice, no room.
     void deform(const VertexSource& from, DeviceVertices& to, std::span<const Stage> stages,
                 const Method& method = {}, const glm::dvec3& origin_world = glm::dvec3(0));
 
-    // For one phase: binds the volume for a program with volume_defines(). Throws Rejected.
+    // Binds the volume of one phase for a program with volume_defines(). Throws Rejected.
     void bind(const Stage& stage, const Box& object, const glm::dvec3& origin_world);
 
-    // The box of vertices, or of what `by` makes of them, less `origin_world`. Waits for the
-    // device: 24 bytes are all that comes back.
+    // The box of vertices, or of their image by `by`, relative to `origin_world`. Waits for the
+    // device; only 24 bytes are read back.
     Box box_of(const VertexSource& vertices, const Stage* by = nullptr,
                const glm::dvec3& origin_world = glm::dvec3(0));
 
@@ -108,7 +110,7 @@ private:
     std::unique_ptr<Texels> points_, cells_;
 };
 
-// Where a box may come to lie by a deformation: the displacement is a mean of those of the lattice.
+// A box that holds the deformed box: the displacement is a mean of those of the lattice.
 Box deformed_bounds(const Stage& stage, const Box& object);
 
 } // namespace trivar::gpu

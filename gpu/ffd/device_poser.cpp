@@ -78,7 +78,7 @@ const DevicePoser::Rig& DevicePoser::rig(const Ref<Mesh>& mesh)
     return found;
 }
 
-void DevicePoser::pose(const VertexSource& from, DeviceVertices& to, const Posed& posed)
+void DevicePoser::pose(const VertexSource& from, DeviceVertices& to, const PosedMesh& posed)
 {
     const Rig& by = rig(posed.rest);
     const std::vector<float> values = pose_values(posed.pose);

@@ -11,22 +11,22 @@ namespace trivar::gpu {
 // `kinds` of a target's differences: 1 positions, 2 normals too, 3 tangents too; 0: no targets.
 ProgramName pose_program(bool skinned, int kinds, bool normals, bool tangents);
 
-// Poses meshes on the device, as trivar::posed() does up to single precision. Influences and morph
-// targets are uploaded once a mesh (32 bytes a vertex, and 12 to 36 a target), a pose as 64 bytes a
-// joint and 4 a target.
+// A DevicePoser poses meshes on the device, as trivar::posed() does, up to single precision.
+// Influences and morph targets are uploaded once per mesh (32 bytes per vertex, and 12 to 36 per
+// target), a pose takes 64 bytes per joint and 4 per target.
 class DevicePoser {
 public:
-    // The programs are those of who deforms after it, and outlive it.
+    // The programs belong to the deformer that runs afterwards, and must outlive the poser.
     explicit DevicePoser(Programs& programs, const DeviceLimits& limits = device_limits())
         : limits_(limits),
           programs_(programs)
     {
     }
 
-    // `from` are the vertices of posed.rest. What is in `to` may be read by any pass and by the
-    // deformer; nothing is read back. Throws Rejected where the device has no room.
-    void pose(const VertexSource& from, DeviceVertices& to, const Posed& posed);
-    void drop_dead(); // rigs of meshes that nobody else holds
+    // `from` holds the vertices of posed.rest. Any pass and the deformer may read `to`; nothing is
+    // read back. Throws Rejected where the device has no room.
+    void pose(const VertexSource& from, DeviceVertices& to, const PosedMesh& posed);
+    void drop_dead(); // frees rigs of meshes that nobody else holds
 
 private:
     struct Rig {

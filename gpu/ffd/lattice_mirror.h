@@ -10,16 +10,17 @@
 
 namespace trivar::gpu {
 
-// The axes of lattices as the device has them.
+// DeviceAxes are the axes of lattices on the device.
 struct DeviceAxes {
     PackedAxes packed;
     Buffer cells;
 };
 
-// Control points in a texture that is filtered; freed with this.
+// A PointTexture holds control points in a filtered texture; its destructor frees the texture.
 class PointTexture {
 public:
-    // By unwrapped index, w fastest. Throws Rejected where the device's textures are smaller.
+    // The points are by unwrapped index, w fastest. Throws Rejected where the device's textures are
+    // too small.
     PointTexture(const std::vector<glm::vec4>& points, const glm::ivec3& count);
     ~PointTexture();
     PointTexture(const PointTexture&) = delete;
@@ -36,14 +37,15 @@ struct DeviceLattice {
     std::unique_ptr<PointTexture> texture; // made when it is first wanted
 };
 
-// Uploads of lattices by Ref identity, as Mirror has those of meshes: a changed lattice uploads its
-// control points and, where its knots are new, its axes.
+// A LatticeMirror uploads lattices by Ref identity, as Mirror uploads meshes: a changed lattice
+// uploads its control points and, where its knots are new, its axes.
 class LatticeMirror {
 public:
     const DeviceLattice& lattice(const Ref<Lattice>& lattice); // throws Rejected for orders above 4
     const PointTexture& texture(const Ref<Lattice>& lattice);
     void drop_dead();
-    std::size_t uploads() const { return uploads_; } // of control points, since this was made
+    // number of uploads of control points since this was made
+    std::size_t uploads() const { return uploads_; }
 
 private:
     struct Entry {

@@ -8,18 +8,19 @@
 
 namespace trivar::gpu {
 
-// What one way of deforming all that a picture's volumes deform takes.
+// A WayTime is the time that one way needs to deform everything in a picture's volumes.
 struct WayTime {
     DeformBy by = DeformBy::processor;
     std::size_t vertices = 0;
     double time_ms = 0;
-    // From what the processor finds, the largest of all meshes; none of the processor itself.
+    // The differences from the processor's result, the largest of all meshes; empty for the
+    // processor itself.
     std::optional<DeformErrors> off;
-    std::string why_not; // a sentence, where the device cannot
+    std::string why_not; // a sentence that says why the device cannot
 };
 
-// Times the ways in the current context, one a call: the first volume of each instance. What was
-// bound is left unbound.
+// A WayTimer measures the ways in the current context, one per call: the first volume of each
+// instance. Afterwards nothing is bound.
 class WayTimer {
 public:
     WayTime operator()(const Picture& picture, DeformBy by);

@@ -5,11 +5,11 @@
 
 namespace trivar::gpu {
 
-// How much of the sky each place of the ground sees past what stands on it; the ambient part of
-// the shadow. Depends on the geometry alone.
+// A ContactMap says how much of the sky each place of the ground sees past the things on it; it is
+// the ambient part of the shadow and depends on the geometry alone.
 class ContactMap {
 public:
-    // Whether the map shows something else than this scene at this resolution (its side).
+    // Whether the map does not show this scene at this resolution (its side).
     bool stale(const Frame& frame, const Scene& scene, int resolution_px) const;
     bool drawn() const { return open_.name() != 0; }
     void draw(Tools& tools, const Frame& frame, const Scene& scene, int resolution_px);

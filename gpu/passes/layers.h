@@ -17,14 +17,14 @@ struct LayerBounds {
 };
 LayerBounds bounds_of_layers(const Frame& frame, std::span<const glm::vec3> points_scene);
 
-// Lays see-through layers over a sample of the picture, whatever order they come in: layers.glsl.
+// A LayerPass draws see-through layers over a sample of the picture, in any order: layers.glsl.
 class LayerPass {
 public:
     struct Kind {
         bool helpers = false; // mixed with the picture as encoded colours, not as light
         bool at_once = false; // in one pass, for drafts
     };
-    // `draw_all` draws every layer; it runs twice or once, its programs with these defines.
+    // `draw_all` draws every layer; it runs once or twice, its programs with these defines.
     using DrawAll = std::function<void(const std::vector<std::string>& defines)>;
     void draw(Tools& tools, const Targets& targets, const LayerBounds& bounds, Kind kind,
               const DrawAll& draw_all);
@@ -34,7 +34,8 @@ private:
     Framebuffer to_depths_, to_weighed_, to_both_;
 };
 
-// What a picture has that one can see through: blended materials, previews and helpers.
+// SeeThroughPass draws the see-through things of a picture: blended materials, previews and
+// helpers.
 class SeeThroughPass {
 public:
     SeeThroughPass();

@@ -7,17 +7,17 @@
 
 namespace trivar::gpu {
 
-// The lines of a picture, as it is seen.
+// A LinePass draws the lines of a picture.
 class LinePass {
 public:
     LinePass();
     void load(const std::vector<Segment>& segments);
     bool any() const { return count_ > 0; }
-    // Helpers over the finished picture: first where something hides them, then the rest.
+    // Draws helpers over the finished picture: first their hidden parts, then the rest.
     void draw_over(Tools& tools, const Targets& targets) const;
-    // The same as part of a sample. What is drawn later is hidden by it, and it can be picked.
+    // Draws lines as part of a sample. They hide what is drawn later, and can be picked.
     void draw_within(Tools& tools, const Targets& targets) const;
-    // Into the bound mask, one value everywhere.
+    // Draws lines into the bound mask, with one value everywhere.
     void draw_mask(Tools& tools, float value) const;
 
 private:

@@ -5,7 +5,7 @@
 
 namespace trivar::gpu {
 
-// Round what is outlined of a scene and its curves; that of a draft costs a third and is rougher.
+// Draws the outline of outlined items and curves; in a draft it costs a third and is rougher.
 void draw_outline(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
                   const LinePass& curves, const Outline& outline, bool draft);
 

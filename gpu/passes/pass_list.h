@@ -10,7 +10,7 @@
 
 namespace trivar::gpu {
 
-// What passes draw with, and what they keep from one picture to the next.
+// Brushes are the things with which passes draw, and which they keep from one picture to the next.
 struct Brushes {
     Tools tools;
     ShadowMap shadow_map;
@@ -19,7 +19,7 @@ struct Brushes {
     SeeThroughPass see_through;
 };
 
-// A picture that is being drawn: what from, and how far it is.
+// A Work is a picture that is being drawn: its input, and how far it is.
 struct Work {
     Picture picture;
     Scene scene;
@@ -30,21 +30,23 @@ struct Work {
     glm::ivec2 shown_px; // the size before scaling
     int samples;
     int contact_px;            // side of the contact map
-    bool contact_lags = false; // the contact map stays as it is, where there is one
-    int sample = 0;            // the next one
-    std::size_t next = 0;      // of its passes
-    bool in_light = false;     // the maps are drawn
+    bool contact_lags = false; // the existing contact map stays as it is, if there is one
+    int sample = 0;            // number of the next sample
+    std::size_t next = 0;      // number of the next pass of that sample
+    bool in_light = false;     // the maps have been drawn
 };
 
-// A part of drawing a picture. Its time is told by its name, which need not be its own.
+// A Pass is a part of drawing a picture. Its time is reported under its name; several passes may
+// share a name.
 struct Pass {
     const char* name;
-    bool (*needed)(const Brushes&, const Work&); // by the picture that is drawn
+    bool (*needed)(const Brushes&, const Work&); // whether the picture needs the pass
     void (*draw)(Brushes&, const Work&, const Frame&);
 };
 
-// Each in its order: before the samples, which share what it draws; of one sample, where a pass
-// reads what those before left in the targets; and after the samples.
+// The passes in their order: those before the samples, whose results all samples share; those of
+// one sample, where a pass reads what earlier ones left in the targets; and those after the
+// samples.
 std::span<const Pass> passes_of_maps();
 std::span<const Pass> passes_of_sample();
 std::span<const Pass> passes_over_all();

@@ -7,20 +7,22 @@
 
 namespace trivar::gpu {
 
-// A piece of a line as line.vert takes it. Points in scene space.
+// A Segment is a piece of a line in the form that line.vert takes. Points are in scene space.
 struct Segment {
-    glm::vec3 before, from, to, after; // at an end of the line the point before it is its first one
-    glm::vec4 color_from, color_to;    // linear, a coverage
-    glm::vec4 along;                   // at both ends: arc length in pixels, share of the length
-    glm::vec4 width_taper;             // width in pixels, or in world units; CurveStyle::taper
-    std::uint32_t id, hidden;          // HiddenParts
+    // at an end of the line, `before` or `after` is that end itself
+    glm::vec3 before, from, to, after;
+    glm::vec4 color_from, color_to; // linear, with coverage
+    glm::vec4 along;                // at both ends: arc length in pixels, share of the length
+    glm::vec4 width_taper;          // width in pixels, or in world units; CurveStyle::taper
+    std::uint32_t id, hidden;       // HiddenParts
 };
 
-// What one picture draws of lines at most; it takes half a GB of the card's memory.
+// The largest number of segments in one picture; they take half a GB of the card's memory.
 inline constexpr std::size_t most_segments = 4'000'000;
 
-// The segments of lines in a picture; `frame` is without a sample's shift. Widths in pixels are
-// times `scale`. Parts of a line with a point that is not finite are left out.
+// Segments are the pieces of all lines in a picture; `frame` must be without a sample's shift.
+// Widths in pixels are multiplied by `scale`. Parts of a line with a point that is not finite are
+// left out.
 class Segments {
 public:
     Segments(const Frame& frame, const glm::dvec3& origin_world, double scale)
@@ -32,7 +34,7 @@ public:
     void add(const Line& line);
     void add(const Curve& curve);
     const std::vector<Segment>& all() const { return all_; }
-    std::size_t left_out() const { return left_out_; } // for which there was no room
+    std::size_t left_out() const { return left_out_; } // number for which there was no room
 
 private:
     void add(const Polyline& line, const glm::dmat4& to_world, const CurveStyle& style, int id);

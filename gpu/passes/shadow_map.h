@@ -5,14 +5,14 @@
 
 namespace trivar::gpu {
 
-// What the key light sees: an orthographic depth map fitted to the casters. Drawn anew only when
-// they, the light or the resolution change.
+// A ShadowMap is what the key light sees: an orthographic depth map fitted to the casters. It is
+// drawn anew only when casters, light or resolution change.
 class ShadowMap {
 public:
     ShadowMap();
     // Fits the map and fills in the frame's key_clip and shadow_map; `resolution_px` is its side.
     void fit(Frame& frame, const Scene& scene, int resolution_px);
-    // Whether the map shows something else than was fitted last.
+    // Whether the map does not show what was fitted last.
     bool stale(const Scene& scene) const;
     void draw(Tools& tools, const Scene& scene, const Quality& quality);
     void bind() const; // to the units of shadow.glsl

@@ -12,42 +12,45 @@ namespace trivar::gpu {
 
 enum class DepthTest { off, less, less_equal, equal, greater };
 
-// Every pass sets the state it needs, so that no pass depends on the one before.
+// A DrawState is the state that a pass sets, so that no pass depends on the one before.
 struct DrawState {
     DepthTest depth = DepthTest::off;
     bool write_depth = false, write_color = true, blend = false;
 };
 void set_state(const DrawState& state);
 
-// One pass over the meshes of a scene.
+// A MeshPass is one pass over the meshes of a scene.
 struct MeshPass {
-    std::string fragment;             // which program draws it, beside mesh.vert
-    std::vector<std::string> defines; // of every variant
+    std::string fragment;             // the fragment program, used with mesh.vert
+    std::vector<std::string> defines; // for every variant
     glm::mat4 scene_to_clip;
-    bool reads_material = true; // else only cut-outs do
-    bool value_variant = false; // there is a VALUES one, which shows the values of vertices
-    bool plain_variant = false; // there is a PLAIN one, without textures and vertex colours
+    bool reads_material = true; // false: only cut-outs do
+    // whether there is a VALUES variant, which shows the values of vertices
+    bool value_variant = false;
+    // whether there is a PLAIN variant, without textures and vertex colours
+    bool plain_variant = false;
     std::function<bool(const SceneItem&, const MirroredMesh::Part&)> wanted;
-    // Whose backs are left out; the state is left to who draws where nobody says.
+    // The parts whose backs are left out; empty: the caller sets that state.
     std::function<bool(const SceneItem&, const MirroredMesh::Part&)> without_backs = {};
     std::function<void(const Program&, const SceneItem&)> prepare = {}; // uniforms of its own
 };
 
-// What all passes draw with.
+// Tools are what all passes draw with.
 class Tools {
 public:
     Tools();
     const Program& use(const ProgramName& name) { return programs_.use(name); }
-    // For all programs, those that deform too: see Programs. Whether they are others than before.
+    // Sets the shader texts of all programs, also of those that deform: see Programs. Returns
+    // whether they changed.
     bool take(const Ref<ShaderTexts>& texts);
     std::string shader_trouble() const;
     Mirror& mirror() { return mirror_; }
     DeformedMeshes& deformed() { return deformed_; }
     void set_frame(const Frame& frame);
-    // Runs the program in use over the whole framebuffer, at the far plane.
+    // Runs the current program over the whole framebuffer, at the far plane.
     void full_screen() const;
     void draw(std::span<const SceneItem> items, const MeshPass& pass);
-    // The copies of an item, if it has some, are one draw.
+    // Draws a part; the copies of an item, if it has any, are one draw.
     void draw(const SceneItem& item, const MirroredMesh::Part& part, const MeshPass& pass);
 
 private:
@@ -62,7 +65,7 @@ private:
     void set_material(const Program& program, const Material& material);
 };
 
-// Whether the part is solid: everything that is not see-through.
+// Whether the part is opaque: not see-through.
 bool opaque(const SceneItem& item, const MirroredMesh::Part& part);
 
 // A full-screen program without variants.

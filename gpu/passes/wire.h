@@ -9,8 +9,8 @@ namespace trivar::gpu {
 
 ProgramName wire_program(bool copies);
 
-// The edges of the scene's faces over the lit surfaces, for items that have them; fainter where
-// they are so many, or so short in the picture, that they would cover everything.
+// Draws the edges of the scene's faces over the lit surfaces, for items that have edges; fainter
+// where there are so many, or such short ones in the picture, that they would cover everything.
 void draw_wire(Tools& tools, const Targets& targets, const Frame& frame, const Scene& scene,
                const EdgeStyle& style);
 

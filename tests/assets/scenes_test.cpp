@@ -43,7 +43,7 @@ TEST_P(EveryScene, UsesOnlyModelsThatAFreshBuildMakes)
 TEST_P(EveryScene, BendsSomethingAndSaysWhereItsPictureIsTakenFrom)
 {
     const trivar::Document document = history().document();
-    EXPECT_TRUE(document.bookmarks.contains("picture"));
+    EXPECT_TRUE(document.kept_views.contains("picture"));
     EXPECT_TRUE(std::ranges::any_of(document.objects, [](const auto& entry) {
         return entry.second->placement ||
                std::holds_alternative<trivar::LatticeShape>(entry.second->source);

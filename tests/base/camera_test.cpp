@@ -44,7 +44,7 @@ TEST(Camera, APointOnAPixelsRayIsSeenAtThatPixel)
 TEST(Camera, TheMiddlePixelLooksAtTheTarget)
 {
     for (const Camera& camera : cameras()) {
-        const Projected seen = project(camera, camera.target);
+        const PicturePoint seen = project(camera, camera.target);
         EXPECT_LT(glm::distance(seen.p_px, camera.size_px / 2.0), 1e-9);
         EXPECT_NEAR(seen.depth_world, glm::distance(camera.eye, camera.target), 1e-12);
     }

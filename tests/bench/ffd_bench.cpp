@@ -99,7 +99,7 @@ template <int order> struct PlainLoop {
         return b;
     }
 
-    template <bool with_normals> void run(const Mesh& mesh, Deformed& out) const
+    template <bool with_normals> void run(const Mesh& mesh, DeformedArrays& out) const
     {
         for (std::size_t q = 0; q < mesh.positions.size(); ++q) {
             const glm::vec3 p = mesh.positions[q];
@@ -137,7 +137,7 @@ template <int order, bool normals> void ffd_plain_loop(benchmark::State& state)
     const int size = static_cast<int>(state.range(1));
     const Mesh mesh = model(size, state.range(0) != 0, normals);
     const PlainLoop<order> loop(random_lattice(order, size));
-    Deformed out{mesh.positions, mesh.normals, {}};
+    DeformedArrays out{mesh.positions, mesh.normals, {}};
     for (auto _ : state) {
         loop.template run<normals>(mesh, out);
         benchmark::DoNotOptimize(out.positions.data());
@@ -155,7 +155,7 @@ template <int order, bool normals> void ffd_deformer(benchmark::State& state)
     const Mesh mesh = model(size, state.range(0) != 0, normals);
     const Lattice lattice = random_lattice(order, size);
     const Deformer deformer(make_ref(mesh), {}, lattice.displacement.axes);
-    Deformed out = deformer.arrays(lattice);
+    DeformedArrays out = deformer.arrays(lattice);
     for (auto _ : state) {
         out = deformer.arrays(lattice, std::move(out));
         benchmark::DoNotOptimize(out.positions.data());

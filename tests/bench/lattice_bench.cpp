@@ -24,7 +24,7 @@ void lattice_drag(benchmark::State& state, bool twisted, bool deformed_here)
     double height = 0;
     const auto move = [&] {
         shift.by.z = 0.001 * (++step % 50); // as a drag that comes and goes
-        Evaluated shown = evaluator(after(document, MovePoints{.object = 2, .shift = shift}), 1);
+        Evaluation shown = evaluator(after(document, MovePoints{.object = 2, .shift = shift}), 1);
         if (deformed_here) deform_parts(shown);
         if (deformed_here)
             for (const glm::vec3& p : shown.objects.at(1)->parts.front().mesh()->positions)

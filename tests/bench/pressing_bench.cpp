@@ -60,7 +60,7 @@ void press_drag(benchmark::State& state, bool deformed_here)
     double largest = 0;
     const auto move = [&] {
         press.samples.front().w = 0.001 * (++step % 100); // as a drag that comes and goes
-        Evaluated shown = evaluator(after(document, PressVolume{id, press}), 1);
+        Evaluation shown = evaluator(after(document, PressVolume{id, press}), 1);
         if (deformed_here) deform_parts(shown);
         largest = std::max(largest, shown.objects.at(id)->shaped->steps.back().done);
     };

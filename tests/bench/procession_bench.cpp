@@ -31,7 +31,7 @@ void procession(benchmark::State& state, bool deformed)
     std::size_t vertices = 0, meshes = 0;
     double frame = 1;
     const auto show = [&] {
-        Evaluated evaluated = evaluate(document, frame);
+        Evaluation evaluated = evaluate(document, frame);
         frame = frame < 200 ? frame + 1 : 1;
         if (deformed) deform_parts(evaluated);
         vertices = 0;

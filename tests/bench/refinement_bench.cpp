@@ -42,7 +42,7 @@ void refinement_million(benchmark::State& state)
         glm::dmat4(1)};
     Mesh mesh = sphere_mesh(0.49, 64, 40);
     for (glm::vec3& p : mesh.positions) p += 0.5f;
-    Refined out;
+    RefinementResult out;
     for (auto _ : state) out = refine_one(mesh, lattice, {.tolerance_world = 2.5e-5});
     state.counters["triangles"] = static_cast<double>(out.triangles());
     state.counters["not_certified"] = static_cast<double>(out.not_certified());

@@ -59,7 +59,7 @@ void scrub(benchmark::State& state, const std::vector<Track>& tracks, How how)
         const Document now = document_at(document, frame);
         if (how == How::values_alone) return benchmark::DoNotOptimize(now.objects.size());
         Evaluator fresh(assets);
-        const Evaluated evaluated = (how == How::as_the_window ? kept : fresh)(now, frame);
+        const Evaluation evaluated = (how == How::as_the_window ? kept : fresh)(now, frame);
         if (!evaluated.objects.at(2)->placement) state.SkipWithError("it does not lie there");
         vertices = 0;
         for (const Part& part : evaluated.objects.at(2)->parts)

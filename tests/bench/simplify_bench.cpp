@@ -32,7 +32,7 @@ void simplify_to_a_tenth(benchmark::State& state)
 {
     const Ref<Mesh> mesh = make_ref(bumpy_torus(state.range(0)));
     const auto after = static_cast<std::size_t>(state.range(0) / 10);
-    Simplified out;
+    SimplifiedMesh out;
     for (auto _ : state)
         out = simplified(mesh, {.triangles = after, .error = std::nullopt, .poses = {}});
     count(state, out.triangles);
@@ -42,7 +42,7 @@ BENCHMARK(simplify_to_a_tenth)->Arg(200'000)->Arg(1'000'000)->Unit(benchmark::kM
 void simplify_to_an_error(benchmark::State& state)
 {
     const Ref<Mesh> mesh = make_ref(bumpy_torus(state.range(0)));
-    Simplified out;
+    SimplifiedMesh out;
     for (auto _ : state)
         out = simplified(mesh, {.triangles = std::nullopt, .error = 0.005, .poses = {}});
     count(state, out.triangles);

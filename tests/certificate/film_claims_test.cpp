@@ -63,7 +63,7 @@ TEST_F(FilmClaims, AreProvenWhileASkinBendsInAVolumeAndTravels)
     const AnimatedExport made = exported(document, 2e-2);
     EXPECT_EQ(of(made, 5).front().way, "targets");
     EXPECT_THAT(of(made, 5).front().unproven, IsEmpty());
-    EXPECT_GT(of(made, 5).front().between, 0);
+    EXPECT_GT(of(made, 5).front().motion, 0);
     expect_holds(document, made);
 }
 
@@ -74,7 +74,7 @@ TEST_F(FilmClaims, AreProvenWhileASkinBendsByACubic)
     const std::vector<float> from(turn.values.begin(), turn.values.begin() + 4),
         to(turn.values.begin() + 4, turn.values.end());
     const std::vector<float> slope_from{0, 0, 1.5f, 0}, slope_to{0.1f, 0, -0.4f, 0.3f};
-    turn.between = Channel::Between::cubic;
+    turn.interpolation = Channel::Interpolation::cubic;
     turn.values.clear();
     for (const auto& part : {slope_from, from, slope_from, slope_to, to, slope_to})
         turn.values.insert(turn.values.end(), part.begin(), part.end());
@@ -83,7 +83,7 @@ TEST_F(FilmClaims, AreProvenWhileASkinBendsByACubic)
                                       {.clip = "bend", .repeat = Repeat::back_and_forth});
     const AnimatedExport made = exported(document, 2e-2);
     EXPECT_THAT(of(made, 5).front().unproven, IsEmpty());
-    EXPECT_GT(of(made, 5).front().between, 0);
+    EXPECT_GT(of(made, 5).front().motion, 0);
     expect_holds(document, made);
 }
 
@@ -93,7 +93,7 @@ TEST_F(FilmClaims, AreProvenBeyondTheEndOfAClipThatIsPlayedOnce)
         Model model = testing::rigged_model();
         if (steps) { // stands at its last key as it does nowhere before
             Channel& turn = model.clips[0].channels.front();
-            turn.between = Channel::Between::step;
+            turn.interpolation = Channel::Interpolation::step;
         }
         testing::write_file(folder_.file("bar.gltf"), testing::gltf_text(model));
         const Document document =
@@ -106,7 +106,7 @@ TEST_F(FilmClaims, AreProvenBeyondTheEndOfAClipThatIsPlayedOnce)
         late.time.first_frame = 5;
         const AnimatedExport held = animated_export({late, {5, 7}, 2e-2, "a.trivar"}, assets_);
         EXPECT_THAT(of(held, 5).front().unproven, IsEmpty());
-        EXPECT_LT(of(held, 5).front().between, 2e-3); // by travel alone
+        EXPECT_LT(of(held, 5).front().motion, 2e-3); // by travel alone
         expect_holds(late, held);
     }
 }
@@ -126,7 +126,7 @@ TEST_F(FilmClaims, AreProvenWhileMorphTargetsSwellInAVolume)
                         {.clip = clip, .speed = 1.3, .repeat = Repeat::back_and_forth});
             const AnimatedExport made = exported(document, 2e-2);
             EXPECT_THAT(of(made, 5).front().unproven, IsEmpty()) << clip;
-            EXPECT_GT(of(made, 5).front().between, 0) << clip;
+            EXPECT_GT(of(made, 5).front().motion, 0) << clip;
             EXPECT_LE(made.certificate.bound, 2e-2) << clip;
             expect_holds(document, made);
         }

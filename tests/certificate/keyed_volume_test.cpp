@@ -45,7 +45,7 @@ TEST_F(KeyedVolumes, AreProvenWhileControlPointsAreMoved)
                                guard));
             EXPECT_THAT(claim.unproven, IsEmpty());
             EXPECT_LE(claim.bound, 2e-3);
-            EXPECT_GT(claim.between, 0);
+            EXPECT_GT(claim.motion, 0);
         }
 }
 
@@ -56,7 +56,7 @@ TEST_F(KeyedVolumes, AreProvenWhileASkinBendsInThem)
                 {.clip = "bend", .repeat = Repeat::back_and_forth});
     const auto claim = claimed(document, 2e-2);
     EXPECT_THAT(claim.unproven, IsEmpty());
-    EXPECT_GT(claim.between, 0);
+    EXPECT_GT(claim.motion, 0);
 }
 
 TEST_F(KeyedVolumes, AreNotProvenWhereTheGuardActsOrTheyTravel)

@@ -163,12 +163,12 @@ TEST(Animate, TakesValuesBeyondARangeToItsEndAndNoScaleToZero)
 TEST(Animate, AKeptViewThatWouldLookNowhereStays)
 {
     const Document document = small_document();
-    const Camera camera = document.bookmarks.at("front");
+    const Camera camera = document.kept_views.at("front");
     const Document moved = animated(document, 0,
                                     {{"camera.front.target.x", {{1, camera.eye.x}}},
                                      {"camera.front.target.y", {{1, camera.eye.y}}},
                                      {"camera.front.target.z", {{1, camera.eye.z}}}});
-    EXPECT_EQ(document_at(moved, 1).bookmarks.at("front"), camera);
+    EXPECT_EQ(document_at(moved, 1).kept_views.at("front"), camera);
 }
 
 TEST(Animate, ReplacesAndTakesAwayOneTrackAtATime)

@@ -32,7 +32,7 @@ TEST(AssetStore, ReadsAFileOnce)
     const TemporaryFolder folder;
     write_file(folder.file("a.obj"), triangle);
     const AssetStore assets(folder.path().string());
-    const AssetStore::Loaded first = assets.load(file("a.obj"));
+    const AssetStore::LoadedModel first = assets.load(file("a.obj"));
     ASSERT_TRUE(first.model);
     EXPECT_EQ(assets.load(file("a.obj")).model, first.model);
 }
@@ -41,7 +41,7 @@ TEST(AssetStore, SaysThatAFileIsMissingAndFindsItWhenItIsBack)
 {
     const TemporaryFolder folder;
     const AssetStore assets(folder.path().string());
-    const AssetStore::Loaded missing = assets.load(file("a.obj"));
+    const AssetStore::LoadedModel missing = assets.load(file("a.obj"));
     EXPECT_FALSE(missing.model);
     ASSERT_EQ(missing.notices.size(), 1u);
     EXPECT_THAT(missing.notices.front(), HasSubstr("a.obj"));
@@ -56,7 +56,7 @@ TEST(AssetStore, SaysThatTheContentIsNotTheOneThatWasMeant)
     const std::string meant = file_hash(folder.file("a.obj"));
     EXPECT_THAT(AssetStore(folder.path().string()).load(file("a.obj", meant)).notices, IsEmpty());
     write_file(folder.file("a.obj"), square);
-    const AssetStore::Loaded changed =
+    const AssetStore::LoadedModel changed =
         AssetStore(folder.path().string()).load(file("a.obj", meant));
     EXPECT_TRUE(changed.model);
     ASSERT_EQ(changed.notices.size(), 1u);
@@ -106,7 +106,7 @@ TEST(Evaluator, SubdividesImportedCages)
     import.file.path = "a.obj";
     import.file.subdivisions = 2;
     Evaluator evaluate(std::make_shared<const AssetStore>(folder.path().string()));
-    const Evaluated result = evaluate(after({}, import));
+    const Evaluation result = evaluate(after({}, import));
     ASSERT_EQ(result.objects.at(1)->parts.size(), 1u);
     EXPECT_EQ(result.objects.at(1)->parts.front().mesh()->face_count(), 16u);
 }

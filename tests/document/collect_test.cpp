@@ -54,7 +54,7 @@ TEST(Collect, CopiesEachFileOnceAndTakesTheModelsFromThere)
     write_file(disk.file("two/leaf.obj"), rock + "# leaf\n");
     const AssetStore assets(disk.file("scene"));
     Document document = with_imports({"../one/rock.obj", "../one/rock.obj", "../two/leaf.obj"});
-    const Collected done = collect_files(document, assets, folder);
+    const Collection done = collect_files(document, assets, folder);
     EXPECT_THAT(all_in(folder), ElementsAre("leaf.obj", "rock.obj"));
     EXPECT_EQ(done.copied, 2u);
     document = after(document, *done.command);
@@ -97,10 +97,10 @@ TEST(Collect, NeverWritesOverAnotherContentAndReusesAnEqualOne)
     write_file(folder / "rock.obj", rock + "# of somebody else\n");
     const AssetStore assets(disk.file("scene"));
     const Document document = with_imports({"../one/rock.obj", "../two/rock.obj"});
-    const Collected done = collect_files(document, assets, folder.string());
+    const Collection done = collect_files(document, assets, folder.string());
     EXPECT_THAT(all_in(folder), ElementsAre("rock.obj", "rock/rock.obj", "rock_2/rock.obj"));
     EXPECT_EQ(read_text_file((folder / "rock.obj").string()), rock + "# of somebody else\n");
-    const Collected again = collect_files(document, assets, folder.string());
+    const Collection again = collect_files(document, assets, folder.string());
     EXPECT_EQ(again.copied, 0u);
     EXPECT_EQ(again.reused, 2u);
     EXPECT_EQ(again.command, done.command);

@@ -44,7 +44,7 @@ template <class T> void randomize(std::mt19937& random, T& value, const Rule& ru
     else if constexpr (std::is_same_v<T, StrokeSample>) {
         value.p_px = {random_number(random, {}) * 100, random_number(random, {}) * 100};
         value.time_s = random_number(random, {});
-        value.pressure = random_number(random, between(0, 1));
+        value.pressure = random_number(random, in_range(0, 1));
     } else if constexpr (is_optional<T>) {
         value.reset();
         if (random() % 2 == 0) randomize(random, value.emplace(), rule);
@@ -82,7 +82,7 @@ Document small_document()
              AddTeapot{.name = "Pot", .shape = {.height = 0.2, .resolution = 4}, .transform = {}},
              Group{.objects = {1}, .name = "Furniture"},
              Place{.object = 3, .sketch = small_sketch(), .parameters = {}, .onto = {}},
-             SaveCamera{.name = "front", .camera = {}}})
+             KeepView{.name = "front", .camera = {}}})
         document = after(document, command);
     return document;
 }
@@ -143,8 +143,8 @@ std::vector<Command> fitting_commands()
             AllowFolds{.object = 3, .allowance = {{{{0.25, 0, 0}, {0.5, 1, 1}}}}},
             Unshape{.object = 3, .steps = {}},
             copied(fitting_document(), {4, 3, 5}, "/models"),
-            SaveCamera{.name = "side", .camera = {}},
-            DeleteCamera{.name = "front"},
+            KeepView{.name = "side", .camera = {}},
+            ForgetView{.name = "front"},
             SetRender{.settings = {.look = "clay"}},
             SetTime{.time = {.first_frame = 0, .last_frame = 99, .frames_per_second = 29.97}},
             AddLattice{.objects = {2}, .shape = {.size = {2, 2, 2}}},

@@ -8,7 +8,7 @@
 
 namespace trivar::testing {
 
-// A box 1, a sphere 2, a teapot 3 lying on both, a group 4 with the box, a bookmark "front".
+// A box 1, a sphere 2, a teapot 3 lying on both, a group 4 with the box, a kept view "front".
 Document small_document();
 
 // With an imported model 5 as well.

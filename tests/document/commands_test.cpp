@@ -124,7 +124,7 @@ TEST(Commands, NameTheFieldThatIsWrong)
     EXPECT_THAT(rejection(d, Rename{1, "\xC3"}), HasSubstr("UTF-8"));
     EXPECT_THAT(rejection(d, Rename{1, std::string("a\0b", 3)}),
                 HasSubstr("holds the control character U+0000"));
-    EXPECT_THAT(rejection(d, DeleteCamera{"back"}), HasSubstr("\"back\""));
+    EXPECT_THAT(rejection(d, ForgetView{"back"}), HasSubstr("\"back\""));
 }
 
 TEST(Place, FallsOnEveryVisibleObjectThatDoesNotLieOnIt)

@@ -33,13 +33,13 @@ struct ForeignModel {
         write_file(folder.file("one/rock.obj"),
                    "mtllib .\\rock.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n");
     }
-    static AssetStore::Loaded load(const fs::path& path)
+    static AssetStore::LoadedModel load(const fs::path& path)
     {
         ImportedFile file;
         file.path = path.filename().string();
         return AssetStore(path.parent_path().string()).load(file);
     }
-    static bool textured(const AssetStore::Loaded& loaded)
+    static bool textured(const AssetStore::LoadedModel& loaded)
     {
         return loaded.model && loaded.model->materials.at(0).base_color_texture.image;
     }
@@ -48,7 +48,7 @@ struct ForeignModel {
 TEST(CompanionsInScenes, AreFoundThroughNamesOfOtherSystems)
 {
     const ForeignModel disk;
-    const AssetStore::Loaded loaded = disk.load(disk.folder.file("one/rock.obj"));
+    const AssetStore::LoadedModel loaded = disk.load(disk.folder.file("one/rock.obj"));
     EXPECT_TRUE(disk.textured(loaded));
     write_file(disk.folder.file("one/maps/grey stone.png"), "another picture");
     EXPECT_NE(disk.load(disk.folder.file("one/rock.obj")).content, loaded.content);
@@ -85,7 +85,7 @@ TEST(CompanionsInScenes, LeaveTheModelWhereTheyCannotBeRead)
         for (const char* open : {"", "one", "one/maps"})
             fs::permissions(disk.folder.path() / open, fs::perms(0755));
         fs::permissions(disk.folder.file(name), fs::perms::none);
-        AssetStore::Loaded loaded;
+        AssetStore::LoadedModel loaded;
         {
             const AsNobody nobody;
             loaded = disk.load(disk.folder.file("one/rock.obj"));

@@ -31,7 +31,7 @@ protected:
         import.file.up = UpAxis::z;
         return after(document, import);
     }
-    Evaluated shown(const Document& document) const
+    Evaluation shown(const Document& document) const
     {
         return Evaluator(std::make_shared<const AssetStore>(folder_.path().string()))(document);
     }
@@ -60,7 +60,7 @@ TEST_F(CurvesOfObjects, AreBentByALatticeAsVerticesAre)
     document = after(
         document,
         MovePoints{.object = 2, .shift = {.points = {{1, 1, 3}, {2, 2, 3}}, .by = {0.2, 0, 0.3}}});
-    const Evaluated there = shown(document);
+    const Evaluation there = shown(document);
     const Lattice& volume = *there.objects.at(2)->shaped->volume->volume;
     const Embedding embedding{there.objects.at(2)->placement->embedding.to_uvw, glm::dmat4(1)};
     const Line line = line_in_world(document, 1);

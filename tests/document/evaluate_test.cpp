@@ -18,7 +18,7 @@ namespace {
 using ::testing::ElementsAre, ::testing::HasSubstr, ::testing::IsEmpty;
 using testing::new_evaluator, testing::small_document, testing::small_sketch;
 
-bool has_stage(const Evaluated& evaluated, const std::string& name)
+bool has_stage(const Evaluation& evaluated, const std::string& name)
 {
     for (const Timings::Stage& stage : evaluated.timings.stages)
         if (stage.name == name) return true;
@@ -38,7 +38,7 @@ Document stacked_document()
 TEST(Evaluator, LaysWhatIsPlacedIntoTheWorldAndLeavesTheRestWhereItIs)
 {
     Evaluator evaluate = new_evaluator();
-    const Evaluated result = evaluate(small_document());
+    const Evaluation result = evaluate(small_document());
     ASSERT_EQ(result.objects.size(), 3u); // a group is nothing to see
     const EvaluatedObject& pot = *result.objects.at(3);
     ASSERT_THAT(pot.rejected, IsEmpty());
@@ -53,11 +53,11 @@ TEST(Evaluator, KeepsThePointersOfWhatDidNotChange)
 {
     Evaluator evaluate = new_evaluator();
     const Document document = small_document();
-    const Evaluated first = evaluate(document);
+    const Evaluation first = evaluate(document);
     EXPECT_EQ(evaluate(document).objects, first.objects);
-    const Evaluated renamed = evaluate(after(document, Rename{3, "Kettle"}));
+    const Evaluation renamed = evaluate(after(document, Rename{3, "Kettle"}));
     EXPECT_EQ(renamed.objects, first.objects);
-    const Evaluated painted = evaluate(after(document, SetMaterial{{3}, {}}));
+    const Evaluation painted = evaluate(after(document, SetMaterial{{3}, {}}));
     EXPECT_EQ(painted.objects.at(1), first.objects.at(1));
     EXPECT_NE(painted.objects.at(3), first.objects.at(3));
     EXPECT_EQ(painted.objects.at(3)->parts, first.objects.at(3)->parts);
@@ -68,9 +68,9 @@ TEST(Evaluator, FindsTheResultOfTheStepBeforeOnUndo)
 {
     Evaluator evaluate = new_evaluator();
     const Document before = small_document();
-    const Evaluated first = evaluate(before);
+    const Evaluation first = evaluate(before);
     evaluate(after(before, SetTransform{1, {.translation = {0, 0, 0.1}}}));
-    const Evaluated again = evaluate(before);
+    const Evaluation again = evaluate(before);
     EXPECT_EQ(again.objects, first.objects);
     EXPECT_TRUE(again.timings.stages.empty());
 }
@@ -79,11 +79,11 @@ TEST(Evaluator, LaysTheUpperOneAgainWhenTheLowerOneChanges)
 {
     Evaluator evaluate = new_evaluator();
     const Document document = stacked_document();
-    const Evaluated first = evaluate(document);
+    const Evaluation first = evaluate(document);
     ASSERT_THAT(first.objects.at(5)->rejected, IsEmpty());
     PlacementParameters flatter = object(document, 3).placement->parameters;
     flatter.height = 0.4;
-    const Evaluated result = evaluate(after(document, EditPlacement{3, flatter, {}, {}}));
+    const Evaluation result = evaluate(after(document, EditPlacement{3, flatter, {}, {}}));
     ASSERT_THAT(result.objects.at(5)->rejected, IsEmpty());
     EXPECT_LT(result.objects.at(5)->bounds->hi.z, first.objects.at(5)->bounds->hi.z - 0.05);
     EXPECT_EQ(result.objects.at(2), first.objects.at(2));
@@ -93,10 +93,10 @@ TEST(Evaluator, DoesNotTouchWhatLiesBelowWhenTheUpperOneChanges)
 {
     Evaluator evaluate = new_evaluator();
     const Document document = stacked_document();
-    const Evaluated first = evaluate(document);
+    const Evaluation first = evaluate(document);
     PlacementParameters other = object(document, 5).placement->parameters;
     other.height = 0.3;
-    const Evaluated result = evaluate(after(document, EditPlacement{5, other, {}, {}}));
+    const Evaluation result = evaluate(after(document, EditPlacement{5, other, {}, {}}));
     EXPECT_EQ(result.objects.at(3), first.objects.at(3));
     EXPECT_NE(result.objects.at(5), first.objects.at(5));
     EXPECT_TRUE(has_stage(result, "volume"));
@@ -107,7 +107,7 @@ TEST(Evaluator, DoesNotTouchWhatLiesBelowWhenTheUpperOneChanges)
 TEST(Evaluator, DeformsWhatOthersLieOnAndTheRestWhenItIsAskedFor)
 {
     Evaluator evaluate = new_evaluator();
-    Evaluated result = evaluate(stacked_document());
+    Evaluation result = evaluate(stacked_document());
     const auto is_deformed = [&](Id id) {
         return result.objects.at(id)->parts.front().bent->mesh.ready();
     };
@@ -130,8 +130,8 @@ TEST(Evaluator, HidesTheTableWithoutDroppingThePot)
 {
     Evaluator evaluate = new_evaluator();
     const Document document = small_document();
-    const Evaluated first = evaluate(document);
-    const Evaluated result = evaluate(after(document, Hide{{4}}));
+    const Evaluation first = evaluate(document);
+    const Evaluation result = evaluate(after(document, Hide{{4}}));
     EXPECT_FALSE(result.objects.contains(1));
     EXPECT_EQ(result.objects.at(3), first.objects.at(3));
     Evaluator fresh = new_evaluator();
@@ -144,12 +144,12 @@ TEST(Evaluator, SaysWhenAStrokeGivesNothingAndStandsTheObjectStraight)
     Evaluator evaluate = new_evaluator();
     Sketch sky = small_sketch();
     for (StrokeSample& sample : sky.samples) sample.p_px.y = 5;
-    const Evaluated missed =
+    const Evaluation missed =
         evaluate(after(small_document(), EditPlacement{3, {}, sky, std::nullopt}));
     EXPECT_FALSE(missed.objects.at(3)->rejected.empty());
     EXPECT_FALSE(missed.objects.at(3)->placement);
     EXPECT_FALSE(missed.objects.at(3)->parts.empty());
-    const Evaluated alone = evaluate(after(small_document(), Delete{{2, 4}}));
+    const Evaluation alone = evaluate(after(small_document(), Delete{{2, 4}}));
     EXPECT_THAT(alone.objects.at(3)->rejected, HasSubstr("is gone"));
 }
 
@@ -171,7 +171,7 @@ TEST(Evaluator, ScalesAndMirrorsBeforeItLaysDown)
 {
     Evaluator evaluate = new_evaluator();
     const Document document = small_document();
-    const Evaluated mirrored = evaluate(after(document, SetTransform{3, {.scale = {1, -1, 1}}}));
+    const Evaluation mirrored = evaluate(after(document, SetTransform{3, {.scale = {1, -1, 1}}}));
     const EvaluatedObject& pot = *mirrored.objects.at(3);
     ASSERT_THAT(pot.rejected, IsEmpty());
     // Still turned inside in: the faces' volume is positive.
@@ -190,11 +190,11 @@ TEST(Evaluator, TurnsAModelBeforeItLaysItDown)
 {
     Evaluator evaluate = new_evaluator();
     const Document document = small_document();
-    const Evaluated first = evaluate(document);
+    const Evaluation first = evaluate(document);
     const auto& straight = first.objects.at(3)->parts.front().mesh()->positions;
     Transform half = object(document, 3).transform;
     half.rotation_deg.z += 180;
-    const Evaluated second = evaluate(after(document, SetTransform{3, half}));
+    const Evaluation second = evaluate(after(document, SetTransform{3, half}));
     const auto& turned = second.objects.at(3)->parts.front().mesh()->positions;
     ASSERT_EQ(turned.size(), straight.size());
     EXPECT_NE(turned, straight);
@@ -205,7 +205,7 @@ TEST(Evaluator, CoversAnObjectWithOnePlainMaterial)
 {
     Evaluator evaluate = new_evaluator();
     const Surfacing red{{1, 0, 0, 0.5f}, 1, 0.2f};
-    const Evaluated result = evaluate(after(small_document(), SetMaterial{{2}, red}));
+    const Evaluation result = evaluate(after(small_document(), SetMaterial{{2}, red}));
     for (const Material& material : *result.objects.at(2)->materials) {
         EXPECT_EQ(material.base_color, red.base_color);
         EXPECT_EQ(material.metallic, 1);
@@ -238,7 +238,7 @@ TEST(ModelOf, HangsPartsOnTheirGroupsWhichMoveNothing)
     Evaluator evaluate = new_evaluator();
     Document document = after(small_document(), Group{{4, 2}, "All"});
     document = after(document, SetTransform{5, {.translation = {1, 2, 3}}});
-    const Evaluated evaluated = evaluate(document);
+    const Evaluation evaluated = evaluate(document);
     const Model model = model_of(evaluated, document);
     std::vector<std::string> names;
     for (const Node& node : model.nodes)
@@ -265,7 +265,7 @@ TEST(Evaluator, LeavesOutWhatIsTooLargeAndSaysSo)
     const Id id = still.next_id - 1;
     EXPECT_THAT(lacks(evaluate(still), still), IsEmpty());
     const Document document = after(still, SetTransform{id, {.scale = {1e9, 1, 1}}});
-    const Evaluated result = evaluate(document);
+    const Evaluation result = evaluate(document);
     EXPECT_THAT(result.objects.at(id)->parts, IsEmpty());
     EXPECT_TRUE(result.objects.at(id)->bounds->empty());
     EXPECT_THAT(result.objects.at(id)->notices, ElementsAre(HasSubstr("too large")));
@@ -283,7 +283,7 @@ TEST(OutOfReach, IsAPartThatGoesAndTheOthersStay)
     Lattice bent = lattice_at_rest(
         {Knots::uniform(3, 4), Knots::uniform(3, 4), Knots::uniform(3, 4)}, glm::dmat4(1));
     bent.displacement.points[5].z = std::numeric_limits<double>::infinity();
-    const Ref<Bent> lies = make_ref(Bent{Embedding{}, make_ref(bent), {}});
+    const Ref<Deformation> lies = make_ref(Deformation{Embedding{}, make_ref(bent), {}});
     EvaluatedObject object;
     object.parts = {{.rest = mesh, .key = {.mesh = 0}, .bounds = box},
                     {.rest = mesh, .to_world = far, .key = {.mesh = 1}, .bounds = box},

@@ -20,7 +20,7 @@ Document ball_in_box(const LatticeShape& shape = {})
     return after(document, AddLattice{.objects = {1}, .shape = shape});
 }
 
-Evaluated all_of(const Document& document)
+Evaluation all_of(const Document& document)
 {
     return Evaluator(std::make_shared<const AssetStore>(""))(document);
 }

@@ -63,7 +63,7 @@ TEST(LongNames, AreCutInWhatAnObjectSaysOfItsClips)
     play.playing.clip = long_name;
     history.run(play);
     Evaluator evaluator(std::make_shared<const AssetStore>(folder.path().string()));
-    const Evaluated shown = evaluator(history.document());
+    const Evaluation shown = evaluator(history.document());
     ASSERT_THAT(shown.objects.at(1)->notices, SizeIs(1));
     expect_short(shown.objects.at(1)->notices.front());
 }

@@ -50,7 +50,7 @@ TEST_F(Play, MovesWhatStandsAndWhatLiesInAVolume)
         for (const char* clip : {"bend", "swell"}) {
             Evaluator evaluate = evaluator();
             const Document moving = playing(document, {.clip = clip});
-            const Evaluated first = evaluate(moving, 1), later = evaluate(moving, 13);
+            const Evaluation first = evaluate(moving, 1), later = evaluate(moving, 13);
             EXPECT_EQ(first.objects.at(5)->rejected, "");
             EXPECT_NE(digest(first), digest(later)) << clip;
             EXPECT_EQ(first.objects.at(1), later.objects.at(1));
@@ -106,7 +106,7 @@ TEST_F(Play, SaysWhereNothingMoves)
         Model model = testing::rigged_model();
         change(model.clips[clip].channels[0]);
         testing::write_file(folder_.file("bar.gltf"), testing::gltf_text(model));
-        const Evaluated at = evaluator()(playing(laid_, {.clip = model.clips[clip].name}), 5);
+        const Evaluation at = evaluator()(playing(laid_, {.clip = model.clips[clip].name}), 5);
         EXPECT_EQ(at.objects.at(5)->rejected, "");
         return at.objects.at(5)->notices;
     };
@@ -127,7 +127,7 @@ TEST_F(Play, SaysWhereNothingMoves)
 
 TEST_F(Play, SaysWhichClipsThereAreAndWhatHasNone)
 {
-    const Evaluated result = evaluator()(playing(laid_, {.clip = "dance"}), 1);
+    const Evaluation result = evaluator()(playing(laid_, {.clip = "dance"}), 1);
     EXPECT_THAT(result.objects.at(5)->notices,
                 Contains(HasSubstr("no clip \"dance\"; it has bend, swell")));
     try {
@@ -146,7 +146,7 @@ TEST_F(Play, CyclesThatGoNowhereAreSaidAndPlayByTheClock)
     };
     for (const char* clip : {"bend", "swell"}) {
         const Document locked = travelling({.clip = clip, .foot_lock = true});
-        const Evaluated result = evaluator()(locked, 9);
+        const Evaluation result = evaluator()(locked, 9);
         EXPECT_THAT(result.objects.at(5)->notices, Contains(HasSubstr("its feet are not locked")));
         EXPECT_EQ(digest(result), digest(evaluator()(travelling({.clip = clip}), 9)));
     }
@@ -166,7 +166,7 @@ TEST_F(Play, WhatIsSubdividedStandsAndSaysSo)
 {
     EditImport edit{5, std::get<ImportedFile>(object(laid_, 5).source)};
     edit.file.subdivisions = 1;
-    const Evaluated result = evaluator()(playing(after(laid_, edit), {.clip = "swell"}), 10);
+    const Evaluation result = evaluator()(playing(after(laid_, edit), {.clip = "swell"}), 10);
     EXPECT_THAT(result.objects.at(5)->notices, Contains(HasSubstr("stands as it came")));
     EXPECT_EQ(result.objects.at(5)->rejected, "");
 }

@@ -14,13 +14,13 @@ using testing::small_document;
 
 constexpr Id pot = 3;
 
-Evaluated evaluated(const Document& document, double frame = 1)
+Evaluation evaluated(const Document& document, double frame = 1)
 {
     Evaluator evaluator(std::make_shared<const AssetStore>("/nowhere"));
     return evaluator(document, frame);
 }
 
-std::size_t triangle_count(const Evaluated& scene)
+std::size_t triangle_count(const Evaluation& scene)
 {
     std::size_t count = 0;
     for (const Part& part : scene.objects.at(pot)->parts) count += triangles(*part.rest).size();
@@ -31,7 +31,7 @@ TEST(Refining, SplitsWhatLiesInAVolumeAndGivesItBack)
 {
     const Document before = small_document();
     const Document refined = after(before, Refine{{pot}, {.tolerance = 1e-4}});
-    const Evaluated scene = evaluated(refined), plain = evaluated(before);
+    const Evaluation scene = evaluated(refined), plain = evaluated(before);
     ASSERT_TRUE(scene.objects.at(pot)->refined);
     EXPECT_LE(scene.objects.at(pot)->refined->bound, 1e-4);
     EXPECT_THAT(scene.objects.at(pot)->notices, IsEmpty());
@@ -51,7 +51,7 @@ TEST(Refining, HoldsForEveryFrame)
     document = after(document, Refine{{pot}, {.tolerance = 1e-4}});
     std::set<std::size_t> counts;
     for (const double frame : {1.0, 12.0, 30.0}) {
-        const Evaluated scene = evaluated(document, frame);
+        const Evaluation scene = evaluated(document, frame);
         ASSERT_TRUE(scene.objects.at(pot)->refined);
         EXPECT_LE(scene.objects.at(pot)->refined->bound, 1e-4);
         counts.insert(triangle_count(scene));
@@ -62,7 +62,7 @@ TEST(Refining, HoldsForEveryFrame)
 TEST(Refining, SaysWhatIsNotCertified)
 {
     const auto notice = [](const Refining& refining) {
-        const Evaluated scene = evaluated(after(small_document(), Refine{{pot}, refining}));
+        const Evaluation scene = evaluated(after(small_document(), Refine{{pot}, refining}));
         const auto& notices = scene.objects.at(pot)->notices;
         return notices.empty() ? std::string() : notices.front();
     };

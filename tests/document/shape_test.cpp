@@ -16,7 +16,7 @@ class VolumeShape : public ::testing::Test {
 protected:
     static Press press() { return {.radius = 0.5, .samples = {{0.5, 0.5, 1, 0.05}}}; }
     static Document pressed() { return after(small_document(), PressVolume{3, press()}); }
-    static const EvaluatedObject& shown(const Evaluated& evaluated)
+    static const EvaluatedObject& shown(const Evaluation& evaluated)
     {
         return *evaluated.objects.at(3);
     }
@@ -25,7 +25,7 @@ protected:
 
 TEST_F(VolumeShape, ChangesTheModelAndComesBackByUndo)
 {
-    const Evaluated before = evaluate_(small_document()), after = evaluate_(pressed());
+    const Evaluation before = evaluate_(small_document()), after = evaluate_(pressed());
     ASSERT_TRUE(shown(before).placement);
     EXPECT_FALSE(shown(before).shaped);
     ASSERT_TRUE(shown(after).shaped);
@@ -41,7 +41,7 @@ TEST_F(VolumeShape, FollowsTheStrokeWhereverThatGoes)
     wide.width = 0.5;
     const Document moved = after(pressed(), EditPlacement{3, wide, {}, {}});
     EXPECT_EQ(object(moved, 3).shaping.size(), 1u);
-    const Evaluated evaluated = evaluate_(moved);
+    const Evaluation evaluated = evaluate_(moved);
     EXPECT_GT(shown(evaluated).shaped->steps.front().done, 0);
     EXPECT_NE(digest(evaluated),
               digest(evaluate_(after(small_document(), EditPlacement{3, wide, {}, {}}))));
@@ -80,7 +80,7 @@ TEST_F(VolumeShape, MayFoldWhereThatIsAllowedAndNowhereElse)
 {
     const MovePoints far{3, {.points = {{16, 4, 3}}, .by = {1, 0, 0}}};
     const auto done = [&](const Document& document) {
-        const Evaluated evaluated = evaluate_(after(document, far));
+        const Evaluation evaluated = evaluate_(after(document, far));
         const ShapedVolume& shaped = *shown(evaluated).shaped;
         EXPECT_TRUE((*shaped.volume->verdicts).good());
         EXPECT_TRUE(shown(evaluated).placement->report.folds.empty());
@@ -118,7 +118,7 @@ TEST_F(VolumeShape, ThatFitsNoMoreIsPassedOverAndSaid)
 {
     const Document document =
         after(pressed(), MovePoints{3, {.points = {{500, 0, 0}}, .by = {0, 0, 0.1}}});
-    const Evaluated evaluated = evaluate_(document);
+    const Evaluation evaluated = evaluate_(document);
     ASSERT_FALSE(shown(evaluated).notices.empty());
     EXPECT_NE(shown(evaluated).notices.back().find("step 2"), std::string::npos);
     EXPECT_EQ(digest(evaluated), digest(evaluate_(pressed())));

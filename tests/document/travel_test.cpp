@@ -59,7 +59,7 @@ TEST(Travel, DeformsWhatMovesAndNothingElse)
 {
     Evaluator evaluate = new_evaluator();
     const Document document = with_travel({.speed = 0.4});
-    const Evaluated first = evaluate(document, 1), later = evaluate(document, 30);
+    const Evaluation first = evaluate(document, 1), later = evaluate(document, 30);
     EXPECT_EQ(later.objects.at(1), first.objects.at(1));
     EXPECT_NE(later.objects.at(3), first.objects.at(3));
     EXPECT_EQ(later.objects.at(3)->placement, first.objects.at(3)->placement); // not laid again
@@ -171,13 +171,13 @@ TEST(PlaceRound, GoesRoundAndRoundAndMovesWithWhatItLiesOn)
     const Document still = after(small_document(), PlaceRound{3, 2, 0.1, p});
     const Document document = after(still, SetTravel{{3}, {.speed = 0.4, .ends = Ends::loop}});
     Evaluator evaluate = new_evaluator();
-    const Evaluated a = evaluate(document, 1), b = evaluate(document, 90);
+    const Evaluation a = evaluate(document, 1), b = evaluate(document, 90);
     EXPECT_TRUE(a.objects.at(3)->rejected.empty());
     EXPECT_TRUE(a.objects.at(3)->notices.empty());
     EXPECT_NE(digest(a), digest(b));
     Transform aside = object(document, 2).transform;
     aside.translation.x += 5;
-    const Evaluated moved = evaluate(after(document, SetTransform{2, aside}), 1);
+    const Evaluation moved = evaluate(after(document, SetTransform{2, aside}), 1);
     EXPECT_NEAR(moved.objects.at(3)->bounds->lo.x, a.objects.at(3)->bounds->lo.x + 5, 1e-5);
 }
 

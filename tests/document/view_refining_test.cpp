@@ -14,7 +14,7 @@ using testing::small_document;
 
 constexpr Id seen_pot = 3;
 
-Evaluated evaluated_pot()
+Evaluation evaluated_pot()
 {
     Evaluator evaluator(std::make_shared<const AssetStore>("/nowhere"));
     return evaluator(small_document());
@@ -28,7 +28,7 @@ Camera camera_towards(const Box& box, const glm::dvec3& from)
     return camera;
 }
 
-bool in_picture(const Camera& camera, const Projected& p)
+bool in_picture(const Camera& camera, const PicturePoint& p)
 {
     return p.depth_world > 0 && p.p_px.x >= 0 && p.p_px.y >= 0 && p.p_px.x <= camera.size_px.x &&
            p.p_px.y <= camera.size_px.y;
@@ -48,11 +48,11 @@ double furthest_seen(const EvaluatedObject& object, const Camera& camera, int st
                                b * glm::dvec3(mesh.positions[t.y]) +
                                c * glm::dvec3(mesh.positions[t.z]);
                     };
-                    const Projected drawn = project(camera, mixed(*part.mesh())),
-                                    truth = project(camera,
-                                                    deform(mixed(*part.rest), part.bent->embedding,
-                                                           *part.bent->volume)
-                                                        .position_world);
+                    const PicturePoint drawn = project(camera, mixed(*part.mesh())),
+                                       truth = project(camera, deform(mixed(*part.rest),
+                                                                      part.bent->embedding,
+                                                                      *part.bent->volume)
+                                                                   .position_world);
                     if (in_picture(camera, drawn) || in_picture(camera, truth))
                         most = std::max(most, glm::distance(drawn.p_px, truth.p_px));
                 }
@@ -61,7 +61,7 @@ double furthest_seen(const EvaluatedObject& object, const Camera& camera, int st
 
 TEST(ViewRefining, KeepsWhatIsSeenWithinItsPixels)
 {
-    const Evaluated scene = evaluated_pot();
+    const Evaluation scene = evaluated_pot();
     const Box box = *scene.objects.at(seen_pot)->bounds;
     ViewRefining refining;
     for (const glm::dvec3 from : {glm::dvec3(0.3, -0.7, 0.4), {-1, -2, 0.5}, {4, 4, 4}})
@@ -82,7 +82,7 @@ TEST(ViewRefining, KeepsWhatIsSeenWithinItsPixels)
 
 TEST(ViewRefining, SplitsMoreTheNearerAndNothingThatIsOutOfSight)
 {
-    const Evaluated scene = evaluated_pot();
+    const Evaluation scene = evaluated_pot();
     const Box box = *scene.objects.at(seen_pot)->bounds;
     ViewRefining refining;
     const auto count = [&](const Camera& camera) { return refining(scene, camera, 1).triangles; };
@@ -99,7 +99,7 @@ TEST(ViewRefining, SplitsMoreTheNearerAndNothingThatIsOutOfSight)
 
 TEST(ViewRefining, DoesNothingAnewForACameraThatHardlyMoves)
 {
-    const Evaluated scene = evaluated_pot();
+    const Evaluation scene = evaluated_pot();
     const Box box = *scene.objects.at(seen_pot)->bounds;
     ViewRefining refining;
     Camera camera = camera_towards(box, {0, -2, 0.5});
@@ -115,7 +115,7 @@ TEST(ViewRefining, DoesNothingAnewForACameraThatHardlyMoves)
 
 TEST(ViewRefining, SaysWhatABudgetLeavesOverAndWhatSinglePrecisionDoes)
 {
-    const Evaluated scene = evaluated_pot();
+    const Evaluation scene = evaluated_pot();
     const Box box = *scene.objects.at(seen_pot)->bounds;
     const Camera near = camera_towards(box, {0, -0.7, 0.2});
     const std::size_t before =
@@ -129,7 +129,7 @@ TEST(ViewRefining, SaysWhatABudgetLeavesOverAndWhatSinglePrecisionDoes)
 
 TEST(ViewRefining, LeavesTheEffectsOfTheDocumentAsTheyAre)
 {
-    const Evaluated scene = evaluated_pot();
+    const Evaluation scene = evaluated_pot();
     const std::string before = digest(scene);
     ViewRefining refining;
     const SeenEffects seen =

@@ -82,7 +82,7 @@ Contacts contacts_of(const Document& document)
 {
     constexpr int samples_a_period = 125, samples = 2 * samples_a_period;
     Evaluator evaluate = evaluator_of_files();
-    const Evaluated first = evaluate(document, 1);
+    const Evaluation first = evaluate(document, 1);
     const Walk& walk = *first.objects.at(2)->walk;
     const double stride = walk.natural_speed * walk.gait->period_s;
     const double frames = stride / std::abs(object(document, 2).travel.speed) *

@@ -123,7 +123,7 @@ inline SceneFile scene_of_long_names()
     import.file.path = words + ".obj";
     import.name = words;
     scene.run(import);
-    SaveCamera camera;
+    KeepView camera;
     camera.name = words;
     scene.run(camera);
     return scene;

@@ -127,7 +127,7 @@ TEST_F(AnimatedExports, ShrinkWhatIsNotShownToAPoint)
     ASSERT_EQ(made.model.clips.size(), 1u);
     const Channel& shown = made.model.clips.front().channels.front();
     EXPECT_EQ(shown.of, Channel::Of::scale);
-    EXPECT_EQ(shown.between, Channel::Between::step);
+    EXPECT_EQ(shown.interpolation, Channel::Interpolation::step);
     EXPECT_THAT(value_at(shown, 2.9 / 12), ::testing::Each(1.0));
     EXPECT_THAT(value_at(shown, 3.1 / 12), ::testing::Each(0.0));
 }

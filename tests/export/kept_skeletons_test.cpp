@@ -37,11 +37,11 @@ protected:
 };
 
 // A channel that goes up, down and up by a way, with its first key after the clip begins.
-Channel some_channel(Channel::Of of, Channel::Between between)
+Channel some_channel(Channel::Of of, Channel::Interpolation interpolation)
 {
-    Channel out{0, of, between, {0.1f, 0.3f, 0.45f, 0.8f}, {}, 3};
+    Channel out{0, of, interpolation, {0.1f, 0.3f, 0.45f, 0.8f}, {}, 3};
     if (of == Channel::Of::rotation) out.components = 4;
-    const bool cubic = between == Channel::Between::cubic;
+    const bool cubic = interpolation == Channel::Interpolation::cubic;
     for (int key = 0; key < 4; ++key)
         for (int part = cubic ? 0 : 1; part < (cubic ? 3 : 2); ++part) {
             const float angle = 0.7f * static_cast<float>(key % 2 + key);
@@ -60,19 +60,20 @@ TEST_F(KeptSkeletons, HaveChannelsThatAreTheClipsOwnHoweverItIsPlayed)
     for (const Repeat repeat : {Repeat::once, Repeat::loop, Repeat::back_and_forth})
         for (const double speed : {1.0, -0.7, 2.3, 0.0})
             for (const auto of : {Channel::Of::translation, Channel::Of::rotation})
-                for (const auto between :
-                     {Channel::Between::step, Channel::Between::linear, Channel::Between::cubic}) {
+                for (const auto interpolation :
+                     {Channel::Interpolation::step, Channel::Interpolation::linear,
+                      Channel::Interpolation::cubic}) {
                     const Document document = playing(still_, {.clip = "wave",
                                                                .speed = speed,
                                                                .repeat = repeat,
                                                                .offset = 0.2,
                                                                .start_frame = 6});
-                    const Channel channel = some_channel(of, between);
+                    const Channel channel = some_channel(of, interpolation);
                     const Channel kept = played(channel, played_time(document, 5, clip, moments));
-                    EXPECT_EQ(kept.between, between);
+                    EXPECT_EQ(kept.interpolation, interpolation);
                     EXPECT_EQ(kept.times_s.front(), 0);
                     EXPECT_NEAR(kept.times_s.back(), speed == 0 ? kept.times_s.back() : 37.0 / 12,
-                                between == Channel::Between::step ? 10 : 1e-6);
+                                interpolation == Channel::Interpolation::step ? 10 : 1e-6);
                     const Playing& playing = object(document, 5).playing;
                     for (int i = 0; i <= 997; ++i) {
                         const double film_s = 37.0 / 12 * i / 997, since = film_s - 3.0 / 12;
@@ -85,7 +86,7 @@ TEST_F(KeptSkeletons, HaveChannelsThatAreTheClipsOwnHoweverItIsPlayed)
                         for (std::size_t c = 0; c < shown.size(); ++c)
                             ASSERT_NEAR(sign * shown[c], meant[c], 2e-5)
                                 << int(repeat) << " " << speed << " " << int(of) << " "
-                                << int(between) << " at " << film_s;
+                                << int(interpolation) << " at " << film_s;
                     }
                 }
 }

@@ -176,8 +176,8 @@ TEST(Deform, ReusesStorageWhateverItHolds)
     const Mesh mesh = scattered_points(5000);
     const Lattice lattice = random_lattice(uniform_axes(4, 6), 0.1);
     const Deformer deformer(make_ref(mesh), {}, lattice.displacement.axes);
-    const Deformed fresh = deformer.arrays(lattice);
-    Deformed used{{{1, 2, 3}}, std::vector<glm::vec3>(9999), {}};
+    const DeformedArrays fresh = deformer.arrays(lattice);
+    DeformedArrays used{{{1, 2, 3}}, std::vector<glm::vec3>(9999), {}};
     used = deformer.arrays(lattice, std::move(used));
     EXPECT_EQ(used.positions, fresh.positions);
     EXPECT_EQ(used.normals, fresh.normals);

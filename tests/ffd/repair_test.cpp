@@ -37,7 +37,7 @@ Lattice with_a_point_pulled_through()
     return moved(lattice, std::span(&move, 1));
 }
 
-double ground_moved(const Unfolded& out)
+double ground_moved(const UnfoldedLattice& out)
 {
     double most = 0;
     for (const PointMove& move : out.moves)
@@ -45,7 +45,7 @@ double ground_moved(const Unfolded& out)
     return most;
 }
 
-void expect_repaired(const Lattice& folded, const Unfolded& out)
+void expect_repaired(const Lattice& folded, const UnfoldedLattice& out)
 {
     ASSERT_TRUE(out.certified);
     EXPECT_TRUE(judge(out.lattice).good());
@@ -59,7 +59,7 @@ TEST(Repair, OpensAFoldedRoofAndLeavesTheGround)
 {
     const Lattice folded = bent_box(1, 1.3);
     ASSERT_EQ(verdict_of(folded), Verdict::proven_bad);
-    const Unfolded out = unfolded(folded);
+    const UnfoldedLattice out = unfolded(folded);
     expect_repaired(folded, out);
     EXPECT_EQ(ground_moved(out), 0);
     EXPECT_EQ(out.tried.size(), 5u);
@@ -68,7 +68,7 @@ TEST(Repair, OpensAFoldedRoofAndLeavesTheGround)
 TEST(Repair, PutsBackAPointThatWasPulledThroughItsNeighbours)
 {
     const Lattice folded = with_a_point_pulled_through();
-    const Unfolded out = unfolded(folded);
+    const UnfoldedLattice out = unfolded(folded);
     expect_repaired(folded, out);
     EXPECT_LT(out.taken.moved_most, 0.9 * glm::length(glm::dvec3(folded.rest[0])));
     EXPECT_EQ(unfolded(folded).lattice, out.lattice); // the same again
@@ -154,7 +154,7 @@ TEST(Repair, MovesTheGroundOnlyWhereItMust)
         {Knots::uniform(3, 6), Knots::uniform(3, 6), Knots::uniform(2, 3)}, glm::dmat4(1));
     for (int k = 0; k < 3; ++k) // a whole column, its foot too
         folded.displacement.points[folded.displacement.index(2, 2, k)].x += 0.7;
-    const Unfolded out = unfolded(folded);
+    const UnfoldedLattice out = unfolded(folded);
     expect_repaired(folded, out);
     EXPECT_EQ(ground_moved(out) > 0, out.taken.ground_yields);
 }
@@ -169,7 +169,7 @@ TEST(Repair, LeavesWhatIsGoodAndWhatIsExcepted)
     options.guard.excepted.push_back({{0, 0, 0}, {1, 1, 1}});
     EXPECT_TRUE(unfolded(folded, options).moves.empty());
     options.guard.excepted[0].hi.x = 0.3; // the rest of the fold is mended from the other side
-    const Unfolded out = unfolded(folded, options);
+    const UnfoldedLattice out = unfolded(folded, options);
     for (const PointMove& move : out.moves)
         EXPECT_GT(folded.displacement.axes[0].greville(move.index.x), 0.3);
 }
@@ -179,7 +179,7 @@ TEST(Repair, SaysWhereItCannot)
     Lattice flat = lattice_at_rest(
         {Knots::uniform(3, 5), Knots::uniform(3, 5), Knots::uniform(3, 5)}, glm::dmat4(1));
     flat.rest[2] = glm::dvec4(0);
-    const Unfolded out = unfolded(flat);
+    const UnfoldedLattice out = unfolded(flat);
     EXPECT_FALSE(out.certified);
     EXPECT_EQ(out.lattice, flat);
     EXPECT_TRUE(out.moves.empty());

@@ -66,7 +66,7 @@ TEST(Resolution, CoarseningSaysHowFarItIsOff)
     for (const Knots& axis : all_axes()) {
         const Lattice lattice = with_axis(axis);
         if (axis.count() == axis.order()) continue;
-        const Coarsened out = coarsened(lattice, 0, axis.count() - 1);
+        const CoarserLattice out = coarsened(lattice, 0, axis.count() - 1);
         EXPECT_EQ(out.lattice.displacement.axes[0].count(), axis.count() - 1);
         EXPECT_GE(out.deviation, largest_sampled_difference(lattice, out.lattice));
         EXPECT_LT(out.deviation, 4); // of displacements up to 0.7
@@ -83,7 +83,7 @@ TEST(Resolution, CoarseningTakesBackWhatWasRefined)
         const std::vector<double> breaks = axis.breaks();
         for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
             middles[0].push_back((breaks[i] + breaks[i + 1]) / 2);
-        const Coarsened out = coarsened(refined(lattice, middles), 0, 9);
+        const CoarserLattice out = coarsened(refined(lattice, middles), 0, 9);
         EXPECT_LT(out.deviation, 1e-11);
         EXPECT_LT(largest_difference(lattice, out.lattice), 1e-11);
     }

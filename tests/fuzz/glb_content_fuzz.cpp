@@ -20,7 +20,7 @@ const trivar::Part& bent_box()
         trivar::Lattice lattice = trivar::lattice_at_rest({knots, knots, knots}, glm::dmat4(1));
         lattice.displacement.points[5] = {0.1, 0.2, 0.3};
         trivar::Part out{.rest = trivar::make_ref(trivar::box_mesh({1, 1, 1}, {1, 1, 1}))};
-        out.bent = trivar::make_ref(trivar::Bent{
+        out.bent = trivar::make_ref(trivar::Deformation{
             {}, trivar::make_ref(std::move(lattice)), trivar::Lazy<trivar::Ref<trivar::Mesh>>([] {
                 return trivar::Ref<trivar::Mesh>();
             })});

@@ -58,7 +58,7 @@ void check_shown(const Document& document, const std::string& path)
     const std::string folder = std::filesystem::path(path).parent_path().string();
     Evaluator evaluator(std::make_shared<const AssetStore>(folder));
     for (const double frame : {1.0 * document.time.first_frame, 1.0 * document.time.last_frame}) {
-        Evaluated shown = evaluator(document, frame);
+        Evaluation shown = evaluator(document, frame);
         deform_parts(shown);
         for (const auto& [id, object] : shown.objects) {
             check_sentences(object->notices);

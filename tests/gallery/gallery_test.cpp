@@ -28,7 +28,7 @@ constexpr glm::ivec2 gallery_size_px{1280, 720};
 
 struct Scene {
     Document document;
-    Evaluated evaluated;
+    Evaluation evaluated;
 };
 
 // The models as this build made them, in whatever folder it is.
@@ -119,7 +119,7 @@ TEST_P(Gallery, LaysNothingIntoWhatItLiesOn)
     EXPECT_LE(seen, rays / 200) << "of " << rays;
 }
 
-Deformed arrays_of(const Mesh& mesh)
+DeformedArrays arrays_of(const Mesh& mesh)
 {
     return {mesh.positions, mesh.normals, mesh.tangents};
 }
@@ -136,7 +136,7 @@ TEST_P(Gallery, IsPosedAndDeformedAlikeInEveryWay)
     std::size_t vertices = 0;
     for (const int frame :
          {document.time.first_frame, (document.time.first_frame + document.time.last_frame) / 2}) {
-        const Evaluated evaluated = evaluator(document, frame);
+        const Evaluation evaluated = evaluator(document, frame);
         ShownValues none;
         const gpu::Picture picture =
             picture_of(evaluated, document, {}, none, gpu::DeformBy::two_phases);
@@ -183,7 +183,7 @@ TEST_P(Motion, ShowsTheSceneInSixOfItsFrames)
     std::vector<Image> pictures;
     for (const int frame : evenly_chosen(frames, 6)) {
         const Document now = document_at(document, frame);
-        const Evaluated evaluated = evaluator(document, frame);
+        const Evaluation evaluated = evaluator(document, frame);
         const Camera camera = picture_camera(evaluated, now, size_px);
         pictures.push_back(renderer.render(picture_of(evaluated, now, camera, values), size_px));
     }

@@ -43,7 +43,8 @@ bool beside_a_jump(const Knots& knots, double t)
 }
 
 // Normals and tangents of points beside a jump are the other's: they may be either side's.
-Deformed settled(Deformed found, const Deformed& other, const Mesh& mesh, const Stage& stage)
+DeformedArrays settled(DeformedArrays found, const DeformedArrays& other, const Mesh& mesh,
+                       const Stage& stage)
 {
     for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
         const glm::dvec3 uvw(stage.embedding.to_uvw * glm::dvec4(mesh.positions[i], 1));
@@ -61,7 +62,7 @@ class DeformedInEveryWay : public DeformedByTheDevice {
 protected:
     void expect_agreement(const Mesh& mesh, const Stage& stage)
     {
-        const Deformed processor = by_processor(mesh, {stage});
+        const DeformedArrays processor = by_processor(mesh, {stage});
         expect_equal(settled(by_vertex_shader(mesh, {stage}), processor, mesh, stage), processor);
         expect_equal(settled(by_device(mesh, {stage}), processor, mesh, stage), processor);
     }
@@ -105,7 +106,7 @@ TEST_F(DeformedInEveryWay, AMillionPointsAgreeThroughTwoVolumes)
     const std::vector<Stage> stages{
         stage_of(equal_axes(3, 6), 0.02, {half, some_affine_map()}),
         stage_of(band, 0.02, {half * glm::inverse(some_affine_map()), glm::dmat4(1)})};
-    const Deformed processor = by_processor(mesh, stages);
+    const DeformedArrays processor = by_processor(mesh, stages);
     expect_equal(by_vertex_shader(mesh, stages), processor);
     expect_equal(by_device(mesh, stages), processor);
 }

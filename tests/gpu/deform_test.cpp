@@ -60,7 +60,7 @@ TEST_F(DeformedByTheDevice, AnUntouchedLatticeGivesTheVeryBitsBack)
 {
     const Mesh mesh = scattered_points(5000, -1, 2);
     const auto still = make_ref(lattice_at_rest(equal_axes(4, 6), glm::dmat4(1)));
-    const Deformed out = by_device(mesh, {{still, {}}});
+    const DeformedArrays out = by_device(mesh, {{still, {}}});
     EXPECT_EQ(trivar::testing::bits(out.positions), trivar::testing::bits(mesh.positions));
 }
 
@@ -97,7 +97,7 @@ TEST_F(DeformedByTheDevice, StorageAndTexelsAreReadAlike)
     const Stage stage = stage_of(equal_axes(3, 5), 0.02);
     DeviceLimits limits = device_limits();
     limits.reads_texels = !limits.reads_texels;
-    const Deformed one = by_device(mesh, {stage});
+    const DeformedArrays one = by_device(mesh, {stage});
     deformer = DeviceDeformer(limits);
     expect_equal(by_device(mesh, {stage}), one);
     expect_equal(by_vertex_shader(mesh, {stage}), one);
@@ -133,7 +133,7 @@ TEST_F(DeformedByTheDevice, OrderRaisingAndDifferencesComeNear)
     const Mesh mesh = scattered_points(20000);
     const std::vector<Stage> stages{
         stage_of(equal_axes(3, 6), 0.02)}; // cubics take long to compile
-    Deformed exact = by_processor(mesh, stages);
+    DeformedArrays exact = by_processor(mesh, stages);
     exact.tangents.clear();
     for (const Sum sum : {Sum::nested, Sum::raised, Sum::filtered}) {
         const DeformErrors d =

@@ -20,7 +20,7 @@ inline std::array<Knots, 3> equal_axes(int order, int count)
 }
 
 // As near as one way has to come to another.
-inline void expect_equal(const Deformed& a, const Deformed& b)
+inline void expect_equal(const DeformedArrays& a, const DeformedArrays& b)
 {
     ASSERT_EQ(a.positions.size(), b.positions.size());
     ASSERT_EQ(a.normals.size(), b.normals.size());
@@ -33,7 +33,7 @@ inline void expect_equal(const Deformed& a, const Deformed& b)
         ASSERT_EQ(a.tangents[i].w, b.tangents[i].w) << "tangent " << i;
 }
 
-inline Deformed by_processor(const Mesh& mesh, const std::vector<Stage>& stages)
+inline DeformedArrays by_processor(const Mesh& mesh, const std::vector<Stage>& stages)
 {
     Mesh out = mesh;
     for (const Stage& stage : stages) out = deform(out, stage.embedding, *stage.lattice);
@@ -45,8 +45,8 @@ protected:
     DeviceDeformer deformer;
     BlindDraw draw;
 
-    Deformed by_device(const Mesh& mesh, const std::vector<Stage>& stages,
-                       const Method& method = {})
+    DeformedArrays by_device(const Mesh& mesh, const std::vector<Stage>& stages,
+                             const Method& method = {})
     {
         const DeviceVertices from = uploaded_vertices(mesh);
         DeviceVertices to;
@@ -55,7 +55,7 @@ protected:
     }
 
     // What the vertex shader makes of it as it draws: the last volume, the others before.
-    Deformed by_vertex_shader(const Mesh& mesh, const std::vector<Stage>& stages)
+    DeformedArrays by_vertex_shader(const Mesh& mesh, const std::vector<Stage>& stages)
     {
         DeviceVertices from = uploaded_vertices(mesh), between;
         const std::span<const Stage> first(stages.data(), stages.size() - 1);

@@ -74,7 +74,8 @@ TEST_F(Poses, AreThoseOfTheProcessor)
         for (const int targets : {0, 1, 2, 3})
             for (const bool tangents : {true, false}) {
                 const Ref<Mesh> mesh = make_ref(random_rig(targets, skinned, tangents));
-                const Ref<Posed> posed = posed_later(mesh, random_pose(*mesh, skinned ? 9 : 0, 3));
+                const Ref<PosedMesh> posed =
+                    posed_later(mesh, random_pose(*mesh, skinned ? 9 : 0, 3));
                 Programs programs;
                 DevicePoser poser(programs);
                 const DeviceVertices from = uploaded_vertices(*mesh);
@@ -90,7 +91,7 @@ TEST_F(Poses, AreThoseOfTheProcessor)
             }
 }
 
-Picture picture_with(const Ref<Posed>& posed, const std::vector<Stage>& stages, DeformBy by)
+Picture picture_with(const Ref<PosedMesh>& posed, const std::vector<Stage>& stages, DeformBy by)
 {
     Picture picture;
     picture.camera.eye = {1, -6, 4};
@@ -113,7 +114,7 @@ Picture picture_with(const Ref<Posed>& posed, const std::vector<Stage>& stages, 
     return picture;
 }
 
-Ref<Posed> bent_bar(const Model& model, double time_s)
+Ref<PosedMesh> bent_bar(const Model& model, double time_s)
 {
     return posed_later(model.meshes[0],
                        pose_of(model, 0, stance_at(model, &model.clips[0], time_s)));

@@ -75,7 +75,8 @@ class Report {
 public:
     void add(const std::string& name, const Lattice& lattice, const std::vector<RefinePart>& parts)
     {
-        const Refined out = refine(parts, lattice, {.tolerance_world = 1e-3 * diagonal(lattice)});
+        const RefinementResult out =
+            refine(parts, lattice, {.tolerance_world = 1e-3 * diagonal(lattice)});
         std::vector<double> all;
         for (std::size_t p = 0; p < parts.size(); ++p)
             for (const double r : ratios(lattice, out.parts[p], parts[p].embedding))
@@ -105,7 +106,7 @@ void scene(Report& report, const std::string& path)
     const Document document = replay(read_log(read_text_file(path), path)).document();
     Evaluator evaluator(
         std::make_shared<const AssetStore>(TRIVAR_SOURCE_DIR "/assets/scenes", made_models()));
-    const Evaluated evaluated = evaluator(document);
+    const Evaluation evaluated = evaluator(document);
     for (const auto& [id, object] : evaluated.objects) {
         std::vector<RefinePart> parts;
         for (const Part& part : object->parts)

@@ -88,7 +88,7 @@ int main(int argc, char** argv)
             const Lattice lattice = folded(static_cast<int>(kind), noise);
             if (judge(lattice).good()) continue;
             ++seen;
-            const Unfolded out = unfolded(lattice);
+            const UnfoldedLattice out = unfolded(lattice);
             if (!out.certified) continue;
             ++helped;
             double second = 1e300;

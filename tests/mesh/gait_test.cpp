@@ -65,7 +65,7 @@ Model walker(const Hand& hand = {})
         const int hip = node("hip", trunk, {0, 0.2 * side, -0.4}, 1);
         const glm::dvec3 rest(0, 0, -0.55);
         const int foot = node("foot", hip, rest, 2);
-        Channel channel{foot, Channel::Of::translation, Channel::Between::linear, {}, {}, 3};
+        Channel channel{foot, Channel::Of::translation, Channel::Interpolation::linear, {}, {}, 3};
         constexpr int keys = 200;
         for (int k = 0; k <= keys; ++k) {
             const double share = static_cast<double>(k) / keys;
@@ -75,7 +75,7 @@ Model walker(const Hand& hand = {})
                 channel.values.push_back(static_cast<float>(p[axis]));
         }
         clip.channels.push_back(channel);
-        Channel turn{foot, Channel::Of::rotation, Channel::Between::linear, {}, {}, 4};
+        Channel turn{foot, Channel::Of::rotation, Channel::Interpolation::linear, {}, {}, 4};
         turn.times_s = channel.times_s;
         for (int k = 0; k <= keys; ++k) {
             const double share = static_cast<double>(k) / keys;

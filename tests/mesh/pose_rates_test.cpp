@@ -8,7 +8,7 @@ namespace trivar {
 namespace {
 
 // A chain of three nodes that turn, move and grow.
-Model chain(Channel::Between turns = Channel::Between::linear)
+Model chain(Channel::Interpolation turns = Channel::Interpolation::linear)
 {
     Model model;
     for (int n = 0; n < 3; ++n) {
@@ -25,9 +25,9 @@ Model chain(Channel::Between turns = Channel::Between::linear)
         turn.of = Channel::Of::rotation;
         turn.components = 4;
         turn.times_s = {0, 0.5f, 1};
-        turn.between = turns;
+        turn.interpolation = turns;
         turn.values = {0, 0, 0, 1, 0, 0.6f, 0, 0.8f, 0.48f, 0.36f, 0, 0.8f};
-        if (turns == Channel::Between::cubic) {
+        if (turns == Channel::Interpolation::cubic) {
             const std::vector<float> at = turn.values, slope{0.5f, 0.2f, -0.3f, 0};
             turn.values.clear();
             for (std::ptrdiff_t key = 0; key < 3; ++key) {
@@ -88,7 +88,7 @@ TEST(PoseRates, BoundTheDerivativesOfEveryPoint)
 
 TEST(PoseRates, BoundTheDerivativesOfCubicRotations)
 {
-    const Model model = chain(Channel::Between::cubic);
+    const Model model = chain(Channel::Interpolation::cubic);
     for (const double from : {0.1, 0.6, 0.9}) expect_bounds(model, from, from + 0.05);
 }
 
@@ -96,7 +96,7 @@ TEST(PoseRates, BoundTheDerivativesOfWeights)
 {
     Model model = testing::rigged_model();
     Channel& weights = model.clips[1].channels.front();
-    weights.between = Channel::Between::cubic;
+    weights.interpolation = Channel::Interpolation::cubic;
     weights.values = {0, 0.2f, 3, -2, 0.9f, 0}; // tangent in, value, tangent out
     const Clip& clip = model.clips[1];
     const std::vector<Rates> rates = weight_rates(model, clip, 0, 0.25, 0.75);
@@ -108,7 +108,7 @@ TEST(PoseRates, BoundTheDerivativesOfWeights)
         EXPECT_LE(std::abs(at(t + h) - at(t - h)) / (2 * h), rates[0].first);
         EXPECT_LE(std::abs(at(t + h) - 2 * at(t) + at(t - h)) / (h * h), rates[0].second + 1e-4);
     }
-    weights.between = Channel::Between::linear;
+    weights.interpolation = Channel::Interpolation::linear;
     weights.values = {0, 1};
     const Rates even = weight_rates(model, clip, 0, 0.25, 0.75).front();
     EXPECT_DOUBLE_EQ(even.most, 0.75);
@@ -118,7 +118,7 @@ TEST(PoseRates, BoundTheDerivativesOfWeights)
 
 TEST(PoseRates, SayNothingOfARotationThatMayBeNone)
 {
-    Model model = chain(Channel::Between::cubic);
+    Model model = chain(Channel::Interpolation::cubic);
     Channel& turn = model.clips.front().channels.front();
     EXPECT_TRUE(local_rates(model, model.clips.front(), 0.7, 0.8));
     for (std::size_t i = 0; i < 4; ++i) turn.values[28 + i] *= -1; // the last key's

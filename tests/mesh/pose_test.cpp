@@ -11,16 +11,16 @@ namespace {
 
 using testing::rigged_model;
 
-Channel channel(Channel::Between between, std::vector<float> values)
+Channel channel(Channel::Interpolation interpolation, std::vector<float> values)
 {
-    return {0, Channel::Of::translation, between, {1, 2, 4}, std::move(values), 3};
+    return {0, Channel::Of::translation, interpolation, {1, 2, 4}, std::move(values), 3};
 }
 
 TEST(Clip, HoldsJoinsAndCurvesBetweenKeys)
 {
     const std::vector<float> keys{0, 0, 0, 8, 0, 0, 0, 4, 0};
-    const Channel step = channel(Channel::Between::step, keys),
-                  linear = channel(Channel::Between::linear, keys);
+    const Channel step = channel(Channel::Interpolation::step, keys),
+                  linear = channel(Channel::Interpolation::linear, keys);
     EXPECT_EQ(value_at(step, 1.99)[0], 0);
     EXPECT_EQ(value_at(step, 2)[0], 8);
     EXPECT_EQ(value_at(linear, 1.25)[0], 2);
@@ -32,7 +32,7 @@ TEST(Clip, HoldsJoinsAndCurvesBetweenKeys)
     // x = t^3 - 2 t + 5 is a cubic: Hermite's form of it is it.
     const auto x = [](double t) { return t * t * t - 2 * t + 5; };
     const auto slope = [](double t) { return 3 * t * t - 2; };
-    Channel cubic{0, Channel::Of::translation, Channel::Between::cubic, {1, 2, 4}, {}, 3};
+    Channel cubic{0, Channel::Of::translation, Channel::Interpolation::cubic, {1, 2, 4}, {}, 3};
     for (const double t : {1.0, 2.0, 4.0})
         for (const double v : {slope(t), x(t), slope(t)})
             cubic.values.insert(cubic.values.end(), {float(v), 0, 0});
@@ -46,7 +46,7 @@ TEST(Clip, TurnsTheShorterWayAtConstantSpeed)
     const float half = std::sqrt(0.5f);
     const Channel turn{0,
                        Channel::Of::rotation,
-                       Channel::Between::linear,
+                       Channel::Interpolation::linear,
                        {0, 1},
                        {0, 0, 0, 1, 0, 0, -half, -half},
                        4};

@@ -283,7 +283,7 @@ TEST(Pressing, BesideALayerThatStaysIsNotStoppedByIt)
     const double level = axes[2].greville(2); // lies on the scene, in the middle of the ball
     Press press = press_at({0.5, 0, level, 0.01});
     Pressing pressing(laid_volume(box, level), press);
-    const Pressing::Came came = pressing.add(press.samples.front());
+    const Pressing::BallMotion came = pressing.add(press.samples.front());
     EXPECT_FALSE(came.would_fold);
     EXPECT_NEAR(came.metres, 0.01, 1e-12);
 }

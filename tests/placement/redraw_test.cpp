@@ -82,7 +82,7 @@ TEST(Redraw, ALineSeenFromElsewhereGoesWhereItWasSeen)
     EXPECT_THAT(seen_from(above, up, drawn.samples, ground), IsEmpty());
 }
 
-TEST(Bent, GoesTheWholeWayWhereItIsHeldAndNotBeyondReach)
+TEST(Deformation, GoesTheWholeWayWhereItIsHeldAndNotBeyondReach)
 {
     const Sketch out = bent(straight, 0.5, {0, -80}, 0.2);
     EXPECT_TRUE(passes(out, {600, 420}) || nearest_share(out, {600, 420}).distance_px < 0.5);
@@ -97,7 +97,7 @@ TEST(Bent, GoesTheWholeWayWhereItIsHeldAndNotBeyondReach)
     EXPECT_EQ(bent(straight, 0.5, {0, 0}, 0.2), straight);
 }
 
-TEST(Bent, ARingKeepsItsSeamClosed)
+TEST(Deformation, ARingKeepsItsSeamClosed)
 {
     std::vector<glm::dvec2> ring;
     for (int i = 0; i <= 72; ++i)

@@ -53,7 +53,7 @@ TEST(Triangulation, FillsExactlyWhatItsEdgesEnclose)
         add_loop(plane, loop, edges);
         bool simple = true;
         for (const auto& [a, b] : edges)
-            simple &= plane.join(a, b) == Triangulation::Joined::one_edge;
+            simple &= plane.join(a, b) == Triangulation::JoinResult::one_edge;
         if (!simple) continue; // rounded onto itself
         plane.fill(edges);
         EXPECT_EQ(area_inside(plane), trivar::testing::doubled_area({loop})) << seed;
@@ -96,8 +96,8 @@ TEST(Triangulation, JoinsAnyPointsWhereverTheyLie)
         for (int i = 0; i < 40; ++i) {
             const int a = points[static_cast<std::size_t>(below(12))],
                       b = points[static_cast<std::size_t>(below(12))];
-            if (a == b || plane.join(a, b) == Triangulation::Joined::crosses) continue;
-            EXPECT_NE(plane.join(b, a), Triangulation::Joined::crosses) << seed; // it stays
+            if (a == b || plane.join(a, b) == Triangulation::JoinResult::crosses) continue;
+            EXPECT_NE(plane.join(b, a), Triangulation::JoinResult::crosses) << seed; // it stays
         }
     }
 }
@@ -111,12 +111,13 @@ TEST(Triangulation, TakesPointsOnEdgesAndInRows)
     for (int i = 40; i-- > 0;) rows.emplace_back(i * 10, 10);
     add_loop(plane, rows, edges);
     EXPECT_EQ(plane.insert({10, 0}), edges[1].first);
-    for (const auto& [a, b] : edges) EXPECT_EQ(plane.join(a, b), Triangulation::Joined::one_edge);
+    for (const auto& [a, b] : edges)
+        EXPECT_EQ(plane.join(a, b), Triangulation::JoinResult::one_edge);
     plane.fill(edges);
     EXPECT_EQ(area_inside(plane), 2 * 390 * 10);
-    EXPECT_EQ(plane.join(edges[0].first, edges[20].first), Triangulation::Joined::several);
-    EXPECT_EQ(plane.join(edges[0].first, edges[60].first), Triangulation::Joined::one_edge);
-    EXPECT_EQ(plane.join(edges[5].first, edges[75].first), Triangulation::Joined::crosses);
+    EXPECT_EQ(plane.join(edges[0].first, edges[20].first), Triangulation::JoinResult::several);
+    EXPECT_EQ(plane.join(edges[0].first, edges[60].first), Triangulation::JoinResult::one_edge);
+    EXPECT_EQ(plane.join(edges[5].first, edges[75].first), Triangulation::JoinResult::crosses);
 }
 
 TEST(Triangulation, TakesPointsOnEdgesThatStay)
@@ -127,11 +128,11 @@ TEST(Triangulation, TakesPointsOnEdgesThatStay)
     for (const auto& [a, b] : edges) plane.join(a, b);
     const int middle = plane.insert({50, 0});
     const auto [a, b] = edges.front();
-    EXPECT_EQ(plane.join(a, b), Triangulation::Joined::several);
+    EXPECT_EQ(plane.join(a, b), Triangulation::JoinResult::several);
     edges.front() = {a, middle};
     edges.emplace_back(middle, b);
     for (const auto& [from, to] : edges)
-        EXPECT_EQ(plane.join(from, to), Triangulation::Joined::one_edge);
+        EXPECT_EQ(plane.join(from, to), Triangulation::JoinResult::one_edge);
     plane.fill(edges);
     EXPECT_EQ(area_inside(plane), 2 * 100 * 100);
 }

@@ -24,7 +24,7 @@ TEST(RefinedMeshes, KeepSeamsAndHardEdgesClosed)
 {
     const Mesh box = box_with_seams();
     ASSERT_GT(box.vertex_count(), point_count(box));
-    const Refined out = refine_one(box, one_cell(4, bend), {.tolerance_world = 0.003});
+    const RefinementResult out = refine_one(box, one_cell(4, bend), {.tolerance_world = 0.003});
     const Mesh& mesh = *out.parts[0].mesh;
     EXPECT_NO_THROW(validate(mesh, "refined"));
     const EdgeCount edges = count_edges(mesh);
@@ -58,7 +58,8 @@ TEST(RefinedMeshes, CarryWhatVerticesHaveLinearly)
         mesh.face_group.push_back(static_cast<std::uint32_t>(f % 2));
     }
     mesh.group_names = {"even", "odd"};
-    const Refined refined = refine_one(mesh, one_cell(4, twist), {.tolerance_world = 0.01});
+    const RefinementResult refined =
+        refine_one(mesh, one_cell(4, twist), {.tolerance_world = 0.01});
     const Mesh& out = *refined.parts[0].mesh;
     ASSERT_GT(out.vertex_count(), 50u);
     for (std::size_t v = 0; v < out.vertex_count(); ++v) {
@@ -94,9 +95,9 @@ TEST(RefinedMeshes, OfSeveralPartsMeetAtTheirBoundaries)
         add_face(f % 3 == 0 ? lower : upper,
                  std::span(cube.corners).subspan(cube.face_begin[f], 3));
     const Lattice lattice = one_cell(4, bend);
-    const Refined out = refine({{make_ref(without_loose_vertices(lower)), {}},
-                                {make_ref(without_loose_vertices(upper)), {}}},
-                               lattice, {.tolerance_world = 0.004});
+    const RefinementResult out = refine({{make_ref(without_loose_vertices(lower)), {}},
+                                         {make_ref(without_loose_vertices(upper)), {}}},
+                                        lattice, {.tolerance_world = 0.004});
     Mesh both = *out.parts[0].mesh;
     const Mesh& other = *out.parts[1].mesh;
     for (std::size_t f = 0; f < other.face_count(); ++f) {
@@ -123,7 +124,7 @@ TEST(RefinedMeshes, GoRoundClosedVolumes)
             glm::dmat4(1)};
         Mesh mesh = unit_cube();
         for (glm::vec3& p : mesh.positions) p.x = p.x * 1.7f - 0.4f; // more than once round
-        const Refined out = refine_one(mesh, lattice, {.tolerance_world = 0.02});
+        const RefinementResult out = refine_one(mesh, lattice, {.tolerance_world = 0.02});
         EXPECT_LE(out.bound, 0.02);
         EXPECT_LE(drawn_error(*out.parts[0].mesh, {}, lattice), out.bound);
     }

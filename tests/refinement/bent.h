@@ -86,7 +86,7 @@ inline double drawn_error(const Mesh& refined, const Embedding& embedding, const
     return most;
 }
 
-inline Refined refine_one(const Mesh& mesh, const Lattice& lattice, RefineOptions options)
+inline RefinementResult refine_one(const Mesh& mesh, const Lattice& lattice, RefineOptions options)
 {
     return refine({{make_ref(mesh), {}}}, lattice, options);
 }

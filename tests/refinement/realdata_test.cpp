@@ -30,7 +30,8 @@ TEST_P(RealDataRefinement, IsCertifiedAndNoSampleIsFurtherOff)
     const Lattice lattice{random_volume({knots, Knots::uniform(3, 6), knots}, 7, 0.1 * size),
                           glm::inverse(embedding.to_uvw)};
     const double tolerance = 2e-3 * size;
-    const Refined out = refine({{mesh, embedding}}, lattice, {.tolerance_world = tolerance});
+    const RefinementResult out =
+        refine({{mesh, embedding}}, lattice, {.tolerance_world = tolerance});
     EXPECT_EQ(out.not_certified(), 0u);
     EXPECT_LE(out.bound, tolerance);
     EXPECT_LE(drawn_error(*out.parts[0].mesh, embedding, lattice, 4), out.bound);

@@ -27,8 +27,8 @@ TEST(Refining, KeepsTheDrawnErrorWithinItsBoundAndTheBoundWithinTheTolerance)
             const double tolerance = share * diagonal(lattice);
             for (const SplitPoint split : {SplitPoint::equidistributed, SplitPoint::midpoint,
                                            SplitPoint::greville, SplitPoint::greatest_error}) {
-                const Refined out = refine_one(unit_cube(), lattice,
-                                               {.tolerance_world = tolerance, .split = split});
+                const RefinementResult out = refine_one(
+                    unit_cube(), lattice, {.tolerance_world = tolerance, .split = split});
                 EXPECT_LE(out.bound, tolerance);
                 EXPECT_EQ(out.not_certified(), 0u);
                 EXPECT_LE(drawn_error(*out.parts[0].mesh, {}, lattice), out.bound);
@@ -38,7 +38,7 @@ TEST(Refining, KeepsTheDrawnErrorWithinItsBoundAndTheBoundWithinTheTolerance)
 
 TEST(Refining, LeavesNoTJunctions)
 {
-    const Refined out = refine_one(unit_cube(), noisy(4), {.tolerance_world = 0.005});
+    const RefinementResult out = refine_one(unit_cube(), noisy(4), {.tolerance_world = 0.005});
     const EdgeCount edges = count_edges(*out.parts[0].mesh);
     EXPECT_GT(edges.edges, 300);
     EXPECT_EQ(edges.open + edges.crowded + edges.against, 0);
@@ -63,7 +63,7 @@ TEST(Refining, SplitsNothingWhereTheMapIsAffine)
     const Lattice lattice = one_cell(
         4, [](const glm::dvec3& p) { return glm::dvec3(2 * p.x - p.y, 3 * p.z, p.x + 7); });
     const Ref<Mesh> cube = make_ref(unit_cube());
-    const Refined out = refine({{cube, {}}}, lattice, {.tolerance_world = 1e-4});
+    const RefinementResult out = refine({{cube, {}}}, lattice, {.tolerance_world = 1e-4});
     EXPECT_EQ(out.parts[0].mesh, cube);
     EXPECT_LT(out.bound, 2e-5);
 }
@@ -106,21 +106,21 @@ TEST(Refining, TheUncertifiedMiddlesDoMissTheTolerance)
                               : p.x > 0.5 && p.x < 0.8 ? -0.5
                                                        : 0);
     });
-    const Refined middles =
+    const RefinementResult middles =
         refine_one(unit_cube(), lattice,
                    {.tolerance_world = 0.02, .rule = RefinementRule::chua_neumann_midpoint});
     EXPECT_GT(drawn_error(*middles.parts[0].mesh, {}, lattice), 0.04);
     EXPECT_EQ(middles.bound, std::numeric_limits<double>::infinity());
-    const Refined ours = refine_one(unit_cube(), lattice, {.tolerance_world = 0.02});
+    const RefinementResult ours = refine_one(unit_cube(), lattice, {.tolerance_world = 0.02});
     EXPECT_LE(drawn_error(*ours.parts[0].mesh, {}, lattice), 0.02);
 }
 
 TEST(Refining, GivesTheSameBitsForAnyNumberOfThreads)
 {
     const RefineOptions options{.tolerance_world = 0.002};
-    const Refined many = refine_one(unit_cube(), noisy(4), options);
+    const RefinementResult many = refine_one(unit_cube(), noisy(4), options);
     const ThreadLimit limit(1);
-    const Refined one = refine_one(unit_cube(), noisy(4), options);
+    const RefinementResult one = refine_one(unit_cube(), noisy(4), options);
     EXPECT_EQ(*many.parts[0].mesh, *one.parts[0].mesh);
     EXPECT_EQ(many.bound, one.bound);
 }
@@ -131,7 +131,7 @@ TEST(Refining, LeavesNoNeedlesBesideAnEdgeThatIsJustWithinTheTolerance)
     const Knots knots = Knots::uniform(4, 8);
     const Lattice lattice{random_volume({knots, knots, Knots::uniform(3, 4)}, 8, 0.1),
                           glm::dmat4(1)};
-    const Refined out = refine_one(unit_cube(), lattice, {.tolerance_world = 0.001});
+    const RefinementResult out = refine_one(unit_cube(), lattice, {.tolerance_world = 0.001});
     EXPECT_EQ(out.not_certified(), 0u);
     EXPECT_LT(out.depth, 14);
 }
@@ -147,7 +147,7 @@ TEST(Refining, LeavesNoNeedlesWhereTheVolumeHasKinks)
                           static_cast<unsigned>(seed), 0.1),
             glm::dmat4(1)};
         for (int i = 0; i < 20; ++i) {
-            const Refined out =
+            const RefinementResult out =
                 refine_one(unit_cube(), lattice, {.tolerance_world = share(random)});
             EXPECT_EQ(out.not_certified(), 0u);
             EXPECT_LT(out.depth, 14);
@@ -159,7 +159,7 @@ TEST(Refining, ListsWhatABudgetLeavesOver)
 {
     const Lattice lattice = noisy(4);
     for (const std::size_t budget : {std::size_t{12}, std::size_t{100}, std::size_t{300}}) {
-        const Refined out =
+        const RefinementResult out =
             refine_one(unit_cube(), lattice, {.tolerance_world = 0.001, .budget = budget});
         EXPECT_LE(out.triangles(), budget);
         EXPECT_GT(out.triangles(), budget / 2);
@@ -177,7 +177,7 @@ TEST(Refining, TakesMeshesThatReachOutOfTheVolume)
     for (glm::vec3& p : mesh.positions) p = p * 1.5f - 0.3f;
     const Knots knots = Knots::uniform(4, 7);
     const Lattice lattice{random_volume({knots, knots, knots}, 4, 0.1), glm::dmat4(1)};
-    const Refined out = refine_one(mesh, lattice, {.tolerance_world = 0.01});
+    const RefinementResult out = refine_one(mesh, lattice, {.tolerance_world = 0.01});
     EXPECT_LE(out.bound, 0.01);
     EXPECT_LE(drawn_error(*out.parts[0].mesh, {}, lattice), out.bound);
     EXPECT_EQ(count_edges(*out.parts[0].mesh).open, 0);
@@ -191,7 +191,7 @@ TEST(Refining, TakesTriangleWithoutAreaAndEdgesOfThreeFaces)
     mesh.positions.emplace_back(0, 0.5f, 0);
     add_face(mesh, std::array<std::uint32_t, 3>{0, 8, 2}); // a line
     const Lattice lattice = noisy(4);
-    const Refined out = refine_one(mesh, lattice, {.tolerance_world = 0.01});
+    const RefinementResult out = refine_one(mesh, lattice, {.tolerance_world = 0.01});
     EXPECT_GE(out.parts[0].degenerate, 2u);
     EXPECT_EQ(out.not_certified(), 0u);
     EXPECT_LE(drawn_error(*out.parts[0].mesh, {}, lattice), 0.01);

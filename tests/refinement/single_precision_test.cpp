@@ -48,7 +48,7 @@ TEST(SinglePrecision, IsMeasuredAtEveryVertexForAllOrders)
         for (const int count : {order, order + 5})
             for (const double height : {0.01, 1000.0}) {
                 const Lattice lattice = jagged(order, count, height);
-                const Refined out =
+                const RefinementResult out =
                     bounded({{make_ref(mesh), {}}}, lattice, {.tolerance_world = 1e6});
                 const double furthest = furthest_vertex(mesh, lattice);
                 EXPECT_GT(furthest, 0);
@@ -62,7 +62,7 @@ TEST(SinglePrecision, IsPartOfTheBoundForAllOrders)
     const Mesh mesh = sphere_in_the_middle();
     for (int order = 2; order <= max_order; ++order) {
         const Lattice lattice = jagged(order, order + 2, 0.3);
-        const Refined out = refine_one(mesh, lattice, {.tolerance_world = 0.02});
+        const RefinementResult out = refine_one(mesh, lattice, {.tolerance_world = 0.02});
         EXPECT_EQ(out.not_certified(), 0u) << order;
         EXPECT_LE(out.bound, 0.02);
         EXPECT_LE(furthest_vertex(*out.parts[0].mesh, lattice), out.rounding * (1 + 1e-6));

@@ -29,7 +29,7 @@ TEST(SimplifyError, IsNotMoreThanWasAskedFor)
     for (const Mesh& mesh :
          {bumpy_torus({32, 16}), sphere_mesh(1, 24, 16), noisy_sheet(1), noisy_sheet(2)})
         for (const double error : {0.1, 0.02, 0.004}) {
-            const Simplified less = to_error(mesh, error);
+            const SimplifiedMesh less = to_error(mesh, error);
             EXPECT_LE(both_ways(mesh, *less.mesh), error);
             EXPECT_TRUE(less.error == error || less.mesh->face_count() == mesh.face_count());
         }
@@ -54,7 +54,7 @@ TEST(SimplifyError, OfANumberOfTrianglesIsProvenWhereItIsWanted)
                           {.triangles = n, .error = {}, .poses = {}, .measured = measured});
     };
     for (const std::size_t n : {1000, 300}) {
-        const Simplified less = at(n, true);
+        const SimplifiedMesh less = at(n, true);
         const double sampled = both_ways(torus, *less.mesh);
         EXPECT_LE(sampled, less.error);
         EXPECT_LE(less.error, 1.6 * sampled); // samples miss the worst place by little
@@ -77,7 +77,7 @@ TEST(SimplifyError, BelowSinglePrecisionMovesNothingOutOfItsPlane)
 {
     Mesh sheet = plane_mesh({2, 2}, {10, 10});
     for (glm::vec3& p : sheet.positions) p = glm::vec3(p.x, 0.6f * p.y, 0.8f * p.y); // tilted
-    const Simplified less = to_error(sheet, 0);
+    const SimplifiedMesh less = to_error(sheet, 0);
     EXPECT_EQ(less.triangles, 2u);
     EXPECT_LE(both_ways(sheet, *less.mesh), less.error);
     EXPECT_LT(less.error, 1e-6);

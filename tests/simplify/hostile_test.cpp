@@ -85,7 +85,7 @@ TEST(SimplifyHostile, AnEmptyMeshStaysEmpty)
 TEST(SimplifyHostile, FacesRoundAnEdgeOfThreeStayAndTheSheetsDoNotComeApart)
 {
     const Mesh mesh = three_sheets();
-    const Simplified less = to_error(mesh, 0.001);
+    const SimplifiedMesh less = to_error(mesh, 0.001);
     EXPECT_EQ(less.left_out, 24u); // eight edges, three triangles each
     EXPECT_LT(less.triangles, 150u);
     EXPECT_NEAR(area(*less.mesh), area(mesh), 1e-5);
@@ -128,7 +128,7 @@ TEST(SimplifyHostile, PointsOfSeveralFansGetNoEdgeOfThree)
             const int faces = static_cast<int>(cut.face_count());
             return std::array{count.crowded, count.open, count.points - count.edges + faces};
         };
-        const Simplified less = to_number(mesh, 0);
+        const SimplifiedMesh less = to_number(mesh, 0);
         EXPECT_LT(less.triangles, less.triangles_before);
         EXPECT_EQ(tally(*less.mesh), tally(mesh)) << seed;
     }
@@ -140,7 +140,7 @@ TEST(SimplifyHostile, FacesThatRepeatAPointStay)
     mesh.uvs.clear(), mesh.tangents.clear();
     add_face(mesh, std::array{0u, 1u, 1u});
     add_face(mesh, std::array{5u, 5u, 5u});
-    const Simplified less = to_number(mesh, 200);
+    const SimplifiedMesh less = to_number(mesh, 200);
     EXPECT_GE(less.left_out, 2u);
     int repeated = 0;
     for (const glm::uvec3& t : triangles(*less.mesh)) repeated += t.x == t.y || t.y == t.z;
@@ -153,7 +153,7 @@ TEST(SimplifyHostile, TrianglesWithoutAreaDoNoHarm)
     Mesh sheet = plane_mesh({2, 2}, {12, 12});
     for (glm::vec3& p : sheet.positions)
         if (p.x > 0.4f) p.x = 0.5f; // several columns in one line, apart as points
-    const Simplified less = to_error(sheet, 1e-4);
+    const SimplifiedMesh less = to_error(sheet, 1e-4);
     EXPECT_LT(less.triangles, less.triangles_before);
     EXPECT_NEAR(area(*less.mesh), area(sheet), 1e-5);
     for (const glm::vec3& n : less.mesh->normals) EXPECT_NEAR(glm::length(n), 1, 1e-5);
@@ -171,7 +171,7 @@ TEST(SimplifyHostile, ASoupKeepsEveryFaceThatWasLeftOut)
                 const glm::uvec3 v = fans.triangles[t];
                 add_face(left_out, std::array{v.x, v.y, v.z});
             }
-        const Simplified less = to_number(mesh, 0);
+        const SimplifiedMesh less = to_number(mesh, 0);
         EXPECT_EQ(less.left_out, left_out.face_count());
         const Places kept = places(*less.mesh), wanted = places(left_out);
         EXPECT_TRUE(std::ranges::includes(kept, wanted)) << seed;

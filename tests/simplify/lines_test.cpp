@@ -42,7 +42,7 @@ Mesh wavy_sheet()
 TEST(SimplifyLines, KeepsTheOutlineOfASheet)
 {
     const Mesh sheet = plane_mesh({3, 2}, {12, 9});
-    const Simplified less = to_number(sheet, 2);
+    const SimplifiedMesh less = to_number(sheet, 2);
     EXPECT_EQ(less.triangles, 2u);
     EXPECT_NEAR(area(*less.mesh), 6, 1e-6);
 }
@@ -136,7 +136,7 @@ TEST(SimplifyLines, LeavesFacetsFacets)
         add_face(facets, std::array{first, first + 1, first + 2});
     }
     facets.points = points_by_position(facets.positions);
-    const Simplified less = to_number(facets, 300);
+    const SimplifiedMesh less = to_number(facets, 300);
     EXPECT_LE(less.triangles, 300u);
     for (std::size_t f = 0; f < less.mesh->face_count(); ++f)
         for (std::uint32_t c = less.mesh->face_begin[f]; c < less.mesh->face_begin[f + 1]; ++c)
@@ -183,7 +183,7 @@ TEST(SimplifyLines, KeepsWhatBendsInAPose)
                           {.triangles = {}, .error = 0.02, .poses = std::move(poses)});
     };
     EXPECT_EQ(at_error({}).triangles, 2u);
-    const Simplified less = at_error({arc});
+    const SimplifiedMesh less = at_error({arc});
     EXPECT_GE(less.triangles, 12u);
     EXPECT_LT(less.triangles, 64u);
     Mesh target = bar; // a morph target counts as a pose does

@@ -10,11 +10,11 @@
 
 namespace trivar::testing {
 
-inline Simplified to_number(const Mesh& mesh, std::size_t triangles)
+inline SimplifiedMesh to_number(const Mesh& mesh, std::size_t triangles)
 {
     return simplified(make_ref(mesh), {.triangles = triangles, .error = {}, .poses = {}});
 }
-inline Simplified to_error(const Mesh& mesh, double error)
+inline SimplifiedMesh to_error(const Mesh& mesh, double error)
 {
     return simplified(make_ref(mesh), {.triangles = {}, .error = error, .poses = {}});
 }

@@ -27,7 +27,7 @@ protected:
 
 TEST_P(RealDataSimplify, ATenthIsAsNearAsItsErrorSays)
 {
-    const Simplified out =
+    const SimplifiedMesh out =
         simplified(mesh, {.triangles = triangles / 10, .error = {}, .poses = {}, .measured = true});
     RecordProperty("triangles", static_cast<int>(out.triangles));
     RecordProperty("error_by_size", std::to_string(out.error / size));
@@ -40,7 +40,7 @@ TEST_P(RealDataSimplify, ATenthIsAsNearAsItsErrorSays)
 TEST_P(RealDataSimplify, OfAThousandthOfTheSizeIsNoFurtherAndClosedWhereItWas)
 {
     const double error = 0.001 * size;
-    const Simplified out = simplified(mesh, {.triangles = {}, .error = error, .poses = {}});
+    const SimplifiedMesh out = simplified(mesh, {.triangles = {}, .error = error, .poses = {}});
     RecordProperty("triangles", static_cast<int>(out.triangles));
     EXPECT_LT(out.triangles, triangles);
     EXPECT_LE(sampled_distance(*mesh, *out.mesh, 0), error);

@@ -21,7 +21,7 @@ TEST(Simplify, ReachesTheNumberOfTriangles)
 {
     const Mesh torus = bumpy_torus({60, 30});
     for (const std::size_t n : {3000, 1001, 200}) {
-        const Simplified less = to_number(torus, n);
+        const SimplifiedMesh less = to_number(torus, n);
         EXPECT_LE(less.triangles, n);
         EXPECT_GE(less.triangles, n - 2);
         EXPECT_EQ(less.triangles, triangles(*less.mesh).size());
@@ -75,7 +75,7 @@ TEST(Simplify, LeavesTheEulerCharacteristicAsItIs)
 TEST(Simplify, KeepsABoxABoxOfTwelveTriangles)
 {
     const Mesh box = box_mesh({1, 2, 3}, {6, 7, 8});
-    const Simplified less = to_error(box, 0);
+    const SimplifiedMesh less = to_error(box, 0);
     EXPECT_EQ(less.triangles, 12u);
     EXPECT_EQ(less.mesh->vertex_count(), 24u); // three to a corner
     EXPECT_NEAR(volume(*less.mesh), 6, 1e-6);
@@ -105,7 +105,7 @@ TEST(Simplify, LeavesPolygonsThatAreNotTouchedAsTheyAre)
 TEST(Simplify, GivesTheSameBitsForAnyNumberOfThreads)
 {
     const Mesh mesh = bumpy_torus({80, 40});
-    const Simplified several = to_error(mesh, 0.01);
+    const SimplifiedMesh several = to_error(mesh, 0.01);
     const ThreadLimit one(1);
     EXPECT_EQ(*to_error(mesh, 0.01).mesh, *several.mesh);
     EXPECT_EQ(*to_number(mesh, 500).mesh, *to_number(mesh, 500).mesh);

@@ -84,9 +84,9 @@ std::string clip_text(const Clip& clip, GltfBytes& out)
         samplers.push_back(fmt::format(
             R"({{"input":{},"output":{},"interpolation":"{}"}})", out.floats(c.times_s, "SCALAR"),
             rotations.empty() ? out.floats(c.values, "SCALAR") : out.floats(rotations, "VEC4"),
-            c.between == Channel::Between::cubic  ? "CUBICSPLINE"
-            : c.between == Channel::Between::step ? "STEP"
-                                                  : "LINEAR"));
+            c.interpolation == Channel::Interpolation::cubic  ? "CUBICSPLINE"
+            : c.interpolation == Channel::Interpolation::step ? "STEP"
+                                                              : "LINEAR"));
         channels.push_back(fmt::format(R"({{"sampler":{},"target":{{"node":{},"path":"{}"}}}})",
                                        samplers.size() - 1, c.node,
                                        c.of == Channel::Of::rotation ? "rotation" : "weights"));
@@ -154,19 +154,20 @@ Model rigged_model()
     model.nodes[2].rest.translation = {2, 0, 0};
     model.skins = {{{1, 2}, {glm::dmat4(1), glm::translate(glm::dmat4(1), {-2, 0, 0})}}};
     const float half = std::sqrt(0.5f);
-    model.clips = {{"bend",
-                    {{2,
-                      Channel::Of::rotation,
-                      Channel::Between::linear,
-                      {0, 1},
-                      {0, 0, 0, 1, 0, 0, half, half},
-                      4}},
-                    0,
-                    1},
-                   {"swell",
-                    {{0, Channel::Of::morph_weights, Channel::Between::linear, {0, 1}, {0, 1}, 1}},
-                    0,
-                    1}};
+    model.clips = {
+        {"bend",
+         {{2,
+           Channel::Of::rotation,
+           Channel::Interpolation::linear,
+           {0, 1},
+           {0, 0, 0, 1, 0, 0, half, half},
+           4}},
+         0,
+         1},
+        {"swell",
+         {{0, Channel::Of::morph_weights, Channel::Interpolation::linear, {0, 1}, {0, 1}, 1}},
+         0,
+         1}};
     return model;
 }
 

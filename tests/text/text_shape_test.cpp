@@ -42,7 +42,7 @@ std::string refusal(const TextShape& shape)
 std::vector<unsigned> glyphs(const Font& font, std::u32string_view letters)
 {
     std::vector<unsigned> result;
-    for (const Font::Put& put : font.line(letters, 0).glyphs) result.push_back(put.glyph);
+    for (const Font::PlacedGlyph& put : font.line(letters, 0).glyphs) result.push_back(put.glyph);
     return result;
 }
 

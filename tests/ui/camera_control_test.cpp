@@ -170,7 +170,7 @@ TEST(CameraControl, ChangingTheProjectionKeepsSizesAtTheTarget)
 TEST(CameraControl, ThePointAtTheTargetsDepthLiesUnderItsPixel)
 {
     for (const Camera& camera : both_kinds()) {
-        const Projected p = project(camera, point_at_target_depth(camera, {100, 650}));
+        const PicturePoint p = project(camera, point_at_target_depth(camera, {100, 650}));
         EXPECT_NEAR(p.p_px.x, 100, tolerance_px);
         EXPECT_NEAR(p.p_px.y, 650, tolerance_px);
         EXPECT_NEAR(p.depth_world, project(camera, camera.target).depth_world, 1e-9);

@@ -193,7 +193,7 @@ TEST(Frames, ThePictureShowsWhatWasDrawn)
     EXPECT_EQ(image.rgba[4 * 64 * 63], 0);
 }
 
-TEST(Wrapped, CutsAWordThatIsWiderThanALineAndLosesNothing)
+TEST(WrappedIndex, CutsAWordThatIsWiderThanALineAndLosesNothing)
 {
     HeadlessFrames screen({64, 64});
     screen.frames(1, [&](Frame& frame) {

@@ -14,9 +14,9 @@ template <> struct FieldsOf<ImportedFile> {
               any_value.without_keys());
         field("up", f.up, "axis that points up in the file; auto: Y in glTF and OBJ, else Z",
               any_value.without_keys());
-        field("scale", f.scale, "file units to metres", between(1e-9, 1e9).without_keys());
+        field("scale", f.scale, "file units to metres", in_range(1e-9, 1e9).without_keys());
         field("subdivisions", f.subdivisions,
-              "how often Catmull-Clark makes its cage finer and smoother", between(0, 6));
+              "how often Catmull-Clark makes its cage finer and smoother", in_range(0, 6));
     }
 };
 

@@ -12,10 +12,10 @@ template <> struct FieldsOf<LatticeShape> {
         field("size", s.size, "of the box along X, Y and Z, metres; its middle is its origin",
               positive.in(Unit::metres));
         field("grid", s.grid, "control points along X, Y and Z",
-              between(2, 1024).called("Density").without_keys());
+              in_range(2, 1024).called("Density").without_keys());
         field("orders", s.orders,
               "along X, Y and Z; 3 is quadratic, 4 is cubic; at most as many as control points",
-              between(2, 6).called("Order").without_keys());
+              in_range(2, 6).called("Order").without_keys());
     }
 };
 

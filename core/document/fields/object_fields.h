@@ -38,7 +38,7 @@ template <> struct FieldsOf<PlacementStep> {
         field("parameters", p.parameters, "how it lies", any_value.as_its_own());
         field("onto", p.onto, "ids of what it lies on", any_value.without_keys());
         field("round", p.round, "about the only one of onto, in place of the stroke",
-              any_value.counts(Counted::marked).as_its_own());
+              any_value.counts(Counting::marked).as_its_own());
     }
 };
 
@@ -53,17 +53,17 @@ template <> struct FieldsOf<Object> {
         field("parent", o.parent, "id of the group it is in", any_value.without_keys());
         field("hidden", o.hidden, "it is left out of the picture");
         field("locked", o.locked, "no hand takes it",
-              any_value.counts(Counted::marked).without_keys());
+              any_value.counts(Counting::marked).without_keys());
         field("placement", o.placement, "how it lies on a stroke");
         field("shaping", o.shaping, "what was done to its volume after that",
-              any_value.counts(Counted::marked).called("Step"));
+              any_value.counts(Counting::marked).called("Step"));
         if (o.placement || o.travel != Travel{}) // what lies nowhere has nowhere to go
             field("travel", o.travel, "how it goes along its stroke", later);
         field("playing", o.playing, "how it moves by a clip of its file", later);
         field("refining", o.refining, "how finely its triangles are split",
-              any_value.counts(Counted::marked));
+              any_value.counts(Counting::marked));
         field("simplifying", o.simplifying, "how its triangles are made fewer",
-              any_value.counts(Counted::marked).without_keys());
+              any_value.counts(Counting::marked).without_keys());
         field("tracks", o.tracks, "how its numbers go from key to key", later.without_keys());
     }
 };

@@ -17,65 +17,66 @@ template <> struct FieldsOf<PlacementParameters> {
               "of the volume, away from the scene, metres; 0: in proportion to the model",
               not_negative.in(Unit::metres).zero_is("automatic"));
         field("grid", p.grid, "control points along, across and above the stroke",
-              works_between(2, {most_along_or_across, most_along_or_across, most_layers}, 1024)
+              works_in_range(2, {most_along_or_across, most_along_or_across, most_layers}, 1024)
                   .called("Density")
                   .with_axes("U|V|W"));
         field("orders", p.orders,
               "of the volume along, across and above the stroke; 3 is quadratic, 4 is cubic",
-              between(2, 6).called("Order").with_axes("U|V|W"));
+              in_range(2, 6).called("Order").with_axes("U|V|W"));
         field("offset", p.offset,
               "0: extruded toward the camera, 1: it stands on the surface along its normals",
-              between(0, 1));
+              in_range(0, 1));
         field("springs", p.springs, "springs hold the model over gaps; else it drops into them",
               any_value.called("Gaps").says("bridged", "not bridged"));
         field("stiffness", p.stiffness,
               "of the springs: a span of stiffness x length sags by a tenth of the gap",
-              between(1e-3, 1e3));
-        field("bending", p.bending, "resistance to bending, relative to stiffness", between(0, 10));
+              in_range(1e-3, 1e3));
+        field("bending", p.bending, "resistance to bending, relative to stiffness",
+              in_range(0, 10));
         field("neighborhood", p.neighborhood, "grid steps round a rough node that are let loose",
-              works_between(0, {most_along_or_across}, 1024).called("Reach"));
+              works_in_range(0, {most_along_or_across}, 1024).called("Reach"));
         field("roughness_deg", p.roughness_deg,
               "angle between neighbouring faces that counts as rough, degrees",
-              between(1, 90).in(Unit::degrees));
+              in_range(1, 90).in(Unit::degrees));
         field("free_ends", p.free_ends, "the first and the last row of nodes may move too",
               any_value.called("Ends").says("free", "fixed"));
         field("misses", p.misses, "what a node does whose ray hits nothing");
         field("skip_back_faces", p.skip_back_faces, "rays pass through faces seen from behind",
               any_value.called("Back faces").says("let through", "hit"));
-        field("start", p.start, "where along the stroke the model begins", between(0, 1));
+        field("start", p.start, "where along the stroke the model begins", in_range(0, 1));
         field("fill", p.fill, "how much of the stroke it fills; start + fill is at most 1",
-              between(1e-3, 1));
+              in_range(1e-3, 1));
         field("lift_tolerance", p.lift_tolerance,
               "penetration that may stay, as a fraction of the height",
-              between(0, 1).called("Sinking"));
+              in_range(0, 1).called("Sinking"));
         field("clearance", p.clearance, "metres kept between scene and contact surface",
               not_negative.in(Unit::metres));
         field("reverse", p.reverse, "the model looks toward the start of the stroke",
               any_value.called("Direction").says("toward the start", "toward the end"));
         field("roll_deg", p.roll_deg, "quarter turns about its length: 0, 90, 180 or 270",
-              between(0, 270).in(Unit::degrees));
+              in_range(0, 270).in(Unit::degrees));
         field("width_profile", p.width_profile,
               "how the width changes along the stroke: control points of a curve, [share of "
               "the length, factor] each; none: it does not",
-              later_between(0, 20).zero_is("even"));
+              later_in_range(0, 20).zero_is("even"));
         field("height_profile", p.height_profile, "the same of the height",
-              later_between(0, 20).zero_is("even"));
+              later_in_range(0, 20).zero_is("even"));
         field("height_across", p.height_across,
               "how the height changes across the stroke, from its right to its left: control "
               "points as along it; both factors count",
-              later_between(0, 20).zero_is("even"));
+              later_in_range(0, 20).zero_is("even"));
         field("height_map", p.height_map,
               "how the height changes over the whole strip: control points of a surface, 2 to 32 "
               "rows along the stroke of as many factors across, from its right to its left; counts "
               "beside both; none: it does not",
-              later_between(0, 20).zero_is("even"));
+              later_in_range(0, 20).zero_is("even"));
         field("rise_profile", p.rise_profile,
               "how the height is shared out from the floor to the roof: control points of an "
               "ascending curve, [share of the model's height, share of the volume's]; none: evenly",
-              later_between(0, 1).called("Rise").zero_is("even"));
+              later_in_range(0, 1).called("Rise").zero_is("even"));
         field("contact_level", p.contact_level,
               "the level of the volume that lies on the scene: 0 its floor, 1 its roof",
-              later_between(0, 1));
+              later_in_range(0, 1));
         field("along", p.along,
               "the axis of the model that runs along the stroke; turned before the roll",
               later.called("Axis along"));

@@ -12,14 +12,14 @@ template <> struct FieldsOf<Playing> {
         field("clip", p.clip, "name of a clip in its file; empty: it stands as it came",
               any_value.without_keys());
         field("speed", p.speed, "of the clip's own speed; negative: backwards",
-              between(-1e3, 1e3).in(Unit::times).without_keys());
+              in_range(-1e3, 1e3).in(Unit::times).without_keys());
         field("repeat", p.repeat,
               "what comes after the clip's end: nothing, the clip again, or the way back",
               any_value.without_keys());
         field("offset", p.offset, "seconds into the clip at the start frame",
-              between(-1e6, 1e6).in(Unit::seconds));
+              in_range(-1e6, 1e6).in(Unit::seconds));
         field("start_frame", p.start_frame, "the frame from which on it moves",
-              between(-999999, 999999).called("Start").in(Unit::at_frame).without_keys());
+              in_range(-999999, 999999).called("Start").in(Unit::at_frame).without_keys());
         field(
             "foot_lock", p.foot_lock,
             "in step with its travel: it goes on as far as keeps its planted feet where they are, "

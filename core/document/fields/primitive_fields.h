@@ -11,7 +11,7 @@ template <> struct FieldsOf<PlaneShape> {
     static void fields(auto& s, auto&& field)
     {
         field("size", s.size, "along X and Y, metres", positive.in(Unit::metres));
-        field("segments", s.segments, "along X and Y", between(1, 2000));
+        field("segments", s.segments, "along X and Y", in_range(1, 2000));
     }
 };
 
@@ -20,7 +20,7 @@ template <> struct FieldsOf<BoxShape> {
     static void fields(auto& s, auto&& field)
     {
         field("size", s.size, "along X, Y and Z, metres", positive.in(Unit::metres));
-        field("segments", s.segments, "along X, Y and Z", between(1, 500));
+        field("segments", s.segments, "along X, Y and Z", in_range(1, 500));
     }
 };
 
@@ -30,8 +30,8 @@ template <> struct FieldsOf<SphereShape> {
     static void fields(auto& s, auto&& field)
     {
         field("radius", s.radius, "metres", positive.in(Unit::metres));
-        field("segments", s.segments, "around the axis", between(3, 2000));
-        field("rings", s.rings, "from pole to pole", between(2, 1000));
+        field("segments", s.segments, "around the axis", in_range(3, 2000));
+        field("rings", s.rings, "from pole to pole", in_range(2, 1000));
     }
 };
 
@@ -42,8 +42,8 @@ template <> struct FieldsOf<CylinderShape> {
     {
         field("radius", s.radius, "metres", positive.in(Unit::metres));
         field("height", s.height, "metres", positive.in(Unit::metres));
-        field("segments", s.segments, "around the axis", between(3, 2000));
-        field("stacks", s.stacks, "along the axis", between(1, 2000));
+        field("segments", s.segments, "around the axis", in_range(3, 2000));
+        field("stacks", s.stacks, "along the axis", in_range(1, 2000));
     }
 };
 
@@ -53,7 +53,7 @@ template <> struct FieldsOf<TorusShape> {
     {
         field("radius", s.radius, "of the middle circle, metres", positive.in(Unit::metres));
         field("tube", s.tube, "radius of the tube, metres", positive.in(Unit::metres));
-        field("segments", s.segments, "around the axis and round the tube", between(3, 2000));
+        field("segments", s.segments, "around the axis and round the tube", in_range(3, 2000));
     }
 };
 
@@ -64,7 +64,7 @@ template <> struct FieldsOf<MoebiusShape> {
     {
         field("radius", s.radius, "of the middle circle, metres", positive.in(Unit::metres));
         field("width", s.width, "metres", positive.in(Unit::metres));
-        field("segments", s.segments, "around the axis and across", between(1, 2000));
+        field("segments", s.segments, "around the axis and across", in_range(1, 2000));
     }
 };
 
@@ -75,7 +75,7 @@ template <> struct FieldsOf<TeapotShape> {
     {
         field("height", s.height, "metres", positive.in(Unit::metres));
         field("resolution", s.resolution, "samples along each side of its 32 patches",
-              between(1, 64));
+              in_range(1, 64));
     }
 };
 

@@ -40,7 +40,7 @@ template <> struct FieldsOf<Refining> {
         field("method", r.method,
               "how the error is bounded; docs/refinement.md names what is false");
         field("budget", r.budget, "triangles at most; what is over the tolerance then is said",
-              between(12, 20000000));
+              in_range(12, 20000000));
     }
 };
 

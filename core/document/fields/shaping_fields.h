@@ -46,12 +46,12 @@ template <> struct FieldsOf<PointShift> {
         field("weights", s.weights,
               "one for each of the points, 0 to 1: the share of the whole that it takes; none: all "
               "of it",
-              later_between(0, 1).without_keys());
+              later_in_range(0, 1).without_keys());
         field("rotation_deg", s.rotation_deg,
               "degrees about along, across and up, about the middle of the points with weight 1",
-              later_between(-3600, 3600).called("Turn").in(Unit::degrees));
+              later_in_range(-3600, 3600).called("Turn").in(Unit::degrees));
         field("factors", s.factors, "how many times as far from that middle they go",
-              later_between(-1000, 1000).resting_at(1).called("Scale").in(Unit::times));
+              later_in_range(-1000, 1000).resting_at(1).called("Scale").in(Unit::times));
         field("mirror_along", s.mirror_along, "those on the other side along go the other way too",
               later);
         field("mirror_up", s.mirror_up, "those on the other side up go the other way too", later);
@@ -72,7 +72,7 @@ template <> struct FieldsOf<Coarsening> {
     static void fields(auto& c, auto&& field)
     {
         field("axis", c.axis, "along the stroke, across it or up from the scene");
-        field("count", c.count, "control points that are left along it", between(2, 1024));
+        field("count", c.count, "control points that are left along it", in_range(2, 1024));
     }
 };
 template <> struct FieldsOf<Mending> {
@@ -105,18 +105,18 @@ template <> struct FieldsOf<Warp> {
               any_value.without_keys());
         field("fixed", w.fixed,
               "where along the axis twist and bend leave it as it is; 0: at the near end",
-              between(0, 1).called("Fixed at"));
+              in_range(0, 1).called("Fixed at"));
         field("twist_deg", w.twist_deg, "degrees from one end to the other, about the axis",
-              between(-3600, 3600).in(Unit::degrees));
+              in_range(-3600, 3600).in(Unit::degrees));
         field("bend_deg", w.bend_deg, "degrees that the axis turns from one end to the other",
-              between(-720, 720).in(Unit::degrees));
+              in_range(-720, 720).in(Unit::degrees));
         field("toward_deg", w.toward_deg,
               "the side to which it is bent and sheared, degrees about the axis",
-              between(-360, 360).called("Toward").in(Unit::degrees));
-        field("taper", w.taper, "the far end is 1 + this times as wide", between(-1, 100));
+              in_range(-360, 360).called("Toward").in(Unit::degrees));
+        field("taper", w.taper, "the far end is 1 + this times as wide", in_range(-1, 100));
         field("shear", w.shear, "how far the far end goes to the side, in lengths of the box",
-              between(-100, 100));
-        field("bulge", w.bulge, "the middle is 1 + this times as wide", between(-1, 100));
+              in_range(-100, 100));
+        field("bulge", w.bulge, "the middle is 1 + this times as wide", in_range(-1, 100));
         field("guard", w.guard, "no more of it than is proven not to fold the volume");
     }
 };

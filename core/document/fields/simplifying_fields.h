@@ -12,7 +12,7 @@ template <> struct FieldsOf<Simplifying> {
         field("keep", s.keep,
               "share of the triangles that stays, unless that takes more than the "
               "deviation; borders, creases and seams stay",
-              between(1e-4, 1).in(Unit::share));
+              in_range(1e-4, 1).in(Unit::share));
         field(
             "deviation", s.deviation,
             "metres that the surface may be off at most, before the object is placed or scaled; 0: "

@@ -10,12 +10,12 @@ template <> struct FieldsOf<Surfacing> {
     static void fields(auto& s, auto&& field)
     {
         field("base_color", s.base_color, "linear red, green, blue and opacity",
-              between(0, 1).called("Colour").with_axes("red|green|blue|opacity"));
-        field("metallic", s.metallic, "0: not a metal, 1: a metal", between(0, 1));
-        field("roughness", s.roughness, "0: a mirror, 1: chalk", between(0, 1));
+              in_range(0, 1).called("Colour").with_axes("red|green|blue|opacity"));
+        field("metallic", s.metallic, "0: not a metal, 1: a metal", in_range(0, 1));
+        field("roughness", s.roughness, "0: a mirror, 1: chalk", in_range(0, 1));
         field("solid", s.filling,
               "what fills it and deforms with it; the colour tints it, its roughness is its own",
-              any_value.counts(Counted::bare).called("Filling"));
+              any_value.counts(Counting::bare).called("Filling"));
     }
 };
 

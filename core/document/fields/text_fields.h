@@ -22,15 +22,15 @@ template <> struct FieldsOf<TextShape> {
         field("depth", s.depth, "metres, at most 20 sizes", positive.in(Unit::metres));
         field("bevel", s.bevel, "how far front and back draw in, metres; 0.45 of the depth counts",
               not_negative.in(Unit::metres));
-        field("bevel_steps", s.bevel_steps, "1: a flat chamfer; more: round", between(1, 16));
+        field("bevel_steps", s.bevel_steps, "1: a flat chamfer; more: round", in_range(1, 16));
         field("tolerance", s.tolerance, "that chords may be from curves, part of the size",
-              between(1e-4, 0.1));
+              in_range(1e-4, 0.1));
         field("max_edge", s.max_edge, "that edges may be long, so that it bends, part of the size",
-              between(0.01, 10).called("Longest edge"));
+              in_range(0.01, 10).called("Longest edge"));
         field("letter_spacing", s.letter_spacing, "more after each letter, part of the size",
-              between(-1, 10).called("Letter gap"));
+              in_range(-1, 10).called("Letter gap"));
         field("line_spacing", s.line_spacing, "from line to line, of what the font wants",
-              between(-10, 10).called("Line gap"));
+              in_range(-10, 10).called("Line gap"));
         field("align", s.align, "where lines have the origin");
     }
 };

@@ -16,7 +16,7 @@ template <> struct FieldsOf<Key> {
     static constexpr std::string_view told_as = "[key](#key)";
     static void fields(auto& k, auto&& field)
     {
-        field("frame", k.frame, "when, between two frames too", required_between(-1e6, 1e6));
+        field("frame", k.frame, "when, between two frames too", required_in_range(-1e6, 1e6));
         field("value", k.value,
               "of the parameter then; switches are 0 and 1, choices count from 0 in the order in "
               "which they are listed",

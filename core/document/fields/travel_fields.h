@@ -12,31 +12,31 @@ template <> struct FieldsOf<Travel> {
         field("speed", t.speed,
               "metres a second along the middle of its volume, the way it looks; negative: "
               "backwards; 0: it rests; a fill below 1 gives it room",
-              between(-1e6, 1e6).in(Unit::metres_per_second).zero_is("rests").without_keys());
+              in_range(-1e6, 1e6).in(Unit::metres_per_second).zero_is("rests").without_keys());
         field("ends", t.ends,
               "what it does where its stroke ends: it stops, is not shown any more, goes straight "
               "on, goes on from the other end, or turns back",
               any_value.without_keys());
         field("ease_in", t.ease_in, "seconds from rest to that speed",
-              between(0, 1e6).in(Unit::seconds).without_keys());
+              in_range(0, 1e6).in(Unit::seconds).without_keys());
         field("ease_out", t.ease_out, "seconds from that speed to rest, where it stops or turns",
-              between(0, 1e6).in(Unit::seconds).without_keys());
+              in_range(0, 1e6).in(Unit::seconds).without_keys());
         field("start_frame", t.start_frame, "the frame in which it sets out",
-              between(-999999, 999999).called("Start").in(Unit::at_frame).without_keys());
+              in_range(-999999, 999999).called("Start").in(Unit::at_frame).without_keys());
         field("duration", t.duration, "seconds after which it stops wherever it is; 0: no limit",
-              between(0, 1e6)
+              in_range(0, 1e6)
                   .called("Stops after")
                   .in(Unit::seconds)
                   .zero_is("unlimited")
                   .without_keys());
         field("followers", t.followers, "as many more of it go behind it, one after the other",
-              later_between(0, 999).zero_is("alone"));
+              later_in_range(0, 999).zero_is("alone"));
         field("gap", t.gap,
               "metres along the middle of the volume from one to the next; 0: evenly along a loop, "
               "else as close as they are long",
-              later_between(0, 1e6).in(Unit::metres).zero_is("by itself"));
+              later_in_range(0, 1e6).in(Unit::metres).zero_is("by itself"));
         field("phase", t.phase, "of its clip's period, by which each is ahead of the one before",
-              later_between(-1, 1));
+              later_in_range(-1, 1));
     }
 };
 

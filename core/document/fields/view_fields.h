@@ -9,12 +9,12 @@ template <> struct FieldsOf<RenderSettings> {
     static void fields(auto& s, auto&& field)
     {
         field("look", s.look, "light and background", one_of("studio|clay|dark"));
-        field("exposure", s.exposure, "brightness, in stops", between(-20, 20).in(Unit::stops));
+        field("exposure", s.exposure, "brightness, in stops", in_range(-20, 20).in(Unit::stops));
         field("sun_azimuth", s.sun_azimuth, "where the sun stands round Z, 0 along +X, in radians",
-              between(-100, 100).called("Sun round").in(Unit::radians));
+              in_range(-100, 100).called("Sun round").in(Unit::radians));
         field("sun_elevation", s.sun_elevation,
               "how high the sun stands above the horizon, in radians",
-              between(-1.6, 1.6).called("Sun height").in(Unit::radians));
+              in_range(-1.6, 1.6).called("Sun height").in(Unit::radians));
         field("shadows", s.shadows, "the sun casts shadows");
         field("ambient_occlusion", s.ambient_occlusion, "corners are darker",
               any_value.called("Dark corners"));
@@ -38,10 +38,10 @@ template <> struct FieldsOf<RenderSettings> {
 template <> struct FieldsOf<Time> {
     static void fields(auto& t, auto&& field)
     {
-        field("first_frame", t.first_frame, "where playing begins", between(-999999, 999999));
-        field("last_frame", t.last_frame, "where it ends, itself shown", between(-999999, 999999));
+        field("first_frame", t.first_frame, "where playing begins", in_range(-999999, 999999));
+        field("last_frame", t.last_frame, "where it ends, itself shown", in_range(-999999, 999999));
         field("frames_per_second", t.frames_per_second, "how fast they follow each other",
-              between(0.1, 1000).called("Rate").in(Unit::frames_per_second));
+              in_range(0.1, 1000).called("Rate").in(Unit::frames_per_second));
     }
 };
 

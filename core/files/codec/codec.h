@@ -9,10 +9,10 @@
 #include <span>
 #include <string_view>
 
-// The door to OpenImageIO. What lies behind it is a file of its own, trivar-codec.so, that is
-// opened when the first picture is decoded or encoded (pictures/door.h): the library brings 250
-// others, which take a seventh of a second and 110 MB to load and which few runs of the program
-// need.
+// This header is the door to OpenImageIO. What lies behind it is a file of its own,
+// trivar-codec.so, which is opened when the first picture is decoded or encoded (pictures/door.h):
+// the library brings 250 others, which take a seventh of a second and 110 MB to load and which few
+// runs of the program need.
 namespace trivar {
 
 struct DecodeTask {
@@ -22,28 +22,29 @@ struct DecodeTask {
     std::vector<std::string> tags;
 };
 
-// Takes whole rows from the top, RGBA, 8 bits a channel; colours of floating point as sRGB.
+// A TakeRows takes whole rows from the top, RGBA, 8 bits per channel; colours of floating point as
+// sRGB.
 using TakeRows = std::function<void(std::span<const std::uint8_t>)>;
 
-struct Decoded {
-    bool whole = false; // else it is damaged, or has another size
-    int bits = 0;       // a channel of the file
-    ImageTags tags;     // those that were asked for and are there
+struct DecodeResult {
+    bool whole = false; // false: it is damaged, or has another size
+    int bits = 0;       // per channel of the file
+    ImageTags tags;     // the requested ones that exist
 };
 
 struct EncodeTask {
     glm::ivec2 size_px;
-    std::span<const std::uint8_t> rgba;  // this
-    std::span<const std::uint16_t> deep; // or that
+    std::span<const std::uint8_t> rgba;  // either this
+    std::span<const std::uint16_t> deep; // or this
     std::string extension;               // with the dot
     const ImageTags& tags;
 };
 
 struct Codec {
-    Decoded (*decode)(const DecodeTask& task, const TakeRows& take);
+    DecodeResult (*decode)(const DecodeTask& task, const TakeRows& take);
     std::string (*encode)(const EncodeTask& task); // empty: it could not
     bool (*writes)(const std::string& extension);
-    void (*keep_to_one_thread)(); // from now on, in all of the process
+    void (*keep_to_one_thread)(); // from now on, in the whole process
 };
 
 } // namespace trivar

@@ -71,7 +71,7 @@ bool read_rows(OIIO::ImageInput& input, T full, OIIO::TypeDesc type, const TakeR
 
 } // namespace
 
-Decoded decode_picture(const DecodeTask& task, const TakeRows& take)
+DecodeResult decode_picture(const DecodeTask& task, const TakeRows& take)
 try {
     OIIO::Filesystem::IOMemReader memory(task.bytes.data(), task.bytes.size());
     const auto input = OIIO::ImageInput::create(task.format, false);
@@ -87,7 +87,7 @@ try {
     }
     if (glm::ivec2(spec.width, spec.height) != task.size_px || spec.depth > 1 || spec.nchannels < 1)
         return {};
-    Decoded decoded{true, static_cast<int>(8 * spec.format.size()), {}};
+    DecodeResult decoded{true, static_cast<int>(8 * spec.format.size()), {}};
     for (const std::string& tag : task.tags)
         if (const std::string words(spec.get_string_attribute(tag)); !words.empty())
             decoded.tags.emplace_back(tag, words);

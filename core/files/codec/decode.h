@@ -6,6 +6,6 @@
 namespace trivar {
 
 // What stands behind the door. None of these throws.
-Decoded decode_picture(const DecodeTask& task, const TakeRows& take);
+DecodeResult decode_picture(const DecodeTask& task, const TakeRows& take);
 
 } // namespace trivar

@@ -96,7 +96,7 @@ void decode(const Codec& codec, const PictureOrder& order, const std::string& wo
         task.tags.emplace_back(words.c_str() + at);
         at += task.tags.back().size() + 1;
     }
-    const Decoded decoded = codec.decode(task, [](std::span<const std::uint8_t> rows) {
+    const DecodeResult decoded = codec.decode(task, [](std::span<const std::uint8_t> rows) {
         answer(PictureAnswer::What::rows, 0, rows.data(), rows.size());
     });
     std::string tags;

@@ -28,7 +28,7 @@ constexpr int start_ms = 60000;
 // system after its share of the processor's time, which others may stretch.
 constexpr int silent_ms_a_cpu_s = 3000;
 
-struct Ended { // the helper did, or it fell silent
+struct HelperEnd { // the helper did, or it fell silent
     bool silent = false;
 };
 
@@ -93,7 +93,7 @@ ApartDecoder::ApartDecoder()
     }
     try {
         received(sizeof(PictureAnswer), start_ms); // it is ready
-    } catch (const Ended&) {
+    } catch (const HelperEnd&) {
         end();
         throw Rejected(fmt::format("cannot be read: {} does not start; install it again", program));
     }
@@ -127,10 +127,10 @@ bool ApartDecoder::waited(short event, int wait_ms)
 void ApartDecoder::send(std::string_view bytes, int wait_ms)
 {
     while (!bytes.empty()) {
-        if (!waited(POLLOUT, wait_ms)) throw Ended{true};
+        if (!waited(POLLOUT, wait_ms)) throw HelperEnd{true};
         const ssize_t count =
             ::send(line_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
-        if (count < 0 && errno != EINTR && errno != EAGAIN) throw Ended{};
+        if (count < 0 && errno != EINTR && errno != EAGAIN) throw HelperEnd{};
         if (count > 0) bytes.remove_prefix(static_cast<std::size_t>(count));
     }
 }
@@ -139,9 +139,9 @@ std::string ApartDecoder::received(std::uint64_t bytes, int wait_ms)
 {
     std::string out(bytes, '\0');
     for (std::size_t have = 0; have < out.size();) {
-        if (!waited(POLLIN, wait_ms)) throw Ended{true};
+        if (!waited(POLLIN, wait_ms)) throw HelperEnd{true};
         const ssize_t count = ::recv(line_, out.data() + have, out.size() - have, MSG_DONTWAIT);
-        if (count == 0 || (count < 0 && errno != EINTR && errno != EAGAIN)) throw Ended{};
+        if (count == 0 || (count < 0 && errno != EINTR && errno != EAGAIN)) throw HelperEnd{};
         if (count > 0) have += static_cast<std::size_t>(count);
     }
     return out;
@@ -161,8 +161,8 @@ void ApartDecoder::fail(bool silent, const ApartLimits& limits)
     throw Rejected("is damaged: its decoder fails");
 }
 
-Decoded ApartDecoder::decode(const DecodeTask& task, const ApartLimits& limits,
-                             const TakeRows& take)
+DecodeResult ApartDecoder::decode(const DecodeTask& task, const ApartLimits& limits,
+                                  const TakeRows& take)
 try {
     const int wait_ms = static_cast<int>(limits.cpu_s) * silent_ms_a_cpu_s;
     std::string words = task.format + '\0';
@@ -182,13 +182,13 @@ try {
                                        static_cast<std::uint64_t>(order.height_px);
     while (true) {
         const auto answer = message_of<PictureAnswer>(received(sizeof(PictureAnswer), wait_ms));
-        if (answer.bytes > most) throw Ended{}; // it went mad
+        if (answer.bytes > most) throw HelperEnd{}; // it went mad
         const std::string bytes = received(answer.bytes, wait_ms);
         if (answer.what == PictureAnswer::What::rows) {
             take({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
             continue;
         }
-        Decoded decoded{answer.what == PictureAnswer::What::whole, answer.bits, {}};
+        DecodeResult decoded{answer.what == PictureAnswer::What::whole, answer.bits, {}};
         for (std::size_t at = 0; at < bytes.size();) {
             const std::string tag = bytes.c_str() + at;
             const std::string text = bytes.c_str() + std::min(bytes.size(), at + tag.size() + 1);
@@ -197,7 +197,7 @@ try {
         }
         return decoded;
     }
-} catch (const Ended& ended) {
+} catch (const HelperEnd& ended) {
     fail(ended.silent, limits);
 } catch (...) { // of who takes the rows: there may be more of them on the line
     end();

@@ -8,15 +8,15 @@
 
 namespace trivar {
 
-// Bounds of a picture that is decoded apart.
+// ApartLimits bound the decoding of a picture in another process.
 struct ApartLimits {
-    std::uint64_t memory_bytes = 0; // beside those of the program that decodes
+    std::uint64_t memory_bytes = 0; // in addition to those of the decoding program
     std::uint32_t cpu_s = 0;        // of the processor's time
 };
 
-// The program trivar-picture, started for pictures whose kind has no decoder that could be trusted:
-// one that crashes, hangs or takes all memory is ended, and nothing else is. It is no prison for a
-// decoder that was taken over. Starting it takes a seventh of a second, a picture a millisecond
+// An ApartDecoder is the program trivar-picture, started for pictures whose kind has no trustworthy
+// decoder: if that crashes, hangs or takes all memory, only this program ends. It does not confine
+// a decoder that was taken over. Starting it takes a seventh of a second, a picture a millisecond
 // more than here.
 class ApartDecoder {
 public:
@@ -25,9 +25,9 @@ public:
     ApartDecoder(const ApartDecoder&) = delete;
     ApartDecoder& operator=(const ApartDecoder&) = delete;
 
-    // As Codec::decode. Throws Rejected, the rest of a sentence, where the program did not survive
-    // the picture; it can then take no more.
-    Decoded decode(const DecodeTask& task, const ApartLimits& limits, const TakeRows& take);
+    // As Codec::decode. Throws Rejected, with the rest of a sentence, where the program did not
+    // survive the picture; the decoder then takes no more pictures.
+    DecodeResult decode(const DecodeTask& task, const ApartLimits& limits, const TakeRows& take);
     bool ended() const { return id_ < 0; }
 
 private:
@@ -35,7 +35,7 @@ private:
     std::string received(std::uint64_t bytes, int wait_ms);
     bool waited(short event, int wait_ms);
     [[noreturn]] void fail(bool silent, const ApartLimits& limits);
-    int end(); // its status, as of waitpid
+    int end(); // returns its status, as waitpid does
 
     pid_t id_ = -1;
     int line_ = -1;

@@ -7,11 +7,11 @@
 
 namespace trivar {
 
-// The bytes of a file as its numbers, unsigned, without alignment. Throws Rejected for what lies
-// beyond the end: the rest of a sentence that begins with the file's name and kind.
+// A ByteView reads the bytes of a file as unsigned numbers without alignment. Throws Rejected for a
+// place beyond the end: the rest of a sentence that begins with the file's name and kind.
 struct ByteView {
     std::string_view bytes;
-    const char* ends_early = nullptr; // said instead where these are a part of a file
+    const char* ends_early = nullptr; // said in that case, where these bytes are a part of a file
 
     std::size_t size() const { return bytes.size(); }
     std::string_view part(std::uint64_t at, std::uint64_t count) const;
@@ -19,8 +19,8 @@ struct ByteView {
     {
         return static_cast<unsigned char>(part(at, 1).front());
     }
-    // A side of a picture, which may be more than an int holds: as the largest one, which is too
-    // much.
+    // A side of a picture. A number that does not fit an int becomes the largest int, which is
+    // refused later.
     static int side(std::uint32_t number)
     {
         return static_cast<int>(std::min(number, 0x7fffffffu));

@@ -5,8 +5,8 @@
 
 namespace trivar {
 
-// What knows picture files. Opens trivar-codec.so when it is called first, which takes a seventh of
-// a second. Throws Rejected where that file is missing, the rest of a sentence.
+// The codec for picture files. The first call opens trivar-codec.so, which takes a seventh of a
+// second. Throws Rejected where that file is missing, with the rest of a sentence.
 const Codec& picture_codec();
 
 } // namespace trivar

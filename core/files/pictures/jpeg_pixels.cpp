@@ -78,7 +78,7 @@ bool read_jpeg_rows(jpeg_decompress_struct& jpeg, JpegErrors& errors, const Deco
 
 } // namespace
 
-Decoded jpeg_pixels(const DecodeTask& task, const TakeRows& take)
+DecodeResult jpeg_pixels(const DecodeTask& task, const TakeRows& take)
 {
     JpegErrors errors;
     jpeg_decompress_struct jpeg{};
@@ -88,7 +88,7 @@ Decoded jpeg_pixels(const DecodeTask& task, const TakeRows& take)
     JpegRows rows;
     rows.read.resize(4 * static_cast<std::size_t>(task.size_px.x));
     rows.rgba.resize(rows.read.size());
-    Decoded decoded;
+    DecodeResult decoded;
     try {
         decoded = {read_jpeg_rows(jpeg, errors, task, rows, take), 8, {}};
     } catch (...) { // of who takes the rows

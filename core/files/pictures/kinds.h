@@ -9,15 +9,15 @@
 
 namespace trivar {
 
-// What is known of a picture before a pixel of it is decoded.
+// A PictureHead is what is known of a picture before a pixel of it is decoded.
 struct PictureHead {
     glm::ivec2 size_px{0};
     int channels = 4;
     int bytes_a_channel = 1; // while they are decoded
 };
 
-// The head of a file of one kind; its length does not matter where `whole` is false, else the rest
-// is looked at too: whether all that is declared is there. Throws Rejected, the rest of a sentence.
+// Reads the head of a file of one kind. With head_only the file may be incomplete; with whole,
+// everything that is declared must be there. Throws Rejected, with the rest of a sentence.
 enum class Look { head_only, whole };
 using ReadHead = PictureHead (*)(const ByteView& file, Look look);
 
@@ -32,7 +32,7 @@ PictureHead tiff_head(const ByteView& file, Look look);
 PictureHead dds_head(const ByteView& file, Look look);
 PictureHead tga_head(const ByteView& file, Look look);
 
-using DecodeHere = Decoded (*)(const DecodeTask& task, const TakeRows& take);
+using DecodeHere = DecodeResult (*)(const DecodeTask& task, const TakeRows& take);
 
 struct PictureKind {
     const char* word;   // PNG, JPEG, ...
@@ -42,8 +42,8 @@ struct PictureKind {
     DecodeHere decode; // null: in a process of its own, which may fail without harm
 };
 
-// By the first bytes: an embedded picture has no file name, and names lie; TGA alone has no first
-// bytes, and goes by its name. Throws Rejected with a sentence.
+// The kind by the first bytes: an embedded picture has no file name, and names may be wrong. TGA
+// alone has no first bytes and goes by its name. Throws Rejected with a sentence.
 const PictureKind& picture_kind(std::string_view bytes, const std::string& name);
 
 // Its head, with a size that may be decoded: sides up to 16384 pixels, and pixels in some

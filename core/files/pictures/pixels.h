@@ -11,8 +11,8 @@ namespace trivar {
 // As Codec::decode, in this process and without a word: by libpng and libjpeg, which every browser
 // trusts with files of strangers. The head was found right before (kinds.h). May throw Rejected,
 // the rest of a sentence.
-Decoded png_pixels(const DecodeTask& task, const TakeRows& take);
-Decoded jpeg_pixels(const DecodeTask& task, const TakeRows& take);
+DecodeResult png_pixels(const DecodeTask& task, const TakeRows& take);
+DecodeResult jpeg_pixels(const DecodeTask& task, const TakeRows& take);
 
 // A PNG file, RGBA, with tags as its text chunks: 8 bits a channel or 16.
 std::string png_file(const EncodeTask& task);

@@ -67,7 +67,7 @@ bool read_rows(png_structp png, png_infop info, const DecodeTask& task,
 
 } // namespace
 
-Decoded png_pixels(const DecodeTask& task, const TakeRows& take)
+DecodeResult png_pixels(const DecodeTask& task, const TakeRows& take)
 {
     png_structp png =
         png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, leave_png, say_nothing);
@@ -79,7 +79,7 @@ Decoded png_pixels(const DecodeTask& task, const TakeRows& take)
     std::string_view left = task.bytes;
     png_set_read_fn(png, &left, take_png_bytes);
     std::vector<std::uint8_t> rows;
-    Decoded decoded;
+    DecodeResult decoded;
     try {
         decoded.whole = read_rows(png, info, task, rows, take);
     } catch (...) { // of who takes the rows

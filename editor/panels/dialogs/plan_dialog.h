@@ -9,25 +9,25 @@
 
 namespace trivar {
 
-// A dialog in which a person says how files are to be made: rows of fields, below them a paragraph
-// that says what they come to or why they make no sense, and at its foot Cancel and the button that
-// begins.
+// A PlanDialog is a dialog in which a person says how files are to be made: rows of fields, below
+// them a paragraph on what they give or why they make no sense, and at its foot Cancel and the
+// button that begins.
 struct PlanDialog {
     const char* title = "";
     int rows = 0;
     std::function<void()> fields = {};         // draws the rows
-    std::function<std::string()> come_to = {}; // throws Rejected where they make no sense
-    std::function<std::string()> begin = {};   // words of the button, after those
+    std::function<std::string()> come_to = {}; // throws Rejected where the fields make no sense
+    std::function<std::string()> begin = {};   // returns the words of the button for these fields
 };
 enum class PlanAnswer { none, cancelled, begun };
 PlanAnswer draw_plan_dialog(const ui::Theme& theme, const PlanDialog& dialog);
 
-// A row of a file or a folder, which can be typed; whether it is to be looked for instead. `none`
-// is shown where nothing is typed.
+// Draws a row for a file or a folder, which can be typed; returns whether the person wants to
+// browse. `none` is shown where nothing is typed.
 bool draw_path_row(const ui::Theme& theme, const std::string& label, std::string& path,
                    const std::string& none, const std::string& help);
-// A row of the first and the last frame, within the scene's, and every how many; null: no such
-// field.
+// Draws a row for the first and the last frame, within the scene's, and for the step; null: without
+// the step.
 void draw_frames_row(const ui::Theme& theme, const Time& time, int& first, int& last, int* step);
 
 } // namespace trivar

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-// The pages of the preferences. A page draws its rows from ImGui's cursor downward, `r` is where
-// they may be; changes act at once.
+// These functions draw the pages of the preferences. A page draws its rows from ImGui's cursor
+// downward, within `r`; changes act at once.
 
 namespace trivar {
 
@@ -23,9 +23,10 @@ void draw_about_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r);
 void copy_about();                           // as text, to the clipboard
 void reset_preferences_page(Editor& editor); // the one that is shown, as it is drawn next
 
-const Preferences& usual_preferences(); // as they are at first
+const Preferences& usual_preferences(); // the defaults
 
-// Their rows: a label, with a dot where the value is not the usual one. The dot brings that back.
+// These are rows of preferences: a label, with a dot where the value is not the default. The dot
+// restores it.
 void flag_row(const ui::Theme& theme, const char* label, bool& value, bool usual,
               const std::string& effect);
 struct NamedText {
@@ -37,11 +38,11 @@ struct NamedNumber {
     double value;
     std::string name;
 };
-// The nearest of them is shown as chosen.
+// Draws a row of choices; the one nearest to the value is shown as chosen.
 void choice_row(const ui::Theme& theme, const char* label, double& value, double usual,
                 const std::vector<NamedNumber>& choices);
 void scale_row(Editor& editor, const ui::Theme& theme); // of the whole interface
-// Quiet words below the rows.
+// Draws quiet words below the rows.
 void foot_note(const ui::Theme& theme, const ui::Rect& r, const std::string& text,
                ui::Color color = 0);
 

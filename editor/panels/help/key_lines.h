@@ -8,8 +8,8 @@ namespace trivar {
 
 struct Editor;
 
-// The tool at hand, the mouse, and every action that has a key, from the tables that the program
-// works by, so that they cannot tell anything else.
+// KeyLines list the current tool, the mouse, and every action that has a key, from the tables by
+// which the program works, so that they are always true.
 struct KeyLine {
     std::string what, how; // no `how`: a heading
 };

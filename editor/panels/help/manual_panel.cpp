@@ -32,7 +32,7 @@ struct PageView {
     void rich(const std::vector<ui::Run>& runs, float indent = 0, bool heading = false)
     {
         ImGui::PushID(static_cast<int>(y - ImGui::GetWindowPos().y + ImGui::GetScrollY()));
-        const ui::RichDrawn drawn =
+        const ui::DrawnText drawn =
             ui::draw_rich(theme, style(heading), with_keys(editor, runs),
                           {std::round(left + indent), std::round(y)}, width - indent);
         ImGui::PopID();
@@ -203,7 +203,7 @@ void draw_list(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
     ui::text_field(theme, "search", dialog.search, "Search the manual", r.width() - theme.px(24),
                    ui::icon::search);
     float y = r.lo.y + theme.px(46);
-    std::vector<Found> rows;
+    std::vector<FoundPassage> rows;
     if (dialog.search.find_first_not_of(' ') != std::string::npos)
         rows = found_in(editor.memory.of<ManualPages>().pages, dialog.search);
     else

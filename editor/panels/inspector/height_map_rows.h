@@ -9,11 +9,11 @@ namespace trivar {
 
 struct HeightMapRows {
     RowWords words;
-    double size_world = 0; // that the factors multiply, metres; 0: not known yet
+    double size_world = 0; // metres, the size that the factors multiply; 0: not known yet
     const KeyGutter* keys = nullptr;
 };
-// A list of shapes to begin with and, where the height changes over the strip, its surface, the
-// size of the grid and the number of the chosen point.
+// Draws a list of shapes to begin with and, where the height changes over the strip, its surface,
+// the size of the grid and the number of the chosen point.
 ui::Edit draw_height_map(const ui::Theme& theme, const HeightMapRows& rows, HeightGrid& grid,
                          int& chosen);
 

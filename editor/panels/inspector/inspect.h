@@ -8,16 +8,16 @@
 
 namespace trivar {
 
-// What the parts of the inspector share: a change is proposed while the hand is on it and becomes
-// one step when the hand lets go.
+// The parts of the inspector share these functions: a change is proposed while the hand is on it
+// and becomes one step when the hand lets go.
 
 // Proposes the command if the edit changed something, or cancels what was proposed before.
 void propose_edit(Editor& editor, ui::Edit edit, const std::function<Command()>& command);
 
-// The line of the log that sets what the scene has now, to the clipboard.
+// Copies the line of the log that sets the scene's present value to the clipboard.
 void copy_command(Editor& editor, const Command& command);
 
-// Three fields beside each other, X, Y and Z, in a row of that width, pixels.
+// Draws three fields beside each other, X, Y and Z, in a row of that width, in pixels.
 using AxisField = std::function<ui::Edit(int axis, const ui::NumberStyle& style, float width)>;
 ui::Edit axis_fields(const ui::Theme& theme, float width, ui::NumberStyle style,
                      const AxisField& field);
@@ -29,7 +29,7 @@ ui::Edit draw_surfacing(Editor& editor, const ui::Theme& theme, std::vector<Id> 
 inline constexpr const char* material_help =
     "the colours and textures of the file, or one plain material";
 
-// Commits what was proposed once no field is held any more; every frame, after all panels.
+// Commits the proposal once no field is held any more; called every frame, after all panels.
 void finish_edit(Editor& editor);
 
 } // namespace trivar

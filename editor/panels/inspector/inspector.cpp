@@ -182,7 +182,7 @@ void finish_edit(Editor& editor)
     const Document before = document_at(editor.session.committed(), editor.session.frame());
     // A drag that came back to where it began is no step.
     bool changed = *now.render != *before.render || now.time != before.time ||
-                   now.bookmarks != before.bookmarks || *now.tracks != *before.tracks ||
+                   now.kept_views != before.kept_views || *now.tracks != *before.tracks ||
                    now.objects.size() != before.objects.size();
     for (const auto& [id, each] : now.objects) {
         if (changed) break;

@@ -11,7 +11,7 @@ namespace trivar {
 namespace {
 
 // What every one of them can play, in the order of the active one's file.
-std::vector<std::string> common_clips(const Evaluated& evaluated, const std::vector<Id>& ids)
+std::vector<std::string> common_clips(const Evaluation& evaluated, const std::vector<Id>& ids)
 {
     const auto clips_of = [&](Id id) {
         const auto found = evaluated.objects.find(id);
@@ -49,7 +49,7 @@ std::optional<std::string> clip_row(ValueRows& rows, const std::string& now,
     return clips[static_cast<std::size_t>(chosen)];
 }
 
-Ref<Walk> walk_of(const Evaluated& evaluated, Id id)
+Ref<Walk> walk_of(const Evaluation& evaluated, Id id)
 {
     const auto found = evaluated.objects.find(id);
     return found == evaluated.objects.end() ? nullptr : found->second->walk;

@@ -66,9 +66,9 @@ void draw_other_numbers(Editor& editor, const ui::Theme& theme, Id id)
 
 void draw_kept_view(Editor& editor, const ui::Theme& theme)
 {
-    const auto& bookmarks = editor.session.document().bookmarks;
-    const auto kept = bookmarks.find("picture");
-    if (kept == bookmarks.end() || !ui::section(theme, "View of pictures")) return;
+    const auto& kept_views = editor.session.document().kept_views;
+    const auto kept = kept_views.find("picture");
+    if (kept == kept_views.end() || !ui::section(theme, "View of pictures")) return;
     Camera camera = kept->second;
     const KeyGutter keys(editor, {0});
     ValueRows rows{theme, &keys};
@@ -77,7 +77,7 @@ void draw_kept_view(Editor& editor, const ui::Theme& theme)
     fields.resting_at(camera.target, &Camera::target);
     if (camera.perspective) fields.resting_at(camera.fov_y, &Camera::fov_y);
     ui::gap(theme, 8);
-    propose_edit(editor, rows.edit, [&] { return SaveCamera{"picture", camera}; });
+    propose_edit(editor, rows.edit, [&] { return KeepView{"picture", camera}; });
 }
 
 } // namespace trivar

@@ -18,14 +18,14 @@ Command refine_each(const std::vector<Id>& ids, const std::vector<Refining>& all
 }
 
 // What came of it, of all together.
-void refined_facts(const ui::Theme& theme, const Evaluated& evaluated, const std::vector<Id>& ids)
+void refined_facts(const ui::Theme& theme, const Evaluation& evaluated, const std::vector<Id>& ids)
 {
     std::size_t before = 0, after = 0, open = 0;
     double bound = 0;
     for (const Id id : ids) {
         const auto found = evaluated.objects.find(id);
         if (found == evaluated.objects.end() || !found->second->refined) continue;
-        const Refined& its = *found->second->refined;
+        const RefinementResult& its = *found->second->refined;
         for (const RefinedPart& part : its.parts) before += part.triangles_before;
         after += its.triangles();
         open += its.not_certified();

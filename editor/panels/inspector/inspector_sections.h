@@ -10,14 +10,14 @@ namespace trivar {
 
 struct Editor;
 
-// A part of the inspector for the objects that have what it changes.
+// An InspectorSection is a part of the inspector for those objects that have what it changes.
 struct InspectorSection {
     bool (*applies)(const Document& document, Id id);
     void (*draw)(Editor& editor, const ui::Theme& theme, Id id);
 };
 
-// All of them from top to bottom. A step of an object that has rows of its own is a line here; the
-// numbers of the others stand in the last section.
+// All sections from top to bottom. A step of an object that has rows of its own is a line here; the
+// numbers of all others stand in the last section.
 const std::vector<InspectorSection>& inspector_sections();
 
 } // namespace trivar

@@ -8,7 +8,7 @@ namespace trivar {
 
 struct Editor;
 
-// How many triangles an object keeps, and how many that are.
+// Draws the share of triangles that an object keeps, and their number.
 void draw_simplify(Editor& editor, const ui::Theme& theme, Id id);
 
 } // namespace trivar

@@ -9,8 +9,9 @@
 
 namespace trivar {
 
-// The marks at the right of rows whose numbers can have keys: a hollow diamond is clicked for one
-// in the present frame, is amber where there are keys in others, and solid on one.
+// A KeyGutter draws the marks at the right of rows whose numbers can have keys: a hollow diamond is
+// clicked to set a key in the present frame; it is amber where there are keys in other frames, and
+// solid on a key.
 class KeyGutter {
 public:
     KeyGutter(Editor& editor, std::vector<Id> ids) // 0: the scene
@@ -18,8 +19,9 @@ public:
           ids_(std::move(ids))
     {
     }
-    // Beside the fields that are drawn next, of those names (core/document/parameters.h). With
-    // `apart` each has a field of its own, whose number alone the keyboard means.
+    // Draws the mark beside the fields that are drawn next, for parameters of these names
+    // (core/document/parameters.h). With `apart` each parameter has a field of its own, and the
+    // keyboard acts on that one alone.
     void mark(const ui::Theme& theme, const ui::Row& row, const std::vector<std::string>& names,
               bool apart = false) const;
 
@@ -32,7 +34,7 @@ private:
 // "transform.translation" and the axes that it has.
 std::vector<std::string> axes_of(const std::string& parameter, int count = 3);
 
-// What a row says of its value, and the names that this has among the numbers with keys, if any.
+// RowWords are the words of a row, and the names of its parameters with keys, if any.
 struct RowWords {
     RowWords(std::string sentence, std::vector<std::string> names = {})
         : help(std::move(sentence)),

@@ -9,7 +9,8 @@
 
 namespace trivar {
 
-// The fronts of letters, in the text's X and Y: their triangles, and the edges round them.
+// LetterFronts are the fronts of letters, in the text's X and Y: their triangles, and the edges
+// round them.
 struct LetterFronts {
     std::vector<std::array<glm::vec2, 3>> triangles;
     std::vector<std::array<glm::vec2, 2>> rim;
@@ -17,10 +18,12 @@ struct LetterFronts {
 };
 LetterFronts letter_fronts(const Mesh& text);
 
-// Whether a field shows the letters as they read: it knows no right to left, and not all scripts.
+// Whether a field shows the letters as they are read: it knows neither right-to-left nor all
+// scripts.
 bool field_shows(std::string_view utf8);
 
-// Under the field, where it does not: the letters as they stand in the scene, of that size.
+// Draws the letters as they stand in the scene under the field, of that size, where the field
+// cannot show them.
 void draw_letters_as_read(const ui::Theme& theme, const Mesh& text, double em);
 
 } // namespace trivar

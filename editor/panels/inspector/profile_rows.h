@@ -8,24 +8,25 @@
 
 namespace trivar {
 
-// The points that a hand chose on the curves of a placement and on its height map; -1: none.
+// ChosenPoints are the points that a hand chose on the curves of a placement and on its height map;
+// -1: none.
 struct ChosenPoints {
     int width = -1, height = -1, across = -1, rise = -1, map = -1;
 };
 
-// What a curve of a placement says: how a size changes along the stroke or across it, or how the
-// height is shared out between floor and roof.
+// A ProfileKind says what a curve of a placement controls: how a size changes along the stroke or
+// across it, or how the height is distributed between floor and roof.
 enum class ProfileKind { along, across, rise };
 struct ProfileRows {
     std::string label;
     RowWords words;
-    double size_world = 0; // that the factors multiply; 0: not known yet
+    double size_world = 0; // the size that the factors multiply; 0: not known yet
     ui::Color color = 0;
     ProfileKind kind = ProfileKind::along;
     const KeyGutter* keys = nullptr;
 };
-// A list of shapes to begin with and, where the size changes, the curve and the numbers of the
-// chosen point.
+// Draws a list of shapes to begin with and, where the size changes, the curve and the numbers of
+// the chosen point.
 ui::Edit draw_profile(const ui::Theme& theme, const ProfileRows& rows,
                       std::vector<glm::dvec2>& points, int& chosen);
 

@@ -6,8 +6,8 @@
 
 namespace trivar {
 
-// The field of a value that can have keys, by its kind: a number, a whole one, a list of choices or
-// a box to tick. Numbers are as they are shown, not as they are stored.
+// Draws the field of a value that can have keys, by its kind: a number, a whole number, a list of
+// choices or a box to tick. Numbers are in shown units, not in stored ones.
 ui::Edit value_field(const ui::Theme& theme, Parameter& number, const ui::NumberStyle& style,
                      float width);
 

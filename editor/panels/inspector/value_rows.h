@@ -9,18 +9,18 @@
 
 namespace trivar {
 
-// Rows that change one value each and remember whether any did.
+// ValueRows are rows that change one value each and remember whether any did.
 struct ValueRows {
     const ui::Theme& theme;
-    const KeyGutter* keys = nullptr; // without it no row has a mark
+    const KeyGutter* keys = nullptr; // null: no row has a mark
     ui::Edit edit = ui::Edit::none;
 
     void take(ui::Edit one)
     {
         if (one != ui::Edit::none) edit = one;
     }
-    // The row's field, unless its dot was pressed, which resets the value. `apart`: each of the
-    // numbers has one of its own.
+    // Draws the row's field, unless its dot was pressed, which resets the value. `apart`: each of
+    // the numbers has a field of its own.
     template <class T, class Field>
     void row(const std::string& label, T& value, const T& rest, const RowWords& words,
              Field&& field, bool apart = false)
@@ -40,7 +40,7 @@ struct ValueRows {
         row(label, value, rest, words,
             [&](float width) { return ui::number_field(theme, label, value, style, width); });
     }
-    // A length that at zero is what stands there already: a drag from "auto" begins at that.
+    // Draws a length that is `present` where it is 0: a drag from "auto" begins at that.
     void size(const std::string& label, double& value, double present, const RowWords& words)
     {
         const std::string zero = present > 0 ? "auto, " + ui::short_number(present) : "auto";

@@ -78,7 +78,7 @@ List list_of(const Editor& editor)
         ranked(letters, names, list.commands() ? editor.preferences.recent_commands : none);
     if (!list.found.empty()) return list;
     list.found = ranked(letters, notes, none); // by its menu or by what it is for
-    for (Ranked& each : list.found) each.letters.clear();
+    for (RankedName& each : list.found) each.letters.clear();
     return list;
 }
 

@@ -114,16 +114,16 @@ const char* icon_of(const History& history, const Line& line)
     return line.after == 0 ? ui::icon::file : icon_of(history.steps()[line.after - 1].command);
 }
 
-struct Pointed {
+struct PointerState {
     bool clicked = false, lingers = false; // the mouse is there for a moment
 };
-Pointed draw_line(const ui::Theme& theme, const History& history, const Line& line,
-                  const ui::Rect& row)
+PointerState draw_line(const ui::Theme& theme, const History& history, const Line& line,
+                       const ui::Rect& row)
 {
     constexpr float patience_s = 0.3f;
     const ui::Palette& c = theme.color;
     ImGui::SetCursorScreenPos({row.lo.x, row.lo.y});
-    Pointed pointed;
+    PointerState pointed;
     pointed.clicked = ImGui::InvisibleButton("step", {row.width(), row.height()});
     const bool step = line.kind == Line::step;
     const bool present = step && line.after == history.position();
@@ -234,7 +234,7 @@ void draw_history(Editor& editor, const ui::Theme& theme, const Layout& layout)
             ImGui::PushID(i);
             const ImVec2 at = ImGui::GetCursorScreenPos();
             const Line& line = lines[static_cast<std::size_t>(i)];
-            const Pointed pointed =
+            const PointerState pointed =
                 draw_line(theme, history, line, ui::rect_at({r.lo.x, at.y}, {r.width(), height}));
             if (pointed.clicked) go_to = &line;
             if (pointed.lingers) previewed = &line;

@@ -161,7 +161,7 @@ bool draw_outline_row(Editor& editor, const ui::Theme& theme, const std::vector<
     const bool selected = session.selected.contains(row.id);
     const bool active = session.selected == row.id;
     const bool seen = visible(session.document(), row.id) && row.found &&
-                      !std::ranges::binary_search(session.aside, row.id);
+                      !std::ranges::binary_search(session.hidden_here, row.id);
     const ui::Rect band = {place.lo + glm::vec2(theme.px(4), 0),
                            place.hi - glm::vec2(theme.px(4), 0)};
     ImGui::PushID(row.id);

@@ -11,7 +11,7 @@ namespace {
 
 // The name with the letters that matched in the accent; returns where it ends.
 float paint_matched(const ui::Theme& theme, const ui::Rect& in, const std::string& name,
-                    const Ranked& ranked, ui::Color color)
+                    const RankedName& ranked, ui::Color color)
 {
     const ImFont* font = theme.font.body;
     float x = in.lo.x;
@@ -38,7 +38,7 @@ float caps_width(const ui::Theme& theme, const std::vector<std::string>& caps)
 }
 
 void paint_entry(const ui::Theme& theme, const ui::Rect& row, const PaletteEntry& entry,
-                 const Ranked& ranked, bool chosen)
+                 const RankedName& ranked, bool chosen)
 {
     const ui::Palette& c = theme.color;
     const bool can = entry.why_not.empty();

@@ -10,19 +10,19 @@
 
 namespace trivar {
 
-// The rows of the palette: what was found of the entries, under a caption in capitals.
+// PaletteRows are the rows of the palette: the found entries, under a caption in capitals.
 struct PaletteRows {
     std::vector<PaletteEntry> entries;
-    std::vector<Ranked> found;
+    std::vector<RankedName> found;
     const char* caption = "";
 };
-// The index in `found` that was clicked. `chosen` follows the mouse; nothing need be chosen.
+// Returns the index in `found` that was clicked. `chosen` follows the mouse; there may be none.
 std::optional<std::size_t> draw_rows(const ui::Theme& theme, const ui::Rect& r,
                                      const PaletteRows& rows, std::optional<std::size_t>& chosen,
                                      bool chosen_by_key);
 
-// Keys and what they do, in a line with a rule above it: the first and the last of them, and as
-// many as have room.
+// Draws keys with what they do, in a line with a rule above it: the first and the last of them, and
+// as many as fit.
 struct PaletteHint {
     std::vector<std::string> caps;
     std::string verb;

@@ -13,7 +13,7 @@ namespace trivar {
 namespace {
 
 // What the chosen keys have in common.
-struct Common {
+struct CommonNumber {
     const Key* first = nullptr;
     const Track* track = nullptr;
     NumberWords words;
@@ -21,9 +21,9 @@ struct Common {
     bool values = true, tweens = true, repeats = true;
     bool stay = true; // none of them has a way to the next
 };
-Common common(const Document& document, const ChosenKeys& keys)
+CommonNumber common(const Document& document, const ChosenKeys& keys)
 {
-    Common out;
+    CommonNumber out;
     std::map<Id, std::vector<Parameter>> known;
     for (const KeyName& name : keys) {
         const Key* key = key_of(document, name);
@@ -67,7 +67,7 @@ double first_frame(const ChosenKeys& keys)
 void draw_key_numbers(Editor& editor, const ui::Theme& theme, const ui::Rect& place)
 {
     KeysView& view = editor.timeline.keys;
-    const Common now = common(editor.session.document(), view.chosen);
+    const CommonNumber now = common(editor.session.document(), view.chosen);
     if (!now.first) return;
     // A field that is dragged changes the keys that were there when it began.
     if (!editor.inspecting) view.typed = view.chosen;

@@ -20,7 +20,8 @@ std::vector<std::string> found(std::string_view letters, const std::vector<std::
                                const std::vector<std::string>& recent = {})
 {
     std::vector<std::string> result;
-    for (const Ranked& each : ranked(letters, names, recent)) result.push_back(names[each.index]);
+    for (const RankedName& each : ranked(letters, names, recent))
+        result.push_back(names[each.index]);
     return result;
 }
 
@@ -45,7 +46,7 @@ TEST(LettersInOrder, PreferBeginningsOfWordsAndLettersSideBySide)
               letters_in_order("box", "Bookmark x")->score);
 }
 
-TEST(Ranked, PutsTheBestMatchFirst)
+TEST(RankedName, PutsTheBestMatchFirst)
 {
     EXPECT_THAT(found("sa", {"Use as", "Save as...", "Frame selection"}),
                 ElementsAre("Save as...", "Use as"));
@@ -53,7 +54,7 @@ TEST(Ranked, PutsTheBestMatchFirst)
     EXPECT_THAT(found("xyz", {"Save"}), IsEmpty());
 }
 
-TEST(Ranked, PutsTheRecentOnesFirstWithoutLettersAndAmongEqualMatches)
+TEST(RankedName, PutsTheRecentOnesFirstWithoutLettersAndAmongEqualMatches)
 {
     const std::vector<std::string> names{"New", "Open", "Undo", "Redo"};
     EXPECT_THAT(found("", names, {"Redo", "Gone", "Open"}),

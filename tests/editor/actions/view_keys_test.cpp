@@ -56,15 +56,15 @@ TEST(Isolate, ShowsOnlyWhatIsSelectedTillTheSameKeyIsPressed)
     const std::size_t steps = rig.steps();
     rig.key({ui::key_slash});
     rig.wait();
-    EXPECT_THAT(rig.editor.session.aside, ElementsAre(2));
+    EXPECT_THAT(rig.editor.session.hidden_here, ElementsAre(2));
     rig.click(rig.seen_at(rig.of(2).translation));
     EXPECT_EQ(rig.editor.session.selected, 0) << "nothing is there";
     rig.key({'A'});
     EXPECT_THAT(rig.editor.session.selected.ids(), ElementsAre(1));
     action(rig.editor, "Torus").run(rig.editor); // what is new is shown
-    EXPECT_THAT(rig.editor.session.aside, ElementsAre(2));
+    EXPECT_THAT(rig.editor.session.hidden_here, ElementsAre(2));
     rig.key({ui::key_slash});
-    EXPECT_THAT(rig.editor.session.aside, IsEmpty());
+    EXPECT_THAT(rig.editor.session.hidden_here, IsEmpty());
     EXPECT_EQ(rig.steps(), steps + 1);
 }
 

@@ -132,7 +132,7 @@ TEST_F(Sequences, AreThePicturesThatReplayDraws)
     ASSERT_EQ(render("a.#.png", {}, "1:9:4").status, Status::done);
     ASSERT_TRUE(fs::exists(folder.file("a.5.png")) && fs::exists(folder.file("a.9.png")));
     for (const std::string frame : {"1", "9"}) { // the first also decides where all look from
-        SaveCamera camera{"picture", {}};
+        KeepView camera{"picture", {}};
         camera.camera.eye = {0.5, -6, 4};
         camera.camera.target = {};
         SceneFile file(scene);

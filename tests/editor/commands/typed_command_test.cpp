@@ -70,7 +70,7 @@ TEST(TypedCommand, ComesBackFromItsOwnText)
     for (const Command& command :
          {Command(Rename{2, "a \"b\" = c"}), Command(Hide{{1, 2}}),
           Command(SetTransform{1, {.rotation_deg = {0, 0, 30}}}), Command(AddTorus{}),
-          Command(SaveCamera{"front", {}}), Command(SetMaterial{{2}, {}})})
+          Command(KeepView{"front", {}}), Command(SetMaterial{{2}, {}})})
         EXPECT_EQ(typed(typed_text(command, document), document), command)
             << typed_text(command, document);
 }

@@ -70,7 +70,7 @@ TEST(Tutorial, EveryOneReplaysWithoutANoticeAndHasANoteOnEachLine)
         for (const History::Step& step : scene.history().steps()) {
             EXPECT_FALSE(step.note.empty()) << path << ": " << to_json_line(step.command);
             EXPECT_THAT(testing::unknown_actions(rig.editor, step.note), IsEmpty()) << path;
-            const Evaluated evaluated = evaluator(step.result);
+            const Evaluation evaluated = evaluator(step.result);
             for (const auto& [id, effects] : evaluated.objects) {
                 EXPECT_THAT(effects->notices, IsEmpty()) << path << ": " << step.note;
                 if (!effects->placement) continue;

@@ -39,7 +39,10 @@ struct RefinedRig : Rig {
     {
         return captions_of(editor.session.evaluated(), editor.session.document());
     }
-    const Refined& refined() const { return *editor.session.evaluated().objects.at(2)->refined; }
+    const RefinementResult& refined() const
+    {
+        return *editor.session.evaluated().objects.at(2)->refined;
+    }
 };
 
 TEST(Captions, SayWhatWasWorkedOut)

@@ -31,7 +31,7 @@ struct Recorded : testing::Boxes {
         track.keys[1].value = 1.5;
         EXPECT_TRUE(editor.session.run(Animate{{{1, {track}}}}));
         Camera camera = editor.session.view.camera;
-        EXPECT_TRUE(editor.session.run(SaveCamera{"picture", camera}));
+        EXPECT_TRUE(editor.session.run(KeepView{"picture", camera}));
         editor.session.save_as(disk.file("a.trivar"));
         wait();
         plan = usual_plan(editor.session);
@@ -114,7 +114,7 @@ TEST(Recordings, ThatWereStoppedAreContinuedHereAndByTheCommandLine)
 TEST(Recordings, FromAnotherViewAreNotContinued)
 {
     Recorded rig;
-    ASSERT_TRUE(rig.editor.session.run(DeleteCamera{"picture"}));
+    ASSERT_TRUE(rig.editor.session.run(ForgetView{"picture"}));
     rig.plan.last = 1;
     rig.begin();
     rig.finish();

@@ -15,7 +15,7 @@ struct Filmed : Rig {
     Filmed()
     {
         two_objects();
-        editor.session.run(SaveCamera{"picture", editor.session.view.camera});
+        editor.session.run(KeepView{"picture", editor.session.view.camera});
         editor.session.run(Animate{{{0,
                                      {{"camera.picture.eye.x",
                                        {{.frame = 1, .value = 0, .tween = Tween::linear},

@@ -47,7 +47,7 @@ TEST(ViewportPicture, IsBitForBitTheOneThatReplayDraws)
         rig.editor.preferences.backdrop_as_in_pictures = true;
         in_window = shown(rig, size_px);
         EXPECT_NE(with_grid, in_window);
-        ASSERT_TRUE(rig.editor.session.run(SaveCamera{"picture", rig.editor.session.view.camera}));
+        ASSERT_TRUE(rig.editor.session.run(KeepView{"picture", rig.editor.session.view.camera}));
         rig.editor.session.save_as(folder.file("scene.trivar"));
     }
     ReplayOptions options;
@@ -161,7 +161,7 @@ TEST(ViewportPicture, DeformsNothingAnewThatStaysWhereOthersAreHidden)
     EXPECT_TRUE(deformed(0));
     const long before = drafts.count();
     rig.key({ui::key_slash});
-    ASSERT_EQ(rig.editor.session.aside, (std::vector<Id>{1, 2}));
+    ASSERT_EQ(rig.editor.session.hidden_here, (std::vector<Id>{1, 2}));
     rig.wait();
     EXPECT_GT(drafts.count(), before);
     EXPECT_FALSE(deformed(before));

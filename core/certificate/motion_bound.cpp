@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/certificate/between.h"
+#include "core/certificate/motion_bound.h"
 
 #include "core/certificate/clip_deviation.h"
 
@@ -47,7 +47,7 @@ std::string why_unproven(const Document& document, Id id)
     return why_not_still(document, id, true, seen);
 }
 
-Between::Between(const Document& document, Id id, const AssetStore& assets)
+MotionBound::MotionBound(const Document& document, Id id, const AssetStore& assets)
     : unknown_(why_unproven(document, id)),
       object_(object(document, id)),
       keyed_(KeyedVolume::of(object_)),
@@ -61,15 +61,15 @@ Between::Between(const Document& document, Id id, const AssetStore& assets)
     }
 }
 
-VolumeBends& Between::bends(const Ref<Lattice>& volume)
+VolumeBends& MotionBound::bends(const Ref<Lattice>& volume)
 {
     std::unique_ptr<VolumeBends>& known = bends_[volume];
     if (!known) known = std::make_unique<VolumeBends>(*volume);
     return *known;
 }
 
-double Between::operator()(const EvaluatedObject& from, const Part& a, double from_frame,
-                           const EvaluatedObject& to, const Part& b, double to_frame)
+double MotionBound::operator()(const EvaluatedObject& from, const Part& a, double from_frame,
+                               const EvaluatedObject& to, const Part& b, double to_frame)
 {
     if (!unknown_.empty() || !a.bent || !b.bent) return no_bound;
     if (from.placement != to.placement && !keyed_) return no_bound;
@@ -149,7 +149,7 @@ double Between::operator()(const EvaluatedObject& from, const Part& a, double fr
     return bend.off_chord(step) + glm::dot(slopes, *dev) + changed + 2 * off;
 }
 
-double Between::stretch(const Part& part)
+double MotionBound::stretch(const Part& part)
 {
     const Embedding& e = part.bent->embedding;
     const VolumeBends& bend = bends(part.bent->volume);
@@ -160,8 +160,8 @@ double Between::stretch(const Part& part)
     return out;
 }
 
-double Between::space(const Part& part, const std::vector<glm::vec3>& before_volume,
-                      const std::vector<glm::uvec3>& triangles)
+double MotionBound::space(const Part& part, const std::vector<glm::vec3>& before_volume,
+                          const std::vector<glm::uvec3>& triangles)
 {
     const glm::dmat4& to_uvw = part.bent->embedding.to_uvw;
     std::vector<glm::dvec3> uvw(before_volume.size());
