@@ -71,6 +71,27 @@ double round_step(double start, const NumberStyle& style)
     return std::pow(10, std::floor(std::log10(size)) - 1);
 }
 
+// Without the zeros of an exponent: 1e-9, not 1e-09.
+std::string without_zeros(std::string text)
+{
+    const std::size_t e = text.find('e');
+    if (e == text.npos) return text;
+    if (text[e + 1] == '+') text.erase(e + 1, 1);
+    const std::size_t digits = text[e + 1] == '-' ? e + 2 : e + 1;
+    while (digits + 1 < text.size() && text[digits] == '0') text.erase(digits, 1);
+    return text;
+}
+
+// Rounded to so many significant digits, those before the point always among them.
+std::string number_of_digits(double value, int digits)
+{
+    const double size = std::abs(value);
+    if (size != 0 && (size < 1e-3 || size >= 1e6))
+        return without_zeros(fmt::format("{:.{}g}", value, digits));
+    const int before = size >= 1 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
+    return fmt::format("{:.{}f}", value, std::max(0, digits - before));
+}
+
 void paint_number(const Theme& theme, const Rect& r, double value, const NumberStyle& style,
                   bool hot)
 {
@@ -93,21 +114,23 @@ void paint_number(const Theme& theme, const Rect& r, double value, const NumberS
         text.hi.x += theme.px(3);
     }
     const bool word = !style.words.empty() || (value == 0 && !style.zero.empty());
-    const float unit_width = text_width(theme.font.small, style.unit);
-    if (!style.unit.empty() && !word && text.width() > unit_width + theme.px(34)) {
-        paint_text(theme.font.small, text, c.text_2, style.unit, Align::right);
-        text.hi.x -= unit_width + theme.px(6);
-    }
     const bool whole = style.step >= 1 && value == std::round(value);
     std::string shown = word    ? style.words.empty() ? style.zero : style.words
                         : whole ? fmt::format("{:.0f}", value + 0.0) // of 0, not of -0
                                 : short_number(value);
-    if (word && text_width(theme.font.body, shown) > text.width()) shown = "–";
+    const auto room_for = [&](float taken) {
+        return text_width(theme.font.body, shown) <= text.width() - taken;
+    };
+    const float unit_width = text_width(theme.font.small, style.unit);
+    if (!style.unit.empty() && !word && text.width() > unit_width + theme.px(34) &&
+        room_for(unit_width + theme.px(6))) {
+        paint_text(theme.font.small, text, c.text_2, style.unit, Align::right);
+        text.hi.x -= unit_width + theme.px(6);
+    }
+    if (word && !room_for(0)) shown = "–";
     // A narrow field says it less exactly rather than in part.
-    for (int digits = 2; digits > 0 && !word && std::abs(value) < 99 &&
-                         text_width(theme.font.body, shown) > text.width();
-         --digits)
-        shown = fmt::format("{:.{}g}", value, digits);
+    for (int digits = 4; digits > 0 && !word && !room_for(0); --digits)
+        shown = number_of_digits(value, digits);
     paint_text(theme.font.body, text, word ? c.text_2 : c.text,
                elided(theme.font.body, shown, text.width()));
 }
@@ -151,8 +174,10 @@ std::string limit_words(double value, const NumberStyle& style)
 {
     if (value >= style.lo && value <= style.hi) return {};
     const std::string unit = style.unit.empty() ? "" : " " + style.unit;
-    return value < style.lo ? "At least " + short_number(style.lo) + unit + "."
-                            : "At most " + short_number(style.hi) + unit + ".";
+    constexpr double nearly_nothing = 1e-6; // a limit that stands for "above 0"
+    if (value > style.hi) return "At most " + typed_text(style.hi) + unit + ".";
+    if (style.lo > 0 && style.lo < nearly_nothing) return "More than 0" + unit + ".";
+    return "At least " + typed_text(style.lo) + unit + ".";
 }
 
 Memory::Dropped dropped(std::optional<double> typed, const NumberStyle& style)
@@ -280,7 +305,8 @@ std::string short_number(double value)
 {
     if (value == 0) return "0";
     const double size = std::abs(value);
-    if (!std::isfinite(value) || size < 1e-3 || size >= 1e6) return fmt::format("{:.3g}", value);
+    if (!std::isfinite(value) || size < 1e-3 || size >= 1e6)
+        return without_zeros(fmt::format("{:.3g}", value));
     const int digits = std::max(0, 2 - static_cast<int>(std::floor(std::log10(size))));
     std::string text = fmt::format("{:.{}f}", value, digits);
     // 0.400 says no more than 0.4, but 0.42 and 0.40 beside each other are easier to compare.

@@ -18,6 +18,7 @@
 #include "core/commands/text.h"
 #include "core/commands/travel.h"
 #include "core/commands/view.h"
+#include "core/commands/warp.h"
 #include "core/document/asset_store.h"
 
 #include <string>
@@ -41,7 +42,7 @@ using AnyCommand =
                  PlayClip, Animate, Refine, ClearRefine, PressVolume, MovePoints, InsertKnots,
                  CoarsenVolume, MendVolume, AllowFolds, Unshape, Paste, KeepView, ForgetView,
                  SetRender, SetTime, AddLattice, SetLattice, WarpVolume, KeepShape, Simplify,
-                 ClearSimplify>;
+                 ClearSimplify, SetWarp>;
 
 // A Command is everything that a person can do to a document, by value. It is a variant and is
 // visited as one; copying and comparing it is compiled once, and not wherever a command is copied.

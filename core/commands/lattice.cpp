@@ -6,6 +6,7 @@
 #include "core/commands/edits.h"
 #include "core/commands/group.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace trivar {
@@ -24,16 +25,33 @@ void check(const LatticeShape& shape)
                                        shape.orders[i], shape.orders[i], "XYZ"[i], shape.grid[i]));
 }
 
+namespace {
+
+// With the row of an object before the first of those others.
+Document with_row_before(Document document, Id id, const std::vector<Id>& others)
+{
+    std::vector<Id> rows = in_row_order(document);
+    std::erase(rows, id);
+    rows.insert(std::ranges::find_first_of(rows, others), id);
+    document.rows = make_ref(std::move(rows));
+    return document;
+}
+
+} // namespace
+
 Document applied(Document document, const AddLattice& command)
 {
     check(command.shape);
     check_transform(command.transform);
-    return with_parent_of(std::move(document), command.objects,
-                          {.name = command.name,
-                           .source = command.shape,
-                           .transform = command.transform,
-                           .surfacing = {},
-                           .placement = {}});
+    const Id lattice = document.next_id;
+    document = with_parent_of(std::move(document), command.objects,
+                              {.name = command.name,
+                               .source = command.shape,
+                               .transform = command.transform,
+                               .surfacing = {},
+                               .placement = {}});
+    if (!command.in_place) return document;
+    return with_row_before(std::move(document), lattice, command.objects);
 }
 
 StepTitle title(const AddLattice& c, const StepDocuments& step)

@@ -19,6 +19,7 @@ struct AddLattice {
     std::string name = "Lattice";
     LatticeShape shape = {};
     Transform transform = {};
+    bool in_place = false;
     bool operator==(const AddLattice&) const = default;
     static void fields(auto& c, auto&& field)
     {
@@ -26,6 +27,9 @@ struct AddLattice {
         field("name", c.name, "name in the outliner");
         FieldsOf<LatticeShape>::fields(c.shape, field);
         field("transform", c.transform, "where the box stands, in the group that holds them all");
+        field("in_place", c.in_place,
+              "its row in the outliner is where the first of them had its own; else it is the "
+              "last one");
     }
 };
 Document applied(Document document, const AddLattice& command);

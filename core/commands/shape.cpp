@@ -13,25 +13,79 @@
 namespace trivar {
 namespace {
 
-Document shaped(Document document, Id id, VolumeEdit edit)
+const char* axis_name(VolumeAxis axis, bool box)
+{
+    static constexpr std::array<const char*, 3> of_box{"along X", "along Y", "along Z"},
+        of_stroke{"along the stroke", "across it", "upward"};
+    return (box ? of_box : of_stroke)[static_cast<std::size_t>(axis)];
+}
+
+glm::ivec3 knots_in(const KnotInsertion& k)
+{
+    return {k.along.size(), k.across.size(), k.up.size()};
+}
+
+// Control points that a lattice has after its steps, at most; nothing where the stroke decides it.
+std::optional<glm::ivec3> most_points(const Object& o)
+{
+    const auto* box = std::get_if<LatticeShape>(&o.source);
+    if (!box) return std::nullopt;
+    glm::ivec3 n = box->grid;
+    for (const Ref<VolumeEdit>& edit : o.shaping) {
+        if (edit->insertion) n += knots_in(*edit->insertion);
+        if (!edit->coarsening) continue;
+        const int axis = static_cast<int>(edit->coarsening->axis);
+        if (edit->coarsening->count >= box->orders[axis]) // else it does nothing
+            n[axis] = std::min(n[axis], edit->coarsening->count);
+    }
+    return n;
+}
+
+// Throws Rejected for a step that the lattice cannot take, as far as the document knows.
+void check_fits(const Object& o, const VolumeEdit& edit)
+{
+    const std::optional<glm::ivec3> n = most_points(o);
+    if (!n) return;
+    if (edit.insertion) {
+        const glm::dvec3 then(*n + knots_in(*edit.insertion));
+        if (then.x * then.y * then.z > most_control_points)
+            throw Rejected(fmt::format("{} would have {:.0f} control points; a lattice may have "
+                                       "{:.0f}",
+                                       o.name, then.x * then.y * then.z, most_control_points));
+    }
+    if (edit.shift)
+        for (const glm::ivec3& p : edit.shift->points)
+            if (glm::any(glm::greaterThanEqual(p, *n)))
+                throw Rejected(fmt::format("field \"points\" names {}, {}, {}, but {} has {} x {} "
+                                           "x {} control points, numbered from 0",
+                                           p.x, p.y, p.z, o.name, n->x, n->y, n->z));
+    if (!edit.coarsening) return;
+    const int axis = static_cast<int>(edit.coarsening->axis), count = edit.coarsening->count;
+    const int order = std::get<LatticeShape>(o.source).orders[axis];
+    if (count >= (*n)[axis])
+        throw Rejected(fmt::format("field \"count\" is {}, but {} has {} control points along {}; "
+                                   "give fewer",
+                                   count, o.name, (*n)[axis], "XYZ"[axis]));
+    if (count < order)
+        throw Rejected(fmt::format("field \"count\" is {}, but order {} needs at least {} control "
+                                   "points along {}",
+                                   count, order, order, "XYZ"[axis]));
+}
+
+} // namespace
+
+Document with_step(Document document, Id id, VolumeEdit edit)
 {
     const Object& o = object(document, id);
     check_has_volume(o, id);
     if (o.shaping.size() >= most_shaping_steps)
         throw Rejected(fmt::format("{} is shaped in {} steps already; take some back", named(id, o),
                                    most_shaping_steps));
+    check_fits(o, edit);
     return with_changed(std::move(document), id, [&](Object& changed) {
         changed.shaping.push_back(make_ref(std::move(edit)));
     });
 }
-
-const char* axis_name(VolumeAxis axis)
-{
-    static constexpr std::array<const char*, 3> names{"along", "across", "up"};
-    return names[static_cast<std::size_t>(axis)];
-}
-
-} // namespace
 
 void check(const VolumeEdit& edit)
 {
@@ -77,7 +131,7 @@ Document applied(Document document, const PressVolume& command)
 {
     VolumeEdit edit{.press = command.press};
     check(edit);
-    return shaped(std::move(document), command.object, std::move(edit));
+    return with_step(std::move(document), command.object, std::move(edit));
 }
 
 StepTitle title(const PressVolume& c, const StepDocuments& step)
@@ -94,7 +148,7 @@ Document applied(Document document, const MovePoints& command)
 {
     VolumeEdit edit{.shift = command.shift};
     check(edit);
-    return shaped(std::move(document), command.object, std::move(edit));
+    return with_step(std::move(document), command.object, std::move(edit));
 }
 
 StepTitle title(const MovePoints& c, const StepDocuments& step)
@@ -116,7 +170,7 @@ Document applied(Document document, const InsertKnots& command)
 {
     VolumeEdit edit{.insertion = command.insertion};
     check(edit);
-    return shaped(std::move(document), command.object, std::move(edit));
+    return with_step(std::move(document), command.object, std::move(edit));
 }
 
 StepTitle title(const InsertKnots& c, const StepDocuments& step)
@@ -129,18 +183,19 @@ StepTitle title(const InsertKnots& c, const StepDocuments& step)
 
 Document applied(Document document, const CoarsenVolume& command)
 {
-    return shaped(std::move(document), command.object, {.coarsening = command.coarsening});
+    return with_step(std::move(document), command.object, {.coarsening = command.coarsening});
 }
 
 StepTitle title(const CoarsenVolume& c, const StepDocuments& step)
 {
     return {"Coarsen the volume of " + name_in(step.before, c.object),
-            fmt::format("{} {}", c.coarsening.count, axis_name(c.coarsening.axis))};
+            fmt::format("to {} points {}", c.coarsening.count,
+                        axis_name(c.coarsening.axis, is_lattice(step.before, c.object)))};
 }
 
 Document applied(Document document, const MendVolume& command)
 {
-    return shaped(std::move(document), command.object, {.mending = Mending{}});
+    return with_step(std::move(document), command.object, {.mending = Mending{}});
 }
 
 StepTitle title(const MendVolume& c, const StepDocuments& step)
@@ -152,7 +207,7 @@ Document applied(Document document, const AllowFolds& command)
 {
     VolumeEdit edit{.allowance = command.allowance};
     check(edit);
-    return shaped(std::move(document), command.object, std::move(edit));
+    return with_step(std::move(document), command.object, std::move(edit));
 }
 
 StepTitle title(const AllowFolds& c, const StepDocuments& step)
@@ -160,23 +215,6 @@ StepTitle title(const AllowFolds& c, const StepDocuments& step)
     const std::string name = name_in(step.before, c.object);
     if (c.allowance.boxes.empty()) return {"Let " + name + " fold nowhere", {}};
     return {"Let " + name + " fold in places", {}};
-}
-
-Document applied(Document document, const WarpVolume& command)
-{
-    const Object& lattice = object(document, command.object);
-    if (!std::holds_alternative<LatticeShape>(lattice.source))
-        throw Rejected(
-            fmt::format("field \"object\": {} ({}) is no lattice", command.object, lattice.name));
-    return shaped(std::move(document), command.object, {.warp = command.warp});
-}
-
-StepTitle title(const WarpVolume& c, const StepDocuments& step)
-{
-    const Changes found = changes(Warp{.axis = c.warp.axis, .fixed = c.warp.fixed}, c.warp);
-    const std::string name = name_in(step.before, c.object);
-    if (found.size() != 1) return title_of_changes(found, "Bend", name);
-    return {found[0].name + " " + name, found[0].value};
 }
 
 Document applied(Document document, const Unshape& command)

@@ -12,6 +12,10 @@ void check(const VolumeEdit& edit);
 // done again when the stroke changes.
 inline constexpr std::size_t most_shaping_steps = 4096;
 
+// The document with one more step of shaping. Throws Rejected where the object has no volume, has
+// too many steps, or is a lattice that cannot take the step.
+Document with_step(Document document, Id id, VolumeEdit edit);
+
 struct PressVolume {
     static constexpr std::string_view verb = "press",
                                       summary = "Press a ball into the volume of a placed object, "
@@ -108,22 +112,6 @@ struct AllowFolds {
 };
 Document applied(Document document, const AllowFolds& command);
 StepTitle title(const AllowFolds& c, const StepDocuments& step);
-
-struct WarpVolume {
-    static constexpr std::string_view verb = "warp_volume",
-                                      summary = "Twist, bend, taper, shear or bulge a lattice as "
-                                                "a whole.";
-    Id object = 0;
-    Warp warp;
-    bool operator==(const WarpVolume&) const = default;
-    static void fields(auto& c, auto&& field)
-    {
-        field("object", c.object, "id of a lattice", required);
-        FieldsOf<Warp>::fields(c.warp, field);
-    }
-};
-Document applied(Document document, const WarpVolume& command);
-StepTitle title(const WarpVolume& c, const StepDocuments& step);
 
 struct Unshape {
     static constexpr std::string_view verb = "unshape",

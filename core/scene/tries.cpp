@@ -25,6 +25,10 @@ bool differ_in_numbers_only(const Command& a, const Command& b)
                 return c.objects == d.objects && c.surfacing.filling == d.surfacing.filling;
             else if constexpr (std::is_same_v<C, Place> || std::is_same_v<C, EditPlacement>)
                 return c.object == d.object && c.sketch == d.sketch && c.onto == d.onto;
+            else if constexpr (std::is_same_v<C, WarpVolume>)
+                return c.object == d.object && c.warp.axis == d.warp.axis;
+            else if constexpr (std::is_same_v<C, SetWarp>)
+                return c.object == d.object && c.step == d.step && c.warp.axis == d.warp.axis;
             else
                 return false;
         },

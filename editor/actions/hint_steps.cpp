@@ -75,13 +75,15 @@ std::optional<HintCard> hint_card(const Editor& editor)
     if (editor.tools[editor.tool]->busy()) return {};
     const BackgroundEvaluator::Status work = session.evaluator().status();
     if (work.busy && work.seconds > progress_shown_s) return {}; // its bar is there
-    std::size_t shapes = 0, texts = 0, placed = 0;
+    std::size_t shapes = 0, texts = 0, placed = 0, lattices = 0;
     for (const auto& [id, each] : session.document().objects) {
         shapes += holds_others(each->source) ? 0 : 1;
         texts += std::holds_alternative<TextShape>(each->source) ? 1 : 0;
         placed += each->placement ? 1 : 0;
+        lattices += std::holds_alternative<LatticeShape>(each->source) ? 1 : 0;
     }
-    if (placed == 0 && !closed(editor, draw_hint))
+    // Who bends things without a stroke is not told of strokes.
+    if (placed == 0 && lattices == 0 && !closed(editor, draw_hint))
         return card_before_a_stroke(editor, shapes, texts);
     const auto selected = session.document().objects.find(session.selected);
     const bool handles = selected != session.document().objects.end() &&

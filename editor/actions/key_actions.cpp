@@ -3,9 +3,11 @@
 
 #include "editor/editor.h"
 #include "editor/session/session_facts.h"
+#include "editor/session/topics.h"
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace trivar {
 
@@ -48,6 +50,30 @@ void go_to_key(Editor& e, bool forward)
         e.session.show_frame(static_cast<int>(forward ? std::ceil(*best) : std::floor(*best)));
 }
 
+// Of the parts that the tool has chosen, where the mouse means nothing else.
+std::optional<std::vector<std::string>> numbers_of_parts(const Editor& e)
+{
+    if (e.timeline.hovered || !e.keys_under_mouse.empty()) return {};
+    return e.active_tool().numbers(e.session);
+}
+
+// Says what became of a key for the parts that the tool has chosen.
+void tell_of_parts(Editor& e)
+{
+    const auto numbers = numbers_of_parts(e);
+    if (!numbers) return;
+    if (numbers->empty())
+        e.session.notices.say(ui::NoticeKind::warning, "The chosen points have no key",
+                              "Keys are of steps: move these points first, and no others with "
+                              "them, then the step's numbers take keys.",
+                              of_a_step);
+    else
+        e.session.notices.say(
+            ui::NoticeKind::good, "The chosen points have a key here",
+            fmt::format("of the last step that moved them, in frame {}.", e.session.frame()),
+            of_a_step);
+}
+
 // Where no number is under the mouse: those of the selected objects that have keys, else where
 // they are.
 std::vector<KeyTarget> targets(const Editor& e)
@@ -55,6 +81,10 @@ std::vector<KeyTarget> targets(const Editor& e)
     const Document& document = e.session.document();
     if (!e.keys_under_mouse.empty()) return {meant_by(document, e.keys_under_mouse)};
     std::vector<KeyTarget> out;
+    if (const auto numbers = numbers_of_parts(e)) {
+        if (!numbers->empty()) out.push_back({{e.session.selected}, *numbers});
+        return out;
+    }
     std::vector<Id> ids = e.session.selected.ids();
     if (e.timeline.hovered && ids.empty()) ids = animated_ids(document);
     for (const Id id : ids) {
@@ -138,9 +168,12 @@ void add_key_actions(std::vector<Action>& a)
                  insert_key_action,
                  {{'I'}},
                  [](Editor& e) {
-                     if (!key_view(e)) change_keys(e, keys_of);
+                     if (key_view(e)) return;
+                     change_keys(e, keys_of);
+                     tell_of_parts(e);
                  },
-                 something_to_key(),
+                 {[](const Editor& e) { return !targets(e).empty() || numbers_of_parts(e); },
+                  something_to_key().otherwise},
                  true});
     a.push_back({"Animate",
                  remove_key_action,

@@ -2,6 +2,7 @@
 #include "core/commands/command.h"
 #include "editor/panels/panels.h"
 
+#include "editor/session/done_titles.h"
 #include "editor/session/scene_names.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
@@ -67,13 +68,14 @@ float search_button(Editor& editor, const ui::Theme& theme, const ui::Rect& bar)
 }
 
 // "Undo Width of Snake 0.24 m": what the button would take back or bring back.
-std::string words_of_step(const History& history, bool undo)
+std::string words_of_step(const Session& session, bool undo)
 {
+    const History& history = session.scene().history();
     const std::size_t step = history.position() + (undo ? 0 : 1); // counted from 1
     if (step == 0 || step > history.steps().size()) return {};
     const Document& before = step == 1 ? history.start() : history.steps()[step - 2].result;
     const History::Step& done = history.steps()[step - 1];
-    return " " + step_title(done.command, before, done.result).text();
+    return " " + done_title(session, done.command, before, done.result).text();
 }
 
 } // namespace
@@ -108,8 +110,7 @@ void draw_top_bar(Editor& editor, const ui::Theme& theme, const Layout& layout)
         ImGui::SetCursorScreenPos({at, r.lo.y + theme.px(8)});
         const Action& each = action(editor, what);
         const char* icon = each.name == "Undo" ? ui::icon::undo : ui::icon::redo;
-        const std::string step =
-            words_of_step(editor.session.scene().history(), each.name == "Undo");
+        const std::string step = words_of_step(editor.session, each.name == "Undo");
         ui::Tip tip = tip_of(editor, each);
         tip.name += step;
         if (ui::icon_button(theme, what, icon, square, tip, {.enabled = is_enabled(editor, each)}))

@@ -5,6 +5,7 @@
 #include "core/base/text.h"
 #include "editor/actions/start_card.h"
 #include "editor/panels/foot_cards.h"
+#include "editor/picture/bent_cage.h"
 #include "editor/picture/captions.h"
 #include "editor/picture/volume_picture.h"
 #include "editor/session/scene_facts.h"
@@ -30,7 +31,8 @@ void add_lattices(std::vector<gpu::Line>& lines, const Session& session, const u
         if (!is_lattice(session.document(), id) || !each->placement ||
             std::ranges::binary_search(session.hidden_here, id))
             continue;
-        const Lattice& volume = each->placement->volume;
+        const Ref<Lattice> cage = bent_cage(session.evaluated(), session.document(), *each);
+        const Lattice& volume = *cage;
         const ShellLook& look = !session.selected.contains(id)                    ? other
                                 : volume.displacement.points.size() > most_points ? many
                                                                                   : selected;
@@ -55,7 +57,9 @@ Helpers helpers_of(Editor& editor, const ui::Theme& theme)
         return helpers;
     const Placement& placement = *found->second->placement;
     if (is_lattice(editor.session.document(), found->first)) {
-        helpers.veils.push_back(shell_veil(placement.volume, theme.color));
+        const Session& session = editor.session;
+        helpers.veils.push_back(shell_veil(
+            *bent_cage(session.evaluated(), session.document(), *found->second), theme.color));
     } else {
         std::ranges::move(placement_lines(placement, theme.color, theme.line(1)),
                           std::back_inserter(helpers.lines));

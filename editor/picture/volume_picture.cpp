@@ -2,6 +2,7 @@
 #include "editor/picture/volume_picture.h"
 
 #include "core/mesh/primitives.h"
+#include "editor/picture/bent_cage.h"
 #include "editor/picture/volume_facts.h"
 #include "editor/picture/volume_surface.h"
 
@@ -151,12 +152,13 @@ void add_volumes(gpu::Picture& picture, const Evaluation& evaluated, const Docum
             continue;
         drawn.push_back(&volume);
         const bool box = is_lattice(document, id);
-        std::ranges::move(box ? shell_lines(volume, color.lattice, line_px)
+        const Ref<Lattice> cage = bent_cage(evaluated, document, *each);
+        std::ranges::move(box ? shell_lines(*cage, color.lattice, line_px)
                               : placement_lines(*each->placement, color, line_px),
                           std::back_inserter(picture.lines));
-        picture.translucent.push_back(box ? shell_veil(volume, color)
+        picture.translucent.push_back(box ? shell_veil(*cage, color)
                                           : placement_veil(*each->placement, color));
-        if (box) picture.translucent.push_back(shell_points(volume, color));
+        if (box) picture.translucent.push_back(shell_points(*cage, color));
         std::ranges::move(fold_veils(*each, color), std::back_inserter(picture.translucent));
         const std::vector<Ref<VolumeEdit>>& steps = object(document, id).shaping;
         if (!steps.empty() && steps.back()->press)

@@ -78,12 +78,12 @@ void Session::show_frame(int frame)
     look_at_frame();
 }
 
-template <class Change> bool Session::attempt(Change&& change, bool quietly)
+template <class Change> bool Session::attempt(Change&& change)
 {
     try {
         change();
     } catch (const Rejected& why) {
-        if (!quietly) notices.say(ui::NoticeKind::warning, why.what(), {}, of_a_step);
+        notices.say(ui::NoticeKind::warning, why.what(), {}, of_a_step);
         return false;
     }
     refresh();
@@ -103,23 +103,31 @@ void Session::refuse(const Command& command, const std::string& why)
 
 bool Session::propose(Command command)
 {
-    check_.reset();
-    if (is_proposed(said(command))) return true;
-    return attempt([&] {
-        try {
-            scene_.propose(said(command));
-        } catch (const Rejected& why) {
-            refuse(command, why.what());
-            throw;
-        }
-    });
+    return try_propose(command, false);
 }
 
 bool Session::propose_quietly(Command command)
 {
+    return try_propose(command, true);
+}
+
+// Whatever the command says, and however it is said as keys: what is refused changes nothing.
+bool Session::try_propose(const Command& command, bool quietly)
+{
     check_.reset();
-    if (is_proposed(said(command))) return true;
-    return attempt([&] { scene_.propose(said(command)); }, true);
+    try {
+        const Command now = said(command);
+        if (is_proposed(now)) return true;
+        scene_.propose(now);
+    } catch (const Rejected& why) {
+        if (!quietly) {
+            refuse(command, why.what());
+            notices.say(ui::NoticeKind::warning, why.what(), {}, of_a_step);
+        }
+        return false;
+    }
+    refresh();
+    return true;
 }
 
 // A hand that rests proposes the same in every frame, which is nothing to be evaluated.
@@ -183,6 +191,8 @@ bool Session::run(const Command& command)
 std::string Session::try_run(const Command& command, const std::string& note)
 {
     check_.reset();
+    const Document before = committed();
+    const std::vector<Id> were = selected.ids();
     try {
         scene_.run(said(command), note);
     } catch (const Rejected& why) {
@@ -190,6 +200,7 @@ std::string Session::try_run(const Command& command, const std::string& note)
         return why.what();
     }
     refresh();
+    select_freed(before, were);
     return {};
 }
 
@@ -197,16 +208,20 @@ void Session::undo()
 {
     check_.reset();
     const Document before = committed();
+    const std::vector<Id> were = selected.ids();
     attempt([&] { scene_.undo(); });
     select_returned(before);
+    select_freed(before, were);
 }
 
 void Session::redo()
 {
     check_.reset();
     const Document before = committed();
+    const std::vector<Id> were = selected.ids();
     attempt([&] { scene_.redo(); });
     select_returned(before);
+    select_freed(before, were);
 }
 
 void Session::select_returned(const Document& before)
@@ -215,6 +230,17 @@ void Session::select_returned(const Document& before)
     for (const auto& [id, each] : document().objects)
         if (!before.objects.contains(id)) ids.push_back(id);
     if (!ids.empty()) selected.set(topmost(document(), ids));
+}
+
+// Where all that was selected is gone, what it held and that is still there.
+void Session::select_freed(const Document& before, const std::vector<Id>& were)
+{
+    if (selected != 0) return;
+    std::vector<Id> ids;
+    for (const auto& [id, each] : before.objects)
+        if (std::ranges::find(were, each->parent) != were.end() && document().objects.contains(id))
+            ids.push_back(id);
+    if (!ids.empty()) selected.set(ids);
 }
 
 void Session::select_new(Id first)

@@ -117,8 +117,10 @@ private:
     void finish_check();
     void tell_what_is_missing();
     void select_returned(const Document& before);
+    void select_freed(const Document& before, const std::vector<Id>& were);
     void meet_document(); // the scene changed as a whole
-    template <class Change> bool attempt(Change&& change, bool quietly = false);
+    template <class Change> bool attempt(Change&& change);
+    bool try_propose(const Command& command, bool quietly);
     void refuse(const Command& command, const std::string& why);
 
     std::function<void()> wake_;

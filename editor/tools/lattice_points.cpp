@@ -4,6 +4,8 @@
 #include "core/base/rounded.h"
 #include "core/commands/edits.h"
 #include "core/placement/shifting.h"
+#include "editor/picture/bent_cage.h"
+#include "editor/session/topics.h"
 #include "editor/tools/gesture_keys.h"
 #include "editor/tools/hand_motion.h"
 #include "editor/tools/last_shaping.h"
@@ -15,8 +17,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
 #include <imgui.h>
+#include <set>
+#include <tuple>
 
 namespace trivar {
 namespace {
@@ -49,6 +54,24 @@ std::vector<char> flags_of(const Lattice& volume, const std::vector<glm::ivec3>&
     std::vector<char> out(volume.displacement.points.size());
     for (const glm::ivec3& p : points) out[volume.displacement.index(p.x, p.y, p.z)] = 1;
     return out;
+}
+
+// The points that take all of a step.
+std::vector<glm::ivec3> fully_held(const PointShift& shift)
+{
+    std::vector<glm::ivec3> out;
+    for (std::size_t i = 0; i < shift.points.size(); ++i)
+        if (shift.weights.empty() || shift.weights[i] == 1) out.push_back(shift.points[i]);
+    return out;
+}
+
+// Whether they are the same points, in whatever order.
+bool are_alike(const std::vector<glm::ivec3>& a, const std::vector<glm::ivec3>& b)
+{
+    const auto less = [](const glm::ivec3& p, const glm::ivec3& q) {
+        return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+    };
+    return std::set(a.begin(), a.end(), less) == std::set(b.begin(), b.end(), less);
 }
 
 bool has(const std::vector<glm::ivec3>& points, const glm::ivec3& point)
@@ -102,18 +125,24 @@ void LatticePointsTool::keep_what_is_there(const Session& session)
                   [&](const glm::ivec3& p) { return p.x >= n.x || p.y >= n.y || p.z >= n.z; });
 }
 
+Ref<Lattice> LatticePointsTool::cage(const Session& session) const
+{
+    if (cage_.evaluation == session.evaluation() && cage_.id == session.selected)
+        return cage_.volume;
+    return bent_cage(session.evaluated(), session.document(), *selected_volume(session));
+}
+
 std::optional<glm::ivec3> LatticePointsTool::point_at(const Session& session,
                                                       const ViewportInput& input) const
 {
     std::optional<glm::ivec3> nearest;
     double distance = point_reach_px * input.scale;
-    each_point(selected_volume(session)->placement->volume, session.view.camera,
-               [&](const glm::ivec3& p, glm::dvec2 at) {
-                   const double far = glm::distance(at, input.mouse);
-                   if (far >= distance) return;
-                   distance = far;
-                   nearest = p;
-               });
+    each_point(*cage(session), session.view.camera, [&](const glm::ivec3& p, glm::dvec2 at) {
+        const double far = glm::distance(at, input.mouse);
+        if (far >= distance) return;
+        distance = far;
+        nearest = p;
+    });
     return nearest;
 }
 
@@ -121,8 +150,29 @@ bool LatticePointsTool::grab(Session& session, MotionKind kind)
 {
     keep_what_is_there(session);
     grabbing_.reset();
-    if (!chosen_.empty() && !session.committing()) grabbing_ = kind;
-    return grabbing_.has_value();
+    if (object_ == 0) return false;
+    if (chosen_.empty())
+        session.notices.say(ui::NoticeKind::warning, "No control point is chosen",
+                            "Click one, or drag a box over some. With the Select tool the keys "
+                            "move, turn and scale the whole object.",
+                            of_a_step);
+    else if (!session.committing())
+        grabbing_ = kind;
+    return true;
+}
+
+std::optional<std::vector<std::string>> LatticePointsTool::numbers(const Session& session) const
+{
+    if (chosen_.empty() || object_ != session.selected) return {};
+    std::vector<std::string> names;
+    const std::vector<Ref<VolumeEdit>>& steps = object(session.document(), object_).shaping;
+    for (std::size_t i = steps.size(); i-- > 0 && names.empty();) {
+        if (!steps[i]->shift || !are_alike(fully_held(*steps[i]->shift), chosen_)) continue;
+        for (const char* part : {"by", "rotation_deg", "factors"})
+            for (const char axis : {'x', 'y', 'z'})
+                names.push_back(fmt::format("shaping.{}.shift.{}.{}", i, part, axis));
+    }
+    return names;
 }
 
 bool LatticePointsTool::choose_parts(Session& session, PartChoice choice)
@@ -153,6 +203,8 @@ void LatticePointsTool::use(Session& session, const ViewportInput& input)
 {
     tell(session);
     outside_ = !input.hovered;
+    if (const EvaluatedObject* laid = selected_volume(session))
+        cage_ = {session.evaluation(), laid->id, cage(session)};
     if (gesture_) {
         if (!selected_volume(session)) return cancel(session);
         return go_on(session, input);
@@ -165,7 +217,7 @@ void LatticePointsTool::use(Session& session, const ViewportInput& input)
         if (input.pressed) select_by_click(session, input.under);
         return;
     }
-    const Lattice& volume = selected_volume(session)->placement->volume;
+    const Lattice& volume = *cage_.volume;
     if (box_px_) {
         if (!input.released && input.down) return;
         if (glm::distance(*box_px_, input.mouse) >= click_slip_px)
@@ -195,7 +247,10 @@ void LatticePointsTool::use(Session& session, const ViewportInput& input)
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     if (!input.pressed || session.committing()) return;
     if (input.double_clicked && hovered_) return choose_line(session);
-    if (hovered_handle_.grip != Grip::none)
+    pressed_ = hovered_;
+    if (hovered_ && ImGui::GetIO().KeyCtrl)
+        choose(session, input);
+    else if (hovered_handle_.grip != Grip::none)
         begin(session, input, hovered_handle_);
     else if (hovered_)
         choose(session, input);
@@ -217,7 +272,7 @@ void LatticePointsTool::choose(const Session& session, const ViewportInput& inpu
 void LatticePointsTool::choose_line(const Session& session)
 {
     const ImGuiIO& io = ImGui::GetIO();
-    const Lattice& volume = selected_volume(session)->placement->volume;
+    const Lattice& volume = *cage_.volume;
     const bool again = line_at_ == hovered_ && line_is_plane_ == io.KeyShift;
     line_axis_ = again ? (line_axis_ + 1) % 3
                        : clearest_axis(volume, session.view.camera, *hovered_, io.KeyShift);
@@ -234,7 +289,7 @@ void LatticePointsTool::choose_in_box(const Session& session, const ViewportInpu
 {
     const glm::dvec2 lo = glm::min(*box_px_, input.mouse), hi = glm::max(*box_px_, input.mouse);
     if (!ImGui::GetIO().KeyCtrl) chosen_.clear();
-    const Lattice& volume = selected_volume(session)->placement->volume;
+    const Lattice& volume = *cage_.volume;
     const std::vector<char> before = flags_of(volume, chosen_);
     each_point(volume, session.view.camera, [&](const glm::ivec3& p, glm::dvec2 at) {
         const bool inside =
@@ -250,14 +305,15 @@ void LatticePointsTool::begin(const Session& session, const ViewportInput& input
     of_ = point_count(volume);
     by_key_ = false;
     kind_ = kind;
-    const MotionFrame frame = frame_of(volume);
+    const MotionFrame frame = frame_of(*cage(session));
+    world_axes_ = frame_of(volume).axes;
     // A lattice's steps are of the box before the object's transform, those of a stroke of the
     // world.
     const bool box = is_lattice(session.document(), object_);
     const glm::dmat4 from_world =
         box ? glm::inverse(to_world(session.shown(), object_)) : glm::dmat4(1);
     from_world_ = glm::dmat3(from_world);
-    axes_ = frame.axes;
+    axes_ = world_axes_;
     if (box) {
         Lattice before = volume;
         before.rest = from_world * before.rest;
@@ -281,7 +337,7 @@ void LatticePointsTool::begin(const Session& session, const ViewportInput& input
 PointShift LatticePointsTool::shift() const
 {
     const Motion motion = gesture_->motion();
-    const glm::dmat3 world = gesture_->frame().axes;
+    const glm::dmat3& world = world_axes_;
     const auto along = [&](const glm::dvec3& v) { // of its own directions, from the gesture's
         return without_rounding(glm::transpose(axes_) * (from_world_ * (world * v)));
     };
@@ -324,7 +380,9 @@ void LatticePointsTool::finish(Session& session)
     const bool moved = !gesture_->motion().is_nothing();
     const bool meant =
         by_key_ || gesture_->travelled_px() >= click_slip_px || gesture_->typed().open();
+    const bool clicked = !meant && pressed_ && !by_key_;
     gesture_.reset();
+    if (clicked) chosen_ = {*pressed_};
     if (meant && moved && session.propose(command())) {
         told_of_ = object_;
         session.commit();

@@ -24,6 +24,7 @@ public:
     std::string page() const override { return "lattice"; }
     std::vector<ui::Chord> keys() const override { return {{'V'}, {'4'}}; }
     bool grab(Session& session, MotionKind kind) override;
+    std::optional<std::vector<std::string>> numbers(const Session& session) const override;
     bool choose_parts(Session& session, PartChoice choice) override;
     std::optional<bool> proportional() const override { return proportional_.on; }
     void set_proportional(bool on) override { proportional_.on = on; }
@@ -43,6 +44,8 @@ public:
 
 private:
     void keep_what_is_there(const Session& session);
+    // The selected volume as it is seen; the volume must be there.
+    Ref<Lattice> cage(const Session& session) const;
     std::optional<glm::ivec3> point_at(const Session& session, const ViewportInput& input) const;
     void choose(const Session& session, const ViewportInput& input);
     void choose_line(const Session& session);
@@ -70,12 +73,14 @@ private:
     std::vector<glm::ivec3> chosen_; // of that one's volume, in the order they were chosen
     std::optional<glm::ivec3> hovered_;
     Handle hovered_handle_;
-    std::optional<glm::dvec2> box_px_; // where it began
+    std::optional<glm::ivec3> pressed_; // a click on it chooses it alone
+    std::optional<glm::dvec2> box_px_;  // where it began
     std::optional<TransformGesture> gesture_;
     MotionKind kind_ = MotionKind::move; // of the gesture
-    // As it began: the volume's directions at the first point before the object's own transform, by
-    // columns, what takes a direction of the world there, and how far all points are.
-    glm::dmat3 axes_{1}, from_world_{1};
+    // As it began: the volume's directions at the first point, by columns, before the object's own
+    // transform and after it, what takes a direction of the world there, and how far all points
+    // are. The handles' directions differ where a lattice round this one bends what is seen of it.
+    glm::dmat3 axes_{1}, world_axes_{1}, from_world_{1};
     std::vector<PointDistance> distances_;
     PointShift shown_; // proposed last
     Proportional proportional_;
@@ -85,6 +90,11 @@ private:
     bool by_key_ = false;                // the gesture goes on till a click
     bool outside_ = false;               // the mouse is not over the picture
     Id told_of_ = 0;
+    struct Cage { // what cage() gave last, by the evaluation
+        long evaluation = -1;
+        Id id = 0;
+        Ref<Lattice> volume;
+    } cage_;
     // The row or plane that was chosen last by its point: the same again is along the next axis.
     std::optional<glm::ivec3> line_at_;
     bool line_is_plane_ = false;

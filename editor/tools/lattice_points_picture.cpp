@@ -45,7 +45,8 @@ std::vector<gpu::Line> LatticePointsTool::lines(const Session& session,
 void LatticePointsTool::paint_points(const Session& session, const ui::Theme& theme,
                                      const ViewportInput& input) const
 {
-    const Lattice& volume = selected_volume(session)->placement->volume;
+    const Ref<Lattice> seen = cage(session);
+    const Lattice& volume = *seen;
     std::vector<double> shares(volume.displacement.points.size());
     const auto share_of = [&](const glm::ivec3& p) -> double& {
         return shares[volume.displacement.index(p.x, p.y, p.z)];
@@ -111,7 +112,7 @@ void LatticePointsTool::overlay(const Session& session, const ui::Theme& theme,
     if (chosen_.empty() || box_px_ || laid->id != object_) return;
     paint_gizmo(theme, input.rect.lo,
                 gizmo_shapes(gesture_ ? kind_ : MotionKind::move, session.view.camera,
-                             frame_of(laid->placement->volume), input.scale),
+                             frame_of(*cage(session)), input.scale),
                 gesture_ ? gesture_->constraint() : hovered_handle_);
     if (gesture_) paint_gesture(session, theme, input);
 }

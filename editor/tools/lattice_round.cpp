@@ -36,7 +36,7 @@ AddLattice lattice_round(const Session& session, const std::vector<Id>& ids)
 {
     const Id parent = common_parent(session.document(), ids);
     const Box box = box_round(session, ids, parent);
-    AddLattice add{.objects = ids};
+    AddLattice add{.objects = ids, .in_place = true};
     if (box.empty()) return add;
     const double longest = std::max({box.size().x, box.size().y, box.size().z, 1e-6});
     constexpr double least_share = 0.05; // what is flat gets a thickness

@@ -79,6 +79,17 @@ std::vector<VolumePart> parts_of(const Press& press, const Lattice& volume)
     return with_mirrored(bent_by(volume, held), press.mirror);
 }
 
+// The lattice that something without a volume of its own stands in, if that is not selected; 0:
+// none that can be pressed.
+Id lattice_of_member(const Session& session, Id member)
+{
+    const Document& document = session.document();
+    if (member == 0 || object(document, member).placement) return 0;
+    const std::vector<Id> all = lattices_round(document, member);
+    if (all.empty() || locked(document, all.front()) || session.selected == all.front()) return 0;
+    return session.evaluated().objects.contains(all.front()) ? all.front() : 0;
+}
+
 // While it is only held over the volume: the picture is not drawn anew for it.
 void paint_held_ball(const ui::Theme& theme, const ViewportInput& input, const Camera& camera,
                      const glm::dvec3& center, double radius)
@@ -135,14 +146,9 @@ void PressTool::begin(Session& session, const ViewportInput& input)
     session.notices.forget(of_a_step);
 }
 
-void PressTool::use(Session& session, const ViewportInput& input)
+void PressTool::find_place(const Session& session, const ViewportInput& input)
 {
-    tell(session);
     const EvaluatedObject* laid = selected_volume(session);
-    if (gesture_) {
-        if (!laid) return cancel(session);
-        return go_on(session, input);
-    }
     at_.reset();
     if (laid && laid->placement != placement_) {
         placement_ = laid->placement;
@@ -151,11 +157,25 @@ void PressTool::use(Session& session, const ViewportInput& input)
     if (!laid) placement_ = nullptr;
     if (placement_ && (input.hovered || input.pressed))
         at_ = on_volume(surface_, ray_through(session.view.camera, input.mouse));
-    if (at_) {
-        last_at_ = at_->uvw;
-        last_of_ = laid->id;
+    if (!at_) return;
+    last_at_ = at_->uvw;
+    last_of_ = laid->id;
+}
+
+void PressTool::use(Session& session, const ViewportInput& input)
+{
+    tell(session);
+    if (gesture_) {
+        if (!selected_volume(session)) return cancel(session);
+        return go_on(session, input);
     }
+    find_place(session, input);
     if (!input.pressed || session.committing()) return;
+    // What stands in a lattice is pressed with it.
+    if (const Id lattice = at_ ? 0 : lattice_of_member(session, input.under)) {
+        session.selected = lattice;
+        find_place(session, input);
+    }
     if (at_)
         begin(session, input);
     else
@@ -393,8 +413,15 @@ std::vector<Hint> PressTool::hints(const Session& session) const
         hints.push_back({{"Esc", "/", "right"}, "Cancel"});
         return hints;
     }
+    const Id selected = session.selected;
+    const bool member = selected != 0 && session.document().objects.contains(selected) &&
+                        lattice_of_member(session, selected) != 0;
+    if (!selected_volume(session) && member)
+        return {{{"left"}, "Drag on it to press the lattice that it stands in"},
+                {{"Esc"}, "Select"}};
     if (!selected_volume(session))
-        return {{{}, "Select a placed object"}, {{"left"}, "Select"}, {{"Esc"}, "Select"}};
+        return {
+            {{}, "Select a placed object or a lattice"}, {{"left"}, "Select"}, {{"Esc"}, "Select"}};
     std::vector<Hint> hints;
     if (by_ == By::drag)
         hints.push_back({{"left"}, "Drag in to press, out to pull"});

@@ -49,6 +49,7 @@ private:
         bool moved = false;
     };
     void begin(Session& session, const ViewportInput& input);
+    void find_place(const Session& session, const ViewportInput& input); // under the mouse
     void go_on(Session& session, const ViewportInput& input);
     void finish(Session& session);
     void tell(Session& session); // what became of the last stroke

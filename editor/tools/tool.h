@@ -68,6 +68,12 @@ public:
     {
         return (void)session, (void)kind, false;
     }
+    // Names of the numbers of the selected object that say where the parts are that it has chosen;
+    // empty: no step has moved just them. Nothing: it has chosen none, and the object is meant.
+    virtual std::optional<std::vector<std::string>> numbers(const Session& session) const
+    {
+        return (void)session, std::nullopt;
+    }
     // Chooses among the parts that it works on; false where it has none, and objects are meant.
     virtual bool choose_parts(Session& session, PartChoice choice)
     {

@@ -85,7 +85,8 @@ int run_editor(const EditorOptions& options)
                 if (!trouble.empty())
                     editor.session.notices.say(ui::NoticeKind::warning, "Not remembered", trouble);
                 if (options.tell_steps) tell_steps(editor.session.scene());
-                const std::string now = title_of(editor.session.scene()) + " - Trivar";
+                const std::string now =
+                    fmt::format("{} - Trivar", title_of(editor.session.scene()));
                 if (now == title) return;
                 title = now;
                 window.set_title(title);

@@ -2,6 +2,7 @@
 #include "editor/words/volume_words.h"
 
 #include "core/commands/changes.h"
+#include "core/placement/warping.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 
 namespace trivar {
 
-std::string words_of(const VolumeEdit& edit)
+std::string words_of(const VolumeEdit& edit, bool box)
 {
     if (edit.press) {
         static constexpr std::array<const char*, 4> decays{"Gaussian", "hat", "box", "smooth"};
@@ -28,12 +29,15 @@ std::string words_of(const VolumeEdit& edit)
                            ui::short_number(glm::length(edit.shift->by)));
     if (edit.insertion) {
         const KnotInsertion& k = *edit.insertion;
-        return fmt::format("{} knots more", k.along.size() + k.across.size() + k.up.size());
+        const std::size_t more = k.along.size() + k.across.size() + k.up.size();
+        return more == 1 ? "1 more knot" : fmt::format("{} more knots", more);
     }
     if (edit.coarsening) {
-        static constexpr std::array<const char*, 3> axes{"along", "across", "up"};
-        return fmt::format("{} points {}", edit.coarsening->count,
-                           axes[static_cast<std::size_t>(edit.coarsening->axis)]);
+        static constexpr std::array<const char*, 3> of_box{"along X", "along Y", "along Z"},
+            of_stroke{"along the stroke", "across it", "upward"};
+        const auto axis = static_cast<std::size_t>(edit.coarsening->axis);
+        return fmt::format("Coarsened to {} points {}", edit.coarsening->count,
+                           box ? of_box[axis] : of_stroke[axis]);
     }
     if (edit.allowance) {
         const std::size_t parts = edit.allowance->boxes.size();
@@ -43,14 +47,29 @@ std::string words_of(const VolumeEdit& edit)
     if (edit.warp) {
         const Changes found =
             changes(Warp{.axis = edit.warp->axis, .fixed = edit.warp->fixed}, *edit.warp);
-        return found.size() == 1 ? found[0].name + " " + found[0].value : "Bent as a whole";
+        if (found.empty() || found.size() > 3) return "Bent as a whole";
+        std::string words;
+        for (const Change& each : found)
+            words += (words.empty() ? "" : ", ") + each.name + " " + each.value;
+        return words;
     }
     return "Mended";
 }
 
-std::string words_of(const VolumeEdit& edit, const Shaping& done)
+VolumeEdit as_done(VolumeEdit edit, const Shaping& done)
 {
-    return words_of(edit) + (done.words.empty() ? "" : ", " + done.words);
+    if (!done.would_fold) return edit;
+    const double share = done.asked != 0 ? done.done / done.asked : 0;
+    if (edit.warp) edit.warp = part_of(*edit.warp, share);
+    const bool moves = edit.shift && edit.shift->rotation_deg == glm::dvec3(0) &&
+                       edit.shift->factors == glm::dvec3(1);
+    if (moves) edit.shift->by *= share;
+    return edit;
+}
+
+std::string words_of(const VolumeEdit& edit, bool box, const Shaping& done)
+{
+    return words_of(as_done(edit, done), box) + (done.words.empty() ? "" : ", " + done.words);
 }
 
 std::string words_of(const CellVerdicts& verdicts)

@@ -89,8 +89,9 @@ Document small_document()
 
 Document fitting_document()
 {
-    return after(after(after(small_document(), import_of("snail.obj")), AddText{}),
-                 AddLattice{.objects = {6}});
+    const Document document = after(after(small_document(), import_of("snail.obj")), AddText{});
+    return after(after(document, AddLattice{.objects = {6}}),
+                 WarpVolume{.object = 7, .warp = {.taper = 0.5}});
 }
 
 std::vector<Command> fitting_commands()
@@ -152,7 +153,8 @@ std::vector<Command> fitting_commands()
             WarpVolume{.object = 7, .warp = {.twist_deg = 30}},
             KeepShape{.object = 7, .members = {6}, .files = {import_of("shell.obj").file}},
             Simplify{{1}, {.keep = 0.25}},
-            ClearSimplify{{1}}};
+            ClearSimplify{{1}},
+            SetWarp{.object = 7, .step = 1, .warp = {.twist_deg = 60}}};
 }
 
 Command random_command(std::mt19937& random)

@@ -295,6 +295,47 @@ TEST(Lattices, RefuseWhatCannotBeInASentence)
     refused(KeepShape{2, {1}, {}}, "0 files for 1 members");
     refused(KeepShape{2, {2}, {file}}, "is not in object 2");
     refused(MovePoints{2, {.points = {{0, 0, 0}}, .weights = {1, 1}}}, "2 numbers for 1 points");
+    refused(MovePoints{2, {.points = {{0, 4, 0}}}}, "names 0, 4, 0, but Lattice has 4 x 4 x 4");
+    refused(CoarsenVolume{2, {VolumeAxis::up, 4}}, "4 control points along Z; give fewer");
+    refused(CoarsenVolume{2, {VolumeAxis::up, 3}}, "order 4 needs at least 4 control points");
+    refused(InsertKnots{2, {.up = std::vector<double>(62497, 0.5)}}, "1000016 control points");
+    refused(SetWarp{2, 1, {.twist_deg = 5}}, "step 1 of object 2 (Lattice) is no warp");
+    refused(SetWarp{1, 1, {.twist_deg = 5}}, "is no lattice");
+}
+
+TEST(Lattices, KnowHowManyPointsTheirStepsHaveLeftThem)
+{
+    Document document = after(ball_in_box(), InsertKnots{2, {.up = {0.25, 0.5}}});
+    document = after(document, MovePoints{2, {.points = {{0, 0, 5}}, .by = {0, 0, 0.1}}});
+    document = after(document, CoarsenVolume{2, {VolumeAxis::up, 5}});
+    const glm::ivec3 gone(0, 0, 5);
+    EXPECT_THROW(after(document, MovePoints{2, {.points = {gone}}}), Rejected);
+    EXPECT_THROW(after(document, CoarsenVolume{2, {VolumeAxis::up, 5}}), Rejected);
+    EXPECT_EQ(all_of(document).objects.at(2)->placement->volume.displacement.axes[2].count(), 5);
+}
+
+TEST(Lattices, LetTheNumbersOfAnEarlierWarpBeChanged)
+{
+    Document document = after(ball_in_box(), WarpVolume{2, {.fixed = 0.5, .twist_deg = 30}});
+    document = after(document, lift(2, {1, 1, 3}, 0.05));
+    const Document changed = after(document, SetWarp{2, 1, {.fixed = 0.5, .twist_deg = 60}});
+    const Document at_once =
+        after(after(ball_in_box(), WarpVolume{2, {.fixed = 0.5, .twist_deg = 60}}),
+              lift(2, {1, 1, 3}, 0.05));
+    EXPECT_EQ(digest(changed), digest(at_once));
+    EXPECT_THROW(after(document, SetWarp{2, 2, {}}), Rejected);
+    EXPECT_THROW(after(document, SetWarp{2, 3, {}}), Rejected);
+}
+
+TEST(Lattices, TakeTheRowOfTheFirstOfTheirMembersWhereThatIsWanted)
+{
+    Document document = after(Document{}, AddSphere{});
+    for (int i = 0; i < 3; ++i) document = after(document, AddBox{});
+    const AddLattice last{.objects = {3, 2}};
+    EXPECT_EQ(in_row_order(after(document, last)), (std::vector<Id>{1, 2, 3, 4, 5}));
+    AddLattice in_place = last;
+    in_place.in_place = true;
+    EXPECT_EQ(in_row_order(after(document, in_place)), (std::vector<Id>{1, 5, 2, 3, 4}));
 }
 
 TEST(Lattices, CannotBeRoundAGroupThatHoldsThem)

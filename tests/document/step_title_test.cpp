@@ -61,7 +61,7 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Press Pot Gaussian 0.1 m",
         "Move a control point of Pot 0.0224 m",
         "Refine the volume of Pot 2 knots",
-        "Coarsen the volume of Pot 8 along",
+        "Coarsen the volume of Pot to 8 points along the stroke",
         "Mend the volume of Pot",
         "Let Pot fold in places",
         "Take back the shaping of Pot",
@@ -76,6 +76,7 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Delete Lattice and keep its shape",
         "Simplify Table to 25 %",
         "Give Table all triangles back",
+        "Twist and taper of Lattice",
     };
     const std::vector<Command> commands = testing::fitting_commands();
     ASSERT_EQ(commands.size(), expected.size());

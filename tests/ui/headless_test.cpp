@@ -216,6 +216,8 @@ TEST(Theme, ANumberIsShownWithThreeSignificantDigits)
     EXPECT_EQ(short_number(12.3456), "12.3");
     EXPECT_EQ(short_number(1234.5), "1234");
     EXPECT_EQ(short_number(0), "0");
+    EXPECT_EQ(short_number(1e-9), "1e-9");
+    EXPECT_EQ(short_number(2.5e7), "2.5e7");
     EXPECT_EQ(short_number(-3), "-3.00");
 }
 

@@ -36,7 +36,7 @@ template <> struct FieldsOf<PointShift> {
               "control points by their numbers along, across and up, from 0; the first says which "
               "way along, across and up are",
               required.without_keys());
-        field("by", s.by, "metres along, across and up", required.in(Unit::metres));
+        field("by", s.by, "metres along, across and up", required.called("Move").in(Unit::metres));
         field("mirror", s.mirror, "those on the other side of the middle go the other way across");
         field("guard", s.guard, "no further than is proven not to fold the volume");
         field("of", s.of,
@@ -105,7 +105,7 @@ template <> struct FieldsOf<Warp> {
               any_value.without_keys());
         field("fixed", w.fixed,
               "where along the axis twist and bend leave it as it is; 0: at the near end",
-              in_range(0, 1).called("Fixed at"));
+              in_range(0, 1).called("Fixed at").in(Unit::share));
         field("twist_deg", w.twist_deg, "degrees from one end to the other, about the axis",
               in_range(-3600, 3600).in(Unit::degrees));
         field("bend_deg", w.bend_deg, "degrees that the axis turns from one end to the other",
@@ -113,10 +113,12 @@ template <> struct FieldsOf<Warp> {
         field("toward_deg", w.toward_deg,
               "the side to which it is bent and sheared, degrees about the axis",
               in_range(-360, 360).called("Toward").in(Unit::degrees));
-        field("taper", w.taper, "the far end is 1 + this times as wide", in_range(-1, 100));
+        field("taper", w.taper, "the far end is 1 + this times as wide",
+              in_range(-1, 100).in(Unit::share));
         field("shear", w.shear, "how far the far end goes to the side, in lengths of the box",
-              in_range(-100, 100));
-        field("bulge", w.bulge, "the middle is 1 + this times as wide", in_range(-1, 100));
+              in_range(-100, 100).in(Unit::share));
+        field("bulge", w.bulge, "the middle is 1 + this times as wide",
+              in_range(-1, 100).in(Unit::share));
         field("guard", w.guard, "no more of it than is proven not to fold the volume");
     }
 };

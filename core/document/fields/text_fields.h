@@ -7,6 +7,8 @@ namespace trivar {
 
 template <>
 inline constexpr std::array<std::string_view, 3> choice_names<TextAlign>{"left", "center", "right"};
+template <>
+inline constexpr std::array<std::string_view, 3> choice_words<TextAlign>{"left", "centre", "right"};
 
 template <> struct FieldsOf<TextShape> {
     static constexpr std::string_view verb = "add_text",

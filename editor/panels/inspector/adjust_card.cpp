@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/command.h"
 #include "editor/panels/foot_cards.h"
+#include "editor/panels/inspector/field_cells.h"
 #include "editor/panels/inspector/inspect.h"
 #include "editor/panels/inspector/value_rows.h"
 #include "editor/panels/panels.h"
+#include "editor/session/done_titles.h"
 #include "editor/words/field_words.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
@@ -24,10 +26,14 @@ public:
 
     void operator()(std::string_view name, double& value, std::string_view help, Rule rule = {})
     {
-        ui::NumberStyle style{.lo = rule.lo, .hi = rule.hi};
+        const double factor = shown_factor(rule.unit);
+        ui::NumberStyle style{.lo = rule.lo * factor, .hi = rule.hi * factor};
         style.unit = unit_text(rule.unit);
         const float width = row_of(name, help, rule);
-        take(ui::number_field(theme_, std::string(name), value, style, width));
+        double shown = value * factor;
+        const ui::Edit one = ui::number_field(theme_, std::string(name), shown, style, width);
+        if (one == ui::Edit::changed || one == ui::Edit::cancelled) value = shown / factor;
+        take(one);
     }
     void operator()(std::string_view name, float& value, std::string_view help, Rule rule = {})
     {
@@ -53,7 +59,7 @@ public:
     }
     void operator()(std::string_view name, int& value, std::string_view help, Rule rule = {})
     {
-        if (name == "object") return;
+        if (name == "object" || name == "step") return;
         const float width = row_of(name, help, rule);
         take(ui::integer_field(theme_, std::string(name), value, {.lo = rule.lo, .hi = rule.hi},
                                width));
@@ -62,11 +68,11 @@ public:
     void operator()(std::string_view name, glm::vec<n, T>& value, std::string_view help,
                     Rule rule = {})
     {
-        const float all = row_of(name, help, rule), gap = theme_.px(4);
-        const float width = (all - gap * static_cast<float>(n - 1)) / static_cast<float>(n);
+        const FieldCells cells(theme_, row_of(name, help, rule), n);
+        const float width = cells.width;
         const ImVec2 at = ImGui::GetCursorScreenPos();
         for (int i = 0; i < n; ++i) {
-            ImGui::SetCursorScreenPos({at.x + static_cast<float>(i) * (width + gap), at.y});
+            ImGui::SetCursorScreenPos({at.x + cells.offset(i).x, at.y + cells.offset(i).y});
             const std::string id = std::string(name) + std::to_string(i);
             const ui::NumberStyle style{.lo = rule.lo, .hi = rule.hi};
             if constexpr (std::is_same_v<T, int>)
@@ -144,7 +150,7 @@ void draw_adjustment(Editor& editor, const ui::Theme& theme, const FootCards& fo
     const History::Step& step = history.steps()[at];
     const Document& before = at == 0 ? history.start() : history.steps()[at - 1].result;
     Command command = session.proposing() && a.running ? history.proposal()->command : step.command;
-    const StepTitle title = step_title(step.command, before, step.result);
+    const StepTitle title = done_title(session, step.command, before, step.result);
     const float pad = theme.px(12), head = theme.px(32);
     ui::Rect view = foot.view();
     const float end = session.notices.all().empty() ? view.hi.x : ui::Notices::left_of(theme, view);

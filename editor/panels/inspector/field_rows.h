@@ -96,7 +96,8 @@ private:
         else if constexpr (std::is_same_v<V, int>)
             rows_.integer(label, value, rest, style, words(field));
         else if constexpr (std::is_same_v<V, glm::ivec3>)
-            rows_.triple(label, value, rest, style, words(field), axes(field.rule));
+            rows_.triple(label, value, rest, style, words(field),
+                         {axis_of(field.rule, 0), axis_of(field.rule, 1), axis_of(field.rule, 2)});
         else if constexpr (std::is_same_v<V, glm::dvec3>) {
             const auto one = [&](int axis, ui::NumberStyle own, float width) {
                 const auto other = [&](const T& each) {
@@ -105,8 +106,10 @@ private:
                 own.words = std::ranges::any_of(all_, other) ? "mixed" : "";
                 return ui::number_field(rows_.theme, label + own.axis, value[axis], own, width);
             };
+            // Three fields beside each other have no room for the unit.
+            const std::string with_unit = style.unit.empty() ? label : label + ", " + style.unit;
             rows_.row(
-                label, value, rest, all_axes(words(field)),
+                with_unit, value, rest, all_axes(words(field)),
                 [&](float width) { return axis_fields(rows_.theme, width, style, one); }, true);
         } else if constexpr (std::is_same_v<V, glm::vec4>)
             rows_.row(label, value, rest, all_axes(words(field)), [&](float width) {
@@ -125,15 +128,11 @@ private:
         if (!words.parameters.empty()) words.parameters = axes_of(words.parameters.front());
         return words;
     }
-    static ValueRows::Names axes(const Rule& rule)
-    {
-        return {axis_of(rule, 0), axis_of(rule, 1), axis_of(rule, 2)};
-    }
     template <class E>
     void choice(const std::string& label, E& value, E rest, std::vector<std::string> names,
                 bool mixed, const RowWords& words)
     {
-        if (mixed) names.insert(names.begin(), "Mixed"); // is shown; to take it changes nothing
+        if (mixed) names.insert(names.begin(), "mixed"); // is shown; to take it changes nothing
         const int first = mixed ? 1 : 0, shown = mixed ? 0 : static_cast<int>(value);
         rows_.choice(label, shown, static_cast<int>(rest) + first, names, words, [&](int chosen) {
             if (chosen != shown) value = static_cast<E>(chosen - first);

@@ -5,6 +5,7 @@
 #include "core/scene/log.h"
 #include "editor/commands/clipboard.h"
 #include "editor/commands/new_material.h"
+#include "editor/panels/inspector/field_cells.h"
 #include "editor/panels/inspector/field_rows.h"
 #include "editor/panels/inspector/inspector_sections.h"
 #include "editor/panels/panels.h"
@@ -138,7 +139,7 @@ void facts(Editor& editor, const ui::Theme& theme, const Object& each, Id id)
 ui::Edit axis_fields(const ui::Theme& theme, float width, ui::NumberStyle style,
                      const AxisField& field)
 {
-    const float gap = theme.px(4), each = std::floor((width - 2 * gap) / 3);
+    const FieldCells cells(theme, width, 3);
     const ui::Palette& c = theme.color;
     const std::array<ui::Color, 3> colors{c.letter_x, c.letter_y, c.letter_z};
     const std::array<const char*, 3> names{"X", "Y", "Z"};
@@ -146,10 +147,11 @@ ui::Edit axis_fields(const ui::Theme& theme, float width, ui::NumberStyle style,
     const ImVec2 at = ImGui::GetCursorScreenPos();
     for (int axis = 0; axis < 3; ++axis) {
         const auto k = static_cast<std::size_t>(axis);
-        ImGui::SetCursorScreenPos({at.x + static_cast<float>(axis) * (each + gap), at.y});
+        const glm::vec2 off = cells.offset(axis);
+        ImGui::SetCursorScreenPos({at.x + off.x, at.y + off.y});
         style.axis = names.at(k);
         style.axis_color = colors.at(k);
-        const ui::Edit one = field(axis, style, each);
+        const ui::Edit one = field(axis, style, cells.width);
         if (one != ui::Edit::none) edit = one;
     }
     return edit;
@@ -243,14 +245,9 @@ void draw_material(Editor& editor, const ui::Theme& theme, Id id)
     const ui::Edit use = ui::check_box(theme, "own", own, "the model's own");
     if (use == ui::Edit::copied && own) copy_command(editor, ClearMaterial{{id}});
     if (use == ui::Edit::copied && !own) copy_command(editor, SetMaterial{{id}, *each.surfacing});
-    if (use == ui::Edit::changed) {
-        if (own)
-            editor.session.run(ClearMaterial{{id}});
-        else
-            editor.session.run(SetMaterial{{id}, new_material});
-        return;
-    }
-    if (own) {
+    if (use == ui::Edit::changed && own) editor.session.run(ClearMaterial{{id}});
+    if (use == ui::Edit::changed && !own) editor.session.run(SetMaterial{{id}, new_material});
+    if (own || use == ui::Edit::changed) {
         ui::gap(theme, 8);
         return;
     }

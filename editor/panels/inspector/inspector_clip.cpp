@@ -37,7 +37,7 @@ std::optional<std::string> clip_row(ValueRows& rows, const std::string& now,
     words.insert(words.end(), clips.begin(), clips.end());
     clips.insert(clips.begin(), "");
     if (mixed) { // is shown; to take it changes nothing
-        words.insert(words.begin(), "Mixed");
+        words.insert(words.begin(), "mixed");
         clips.insert(clips.begin(), now);
     }
     const int none = mixed ? 1 : 0;

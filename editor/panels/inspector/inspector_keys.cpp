@@ -5,8 +5,13 @@
 #include "editor/panels/inspector/value_field.h"
 #include "editor/panels/panels.h"
 #include "editor/words/field_words.h"
+#include "editor/words/volume_words.h"
 
 #include <algorithm>
+#include <cctype>
+#include <fmt/format.h>
+#include <imgui.h>
+#include <utility>
 
 namespace trivar {
 namespace {
@@ -19,7 +24,8 @@ bool only_by_keys(const Object& object, const Parameter& number)
     if (name.starts_with("shape."))
         return !std::holds_alternative<TextShape>(object.source) &&
                !std::holds_alternative<ImportedFile>(object.source);
-    const bool step = name.find(".press.") != name.npos || name.find(".shift.") != name.npos;
+    const bool step = name.find(".press.") != name.npos || name.find(".shift.") != name.npos ||
+                      name.find(".warp.") != name.npos;
     return name.starts_with("shaping.") && step && name.find(".samples.") == name.npos &&
            name.find(".points.") == name.npos;
 }
@@ -28,6 +34,44 @@ Command with_key_of(const Document& document, Id id, const Parameter& number, do
 {
     const Track* had = track_of(document, id, number.name);
     return Animate{{{id, {with_key(had ? *had : Track{number.name, {}}, frame, number.value)}}}};
+}
+
+// Of "shaping.2.shift.by.x": "shaping.2.shift", which all numbers of that step begin with; empty:
+// it is of no step.
+std::string step_of(const std::string& parameter)
+{
+    std::size_t end = parameter.starts_with("shaping.") ? 0 : parameter.npos;
+    for (int part = 0; part < 3 && end != parameter.npos; ++part)
+        end = parameter.find('.', end + 1);
+    return end == parameter.npos ? "" : parameter.substr(0, end);
+}
+
+// A line over the rows of a step that says what it was, so that they need not.
+void step_caption(const ui::Theme& theme, const std::string& words)
+{
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetWindowWidth() - 2 * theme.size.padding;
+    ui::name_text(
+        theme.font.strong,
+        ui::rect_at({ImGui::GetWindowPos().x + theme.size.padding, at.y}, {width, theme.size.row}),
+        theme.color.text, words);
+    ImGui::SetCursorScreenPos(at);
+    ImGui::Dummy({1, theme.size.row});
+}
+
+std::string caption_of(const Object& object, const std::string& step)
+{
+    const std::size_t number = std::stoul(step.substr(step.find('.') + 1));
+    const bool box = std::holds_alternative<LatticeShape>(object.source);
+    return fmt::format("Step {}: {}", number + 1, words_of(*object.shaping[number], box));
+}
+
+// What differs among the numbers of one step: "Move X" of "Step 1 shift move X".
+std::string label_in(const std::string& step, const std::string& label)
+{
+    std::string own = step.empty() ? label : label.substr(words_of_number(step).label.size() + 1);
+    own[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(own[0])));
+    return own;
 }
 
 } // namespace
@@ -48,19 +92,29 @@ void draw_other_numbers(Editor& editor, const ui::Theme& theme, Id id)
     std::vector<Parameter> numbers = parameters(*each);
     std::erase_if(numbers, [&](const Parameter& one) { return !only_by_keys(*each, one); });
     if (numbers.size() > most) numbers.resize(most);
+    std::string step;
+    std::optional<Parameter> taken; // is proposed when all rows are drawn: fewer would scroll
+    ui::Edit edit = ui::Edit::none;
     for (Parameter& number : numbers) {
         const NumberWords words = words_of_number(number.name);
-        row = ui::label_row(theme, words.label, false, "A change of it is a key in this frame.");
+        const std::string before = std::exchange(step, step_of(number.name));
+        if (!step.empty() && step != before) step_caption(theme, caption_of(*each, step));
+        row = ui::label_row(theme, label_in(step, words.label), false,
+                            "A change of it is a key in this frame.");
         keys.mark(theme, row, {number.name});
         constexpr double endless = 1e9;
-        const ui::NumberStyle style{.lo = std::max(number.lo, -endless),
-                                    .hi = std::min(number.hi, endless),
+        const ui::NumberStyle style{.lo = std::max(number.lo * words.factor, -endless),
+                                    .hi = std::min(number.hi * words.factor, endless),
                                     .unit = words.unit};
-        const ui::Edit edit = value_field(theme, number, style, row.width);
-        propose_edit(editor, edit,
-                     [&] { return with_key_of(document, id, number, editor.session.frame()); });
-        if (edit != ui::Edit::none) break; // the object is another one now
+        number.value *= words.factor;
+        const ui::Edit one = value_field(theme, number, style, row.width);
+        if (one == ui::Edit::none) continue;
+        edit = one;
+        taken = number;
+        taken->value /= words.factor;
     }
+    propose_edit(editor, edit,
+                 [&] { return with_key_of(document, id, *taken, editor.session.frame()); });
     ui::gap(theme, 8);
 }
 

@@ -36,17 +36,17 @@ void density_row(Editor& editor, const ui::Theme& theme, Id id, int axis, const 
     ui::label_row(theme, (box ? of_a_box : of_a_stroke)[static_cast<std::size_t>(axis)]);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float side = theme.size.row;
-    ui::paint_text(theme.font.body, ui::rect_at({at.x, at.y}, {theme.px(60), side}),
-                   theme.color.text, std::to_string(knots.count()));
+    ui::paint_text(theme.font.body, ui::rect_at({at.x, at.y}, {theme.px(80), side}),
+                   theme.color.text, fmt::format("{} points", knots.count()));
     ImGui::PushID(axis);
-    ImGui::SetCursorScreenPos({at.x + theme.px(64), at.y});
+    ImGui::SetCursorScreenPos({at.x + theme.px(84), at.y});
     const bool open = knots.closure() == Closure::open;
     KnotInsertion finer;
     (axis == 0 ? finer.along : axis == 1 ? finer.across : finer.up) = span_middles(knots);
     if (ui::icon_button(theme, "finer", ui::icon::add, {side, side},
                         {"Finer", {}, "A control point more in each span; nothing moves."}))
         editor.session.run(InsertKnots{id, finer});
-    ImGui::SetCursorScreenPos({at.x + theme.px(68) + side, at.y});
+    ImGui::SetCursorScreenPos({at.x + theme.px(88) + side, at.y});
     const int fewer = fewer_points(knots);
     const std::string off = deviation ? " Nothing moves further than " +
                                             ui::short_number(rounded_up(*deviation, 3)) + " m."
@@ -144,7 +144,7 @@ void draw_shaping(Editor& editor, const ui::Theme& theme, Id id)
         ImGui::PushID(static_cast<int>(i));
         ui::name_text(theme.font.body, ui::rect_at({at.x + edge, at.y}, {width - edge, side}),
                       theme.color.text_2,
-                      fmt::format("{}  {}", i + 1, words_of(*steps[i], done(i))));
+                      fmt::format("{}  {}", i + 1, words_of(*steps[i], box, done(i))));
         ImGui::SetCursorScreenPos({at.x + width + theme.px(4), at.y});
         if (ui::icon_button(theme, "take back", ui::icon::trash, {side, side},
                             {"Take it back", {}, "The other steps stay."}))

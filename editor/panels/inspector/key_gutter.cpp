@@ -2,10 +2,10 @@
 #include "editor/panels/inspector/key_gutter.h"
 
 #include "editor/actions/key_actions.h"
+#include "editor/panels/inspector/field_cells.h"
 #include "editor/panels/inspector/inspect.h"
 
 #include <algorithm>
-#include <cmath>
 #include <imgui.h>
 
 namespace trivar {
@@ -68,22 +68,23 @@ void KeyGutter::mark(const ui::Theme& theme, const ui::Row& row,
     ui::paint_diamond(place.center(), theme.px(hot ? 5 : 4) + 0.5f,
                       state == KeyState::here ? c.key : 0, rim, theme.size.hairline);
     ImGui::PopID();
-    const float gap = theme.px(4), count = static_cast<float>(names.size());
-    const float each = std::floor((row.width - (count - 1) * gap) / count);
+    const FieldCells cells(theme, row.width, apart ? static_cast<int>(names.size()) : 1);
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const float window = ImGui::GetWindowPos().x;
     KeyTarget under = all;
+    ui::Rect whole{{window, place.lo.y}, place.hi};
     for (std::size_t i = 0; apart && i < names.size(); ++i) {
-        const float x = field.x + static_cast<float>(i) * (each + gap);
+        const glm::vec2 at = glm::vec2(field.x, field.y) + cells.offset(static_cast<int>(i));
+        const ui::Rect cell = ui::rect_at(at, {cells.width, theme.size.row});
         const KeyTarget one{ids_, {names[i]}};
-        if (mouse.x >= x && mouse.x < x + each) under = one;
+        if (cell.contains({mouse.x, mouse.y})) under = one;
+        whole.hi.y = std::max(whole.hi.y, cell.hi.y);
         if (state != KeyState::none && state_of_keys(editor_.session, one) != KeyState::none)
-            ui::paint_box(
-                ui::rect_at({x, field.y + theme.size.row + theme.px(1)}, {each, theme.px(2)}),
-                c.key, theme.px(1));
+            ui::paint_box(ui::rect_at({at.x, cell.hi.y + theme.px(1)}, {cells.width, theme.px(2)}),
+                          c.key, theme.px(1));
     }
     if (ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&
-        ImGui::IsMouseHoveringRect({window, place.lo.y}, {place.hi.x, place.hi.y}))
+        ImGui::IsMouseHoveringRect({whole.lo.x, whole.lo.y}, {whole.hi.x, whole.hi.y}))
         editor_.keys_under_mouse = under;
     ImGui::SetCursorScreenPos(field);
 }

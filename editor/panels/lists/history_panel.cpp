@@ -2,6 +2,7 @@
 #include "core/commands/command.h"
 #include "core/scene/tries.h"
 #include "editor/panels/panels.h"
+#include "editor/session/done_titles.h"
 #include "editor/session/scene_names.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
@@ -61,8 +62,9 @@ const Document* document_of(const History& history, const Line& line)
     return &history.branches()[line.branch].steps[line.at].result;
 }
 
-StepTitle title_of(const History& history, const Line& line)
+StepTitle title_of(const Session& session, const Line& line)
 {
+    const History& history = session.scene().history();
     if (line.kind == Line::fork) {
         std::size_t count = 0;
         for (std::size_t b = 0; b < history.branches().size(); ++b)
@@ -74,12 +76,12 @@ StepTitle title_of(const History& history, const Line& line)
     if (line.kind == Line::step) {
         if (line.after == 0) return {"Empty scene", {}};
         const History::Step& done = history.steps()[line.after - 1];
-        return step_title(done.command, state_after(history, line.after - 1), done.result);
+        return done_title(session, done.command, state_after(history, line.after - 1), done.result);
     }
     const std::vector<History::Step>& steps = history.branches()[line.branch].steps;
     const Document& before =
         line.at == 0 ? state_after(history, line.after) : steps[line.at - 1].result;
-    return step_title(steps[line.at].command, before, steps[line.at].result);
+    return done_title(session, steps[line.at].command, before, steps[line.at].result);
 }
 
 const char* icon_of(const Command& command)
@@ -117,9 +119,10 @@ const char* icon_of(const History& history, const Line& line)
 struct PointerState {
     bool clicked = false, lingers = false; // the mouse is there for a moment
 };
-PointerState draw_line(const ui::Theme& theme, const History& history, const Line& line,
+PointerState draw_line(const ui::Theme& theme, const Session& session, const Line& line,
                        const ui::Rect& row)
 {
+    const History& history = session.scene().history();
     constexpr float patience_s = 0.3f;
     const ui::Palette& c = theme.color;
     ImGui::SetCursorScreenPos({row.lo.x, row.lo.y});
@@ -139,7 +142,7 @@ PointerState draw_line(const ui::Theme& theme, const History& history, const Lin
     if (step && line.after == history.position() + 1) // what is below is undone
         ui::paint_box({{row.lo.x, row.lo.y}, {row.hi.x, row.lo.y + theme.size.hairline}},
                       c.line_soft);
-    const StepTitle title = title_of(history, line);
+    const StepTitle title = title_of(session, line);
     const ui::Color quiet = present || hovered ? c.text_2 : c.text_3;
     const float pad = theme.size.padding;
     const float indent = line.kind == Line::other ? theme.px(16) : 0;
@@ -234,8 +237,8 @@ void draw_history(Editor& editor, const ui::Theme& theme, const Layout& layout)
             ImGui::PushID(i);
             const ImVec2 at = ImGui::GetCursorScreenPos();
             const Line& line = lines[static_cast<std::size_t>(i)];
-            const PointerState pointed =
-                draw_line(theme, history, line, ui::rect_at({r.lo.x, at.y}, {r.width(), height}));
+            const PointerState pointed = draw_line(
+                theme, editor.session, line, ui::rect_at({r.lo.x, at.y}, {r.width(), height}));
             if (pointed.clicked) go_to = &line;
             if (pointed.lingers) previewed = &line;
             ImGui::PopID();

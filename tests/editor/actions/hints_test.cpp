@@ -56,6 +56,15 @@ TEST(Hints, LeadThroughAFirstStrokeAndDoNotComeBack)
     EXPECT_EQ(number(rig), 1);
 }
 
+TEST(Hints, SayNothingOfStrokesWhereThingsAreBentInALattice)
+{
+    Rig rig;
+    rig.two_objects();
+    ASSERT_EQ(number(rig), 1);
+    ASSERT_TRUE(rig.editor.session.run(AddLattice{.objects = {2}}));
+    EXPECT_EQ(number(rig), -1);
+}
+
 TEST(Hints, AskForAGroundWhereOnlyATextIsThere)
 {
     Rig rig;

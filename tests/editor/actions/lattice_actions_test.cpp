@@ -3,6 +3,7 @@
 
 #include "editor/actions/actions.h"
 #include "editor/session/outline.h"
+#include "editor/tools/lattice_round.h"
 #include "tests/editor/boxes.h"
 #include "tests/support/fixtures.h"
 
@@ -65,9 +66,21 @@ TEST(LatticeActions, DeleteALatticeAndLeaveItsMembersUnbentInOneStep)
     EXPECT_EQ(rig.steps(), before + 1);
     EXPECT_FALSE(rig.editor.session.document().objects.contains(3));
     EXPECT_NEAR(rig.top(1), 0.5, 1e-6);
+    EXPECT_THAT(rig.editor.session.selected.ids(), ElementsAre(1)) << "what was freed";
     rig.editor.session.undo();
     rig.wait();
     EXPECT_GT(rig.top(1), 0.51);
+    EXPECT_THAT(rig.editor.session.selected.ids(), ElementsAre(3));
+    rig.editor.session.redo();
+    EXPECT_THAT(rig.editor.session.selected.ids(), ElementsAre(1));
+}
+
+TEST(LatticeActions, PutANewLatticeWhereItsFirstMemberStoodInTheOutliner)
+{
+    testing::Boxes rig;
+    rig.editor.session.selected = 1;
+    action(rig.editor, lattice_action).run(rig.editor);
+    EXPECT_THAT(in_row_order(rig.editor.session.document()), ElementsAre(3, 1, 2));
 }
 
 TEST(LatticeActions, KeepTheShapeOfMembersInFilesWhenALatticeIsDeleted)

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/keying.h"
+#include "editor/picture/bent_cage.h"
 #include "tests/editor/rig.h"
 
 namespace trivar {
@@ -116,6 +118,86 @@ TEST(LatticeEditing, TurnsAndScalesTheChosenPointsInOneStepEach)
     rig.editor.session.undo();
     rig.wait();
     EXPECT_EQ(rig.shaped(), 1u);
+}
+
+TEST(LatticeEditing, ChoosesOneOfSeveralChosenPointsAloneByAClick)
+{
+    BoxRig rig;
+    rig.key({'A'});
+    rig.drag(corner, {0, 0});
+    rig.by_keys('G', 'Z', "0.01");
+    ASSERT_EQ(rig.shaped(), 1u);
+    EXPECT_EQ(rig.last().points, std::vector<glm::ivec3>{corner});
+}
+
+TEST(LatticeEditing, MovesNothingByAKeyWhileNoPointIsChosen)
+{
+    BoxRig rig;
+    const std::size_t before = rig.steps();
+    rig.move(rig.layout().view.center());
+    rig.key({'G'});
+    EXPECT_EQ(rig.editor.active_tool().name(), "Lattice");
+    EXPECT_FALSE(rig.editor.active_tool().busy());
+    EXPECT_EQ(rig.steps(), before);
+    ASSERT_FALSE(rig.editor.session.notices.all().empty());
+    EXPECT_EQ(rig.editor.session.notices.all().back().title, "No control point is chosen");
+}
+
+TEST(LatticeEditing, KeysTheStepThatMovedTheChosenPoints)
+{
+    BoxRig rig;
+    const auto track = [&](const std::string& name) {
+        return track_of(rig.editor.session.document(), 2, name) != nullptr;
+    };
+    rig.drag(corner, {0, 0});
+    rig.by_keys('G', 'Z', "0.1");
+    rig.move(rig.layout().view.center());
+    rig.key({'I'});
+    EXPECT_TRUE(track("shaping.0.shift.by.z"));
+    EXPECT_FALSE(track("transform.translation.z"));
+    rig.editor.session.undo();
+    rig.wait();
+    rig.drag({3, 0, 3}, {0, 0}); // which no step moved
+    rig.move(rig.layout().view.center());
+    const std::size_t before = rig.steps();
+    rig.key({'I'});
+    EXPECT_EQ(rig.steps(), before);
+    EXPECT_EQ(rig.editor.session.notices.all().back().title, "The chosen points have no key");
+}
+
+TEST(LatticeEditing, TakesThePointsOfAnInnerLatticeWhereTheOuterOneBendsThem)
+{
+    BoxRig rig;
+    const glm::vec2 unbent = rig.seen_at(rig.point(corner));
+    ASSERT_TRUE(rig.editor.session.run(AddLattice{.objects = {2}, .shape = {.size = {2, 2, 2}}}));
+    ASSERT_TRUE(rig.editor.session.run(WarpVolume{3, {.shear = 0.3}}));
+    rig.editor.session.selected = 2;
+    rig.wait();
+    const EvaluatedObject& inner = *rig.editor.session.evaluated().objects.at(2);
+    const Ref<Lattice> cage =
+        bent_cage(rig.editor.session.evaluated(), rig.editor.session.document(), inner);
+    const glm::vec2 at = rig.seen_at(control_point(*cage, corner.x, corner.y, corner.z));
+    ASSERT_GT(glm::distance(at, unbent), 40);
+    rig.move(at);
+    rig.draw({at, at});
+    rig.by_keys('G', 'Z', "0.05");
+    ASSERT_EQ(rig.shaped(), 1u);
+    EXPECT_EQ(rig.last().points, std::vector<glm::ivec3>{corner});
+    EXPECT_EQ(rig.last().by, glm::dvec3(0, 0, 0.05));
+}
+
+TEST(LatticeEditing, PressesTheLatticeOfWhatThePressIsDraggedOn)
+{
+    BoxRig rig;
+    rig.editor.session.selected = 1;
+    rig.key({'P'});
+    rig.wait();
+    const glm::vec2 at = rig.seen_at({0, 0, 0});
+    rig.move(at);
+    rig.draw({at, at + glm::vec2(0, 12)});
+    rig.wait();
+    ASSERT_EQ(rig.shaped(), 1u);
+    EXPECT_TRUE(object(rig.editor.session.document(), 2).shaping.back()->press);
 }
 
 TEST(LatticeEditing, TakesTheNeighboursAlongWhereItIsProportional)

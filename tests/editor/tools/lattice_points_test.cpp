@@ -130,9 +130,9 @@ TEST(LatticePoints, AreChosenByABoxAndMovedTogetherByATypedNumber)
 TEST(LatticePoints, GoWithTheMouseFromTheKeyOfMoveTillAClick)
 {
     LatticeRig rig;
-    rig.key({'G'}); // nothing is chosen: the key chooses its own tool
-    EXPECT_EQ(rig.editor.active_tool().name(), "Move");
-    rig.key({'V'});
+    rig.key({'G'}); // nothing is chosen: it says so
+    EXPECT_EQ(rig.editor.active_tool().name(), "Lattice");
+    EXPECT_FALSE(rig.editor.active_tool().busy());
     rig.drag(near_roof, {0, 0});
     const glm::vec2 from = rig.seen_at(rig.point(near_roof)) + glm::vec2(40, -30);
     rig.move(from);

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/theme.h"
+
+#include <cmath>
+#include <glm/glm.hpp>
+
+namespace trivar {
+
+// Where the fields of one row stand: beside each other, or below each other where they would be
+// too narrow to show a number.
+struct FieldCells {
+    float width = 0; // of each, pixels
+    glm::vec2 step{0};
+
+    // For so many fields in a row of that width, pixels.
+    FieldCells(const ui::Theme& theme, float row_width, int count)
+    {
+        constexpr float least = 56; // at scale 1: "-123.4" beside the letter of its axis
+        const float gap = theme.px(4), n = static_cast<float>(count);
+        width = std::floor((row_width - (n - 1) * gap) / n);
+        step = {width + gap, 0};
+        if (count == 1 || width >= theme.px(least)) return;
+        width = row_width;
+        step = {0, theme.size.row + gap};
+    }
+    glm::vec2 offset(int i) const { return static_cast<float>(i) * step; }
+};
+
+} // namespace trivar
