@@ -4,6 +4,7 @@
 #include "core/base/rejected.h"
 #include "core/commands/edits.h"
 #include "core/commands/field_words.h"
+#include "core/commands/group.h"
 #include "core/commands/numbering.h"
 #include "core/commands/transform_title.h"
 
@@ -51,6 +52,42 @@ StepTitle arranged_title(const Document& before, const Arrange& c)
     if (turned) return {"Rotate " + names, turn_words(first.rotation_deg, now.rotation_deg)};
     if (scaled) return {"Scale " + names, growth_words(first.scale, now.scale)};
     return {"Move " + names, in_metres(glm::length(now.translation - first.translation))};
+}
+
+// What lies on something that goes stays on the rest; its stroke, too, if nothing else carries it.
+void lies_without(PlacementStep& step, auto&& is_gone)
+{
+    std::erase_if(step.onto, is_gone);
+    if (step.attach)
+        step.attach = trivar::renumbered(*step.attach, [&](Id id) -> std::optional<Id> {
+            if (is_gone(id)) return {};
+            return id;
+        });
+}
+
+// Without those and what is in the groups and lattices among them, which are added to `gone`. What
+// only goes with one of them stays where it stands, with what that went with.
+Document without(Document document, const std::set<Id>& chosen, std::set<Id>& gone)
+{
+    const std::set<Id> below = with_contents(document, chosen);
+    const auto goes = [&](Id id) {
+        for (Id at = id; at != 0;) {
+            if (chosen.contains(at)) return true;
+            at = object(document, at).parent;
+            if (at == 0 || !holds_others(object(document, at).source)) return false;
+        }
+        return false;
+    };
+    for (const Id id : below)
+        if (goes(id)) gone.insert(id);
+    for (const Id id : below) {
+        Id parent = object(document, id).parent;
+        if (gone.contains(id) || !gone.contains(parent)) continue;
+        while (gone.contains(parent)) parent = object(document, parent).parent;
+        document = hung(std::move(document), id, parent);
+    }
+    for (const Id id : gone) document.objects.erase(id);
+    return document;
 }
 
 } // namespace
@@ -147,14 +184,14 @@ StepTitle title(const Unlock& c, const StepDocuments& step)
 
 Document applied(Document document, const Delete& command)
 {
-    const std::set<Id> gone = with_contents(document, distinct(document, command.objects));
-    for (const Id id : gone) document.objects.erase(id);
+    std::set<Id> gone;
+    document = without(std::move(document), distinct(document, command.objects), gone);
     const auto is_gone = [&](Id id) { return gone.contains(id); };
     const ObjectMap rest = document.objects;
     for (const auto& [id, ref] : rest)
         if (ref->placement && std::ranges::any_of(ref->placement->onto, is_gone))
             document = with_changed(std::move(document), id,
-                                    [&](Object& o) { std::erase_if(o.placement->onto, is_gone); });
+                                    [&](Object& o) { lies_without(*o.placement, is_gone); });
     return document;
 }
 
@@ -186,6 +223,9 @@ Document applied(Document document, const Duplicate& command)
         }
         if (copy.placement)
             std::ranges::transform(copy.placement->onto, copy.placement->onto.begin(), renumbered);
+        if (copy.placement && copy.placement->attach)
+            for (AttachedHost& host : copy.placement->attach->hosts)
+                host.object = renumbered(host.object);
         document = with_added(std::move(document), std::move(copy));
     }
     return document;

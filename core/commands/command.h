@@ -42,7 +42,7 @@ using AnyCommand =
                  PlayClip, Animate, Refine, ClearRefine, PressVolume, MovePoints, InsertKnots,
                  CoarsenVolume, MendVolume, AllowFolds, Unshape, Paste, KeepView, ForgetView,
                  SetRender, SetTime, AddLattice, SetLattice, WarpVolume, KeepShape, Simplify,
-                 ClearSimplify, SetWarp>;
+                 ClearSimplify, SetWarp, Attach, SetParent>;
 
 // A Command is everything that a person can do to a document, by value. It is a variant and is
 // visited as one; copying and comparing it is compiled once, and not wherever a command is copied.

@@ -15,19 +15,6 @@ glm::dmat4 parent_to_world(const Document& document, Id parent)
     return parent == 0 ? glm::dmat4(1) : to_world(document, parent);
 }
 
-// Hangs an object under another parent without moving it. What is placed lies in the world
-// without its transform, and keeps that for the day it is taken off its stroke.
-Document hung(Document document, Id id, Id parent)
-{
-    const glm::dmat4 from = parent_to_world(document, object(document, id).parent);
-    const glm::dmat4 to = parent_to_world(document, parent);
-    return with_changed(std::move(document), id, [&](Object& o) {
-        if (from != to && !o.placement)
-            o.transform = decomposed(glm::inverse(to) * from * o.transform.matrix());
-        o.parent = parent;
-    });
-}
-
 // Deeper trees have no use, and every look at an object walks up to its root.
 constexpr int deepest = 64;
 
@@ -55,7 +42,31 @@ std::vector<Id> outermost(const Document& document, const std::vector<Id>& ids)
     return result;
 }
 
+// Throws Rejected where one of those is that object, or holds it.
+void check_no_ring(const Document& document, const std::vector<Id>& members, Id parent)
+{
+    for (Id id = parent; id != 0; id = object(document, id).parent)
+        if (std::ranges::find(members, id) != members.end())
+            throw Rejected(id == parent
+                               ? named(document, id) + " cannot be in itself"
+                               : fmt::format("{} cannot be in {}, which is in it",
+                                             named(document, id), named(document, parent)));
+}
+
 } // namespace
+
+// What is placed lies in the world without its transform, and keeps that for the day it is taken
+// off its stroke.
+Document hung(Document document, Id id, Id parent)
+{
+    const glm::dmat4 from = parent_to_world(document, object(document, id).parent);
+    const glm::dmat4 to = parent_to_world(document, parent);
+    return with_changed(std::move(document), id, [&](Object& o) {
+        if (from != to && !o.placement)
+            o.transform = decomposed(glm::inverse(to) * from * o.transform.matrix());
+        o.parent = parent;
+    });
+}
 
 void check_own_depth(const Document& document, Id id)
 {
@@ -118,6 +129,28 @@ StepTitle title(const Ungroup& c, const StepDocuments& step)
     return {"Ungroup " + name, {}};
 }
 
+Document applied(Document document, const SetParent& command)
+{
+    const std::vector<Id> members = outermost(document, command.objects);
+    if (command.parent != 0) {
+        if (object(document, command.parent).placement)
+            throw Rejected(fmt::format("{} lies on a stroke, where its transform does not count; "
+                                       "lay the other object on it, or attach it",
+                                       named(document, command.parent)));
+        check_no_ring(document, members, command.parent);
+    }
+    for (const Id id : members) document = hung(std::move(document), id, command.parent);
+    for (const Id id : members) check_depth(document, id);
+    return document;
+}
+
+StepTitle title(const SetParent& c, const StepDocuments& step)
+{
+    const std::string names = names_in(step.before, c.objects);
+    if (c.parent == 0) return {"Free " + names + " from what it goes with", {}};
+    return {"Let " + names + " go with " + name_in(step.before, c.parent), {}};
+}
+
 Document applied(Document document, const Reorder& command)
 {
     const std::vector<Id> members = outermost(document, command.objects);
@@ -126,12 +159,7 @@ Document applied(Document document, const Reorder& command)
     if (parent != 0) {
         const Object& group = object(document, parent);
         if (!holds_others(group.source)) throw Rejected(named(document, parent) + " is no group");
-        for (Id id = parent; id != 0; id = object(document, id).parent)
-            if (moves(id))
-                throw Rejected(id == parent
-                                   ? named(document, id) + " cannot be in itself"
-                                   : fmt::format("{} cannot be in {}, which is in it",
-                                                 named(document, id), named(document, parent)));
+        check_no_ring(document, members, parent);
     }
     if (before != 0 && (object(document, before).parent != parent || moves(before)))
         throw Rejected(

@@ -11,6 +11,9 @@ namespace trivar {
 // The document with `holder` as the parent of those objects, which keep their places in the world.
 Document with_parent_of(Document document, const std::vector<Id>& objects, Object holder);
 
+// The document with an object in another group, or below another object; it stays where it stands.
+Document hung(Document document, Id id, Id parent);
+
 // Throws Rejected where groups below this one nest too deep.
 void check_depth(const Document& document, Id group);
 // checks only how deep the group itself stands
@@ -45,6 +48,26 @@ struct Ungroup {
 };
 Document applied(Document document, const Ungroup& command);
 StepTitle title(const Ungroup& c, const StepDocuments& step);
+
+struct SetParent {
+    static constexpr std::string_view verb = "parent",
+                                      summary = "Let objects go with another one; they stay in "
+                                                "place, but for shear.";
+    static constexpr CommandNature nature{.icon = CommandIcon::group,
+                                          .asked = Invocation::by_actions};
+    std::vector<Id> objects;
+    Id parent = 0;
+    bool operator==(const SetParent&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("objects", c.objects, "ids", required);
+        field("parent", c.parent,
+              "id of what they go with: a group, a lattice or any object that stands by its "
+              "transform; 0: they stand for themselves");
+    }
+};
+Document applied(Document document, const SetParent& command);
+StepTitle title(const SetParent& c, const StepDocuments& step);
 
 struct Reorder {
     static constexpr std::string_view verb = "reorder",

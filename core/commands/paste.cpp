@@ -86,7 +86,7 @@ std::vector<Ref<VolumeEdit>> as_refs(const CopiedObject& copy)
     return out;
 }
 
-Object object_of(const CopiedObject& copy, const Document& document, const CopiedIds& made)
+Object object_of(const CopiedObject& copy, const CopiedIds& made)
 {
     check_transform(copy.transform);
     if (copy.refining) check(*copy.refining);
@@ -95,8 +95,6 @@ Object object_of(const CopiedObject& copy, const Document& document, const Copie
     if (copy.parent != 0 && parent == made.end())
         throw Rejected(fmt::format("field \"parent\": no object {} comes before {}", copy.parent,
                                    excerpt(copy.name)));
-    if (copy.parent != 0 && !holds_others(object(document, parent->second).source))
-        throw Rejected(fmt::format("field \"parent\": object {} is no group", copy.parent));
     Object out;
     give_alike(copy, out);
     out.source = source_of(copy);
@@ -128,15 +126,24 @@ std::vector<Id> bases_of(const CopiedPlacement& placement, const Document& befor
     return bases;
 }
 
-Document laid(Document document, Id id, const CopiedObject& copy, const std::vector<Id>& bases)
+Document laid(Document document, Id id, const CopiedObject& copy, const std::vector<Id>& bases,
+              const CopiedIds& made)
 {
     const CopiedPlacement& p = *copy.placement;
     if (p.round && bases.empty()) return document;
+    std::optional<Attachment> attached;
+    if (p.attach)
+        attached = renumbered(*p.attach, [&](Id host) -> std::optional<Id> {
+            const auto copied = made.find(host);
+            const Id here = copied != made.end() ? copied->second : host;
+            if (std::ranges::find(bases, here) == bases.end()) return {};
+            return here;
+        });
     if (p.round)
         document =
             applied(std::move(document), PlaceRound{id, bases.front(), p.level, p.parameters});
     else if (!bases.empty() || !possible_bases(document, id).empty())
-        document = applied(std::move(document), Place{id, p.sketch, p.parameters, bases});
+        document = applied(std::move(document), Place{id, p.sketch, p.parameters, bases, attached});
     else
         return document;
     document = with_changed(std::move(document), id, [&](Object& o) { o.shaping = as_refs(copy); });
@@ -179,7 +186,8 @@ CopiedObject copy_of(const Document& document, Id id, bool inside, const std::st
                       each.placement->parameters,
                       {},
                       each.placement->round.has_value(),
-                      each.placement->round ? each.placement->round->level : 0};
+                      each.placement->round ? each.placement->round->level : 0,
+                      each.placement->attach};
     for (const Id base : each.placement->onto)
         copy.placement->onto.push_back({base, object(document, base).name});
     if (each.travel != Travel{}) copy.travel = each.travel;
@@ -195,7 +203,7 @@ Document applied(Document document, const Paste& command)
     Numbering names(before);
     CopiedIds made;
     for (const CopiedObject& copy : command.copies) {
-        Object pasted = object_of(copy, document, made);
+        Object pasted = object_of(copy, made);
         if (pasted.parent == 0) pasted.name = names.unique(pasted.name);
         if (!made.emplace(copy.object, document.next_id).second)
             throw Rejected(fmt::format("field \"copies\" has object {} twice", copy.object));
@@ -208,7 +216,7 @@ Document applied(Document document, const Paste& command)
             if (!copy.placement) continue;
             const std::vector<Id> bases = bases_of(*copy.placement, before, document, made);
             if (bases.empty() != known)
-                document = laid(std::move(document), made.at(copy.object), copy, bases);
+                document = laid(std::move(document), made.at(copy.object), copy, bases, made);
         }
     for (const auto& [copied_id, id] : made)
         if (const Object& o = object(document, id);

@@ -32,6 +32,7 @@ struct CopiedPlacement {
     std::vector<KnownObject> onto;
     bool round = false;
     double level = 0;
+    std::optional<Attachment> attach = {};
     bool operator==(const CopiedPlacement&) const = default;
 };
 
@@ -81,6 +82,7 @@ template <> struct FieldsOf<CopiedPlacement> {
         field("onto", p.onto, "what it lay on: other copies, or objects of the scene");
         field("round", p.round, "about the only one of onto, in place of a stroke");
         field("level", p.level, "metres from that one's widest circle");
+        field("attach", p.attach, "which of onto carry it, by the same numbers");
     }
 };
 template <> struct FieldsOf<CopiedObject> {

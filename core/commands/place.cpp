@@ -110,6 +110,33 @@ void check_parameters(const PlacementParameters& p)
         throw Rejected("field \"roll_deg\" must be 0, 90, 180 or 270");
 }
 
+// Throws Rejected where something carries it that it does not lie on.
+void check_attached(const Attachment& attachment, const PlacementStep& step)
+{
+    check(attachment, step.sketch.samples.size());
+    if (step.round)
+        throw Rejected("field \"attach\": what goes round an object goes with it as it is");
+    for (const AttachedHost& host : attachment.hosts)
+        if (std::ranges::find(step.onto, host.object) == step.onto.end())
+            throw Rejected(fmt::format("field \"attach\" names object {}, which it does not lie on",
+                                       host.object));
+}
+
+// All that it lies on, where that stands by its transform alone and so is known without evaluation.
+Attachment attached_to_all(const Document& document, const PlacementStep& step)
+{
+    Attachment out;
+    for (const Id id : step.onto) {
+        if (object(document, id).placement)
+            throw Rejected(
+                fmt::format("field \"attach\" is missing: {} lies on a stroke itself, so "
+                            "it has to be said where it is met",
+                            named(document, id)));
+        out.hosts.push_back(attached_host(id, to_world(document, id), true));
+    }
+    return out;
+}
+
 // " on Vase and Table": what it lies on after the step.
 std::string words_of_support(const StepDocuments& step, Id id)
 {
@@ -139,8 +166,12 @@ Document applied(Document document, const Place& command)
                                    is_lattice(document, command.object) ? "lattice" : "group"));
     check_sketch(command.sketch);
     check_parameters(command.parameters);
-    PlacementStep step{command.sketch, command.parameters,
-                       supports(document, command.object, command.onto)};
+    PlacementStep step{command.sketch,
+                       command.parameters,
+                       supports(document, command.object, command.onto),
+                       {},
+                       command.attach};
+    if (step.attach) check_attached(*step.attach, step);
     return with_changed(std::move(document), command.object, [&](Object& o) {
         o.placement = std::move(step);
         o.shaping.clear();
@@ -197,12 +228,20 @@ Document applied(Document document, const EditPlacement& command)
         check_sketch(*command.sketch);
         step.sketch = *command.sketch;
         step.round.reset();
+        step.attach.reset();
     }
     if (command.onto && step.round)
         throw Rejected(fmt::format("field \"onto\": {} goes round object {}; use place_round for "
                                    "another one",
                                    placed.name, step.onto.empty() ? 0 : step.onto.front()));
     if (command.onto) step.onto = supports(document, command.object, *command.onto);
+    if (command.attach) step.attach = command.attach;
+    if (command.attach) check_attached(*step.attach, step);
+    if (step.attach && command.onto)
+        step.attach = renumbered(*step.attach, [&](Id id) -> std::optional<Id> {
+            if (std::ranges::find(step.onto, id) == step.onto.end()) return {};
+            return id;
+        });
     return with_changed(std::move(document), command.object,
                         [&](Object& o) { o.placement = std::move(step); });
 }
@@ -217,6 +256,28 @@ StepTitle title(const EditPlacement& c, const StepDocuments& step)
     if (found.empty() && a->placement->onto != b->placement->onto)
         return {"Lay " + name + words_of_support(step, c.object), {}};
     return title_of_changes(found, "Placement", name);
+}
+
+Document applied(Document document, const Attach& command)
+{
+    const Object& placed = object(document, command.object);
+    check_placed(placed, command.object);
+    PlacementStep step = *placed.placement;
+    step.attach = command.attach ? command.attach : attached_to_all(document, step);
+    check_attached(*step.attach, step);
+    return with_changed(std::move(document), command.object,
+                        [&](Object& o) { o.placement = std::move(step); });
+}
+
+StepTitle title(const Attach& c, const StepDocuments& step)
+{
+    std::vector<Id> hosts;
+    if (const Object* o = step.is(c.object); o && o->placement && o->placement->attach)
+        for (const AttachedHost& host : o->placement->attach->hosts)
+            if (host.touched) hosts.push_back(host.object);
+    return {"Attach " + name_in(step.before, c.object) +
+                (hosts.empty() ? std::string() : " to " + names_in(step.after, hosts)),
+            {}};
 }
 
 Document applied(Document document, const Unplace& command)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/commands/step_title.h"
+#include "core/document/fields/attachment_fields.h"
 #include "core/document/fields/placement_fields.h"
 
 namespace trivar {
@@ -15,6 +16,7 @@ struct Place {
     Sketch sketch;
     PlacementParameters parameters;
     std::vector<Id> onto;
+    std::optional<Attachment> attach = {};
     bool operator==(const Place&) const = default;
     static void fields(auto& c, auto&& field)
     {
@@ -25,6 +27,7 @@ struct Place {
         field("parameters", c.parameters, "how it lies");
         field("onto", c.onto,
               "ids it lies on; empty: every visible object that does not lie on it");
+        field("attach", c.attach, "which of them carry it; left out: it stays in the world");
     }
 };
 Document applied(Document document, const Place& command);
@@ -61,8 +64,9 @@ struct EditPlacement {
     static constexpr CommandNature nature{.icon = CommandIcon::place};
     Id object = 0;
     PlacementParameters parameters;
-    std::optional<Sketch> sketch;        // empty: the stroke stays
-    std::optional<std::vector<Id>> onto; // no value: unchanged; an empty list: chosen anew
+    std::optional<Sketch> sketch;          // empty: the stroke stays
+    std::optional<std::vector<Id>> onto;   // no value: unchanged; an empty list: chosen anew
+    std::optional<Attachment> attach = {}; // no value: unchanged, but none for a new stroke
     bool operator==(const EditPlacement&) const = default;
     static void fields(auto& c, auto&& field)
     {
@@ -71,6 +75,8 @@ struct EditPlacement {
               required);
         field("sketch", c.sketch, "a new stroke; left out: as it was");
         field("onto", c.onto, "ids it lies on; left out: as it was; empty: chosen anew");
+        field("attach", c.attach,
+              "which of them carry it; left out: as it was, but none where the stroke is new");
     }
     // The command that changes nothing of the object; none: it has nothing of the kind.
     static std::optional<EditPlacement> as_it_is(const Object& object, Id id)
@@ -81,6 +87,26 @@ struct EditPlacement {
 };
 Document applied(Document document, const EditPlacement& command);
 StepTitle title(const EditPlacement& c, const StepDocuments& step);
+
+struct Attach {
+    static constexpr std::string_view verb = "attach",
+                                      summary = "Let what lies on objects go with them. It keeps "
+                                                "its place.";
+    static constexpr CommandNature nature{.icon = CommandIcon::place,
+                                          .asked = Invocation::by_actions};
+    Id object = 0;
+    std::optional<Attachment> attach = {};
+    bool operator==(const Attach&) const = default;
+    static void fields(auto& c, auto&& field)
+    {
+        field("object", c.object, "id of a placed object", required);
+        field("attach", c.attach,
+              "what carries it, and where it lies on that; left out: all that it lies on, as long "
+              "as that stands by its transform alone");
+    }
+};
+Document applied(Document document, const Attach& command);
+StepTitle title(const Attach& c, const StepDocuments& step);
 
 struct Unplace {
     static constexpr std::string_view verb = "unplace",

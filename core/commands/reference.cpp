@@ -192,6 +192,11 @@ std::string commands_markdown()
             field_table(fields_of(PlacementParameters{}));
     text += "## sketch\n\nA stroke and the view it was drawn in.\n\n" +
             field_table(fields_of(Sketch{}));
+    text += "## attachment\n\nWhat a stroke belongs to.\n\n" + field_table(fields_of(Attachment{}));
+    text += "## host\n\nAn object that carries what lies on it.\n\n" +
+            field_table(fields_of(AttachedHost{}));
+    text += "## anchor\n\nWhere a sample of a stroke met its host.\n\n" +
+            field_table(fields_of(AttachedSample{}));
     text += "## object\n\nAn object as it is copied.\n\n" + field_table(fields_of(CopiedObject{}));
     text +=
         "## placement\n\nHow a copied object lies.\n\n" + field_table(fields_of(CopiedPlacement{}));

@@ -4,6 +4,7 @@
 #include "core/animation/track.h"
 #include "core/base/ref.h"
 #include "core/document/source.h"
+#include "core/placement/attachment.h"
 #include "core/placement/placement.h"
 #include "core/placement/shaping.h"
 #include "core/placement/travel.h"
@@ -46,6 +47,8 @@ struct PlacementStep {
     std::vector<Id> onto;
     // the way round the only object of `onto`, in place of the stroke
     std::optional<RoundWay> round = {};
+    // which of `onto` carry it; no value: the stroke stays in the world
+    std::optional<Attachment> attach = {};
     bool operator==(const PlacementStep&) const = default;
 };
 

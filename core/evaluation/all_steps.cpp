@@ -4,6 +4,7 @@
 #include "core/evaluation/laying.h"
 #include "core/evaluation/moving.h"
 #include "core/evaluation/refining.h"
+#include "core/evaluation/riding.h"
 #include "core/evaluation/simplifying.h"
 
 namespace trivar {
@@ -30,8 +31,10 @@ std::vector<std::unique_ptr<Step>> all_steps()
 {
     std::vector<std::unique_ptr<Step>> steps;
     steps.push_back(std::make_unique<SimplifyingStep>());
-    steps.push_back(std::make_unique<Laying>());
+    const auto carriages = std::make_shared<Carriages>();
+    steps.push_back(std::make_unique<Laying>(carriages));
     steps.push_back(std::make_unique<Moving>());
+    steps.push_back(std::make_unique<Riding>(carriages));
     steps.push_back(std::make_unique<LatticeVolume>());
     steps.push_back(std::make_unique<WithinReach>());
     steps.push_back(std::make_unique<InLattices>());

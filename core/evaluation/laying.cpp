@@ -49,8 +49,8 @@ Supports supports_of(const PlacementStep& step, const std::map<Id, Ref<Evaluated
         if (found == done.end()) continue;
         const EvaluatedObject& object = *found->second;
         for (const Part& part : object.parts) {
-            out.all.push_back({lower, part});
-            if (!moves(object)) out.still.push_back({lower, part});
+            out.all.push_back(support_of(object, part, object.own_to_world));
+            if (!moves(object)) out.still.push_back(out.all.back());
         }
         if (moves(object) && !object.parts.empty()) out.travelling.push_back(found->second);
     }
@@ -94,9 +94,16 @@ Ref<Stage> Laying::operator()(const Ref<Stage>& before, const StepInput& input)
 {
     const Object& o = input.object;
     if (!o.placement) return before;
+    const glm::dmat3 turned(o.transform.matrix());
+    if (const Ref<Carriage> carriage = (*carriages_)(input)) {
+        PlacementStep step = *o.placement;
+        step.sketch = carriage->sketch;
+        step.attach.reset(); // what carries it changes nothing about how it lies
+        return laid_on({before, turned, std::move(step), carriage->supports}, input);
+    }
     const Supports supports = supports_of(*o.placement, input.done);
     const auto laid = [&](const std::vector<Support>& on) {
-        return laid_on({before, glm::dmat3(o.transform.matrix()), *o.placement, on}, input);
+        return laid_on({before, turned, *o.placement, on}, input);
     };
     if (supports.travelling.empty() || supports.still.empty()) return laid(supports.all);
     const Ref<Stage> without = laid(supports.still);
@@ -111,6 +118,7 @@ Ref<Stage> Laying::laid_on(Stroke stroke, const StepInput& input)
         const Landing fallen = fallen_(key.stroke, [&] { return fall(key.stroke, input); });
         Stage stage = *key.stroke.before;
         stage.lies_on = fallen.scene;
+        stage.supports = make_ref(key.stroke.supports);
         stage.rejected = fallen.rejected;
         if (!fallen.placement) return make_ref(std::move(stage));
         if (!key.shaping.empty())

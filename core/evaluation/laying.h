@@ -3,16 +3,10 @@
 
 #include "core/base/recent.h"
 #include "core/evaluation/bending.h"
+#include "core/evaluation/carriages.h"
 #include "core/evaluation/step.h"
 
 namespace trivar {
-
-// A Support is what a stroke may fall on: the parts of one object.
-struct Support {
-    Id id = 0;
-    Part part;
-    bool operator==(const Support&) const = default;
-};
 
 // Laying lays an object along its stroke, or round a closed surface, while its stroke, its
 // parameters or the scene change. It keeps the scene for rays and the sorting of the meshes into
@@ -20,6 +14,7 @@ struct Support {
 // for the objects on which it lies.
 class Laying : public Step {
 public:
+    explicit Laying(std::shared_ptr<Carriages> carriages) : carriages_(std::move(carriages)) {}
     Ref<Stage> operator()(const Ref<Stage>& before, const StepInput& input) override;
 
 private:
@@ -45,6 +40,7 @@ private:
     Ref<RayScene> scene_of(const std::vector<Support>& supports, const StepInput& input);
     void bend(Stage& stage, const glm::dmat3& turned);
 
+    std::shared_ptr<Carriages> carriages_;
     Recent<Stroke, Landing> fallen_;
     Recent<ShapedStroke, Ref<Stage>> laid_;
     Recent<std::vector<Support>, Ref<RayScene>> scenes_{1};

@@ -105,13 +105,17 @@ Ref<Stage> Moving::operator()(const Ref<Stage>& before, const StepInput& input)
     const FreeKey key{before, posed, to_world(input.document, input.id), feet_on_nothing};
     return free_(key, [&] {
         Stage stage = *before;
-        for (const Shape::NodeMesh& hung : posed->meshes)
+        stage.own_to_world = key.to_world;
+        for (const Shape::NodeMesh& hung : posed->meshes) {
             stage.parts.push_back({hung.rest,
                                    key.to_world * hung.to_model,
                                    hung.posed,
                                    nullptr,
                                    {.mesh = hung.slot},
                                    hung.bounds});
+            stage.own_parts.push_back(stage.parts.back());
+            stage.own_parts.back().to_world = hung.to_model;
+        }
         for (const StandingCurves& each : standing_curves(*posed, glm::dmat3(1))) {
             stage.curves.push_back(each.part);
             stage.curves.back().points.to_world = key.to_world * each.to_box;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/evaluation/carriage.h"
 #include "core/evaluation/curve_part.h"
 #include "core/evaluation/shape.h"
 #include "core/evaluation/walk.h"
@@ -17,7 +18,17 @@ namespace trivar {
 struct LayingEffects {        // of an object that lies on a stroke, or of a lattice
     Ref<Placement> placement; // null: the object is not laid
     Ref<ShapedVolume> shaped; // null: its volume was not shaped
-    Ref<RayScene> lies_on;    // what its stroke falls on; null: nothing
+    // What its stroke falls on, and the parts of that; null: nothing. They are in the space in
+    // which the stroke was drawn, which the carriage takes to the world.
+    Ref<RayScene> lies_on;
+    Ref<std::vector<Support>> supports;
+};
+struct CarriageEffects {
+    Ref<Carriage> carriage; // null: nothing carries it
+    // From the object's own space to the world: that of its model, or where it lay before it was
+    // carried.
+    glm::dmat4 own_to_world{1};
+    std::vector<Part> own_parts = {}; // in that space, before lattices; none: they are in the world
 };
 struct TravelEffects {
     Ref<Journey> journey; // null: it does not travel
@@ -33,7 +44,7 @@ struct SimplifyingEffects {
 
 // A Stage is what some of an object's steps have made of it. A step changes a copy and returns
 // that, so that a stage never changes once another step has seen it.
-struct Stage : SimplifyingEffects, LayingEffects, TravelEffects, RefiningEffects {
+struct Stage : SimplifyingEffects, LayingEffects, CarriageEffects, TravelEffects, RefiningEffects {
     Ref<Shape> shape;                 // what its source gives, as the file has it; never null
     std::vector<Part> parts;          // in the world; may be empty
     std::vector<CurvePart> curves;    // in the world; may be empty

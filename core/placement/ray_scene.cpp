@@ -322,6 +322,8 @@ Hit RayScene::State::resolve(const Ray& ray, double from, double to, bool skip_b
     if (!(glm::length(n) > 0)) n = plane.normal;
     hit.normal = glm::length(n) > 0 ? glm::normalize(n) : -ray.direction;
     hit.object = e.object;
+    hit.entry = static_cast<int>(best.entry);
+    hit.triangle = static_cast<int>(best.triangle);
     hit.face = static_cast<int>(e.mesh->state().face[best.triangle]);
     hit.back_face = glm::dot(hit.normal, ray.direction) > 0;
     return hit;

@@ -40,7 +40,9 @@ struct Hit {
     glm::dvec3 p_world{0};
     glm::dvec3 normal{0, 0, 1}; // unit, of the triangle, world space, toward the outside
     int object = -1;            // the id given with the mesh
+    int entry = -1;             // of the scene, of which it is
     int face = -1;              // index of the mesh's face
+    int triangle = -1;          // of the RayMesh's
     bool back_face = false;     // the ray came from inside
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/edit_actions.h"
 
+#include "core/evaluation/attaching.h"
 #include "editor/actions/chords.h"
 #include "editor/actions/log_lines.h"
 #include "editor/commands/clipboard.h"
@@ -37,6 +38,52 @@ void copy_objects(Editor& e, const std::vector<Id>& ids, const char* verb)
                           said_of(e.session.document(), ids) +
                               (ids.size() == 1 ? " was " : " were ") + verb,
                           {}, of_clipboard);
+}
+
+// Those among the selected that lie on a stroke, attached or not.
+std::vector<Id> laid(const Editor& e, bool attached)
+{
+    std::vector<Id> out;
+    for (const Id id : e.session.selected.ids()) {
+        const auto& step = object(e.session.document(), id).placement;
+        const auto shown = e.session.evaluated().objects.find(id);
+        if (step && !step->round && step->attach.has_value() == attached &&
+            shown != e.session.evaluated().objects.end() && shown->second->placement)
+            out.push_back(id);
+    }
+    return out;
+}
+
+void attach_selected(Editor& e)
+{
+    for (const Id id : laid(e, false)) {
+        const PlacementStep step = *object(e.session.document(), id).placement;
+        const auto attachment = attachment_of(*e.session.evaluated().objects.at(id), step.sketch,
+                                              step.parameters.skip_back_faces);
+        if (attachment && !e.session.run(Attach{id, attachment})) return;
+    }
+}
+
+// Each stays where it is now, in the world.
+void detach_selected(Editor& e)
+{
+    for (const Id id : laid(e, true)) {
+        const PlacementStep step = *object(e.session.document(), id).placement;
+        const Ref<EvaluatedObject> shown = e.session.evaluated().objects.at(id);
+        const glm::dmat4 to_world = stroke_to_world(*shown);
+        Sketch sketch = stroke_now(*shown, step);
+        sketch.camera = carried(sketch.camera, to_world);
+        if (!e.session.run(
+                EditPlacement{id, carried(step.parameters, to_world), std::move(sketch), {}}))
+            return;
+    }
+}
+
+std::vector<Id> but_the_last(const Editor& e)
+{
+    std::vector<Id> ids = e.session.selected.ids();
+    ids.pop_back();
+    return ids;
 }
 
 void cut_objects(Editor& e)
@@ -124,6 +171,38 @@ void add_edit_actions(std::vector<Action>& a)
                       return found != objects.end() && holds_others(found->second->source);
                   },
                   "select a group first"}});
+    a.push_back({"Edit",
+                 "Attach",
+                 {},
+                 attach_selected,
+                 {[](const Editor& e) { return !laid(e, false).empty(); },
+                  "select something that lies on an object and does not go with it"}});
+    a.push_back({"Edit",
+                 "Detach",
+                 {},
+                 detach_selected,
+                 {[](const Editor& e) { return !laid(e, true).empty(); },
+                  "select something first that goes with what it lies on"}});
+    a.push_back({"Edit",
+                 "Parent",
+                 {ctrl('P')},
+                 [](Editor& e) {
+                     e.session.run(SetParent{but_the_last(e), e.session.selected});
+                 },
+                 {[](const Editor& e) { return e.session.selected.size() > 1; },
+                  "select objects, and last of all what they are to go with"}});
+    a.push_back({"Edit",
+                 "Free from the parent",
+                 {alt('P')},
+                 [](Editor& e) {
+                     e.session.run(SetParent{chosen(e), 0});
+                 },
+                 {[](const Editor& e) {
+                      return std::ranges::any_of(chosen(e), [&](Id id) {
+                          return object(e.session.document(), id).parent != 0;
+                      });
+                  },
+                  "select something first that goes with another object"}});
     a.push_back({"Edit",
                  "Take off the stroke",
                  {},

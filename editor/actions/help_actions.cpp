@@ -49,10 +49,10 @@ void tutorial_actions(std::vector<Action>& a)
 
 void add_help_actions(std::vector<Action>& a)
 {
-    a.push_back(
-        {"Help", palette_action, {{ui::key_f1 + 2}, {.key = 'P', .ctrl = true}}, [](Editor& e) {
-             e.palette.show();
-         }});
+    a.push_back({"Help",
+                 palette_action,
+                 {{ui::key_f1 + 2}, {.key = 'P', .ctrl = true, .shift = true}},
+                 [](Editor& e) { e.palette.show(); }});
     a.push_back({"Help", "Manual", {{ui::key_f1}}, [](Editor& e) {
                      show_manual(e, e.active_tool().page());
                  }});

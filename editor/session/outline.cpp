@@ -81,7 +81,7 @@ public:
         const std::size_t before = rows_.size();
         for (Id id = children_.first_in(parent); id != 0; id = children_.after(id)) {
             const Object& each = object(document_, id);
-            const bool group = holds_others(each.source);
+            const bool group = holds_others(each.source) || children_.first_in(id) != 0;
             const bool found = filter_.empty() || filter_.takes(each);
             const bool open = !filter_.empty() || !closed_.contains(id);
             const std::size_t row = rows_.size();
@@ -168,7 +168,7 @@ RowDrop row_drop(const Document& document, const std::vector<OutlineRow>& rows,
         if (within >= edge && within <= 1 - edge) {
             drop.onto = row;
             wanted.parent = under.id;
-            if (!under.group)
+            if (!holds_others(object(document, under.id).source))
                 drop.refused = "Only a group can hold it. Drop it between two rows, or make a "
                                "group of both first.";
         } else if (within < edge) {

@@ -4,6 +4,7 @@
 #include "core/base/rejected.h"
 #include "core/commands/keying.h"
 #include "core/document/parameters.h"
+#include "core/evaluation/attaching.h"
 #include "editor/picture/picture.h"
 #include "editor/session/scene_facts.h"
 #include "editor/session/scene_names.h"
@@ -150,6 +151,21 @@ void Session::commit_if_placed(Id object)
     finish_check();
 }
 
+// A new stroke belongs to what it was drawn on.
+void Session::attach_proposal(const EvaluatedObject& laid)
+{
+    const std::optional<History::Step>& proposal = scene_.history().proposal();
+    if (!proposal) return;
+    Command command = proposal->command;
+    if (auto* place = std::get_if<Place>(&command))
+        place->attach = attachment_of(laid, place->sketch, place->parameters.skip_back_faces);
+    else if (auto* edit = std::get_if<EditPlacement>(&command); edit && edit->sketch)
+        edit->attach = attachment_of(laid, *edit->sketch, edit->parameters.skip_back_faces);
+    else
+        return;
+    attempt([&] { scene_.propose(command); }, true);
+}
+
 void Session::finish_check()
 {
     if (!check_ || evaluated_ticket_ < check_->ticket) return;
@@ -165,9 +181,11 @@ void Session::finish_check()
         notices.say(ui::NoticeKind::warning, "Nothing was placed", why, of_a_step);
         return;
     }
+    const Ref<EvaluatedObject> laid = found->second;
+    attach_proposal(*laid);
     if (!commit()) return;
     notices.forget(of_a_step);
-    const std::vector<std::string> lines = found->second->placement->report.all_notices();
+    const std::vector<std::string> lines = laid->placement->report.all_notices();
     if (!lines.empty())
         notices.say_all(ui::NoticeKind::warning, name_of(document(), check.object) + " was placed",
                         lines, of_a_step);

@@ -115,6 +115,7 @@ private:
     Command said(const Command& command) const; // as keys, where it changes what is animated
     bool is_proposed(const Command& command) const;
     void finish_check();
+    void attach_proposal(const EvaluatedObject& laid);
     void tell_what_is_missing();
     void select_returned(const Document& before);
     void select_freed(const Document& before, const std::vector<Id>& were);

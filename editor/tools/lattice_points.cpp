@@ -3,6 +3,7 @@
 
 #include "core/base/rounded.h"
 #include "core/commands/edits.h"
+#include "core/evaluation/attaching.h"
 #include "core/placement/shifting.h"
 #include "editor/picture/bent_cage.h"
 #include "editor/session/topics.h"
@@ -308,13 +309,13 @@ void LatticePointsTool::begin(const Session& session, const ViewportInput& input
     const MotionFrame frame = frame_of(*cage(session));
     world_axes_ = frame_of(volume).axes;
     // A lattice's steps are of the box before the object's transform, those of a stroke of the
-    // world.
+    // space that it was drawn in.
     const bool box = is_lattice(session.document(), object_);
-    const glm::dmat4 from_world =
-        box ? glm::inverse(to_world(session.shown(), object_)) : glm::dmat4(1);
+    const glm::dmat4 from_world = box ? glm::inverse(to_world(session.shown(), object_))
+                                      : glm::inverse(stroke_to_world(*selected_volume(session)));
     from_world_ = glm::dmat3(from_world);
     axes_ = world_axes_;
-    if (box) {
+    if (from_world != glm::dmat4(1)) {
         Lattice before = volume;
         before.rest = from_world * before.rest;
         for (glm::dvec3& d : before.displacement.points) d = from_world_ * d;

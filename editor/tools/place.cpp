@@ -2,6 +2,7 @@
 #include "editor/tools/place.h"
 
 #include "core/base/rounded.h"
+#include "core/evaluation/attaching.h"
 #include "core/placement/embed.h"
 #include "core/placement/redraw.h"
 #include "editor/session/scene_facts.h"
@@ -148,18 +149,26 @@ Command PlaceTool::command(const Session& session) const
     // A new stroke for what was placed before keeps how it lies.
     EditPlacement edit{model_, model.placement->parameters, drawn,
                        bases_for_stroke(session, model_)};
-    if (width_ > 0) edit.parameters.width = width_;
+    const auto laid = session.evaluated().objects.find(model_);
+    const bool lies = laid != session.evaluated().objects.end() && laid->second->lies_on;
     if (!redrawing_) {
+        edit.parameters = carried(std::move(edit.parameters), start_.to_world);
+        if (width_ > 0) edit.parameters.width = width_;
         if (brush_ != Brush::even)
             edit.parameters.width_profile = brush_profile(drawn.samples, brush_);
         return edit;
     }
     edit.onto.reset();
-    const Sketch& old = model.placement->sketch;
-    const auto laid = session.evaluated().objects.find(model_);
-    if (laid == session.evaluated().objects.end() || !laid->second->lies_on) return edit;
-    edit.sketch = redrawn(
-        old, seen_from(old.camera, drawn.camera, drawn.samples, *laid->second->lies_on), rejoin_px);
+    if (!lies) return edit;
+    // In the space of the stroke, which its hosts have carried along since.
+    const glm::dmat4 from_world = glm::inverse(start_.to_world);
+    const Sketch& old = start_.sketch;
+    if (width_ > 0) edit.parameters.width = width_ * glm::length(glm::dvec3(from_world[0]));
+    edit.sketch = redrawn(old,
+                          seen_from(old.camera, carried(drawn.camera, from_world), drawn.samples,
+                                    *laid->second->lies_on),
+                          rejoin_px);
+    edit.attach = start_.hosts;
     return edit;
 }
 
@@ -171,6 +180,12 @@ void PlaceTool::begin(Session& session, const ViewportInput& input)
         session.notices.say(ui::NoticeKind::warning, no->what, no->remedy, of_a_step);
         return;
     }
+    start_ = {};
+    const auto laid = session.evaluated().objects.find(model_);
+    if (const auto& step = object(session.document(), model_).placement;
+        step && laid != session.evaluated().objects.end())
+        start_ = {stroke_now(*laid->second, *step), stroke_to_world(*laid->second),
+                  hosts_now(*laid->second, *step)};
     drawing_ = true;
     stands_ = bounds_of(session, model_);
     width_ = 0;

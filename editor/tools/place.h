@@ -49,6 +49,12 @@ private:
     Id model_ = 0;  // of the stroke that is being drawn
     Box stands_;    // it, before it
     bool drawing_ = false, redrawing_ = false;
+    struct Start { // how the stroke lay that is drawn anew
+        Sketch sketch;
+        glm::dmat4 to_world{1};
+        std::optional<Attachment> hosts = {};
+    };
+    Start start_;
     bool on_line_ = false; // the mouse is where a stroke would redraw the old one
     std::string why_not_;  // what speaks against a stroke that begins at the mouse
     StrokeDrawing stroke_;

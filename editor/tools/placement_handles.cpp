@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/placement_handles.h"
 
+#include "core/evaluation/attaching.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -113,13 +114,19 @@ bool PlacementHandles::use(Session& session, const ViewportInput& input)
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
         if (!input.pressed) return true;
         const EvaluatedObject* laid = selected_placement(session);
+        PlacementStep step = *object(session.document(), session.selected).placement;
+        const auto hosts = hosts_now(*laid, step);
+        step.sketch = stroke_now(*laid, step);
         drag_ = HoldDrag{session.selected,
-                         *object(session.document(), session.selected).placement,
+                         std::move(step),
                          laid->placement,
                          laid->lies_on,
                          *over,
                          session.view.camera,
-                         input.mouse};
+                         input.mouse,
+                         1,
+                         stroke_to_world(*laid),
+                         hosts};
         moved_ = false;
         return true;
     }

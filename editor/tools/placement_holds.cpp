@@ -110,21 +110,24 @@ void raise(HeightGrid& grid, int index, double times, bool snap)
 Sketch pulled(const HoldDrag& drag, glm::dvec2 to_px)
 {
     const Camera& drawn = drag.step.sketch.camera;
-    const glm::dvec2 own = project(drawn, drag.held.p_world).p_px;
+    const glm::dmat4 from_world = glm::inverse(drag.to_world);
+    const Camera camera = carried(drag.camera, from_world);
+    const glm::dvec3 held(from_world * glm::dvec4(drag.held.p_world, 1));
+    const glm::dvec2 own = project(drawn, held).p_px;
     std::vector<StrokeSample> seen =
-        seen_from(drawn, drag.camera, {{drag.from_px, 0, 1}, {to_px, 0, 1}}, *drag.scene);
+        seen_from(drawn, camera, {{drag.from_px, 0, 1}, {to_px, 0, 1}}, *drag.scene);
     glm::dvec2 by(0);
     if (seen.size() == 2)
         by = seen[1].p_px - seen[0].p_px;
     else { // in the plane of the picture, at the depth of the hold
-        const double depth = project(drag.camera, drag.held.p_world).depth_world;
+        const double depth = project(camera, held).depth_world;
         const auto at = [&](glm::dvec2 p) {
-            const Ray ray = ray_through(drag.camera, p);
-            const double along = project(drag.camera, ray.origin + ray.direction).depth_world;
-            const double start = project(drag.camera, ray.origin).depth_world;
+            const Ray ray = ray_through(camera, p);
+            const double along = project(camera, ray.origin + ray.direction).depth_world;
+            const double start = project(camera, ray.origin).depth_world;
             return ray.origin + ray.direction * ((depth - start) / (along - start));
         };
-        by = project(drawn, drag.held.p_world + at(to_px) - at(drag.from_px)).p_px - own;
+        by = project(drawn, held + at(to_px) - at(drag.from_px)).p_px - own;
     }
     const double share = nearest_share(drag.step.sketch, own).share;
     const double reach =
@@ -214,7 +217,10 @@ EditPlacement dragged(const HoldDrag& drag, glm::dvec2 to_px, bool snap)
 {
     EditPlacement command{drag.object, drag.step.parameters, {}, {}};
     PlacementParameters& p = command.parameters;
-    const PlacementReport& report = drag.placement->report;
+    // Its sizes are those of the space of the stroke.
+    const double scale = glm::length(glm::dvec3(drag.to_world[0]));
+    const double width = drag.placement->report.width_world / scale,
+                 height = drag.placement->report.height_world / scale;
     const glm::dvec2 by = to_px - drag.from_px;
     const auto line = [&] {
         const glm::dvec2 shown = project(drag.camera, drag.held.p_world).p_px;
@@ -224,18 +230,21 @@ EditPlacement dragged(const HoldDrag& drag, glm::dvec2 to_px, bool snap)
     const double end = p.start + p.fill;
     switch (drag.held.hold.kind) {
     case HoldKind::none: break;
-    case HoldKind::stroke: command.sketch = pulled(drag, to_px); break;
+    case HoldKind::stroke:
+        command.sketch = pulled(drag, to_px);
+        command.attach = drag.hosts;
+        break;
     case HoldKind::width:
-        grow(p.width, p.width_profile, report.width_world,
-             static_cast<std::size_t>(drag.held.hold.index / 2), growth(drag, by), snap);
+        grow(p.width, p.width_profile, width, static_cast<std::size_t>(drag.held.hold.index / 2),
+             growth(drag, by), snap);
         break;
     case HoldKind::height:
-        grow(p.height, p.height_profile, report.height_world,
-             static_cast<std::size_t>(drag.held.hold.index), growth(drag, by), snap);
+        grow(p.height, p.height_profile, height, static_cast<std::size_t>(drag.held.hold.index),
+             growth(drag, by), snap);
         break;
     case HoldKind::across:
-        grow(p.height, p.height_across, report.height_world,
-             static_cast<std::size_t>(drag.held.hold.index), growth(drag, by), snap);
+        grow(p.height, p.height_across, height, static_cast<std::size_t>(drag.held.hold.index),
+             growth(drag, by), snap);
         break;
     case HoldKind::map: raise(p.height_map, drag.held.hold.index, growth(drag, by), snap); break;
     case HoldKind::rise: {
@@ -262,9 +271,9 @@ EditPlacement dragged(const HoldDrag& drag, glm::dvec2 to_px, bool snap)
         break;
     }
     case HoldKind::contact: {
-        const double height = glm::distance(drag.held.p_world, drag.held.base_world);
+        const double deep = glm::distance(drag.held.p_world, drag.held.base_world) / scale;
         const double into = p.contact_level > 0.5 ? -1 : 1; // away from what it is measured from
-        const double moved = into * height * (1 - growth(drag, by));
+        const double moved = into * deep * (1 - growth(drag, by));
         p.clearance = std::max(0.0, handy(p.clearance + moved, snap));
         break;
     }

@@ -50,6 +50,10 @@ struct HoldDrag {
     Camera camera;
     glm::dvec2 from_px{0};
     double scale = 1; // of the interface
+    // The step's stroke is what it is now, in a space that this takes to the world; the hosts are
+    // as they stand there.
+    glm::dmat4 to_world{1};
+    std::optional<Attachment> hosts = {};
 };
 // The command for a hand at `to_px`; with `snap` in round steps. Sizes are limited to what is
 // allowed. Pure.

@@ -2,6 +2,7 @@
 #include "editor/tools/press.h"
 
 #include "core/base/rounded.h"
+#include "core/evaluation/attaching.h"
 #include "core/ffd/resolution.h"
 #include "editor/picture/volume_picture.h"
 #include "editor/session/topics.h"
@@ -122,7 +123,13 @@ double PressTool::strength(const Placement& placement) const
 
 Command PressTool::command() const
 {
-    return PressVolume{gesture_->object, gesture_->press};
+    // Its lengths are those of the space of the stroke.
+    Press press = gesture_->press;
+    if (gesture_->scale != 1) {
+        press.radius /= gesture_->scale;
+        for (glm::dvec4& sample : press.samples) sample.w /= gesture_->scale;
+    }
+    return PressVolume{gesture_->object, std::move(press)};
 }
 
 void PressTool::begin(Session& session, const ViewportInput& input)
@@ -135,6 +142,8 @@ void PressTool::begin(Session& session, const ViewportInput& input)
                .mirror = mirror_,
                .guard = guard_,
                .into_scene = into_scene_};
+    if (const EvaluatedObject* shown = selected_volume(session))
+        g.scale = glm::length(glm::dvec3(stroke_to_world(*shown)[0]));
     const glm::dvec3 up = volume_directions(laid.volume, at_->uvw).up;
     const bool lifts = at_scene(laid.volume, laid.ground, at_->uvw);
     g.into_px = metres_by_pixel(session.view.camera, at_->p_world, lifts ? up : -up);

@@ -47,6 +47,7 @@ private:
         glm::dvec2 from_px{0}, into_px{0}; // metres of depth per pixel, along the drag
         bool pull = false;
         bool moved = false;
+        double scale = 1; // of the world to the space of the stroke, in which it presses
     };
     void begin(Session& session, const ViewportInput& input);
     void find_place(const Session& session, const ViewportInput& input); // under the mouse

@@ -154,7 +154,9 @@ std::vector<Command> fitting_commands()
             KeepShape{.object = 7, .members = {6}, .files = {import_of("shell.obj").file}},
             Simplify{{1}, {.keep = 0.25}},
             ClearSimplify{{1}},
-            SetWarp{.object = 7, .step = 1, .warp = {.twist_deg = 60}}};
+            SetWarp{.object = 7, .step = 1, .warp = {.twist_deg = 60}},
+            Attach{.object = 3, .attach = Attachment{{attached_host(1, glm::dmat4(1), true)}}},
+            SetParent{.objects = {2}, .parent = 1}};
 }
 
 Command random_command(std::mt19937& random)

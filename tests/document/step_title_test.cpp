@@ -77,6 +77,8 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Simplify Table to 25 %",
         "Give Table all triangles back",
         "Twist and taper of Lattice",
+        "Attach Pot to Table",
+        "Let Ball go with Table",
     };
     const std::vector<Command> commands = testing::fitting_commands();
     ASSERT_EQ(commands.size(), expected.size());
@@ -151,6 +153,15 @@ TEST(StepTitle, TellsAStrokeDrawnAgainAndOneThatWasReshaped)
     EXPECT_EQ(said(EditPlacement{
                   .object = 3, .parameters = {}, .sketch = {}, .onto = std::vector<Id>{2}}),
               "Lay Pot on Ball");
+}
+
+TEST(StepTitle, TellsWhatGoesWithWhat)
+{
+    EXPECT_EQ(said(Attach{.object = 3,
+                          .attach = Attachment{{attached_host(1, glm::dmat4(1), true),
+                                                attached_host(2, glm::dmat4(1), false)}}}),
+              "Attach Pot to Table");
+    EXPECT_EQ(said(SetParent{.objects = {2}, .parent = 1}), "Let Ball go with Table");
 }
 
 TEST(StepTitle, TellsMovingFromTurningAndScaling)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/document/fields/attachment_fields.h"
 #include "core/document/fields/import_fields.h"
 #include "core/document/fields/lattice_fields.h"
 #include "core/document/fields/placement_fields.h"
@@ -39,6 +40,8 @@ template <> struct FieldsOf<PlacementStep> {
         field("onto", p.onto, "ids of what it lies on", any_value.without_keys());
         field("round", p.round, "about the only one of onto, in place of the stroke",
               any_value.counts(Counting::marked).as_its_own());
+        field("attach", p.attach, "which of them carry it, and where it lay on them",
+              any_value.counts(Counting::marked).without_keys());
     }
 };
 

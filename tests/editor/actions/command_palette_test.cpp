@@ -89,7 +89,7 @@ TEST(CommandPalette, OpensByItsKeysAndRunsWhatWasFound)
     EXPECT_TRUE(rig.editor.palette.open);
     rig.key({.key = ui::key_f1 + 2});
     EXPECT_FALSE(rig.editor.palette.open);
-    rig.key({.key = 'P', .ctrl = true});
+    rig.key({.key = 'P', .ctrl = true, .shift = true});
     rig.type("addbox");
     rig.key({.key = ui::key_enter});
     EXPECT_FALSE(rig.editor.palette.open);
@@ -101,7 +101,7 @@ TEST(CommandPalette, FindsByTheMenuWhatHasNoSuchName)
 {
     testing::Rig rig;
     rig.frames();
-    rig.key({.key = 'P', .ctrl = true});
+    rig.key({.key = 'P', .ctrl = true, .shift = true});
     rig.type("help");
     rig.key({.key = ui::key_enter});
     EXPECT_TRUE(rig.editor.memory.of<ManualDialog>().open);
@@ -111,7 +111,7 @@ TEST(CommandPalette, ChangesAPreferenceAfterAColon)
 {
     testing::Rig rig;
     rig.frames();
-    rig.key({.key = 'P', .ctrl = true});
+    rig.key({.key = 'P', .ctrl = true, .shift = true});
     rig.type(":reduced");
     rig.key({.key = ui::key_enter});
     EXPECT_TRUE(rig.editor.preferences.reduced_motion);
@@ -122,7 +122,7 @@ TEST(CommandPalette, LeadsToTheKeyOfACommand)
 {
     testing::Rig rig;
     rig.frames();
-    rig.key({.key = 'P', .ctrl = true});
+    rig.key({.key = 'P', .ctrl = true, .shift = true});
     rig.type("frameall");
     rig.key({.key = ui::key_enter, .alt = true});
     EXPECT_TRUE(rig.editor.preferences_dialog.open);

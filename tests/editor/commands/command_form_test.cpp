@@ -172,7 +172,7 @@ TEST(CommandForm, SaysWhichValueIsWrong)
 // The palette with the values of the command that was found first.
 void fill(testing::Rig& rig, const std::string& letters)
 {
-    rig.key({.key = 'P', .ctrl = true});
+    rig.key({.key = 'P', .ctrl = true, .shift = true});
     rig.type(letters);
     rig.key({.key = ui::key_tab});
     ASSERT_TRUE(rig.editor.palette.filling) << letters;

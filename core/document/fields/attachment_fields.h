@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/field.h"
+
+namespace trivar {
+
+template <> struct FieldsOf<AttachedHost> {
+    static constexpr std::string_view told_as = "[host](#host)";
+    static void fields(auto& h, auto&& field)
+    {
+        field("object", h.object, "its id, one of onto", required);
+        field("x", h.x, "its own X axis when the stroke was drawn");
+        field("y", h.y, "its own Y axis then");
+        field("z", h.z, "its own Z axis then");
+        field("origin", h.origin, "its own origin then, metres", any_value.in(Unit::metres));
+        field("touched", h.touched,
+              "the strip lies on it; else it counts only while it stays where it was to what the "
+              "strip lies on");
+    }
+};
+
+template <> struct FieldsOf<AttachedSample> {
+    static constexpr std::string_view told_as = "[anchor](#anchor)";
+    static void fields(auto& s, auto&& field)
+    {
+        field("host", s.host, "which of the hosts the sample met, from 0; -1: none");
+        field("mesh", s.mesh, "which of its meshes, from 0");
+        field("member", s.member, "which of its procession, from 0");
+        field("rest", s.rest, "where on that mesh, before a clip or a volume moves it");
+        field("drawn", s.drawn, "where in the host's own space when the stroke was drawn");
+        field("normal", s.normal, "of the face there in that space, unit");
+    }
+};
+
+template <> struct FieldsOf<Attachment> {
+    static constexpr std::string_view told_as = "[attachment](#attachment)";
+    static void fields(auto& a, auto&& field)
+    {
+        field("hosts", a.hosts, "the objects that carry it, in no order", required);
+        field("samples", a.samples,
+              "where each sample of the stroke met one of them; none: all belong to the first");
+    }
+};
+
+} // namespace trivar

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/placement/placement.h"
+
+#include <functional>
+#include <glm/glm.hpp>
+#include <optional>
+#include <vector>
+
+namespace trivar {
+
+// An object that a stroke was drawn on, and how it stood then: its own space has these axes and
+// this origin in the space in which the stroke was drawn.
+struct AttachedHost {
+    int object = 0;
+    glm::dvec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, origin{0};
+    // Whether the strip lies on it. What it only passes counts while it stays where it was to what
+    // the strip lies on.
+    bool touched = true;
+    glm::dmat4 stood() const;
+    bool operator==(const AttachedHost&) const = default;
+};
+AttachedHost attached_host(int object, const glm::dmat4& stood, bool touched);
+
+// Where a sample of a stroke met its host.
+struct AttachedSample {
+    int host = -1;            // in the list of hosts; -1: the sample met nothing
+    int mesh = 0, member = 0; // of the host, as in PartKey
+    glm::dvec3 rest{0};       // on that mesh before a pose or a volume moves its vertices
+    glm::dvec3 drawn{0};      // in the host's own space, where the stroke was drawn
+    glm::dvec3 normal{0};     // of the face there, unit
+    bool operator==(const AttachedSample&) const = default;
+};
+
+// What a stroke belongs to: its hosts carry it, with its volume and its model.
+struct Attachment {
+    std::vector<AttachedHost> hosts;
+    std::vector<AttachedSample> samples = {}; // one a sample of the stroke; none: all belong to the
+                                              // first host, as it stands
+    bool operator==(const Attachment&) const = default;
+};
+
+// The host of most samples, the first of equals; of none: the first that is touched.
+std::size_t main_host(const Attachment& attachment);
+
+// The same with other numbers for the objects. Hosts without a number go, and their samples meet
+// nothing. Nothing is left: nothing.
+std::optional<Attachment> renumbered(const Attachment& attachment,
+                                     const std::function<std::optional<int>(int)>& number);
+
+// Throws Rejected, naming the field, for what cannot be: no hosts, a host that is flat, a sample of
+// no host, another number of samples than the stroke has.
+void check(const Attachment& attachment, std::size_t samples);
+
+// Turn and shift that take the points `from` to those `to` as near as can be in least squares,
+// never mirrored; the turn is none where they do not tell. As many points each, and some. Horn
+// 1987.
+glm::dmat4 best_motion(const std::vector<glm::dvec3>& from, const std::vector<glm::dvec3>& to);
+
+// A view, and lengths of a placement, where a matrix takes them that turns, scales evenly and
+// shifts; a picture of what it took along is the same.
+Camera carried(Camera camera, const glm::dmat4& by);
+PlacementParameters carried(PlacementParameters parameters, const glm::dmat4& by);
+
+// The factor of a matrix that turns, scales evenly and shifts, to about nine digits; nothing where
+// it does something else or mirrors.
+std::optional<double> even_scale(const glm::dmat4& matrix);
+
+} // namespace trivar
