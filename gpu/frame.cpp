@@ -4,6 +4,7 @@
 #include "core/base/rejected.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -54,6 +55,38 @@ double round_step(double x)
     return power * (x / power >= 5 ? 5 : x / power >= 2 ? 2 : 1);
 }
 
+// World axes along the grid, 0 to 2, and whether the view sees it face to face.
+struct GridPlane {
+    int u = 0, v = 1;
+    bool faced = false;
+};
+
+// Z 0, or the plane that an orthographic view along an axis looks at: Z 0 is a line in that.
+GridPlane grid_plane(const Camera& camera)
+{
+    const double nearly = std::cos(glm::radians(1.0));
+    const glm::dvec3 view = glm::abs(glm::normalize(camera.target - camera.eye));
+    if (camera.perspective || std::max({view.x, view.y, view.z}) < nearly) return {};
+    if (view.x > nearly) return {1, 2, true};
+    if (view.y > nearly) return {0, 2, true};
+    return {0, 1, true};
+}
+
+// The grid stays where it is in the world, whatever the middle of the scene.
+void set_grid(Frame& f, const GridPlane& plane, const glm::dvec3& origin_world,
+              const Backdrop& backdrop, double step)
+{
+    const std::array axes{backdrop.axis_x, backdrop.axis_y, backdrop.axis_z};
+    f.grid_lines = {backdrop.grid, backdrop.grid_major, axes[static_cast<std::size_t>(plane.u)],
+                    axes[static_cast<std::size_t>(plane.v)]};
+    glm::vec3 u(0), v(0);
+    u[plane.u] = v[plane.v] = 1;
+    const glm::dvec2 origin(origin_world[plane.u], origin_world[plane.v]);
+    f.grid_at = glm::vec4(-glm::mod(origin, 5 * step), -origin);
+    f.grid_u = glm::vec4(u, -glm::dot(glm::cross(u, v), glm::vec3(origin_world)));
+    f.grid_v = glm::vec4(v, plane.faced ? 1 : 0);
+}
+
 } // namespace
 
 Frame frame_of(const Picture& picture, const Camera& camera, const Scene& scene, const Look& look,
@@ -91,7 +124,6 @@ Frame frame_of(const Picture& picture, const Camera& camera, const Scene& scene,
     const Backdrop& backdrop = picture.backdrop ? *picture.backdrop : look.backdrop;
     f.backdrop = {glm::vec4(backdrop.top, backdrop.corners), glm::vec4(backdrop.middle, 0),
                   glm::vec4(backdrop.bottom, 0)};
-    f.grid_lines = {backdrop.grid, backdrop.grid_major, backdrop.axis_x, backdrop.axis_y};
     f.zenith = glm::vec4(studio.zenith, 0);
     f.horizon = glm::vec4(studio.horizon, 0);
     f.floor_light = glm::vec4(studio.floor, 0);
@@ -104,9 +136,7 @@ Frame frame_of(const Picture& picture, const Camera& camera, const Scene& scene,
     const bool ground = picture.settings.ground && !scene.items.empty();
     const double step = round_step(radius / 4);
     f.ground = glm::vec4(scene.ground_z, step, 6 * scene.radius, ground ? 1 : 0);
-    // The grid stays where it is in the world, whatever the middle of the scene.
-    const glm::dvec2 origin(scene.origin_world);
-    f.grid_at = glm::vec4(-glm::mod(origin, 5 * step), -origin);
+    set_grid(f, grid_plane(camera), scene.origin_world, backdrop, step);
     const float line_px = backdrop.line_px * static_cast<float>(picture.scale);
     f.centre = glm::vec4((scene.lo + scene.hi) * 0.5f, line_px);
     // Upwards the harmonics of bands 1 and 2 that count are z and 3 z^2 - 1.

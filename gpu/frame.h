@@ -18,9 +18,9 @@ struct Frame {
     std::array<glm::vec4, 3> backdrop;
     glm::vec4 centre, ground_share;
     std::array<glm::vec4, 4> grid_lines;
-    glm::vec4 grid_at;
+    glm::vec4 grid_at, grid_u, grid_v;
 };
-static_assert(sizeof(Frame) == 5 * 64 + 16 * (4 + 9 + 12 + 7 + 3 + 2 + 4 + 1));
+static_assert(sizeof(Frame) == 5 * 64 + 16 * (4 + 9 + 12 + 7 + 3 + 2 + 4 + 3));
 
 // All fields but key_clip and shadow_map, which the shadow map fills in. Throws Rejected for a
 // camera that looks nowhere.

@@ -70,7 +70,7 @@ struct Backdrop {
     glm::vec3 top{0}, middle{0}, bottom{0};
     float corners = 0.55f; // how much darker the corners are
     float line_px = 1;     // width of the grid's finest lines
-    glm::vec4 grid{0, 0, 0, 0.041f}, grid_major{0, 0, 0, 0.103f}, axis_x{0}, axis_y{0};
+    glm::vec4 grid{0, 0, 0, 0.041f}, grid_major{0, 0, 0, 0.103f}, axis_x{0}, axis_y{0}, axis_z{0};
     bool operator==(const Backdrop&) const = default;
 };
 
@@ -105,7 +105,9 @@ struct Picture {
     bool draft = false; // leave out the slow parts while something is being dragged
     bool deep = false;  // drawn with 16 bits a channel, and not dithered to 8
     double scale = 1;   // of the size: a draft drawn smaller is shown enlarged
-    bool grid = false;  // lines on the ground, for orientation at work
+    // Lines on Z 0, for orientation while working; in an orthographic view along an axis, on the
+    // plane through the origin that it faces. The ground is then no higher than Z 0.
+    bool grid = false;
     std::optional<Backdrop> backdrop = {}; // replaces the one of the look
     Ref<ShaderTexts> shaders = {};         // a developer's, in place of the embedded ones
 };

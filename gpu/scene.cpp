@@ -165,6 +165,7 @@ bool SceneItem::is_body() const
 CasterKey casters_of(const Scene& scene)
 {
     CasterKey key;
+    key.ground_z = scene.ground_z;
     for (const SceneItem& item : scene.items)
         if (item.opacity >= 1)
             key.casters.push_back({item.mesh->serial, item.to_scene, item.materials,
@@ -197,6 +198,9 @@ Scene scene_of(const Picture& picture, Mirror& mirror, const DeformedMeshes& def
     // A ghost that dips lower while it is moved does not pull the ground along.
     scene.ground_z =
         static_cast<float>((standing.empty() ? all : standing).lo.z - scene.origin_world.z);
+    // Where the grid shows Z 0, what hovers has its shadow there.
+    if (picture.grid)
+        scene.ground_z = std::min(scene.ground_z, static_cast<float>(-scene.origin_world.z));
     for (std::size_t i = 0; i < boxes.size(); ++i)
         if (!boxes[i].empty())
             add_instance(scene, picture.instances[i], picture, boxes[i], mirror, deformed.of(i));

@@ -46,7 +46,7 @@ struct Scene {
     std::vector<SceneItem> outlined; // what is outlined of it: the same items, or some copies
     std::vector<std::shared_ptr<const MirroredCopies>> own_copies; // of the outlined copies
     glm::vec3 lo{0}, hi{0}; // of all items and curves; unset where there are none
-    float ground_z = 0;     // the lowest point of the scene
+    float ground_z = 0;     // the lowest point of the scene; with a grid at most Z 0
     float radius = 1;       // half the diagonal
     std::array<glm::vec4, map_steps + 1> map_colors{};
     glm::vec4 map_range{0}; // values.glsl
@@ -64,6 +64,7 @@ struct CasterKey {
         bool operator==(const Caster&) const = default;
     };
     std::vector<Caster> casters;
+    float ground_z = 0;
     bool operator==(const CasterKey&) const = default;
 };
 CasterKey casters_of(const Scene& scene);

@@ -42,6 +42,13 @@ void FileDialog::open(FileRequest request, const fs::path& start)
     enter(folder);
 }
 
+void FileDialog::ask_again(std::string problem)
+{
+    open_ = just_opened_ = true;
+    focus_ = Focus::field;
+    problem_ = std::move(problem);
+}
+
 void FileDialog::enter(const fs::path& folder)
 {
     std::error_code ignored;

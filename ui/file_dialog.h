@@ -28,6 +28,8 @@ class FileDialog {
 public:
     void open(FileRequest request, const std::filesystem::path& start = {});
     bool is_open() const { return open_; }
+    // Opens the dialog again as it was, with what was typed, and says why that could not be done.
+    void ask_again(std::string problem);
     // Draws the dialog if it is open; returns the chosen path in the frame in which it was chosen.
     std::optional<std::string> draw(const Theme& theme);
 

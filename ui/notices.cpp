@@ -18,7 +18,7 @@ constexpr std::size_t most_shown = 3;
 // Longer where there is something to press.
 double lifetime_s(const Notices::Notice& notice)
 {
-    if (notice.kind == NoticeKind::error) return 1e300;
+    if (notice.kind == NoticeKind::error || notice.stays) return 1e300;
     return notice.actions.empty() ? notice.kind == NoticeKind::good ? 4 : 10 : 20;
 }
 
@@ -131,6 +131,15 @@ void Notices::forget(std::string_view topic)
     std::erase_if(notices_, [&](const Notice& notice) { return notice.topic == topic; });
 }
 
+void Notices::keep(std::string_view topic)
+{
+    for (Notice& notice : notices_)
+        if (notice.topic == topic) {
+            notice.stays = true;
+            notice.left_s = lifetime_s(notice);
+        }
+}
+
 void Notices::say(NoticeKind kind, std::string title, std::string body, std::string topic,
                   std::vector<Action> actions)
 {
@@ -146,7 +155,9 @@ void Notices::say(NoticeKind kind, std::string title, std::string body, std::str
     if (!topic.empty()) forget(topic);
     notices_.push_back(
         {kind, std::move(title), std::move(body), std::move(topic), 1, -1, std::move(actions)});
-    if (notices_.size() > most_shown) notices_.erase(notices_.begin());
+    if (notices_.size() <= most_shown) return;
+    const auto oldest = std::ranges::find(notices_, false, &Notice::stays);
+    notices_.erase(oldest == notices_.end() ? notices_.begin() : oldest);
 }
 
 float Notices::left_of(const Theme& theme, const Rect& in)

@@ -14,8 +14,8 @@ namespace trivar::ui {
 enum class NoticeKind { good, warning, error };
 
 // Notices are sentences for the user that appear at the lower right and leave again: success after
-// 4 s, warnings after 10 s, errors when they are closed. A repeated sentence is counted; a sentence
-// on a topic replaces the earlier one on that topic.
+// 4 s, warnings after 10 s, errors and kept ones when they are closed. A repeated sentence is
+// counted; a sentence on a topic replaces the earlier one on that topic.
 class Notices {
 public:
     // An Action is a remedy on a button; the notice leaves when the button is pressed.
@@ -30,6 +30,7 @@ public:
     void say_all(NoticeKind kind, std::string title, const std::vector<std::string>& lines,
                  std::string topic = {}, std::vector<Action> actions = {});
     void forget(std::string_view topic); // what was said on the topic is no longer true
+    void keep(std::string_view topic);   // it stays until it is closed or answered
     // Draws at most three notices over the lower right of the rectangle.
     void draw(Frame& frame, const Rect& in);
 
@@ -38,8 +39,9 @@ public:
         std::string title, body; // the body's lines end with \n
         std::string topic = {};
         int count = 1;
-        double left_s = 0; // before it leaves; negative: not yet shown
+        double left_s = 0;  // before it leaves; negative: not yet shown
         std::vector<Action> actions = {};
+        bool stays = false; // until it is closed
     };
     const std::vector<Notice>& all() const { return notices_; }
     void clear() { notices_.clear(); }

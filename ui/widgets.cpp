@@ -224,7 +224,9 @@ bool button(const Theme& theme, const std::string& text, ButtonKind kind, glm::v
     if (size.x <= 0) size.x = button_width(theme, text) + (icon ? theme.px(22) : 0);
     if (size.y <= 0) size.y = theme.px(32);
     const PressState p = press_area(text, size);
-    const bool filled = kind == ButtonKind::primary || kind == ButtonKind::danger;
+    const bool off = (GImGui->CurrentItemFlags & ImGuiItemFlags_Disabled) != 0;
+    const bool filled = !off && (kind == ButtonKind::primary || kind == ButtonKind::danger);
+    if (off && kind != ButtonKind::quiet) kind = ButtonKind::plain;
     const Color rest = kind == ButtonKind::primary  ? c.accent
                        : kind == ButtonKind::danger ? c.bad_fill
                        : kind == ButtonKind::plain  ? c.field
@@ -233,8 +235,12 @@ bool button(const Theme& theme, const std::string& text, ButtonKind kind, glm::v
                       : kind == ButtonKind::danger ? c.bad_fill_hover
                       : kind == ButtonKind::plain  ? c.field_hover
                                                    : c.row_hover;
-    paint_box(p.rect, p.held ? faded(hot, 0.8f) : p.hovered ? hot : rest, theme.size.rounding);
-    const Color color = filled ? c.on_accent : kind == ButtonKind::quiet ? c.accent_text : c.text;
+    const bool hovered = p.hovered && !off;
+    paint_box(p.rect, p.held ? faded(hot, 0.8f) : hovered ? hot : rest, theme.size.rounding);
+    const Color color = off                         ? c.text_off
+                        : filled                    ? c.on_accent
+                        : kind == ButtonKind::quiet ? c.accent_text
+                                                    : c.text;
     const ImFont* font = filled ? theme.font.strong : theme.font.body;
     const Rect inside = {p.rect.lo + glm::vec2(theme.px(12), 0),
                          p.rect.hi - glm::vec2(theme.px(12), 0)};

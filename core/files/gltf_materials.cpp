@@ -2,6 +2,7 @@
 #include "core/files/gltf_materials.h"
 
 #include "core/files/gltf_pictures.h"
+#include "core/files/gltf_uv_transform.h"
 
 #include <algorithm>
 #include <cmath>
@@ -84,17 +85,13 @@ private:
         if (fresh) known->second = read_texture(file_.root().item("textures", "texture", index));
         Texture out = known->second;
         if (!out.image) return {};
-        const std::size_t uv_set = use->size("texCoord");
+        const std::size_t uv_set = uv_set_of(*use);
         out.uv_set = static_cast<int>(std::min<std::size_t>(uv_set, max_uv_set));
         if (uv_set > max_uv_set)
             notices_.add("one texture lies on a set of texture coordinates beyond the eighth, and "
                          "was laid on that",
                          "{0} textures lie on sets of texture coordinates beyond the eighth, and "
                          "were laid on that");
-        const auto extensions = use->part("extensions");
-        if (extensions && extensions->has("KHR_texture_transform"))
-            notices_.add("the transform of one texture was left out",
-                         "the transforms of {0} textures were left out");
         return out;
     }
 

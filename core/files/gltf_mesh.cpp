@@ -17,7 +17,7 @@ enum : std::size_t {
     triangle_strip = 5,
     triangle_fan = 6
 };
-constexpr std::size_t max_uv_sets = 8, max_targets = 1024;
+constexpr std::size_t max_targets = 1024;
 
 // What a vertex and a corner come to beside the values of their own attributes: normals, points,
 // faces, and what the repairs and the copies want meanwhile.
@@ -84,13 +84,16 @@ GltfMeshes::Shapes GltfMeshes::read(const GltfEntry& from)
             accessors_.zeros(attributes, "POSITION"))
             primitive.fail("it is compressed by KHR_draco_mesh_compression, which is not "
                            "supported: export it without");
-        // Primitives that differ in their material only share their vertices.
+        // Primitives that differ in their material only share their vertices, but where a material
+        // moves texture coordinates.
         if (mode < triangle_list) {
             const auto [known, fresh] = points_before.try_emplace(sources_of(primitive));
             if (fresh) known->second = add_line_points(points, primitive);
             return add_lines(lines, primitive, mode, known->second);
         }
-        const auto [known, fresh] = read_before.try_emplace(sources_of(primitive));
+        Sources sources = sources_of(primitive);
+        if (moves_uvs(primitive)) sources.push_back({{"material", primitive.index("material")}});
+        const auto [known, fresh] = read_before.try_emplace(std::move(sources));
         if (fresh) known->second = add_vertices(mesh, primitive);
         add_faces(mesh, primitive, mode, known->second);
     });
@@ -149,23 +152,44 @@ GltfMeshes::VertexRange GltfMeshes::add_vertices(Mesh& mesh, const GltfEntry& pr
     append(mesh.normals, attributes, "NORMAL", added, glm::vec3(0));
     append(mesh.tangents, attributes, "TANGENT", added, glm::vec4(1, 0, 0, 1));
     append(mesh.colors, attributes, "COLOR_0", added, glm::vec4(1), 3);
-    add_uvs(mesh, attributes, added);
+    add_uvs(mesh, attributes, added, transforms_of(primitive));
     add_influences(mesh, attributes, added);
     add_targets(mesh, primitive, added);
     return added;
 }
 
-void GltfMeshes::add_uvs(Mesh& mesh, const GltfEntry& attributes, VertexRange added)
+const UvTransforms& GltfMeshes::transforms_of(const GltfEntry& primitive)
+{
+    const int named = primitive.index("material");
+    const bool there = named >= 0 && static_cast<std::uint32_t>(named) < material_count_;
+    const auto [known, fresh] = transforms_.try_emplace(there ? named : -1);
+    if (fresh && there)
+        known->second = uv_transforms(
+            accessors_.file().root().item("materials", "material", static_cast<std::size_t>(named)),
+            notices_);
+    return known->second;
+}
+
+bool GltfMeshes::moves_uvs(const GltfEntry& primitive)
+{
+    return transforms_of(primitive) != UvTransforms{};
+}
+
+void GltfMeshes::add_uvs(Mesh& mesh, const GltfEntry& attributes, VertexRange added,
+                         const UvTransforms& transforms)
 {
     std::size_t set = 0;
-    for (; set < max_uv_sets; ++set) {
+    for (; set < most_uv_sets; ++set) {
         const std::string name = fmt::format("TEXCOORD_{}", set);
         const bool there = attributes.has(name.c_str());
         if (!there && set >= mesh.uvs.size()) break;
         if (set == mesh.uvs.size()) mesh.uvs.emplace_back();
         append(mesh.uvs[set], attributes, name.c_str(), added, glm::vec2(0));
-        for (std::size_t v = added.first; there && v < added.end(); ++v)
-            mesh.uvs[set][v].y = 1 - mesh.uvs[set][v].y; // glTF's v goes down
+        for (std::size_t v = added.first; there && v < added.end(); ++v) {
+            glm::vec2& uv = mesh.uvs[set][v];
+            if (transforms[set] != UvTransform{}) uv = transforms[set](uv);
+            uv.y = 1 - uv.y; // glTF's v goes down
+        }
     }
     const std::vector<std::string> names = attributes.names();
     if (std::ranges::any_of(names, [&](const auto& name) { return is_set_beyond(name, set); }))

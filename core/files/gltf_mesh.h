@@ -3,6 +3,9 @@
 
 #include "core/files/file_lines.h"
 #include "core/files/gltf_accessor.h"
+#include "core/files/gltf_uv_transform.h"
+
+#include <map>
 
 namespace trivar {
 
@@ -28,7 +31,10 @@ private:
         std::size_t end() const { return first + count; }
     };
     VertexRange add_vertices(Mesh& mesh, const GltfEntry& primitive);
-    void add_uvs(Mesh& mesh, const GltfEntry& attributes, VertexRange added);
+    void add_uvs(Mesh& mesh, const GltfEntry& attributes, VertexRange added,
+                 const UvTransforms& transforms);
+    const UvTransforms& transforms_of(const GltfEntry& primitive); // of its material's textures
+    bool moves_uvs(const GltfEntry& primitive);
     void add_influences(Mesh& mesh, const GltfEntry& attributes, VertexRange added);
     void add_targets(Mesh& mesh, const GltfEntry& primitive, VertexRange added);
     VertexRange add_line_points(Mesh& points, const GltfEntry& primitive);
@@ -46,6 +52,7 @@ private:
     GltfAccessors& accessors_;
     CountedNotices& notices_;
     std::uint32_t material_count_;
+    std::map<int, UvTransforms> transforms_; // by material
     bool plain_used_ = false;
     std::size_t line_points_ = 0; // of the meshes so far
 };

@@ -60,6 +60,33 @@ void History::set_aside_undone()
     steps_.erase(undone, steps_.end());
 }
 
+namespace {
+
+// Steps that follow `before` others, each after the branches that left there and were undone.
+void retell_steps(const std::vector<History::Step>& steps, std::size_t before,
+                  const std::vector<History::Branch>& branches,
+                  const std::function<void(const History::Step&)>& step,
+                  const std::function<void()>& undo)
+{
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        for (const History::Branch& branch : branches) {
+            if (branch.from != before + i) continue;
+            retell_steps(branch.steps, branch.from, branch.others, step, undo);
+            for (std::size_t n = 0; n < branch.steps.size(); ++n) undo();
+        }
+        step(steps[i]);
+    }
+}
+
+} // namespace
+
+void History::retell(const std::function<void(const Step&)>& step,
+                     const std::function<void()>& undo) const
+{
+    retell_steps(steps_, 0, branches_, step, undo);
+    for (std::size_t i = position_; i < steps_.size(); ++i) undo();
+}
+
 void History::forget_undone()
 {
     steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(position_), steps_.end());

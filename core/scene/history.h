@@ -3,6 +3,7 @@
 
 #include "core/commands/command.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,6 +49,11 @@ public:
     std::size_t position() const { return position_; }        // number of steps in force
     // branches that leave these steps
     const std::vector<Branch>& branches() const { return branches_; }
+
+    // Calls step(Step) and undo() in an order that, done to a new history, gives it the same steps,
+    // position and branches. Of branches from one place the oldest comes first.
+    void retell(const std::function<void(const Step&)>& step,
+                const std::function<void()>& undo) const;
 
 private:
     void set_aside_undone();

@@ -193,8 +193,9 @@ std::string check_line(const std::string& digest, const std::string& effects)
 std::string log_text(const History& history)
 {
     std::string text = log_header();
-    for (const History::Step& step : history.steps()) text += command_line(step.command, step.note);
-    for (std::size_t i = history.position(); i < history.steps().size(); ++i) text += undo_line();
+    history.retell(
+        [&](const History::Step& step) { text += command_line(step.command, step.note); },
+        [&] { text += undo_line(); });
     return text;
 }
 

@@ -40,14 +40,16 @@ History moved(const History& history, const std::filesystem::path& from,
               const std::filesystem::path& to)
 {
     History result;
-    for (const History::Step& step : history.steps()) {
-        Command command = step.command;
-        for (ImportedFile* file : files_of(command))
-            if (is_relative(file))
-                file->path = (from / file->path).lexically_normal().lexically_relative(to).string();
-        result.run(std::move(command), step.note);
-    }
-    while (result.position() > history.position()) result.undo();
+    history.retell(
+        [&](const History::Step& step) {
+            Command command = step.command;
+            for (ImportedFile* file : files_of(command))
+                if (is_relative(file))
+                    file->path =
+                        (from / file->path).lexically_normal().lexically_relative(to).string();
+            result.run(std::move(command), step.note);
+        },
+        [&] { result.undo(); });
     return result;
 }
 

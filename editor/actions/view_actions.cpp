@@ -9,14 +9,19 @@
 namespace trivar {
 namespace {
 
-constexpr ui::Chord keypad(int digit)
+constexpr ui::Chord keypad(int digit, bool with_ctrl = false)
 {
-    return {.key = ui::key_keypad_0 + digit};
+    return {.key = ui::key_keypad_0 + digit, .ctrl = with_ctrl};
+}
+
+constexpr ui::Chord alt_shift(int key)
+{
+    return {.key = key, .shift = true, .alt = true};
 }
 
 void look_from(Editor& e, const glm::dvec3& direction)
 {
-    e.session.view.camera = ui::seen_from(e.session.view.camera, direction);
+    e.session.view.look_from(direction);
 }
 
 void open_tab(Editor& e, Editor::Tab tab)
@@ -80,9 +85,19 @@ void add_view_actions(std::vector<Action>& a)
                      look_from(e, {1, 0, 0});
                  }});
     a.push_back({"View", "Top", {alt('7'), keypad(7)}, [](Editor& e) { look_from(e, {0, 0, 1}); }});
+    a.push_back({"View", "Back", {alt_shift('1'), keypad(1, true)}, [](Editor& e) {
+                     look_from(e, {0, 1, 0});
+                 }});
+    a.push_back({"View", "Left", {alt_shift('3'), keypad(3, true)}, [](Editor& e) {
+                     look_from(e, {-1, 0, 0});
+                 }});
+    a.push_back({"View", "Bottom", {alt_shift('7'), keypad(7, true)}, [](Editor& e) {
+                     look_from(e, {0, 0, -1});
+                 }});
     a.push_back({"View", "Perspective", {alt('5'), keypad(5)}, [](Editor& e) {
                      Camera& camera = e.session.view.camera;
                      camera = ui::with_perspective(camera, !camera.perspective);
+                     e.session.view.flat_till_turned = false;
                  }});
     a.back().on = [](const Editor& e) { return e.session.view.camera.perspective; };
     a.push_back(

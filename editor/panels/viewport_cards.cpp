@@ -50,7 +50,7 @@ void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& vie
         ImGui::PushID(&axis - axes.data());
         ImGui::SetCursorScreenPos({disc.lo.x, disc.lo.y});
         if (ImGui::InvisibleButton("axis", {2 * radius, 2 * radius}))
-            camera = ui::seen_from(camera, axis.direction);
+            editor.session.view.look_from(axis.direction);
         const bool hot = ImGui::IsItemHovered();
         const auto does = std::ranges::find(editor.actions, axis.from, &Action::name);
         ui::tooltip({axis.from, does == editor.actions.end() ? "" : key_text(*does),

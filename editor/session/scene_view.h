@@ -13,6 +13,12 @@ struct SceneView {
     bool frame_all_when_evaluated = false;
     std::optional<Camera> go_to; // taken up by the next frame, which knows its size
     std::optional<FollowedView> follows;
+    bool flat_till_turned = false; // it looks along an axis and is orthographic for that alone
+
+    // Along an axis, from there: orthographic, until it is turned.
+    void look_from(const glm::dvec3& direction);
+    // What a turn of the view does to it.
+    void turned();
 };
 
 } // namespace trivar

@@ -225,7 +225,7 @@ void LatticePointsTool::use(Session& session, const ViewportInput& input)
             choose_in_box(session, input);
         else if (input.under != 0 && input.under != object_)
             select_by_click(session, input.under);
-        else if (!ImGui::GetIO().KeyCtrl)
+        else if (!adds_to_selection())
             chosen_.clear();
         box_px_.reset();
         return;
@@ -262,7 +262,7 @@ void LatticePointsTool::use(Session& session, const ViewportInput& input)
 void LatticePointsTool::choose(const Session& session, const ViewportInput& input)
 {
     const glm::ivec3 point = *hovered_;
-    if (ImGui::GetIO().KeyCtrl) {
+    if (adds_to_selection()) {
         if (std::erase(chosen_, point) == 0) chosen_.push_back(point);
         return;
     }
@@ -289,7 +289,7 @@ void LatticePointsTool::choose_line(const Session& session)
 void LatticePointsTool::choose_in_box(const Session& session, const ViewportInput& input)
 {
     const glm::dvec2 lo = glm::min(*box_px_, input.mouse), hi = glm::max(*box_px_, input.mouse);
-    if (!ImGui::GetIO().KeyCtrl) chosen_.clear();
+    if (!adds_to_selection()) chosen_.clear();
     const Lattice& volume = *cage_.volume;
     const std::vector<char> before = flags_of(volume, chosen_);
     each_point(volume, session.view.camera, [&](const glm::ivec3& p, glm::dvec2 at) {

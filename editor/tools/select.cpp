@@ -10,9 +10,14 @@
 
 namespace trivar {
 
+bool adds_to_selection()
+{
+    return ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl;
+}
+
 void select_by_click(Session& session, Id under)
 {
-    if (ImGui::GetIO().KeyCtrl)
+    if (adds_to_selection())
         session.selected.toggle(under);
     else
         session.selected = under;
@@ -41,7 +46,7 @@ void SelectTool::use(Session& session, const ViewportInput& input)
     if (box_ == Box::drawn) {
         const std::vector<Id> seen =
             input.seen_in(glm::min(corner_px_, input.mouse), glm::max(corner_px_, input.mouse));
-        if (ImGui::GetIO().KeyCtrl)
+        if (adds_to_selection())
             session.selected.add(seen);
         else
             session.selected.set(seen);
@@ -103,16 +108,16 @@ std::vector<Hint> SelectTool::hints(const Session& session) const
 {
     if (box_ == Box::armed)
         return {{{"left"}, "Drag a box"},
-                {{"Ctrl", "left"}, "Add to the selection"},
+                {{"Shift", "left"}, "Add to the selection"},
                 {{"Esc", "/", "right"}, "Cancel"}};
     if (box_ == Box::drawn)
         return {{{"left"}, "Let go to select"},
-                {{"Ctrl"}, "Add to the selection"},
+                {{"Shift"}, "Add to the selection"},
                 {{"Esc", "/", "right"}, "Cancel"}};
     if (handles_.busy() || handles_.hovers()) return handles_.hints();
     std::vector<Hint> hints{{{"left"}, "Select"}};
     if (!session.document().objects.empty()) {
-        hints.push_back({{"Ctrl", "left"}, "Add or remove"});
+        hints.push_back({{"Shift", "left"}, "Add or remove"});
         hints.push_back({{"left"}, "Drag a box"});
     }
     if (!stands_of(session.document(), session.selected.ids()).empty()) {

@@ -6,9 +6,9 @@
 
 namespace trivar {
 
-// A SelectTool selects what is under the mouse by a click; Ctrl click adds or removes it. A drag
-// that begins on nothing, or anywhere after begin_box(), selects what is seen in a box; with Ctrl
-// it adds.
+// A SelectTool selects what is under the mouse by a click; Shift or Ctrl click adds or removes it. A
+// drag that begins on nothing, or anywhere after begin_box(), selects what is seen in a box; with
+// Shift or Ctrl it adds.
 class SelectTool : public Tool {
 public:
     explicit SelectTool(std::shared_ptr<HandleChoice> choice) : handles_(std::move(choice)) {}
@@ -44,7 +44,11 @@ private:
 void paint_choice_box(const ui::Theme& theme, const ViewportInput& input,
                       const glm::dvec2& corner_px);
 
-// Changes the selection for a click on an object, or on nothing.
+// Whether a key is held that adds to the selection rather than replacing it: Shift or Ctrl.
+bool adds_to_selection();
+
+// Changes the selection for a click on an object, or on nothing. A click on nothing that would add
+// changes nothing.
 void select_by_click(Session& session, Id under);
 
 } // namespace trivar

@@ -150,7 +150,7 @@ std::vector<Hint> TransformTool::hints_at_rest(const Session& session) const
         if (!seen) hints.push_back(hint({"@Frame selection"}, "Frame it, to see the handles"));
     }
     hints.push_back(hint({"left"}, "Select"));
-    hints.push_back(hint({"Ctrl", "left"}, "Add or remove"));
+    hints.push_back(hint({"Shift", "left"}, "Add or remove"));
     hints.push_back(hint({"middle"}, "Orbit"));
     hints.push_back(hint({"Esc"}, "Back to Select"));
     return hints;

@@ -268,6 +268,7 @@ ViewportStyle viewport_style(const ui::Theme& theme, bool as_in_pictures)
     backdrop.grid_major = ui::linear_light(c.grid_major);
     backdrop.axis_x = ui::linear_light(ui::faded(c.axis_x, axis_share));
     backdrop.axis_y = ui::linear_light(ui::faded(c.axis_y, axis_share));
+    backdrop.axis_z = ui::linear_light(ui::faded(c.axis_z, axis_share));
     style.backdrop = backdrop;
     return style;
 }

@@ -76,7 +76,10 @@ glm::dvec3 Viewport::orbit_center(const Session& session, glm::dvec2 mouse_px)
     Box box;
     if (manners_.orbit_about == "selection" && session.selected != 0)
         for (const glm::dvec3& p : points_of(session, session.selected.ids())) box.add(p);
-    return box.empty() ? point_under(session, mouse_px) : box.center();
+    if (!box.empty()) return box.center();
+    // Beside everything, the middle of the picture: a point under the mouse there would carry what
+    // is looked at out of sight.
+    return anchor_under(session, mouse_px).value_or(session.view.camera.target);
 }
 
 bool Viewport::emulates_middle() const
@@ -116,7 +119,10 @@ void Viewport::navigate(Session& session, const ViewportInput& input, glm::dvec2
                       ? point_under(session, camera.size_px / 2.0)
                       : point_under(session, input.mouse);
     } else if (drag_px != glm::dvec2(0)) {
-        if (move_ == Move::orbit) camera = ui::orbited(camera, anchor_, drag_px * manners_.orbit);
+        if (move_ == Move::orbit) {
+            session.view.turned();
+            camera = ui::orbited(camera, anchor_, drag_px * manners_.orbit);
+        }
         if (move_ == Move::pan) camera = ui::panned(camera, anchor_, drag_px * manners_.pan);
         const double way = manners_.reversed_zoom ? -manners_.zoom : manners_.zoom;
         if (move_ == Move::zoom)

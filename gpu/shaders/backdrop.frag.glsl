@@ -20,6 +20,20 @@ vec2 axis_lines(vec2 p, float width_px)
     vec2 d = abs(p) / max(fwidth(p), 1e-9);
     return 1.0 - smoothstep(width_px * 0.5 - 0.5, width_px * 0.5 + 0.5, d);
 }
+// The point of the grid's plane, along u and v, that a place of the picture shows.
+struct Grid { vec2 at; bool seen; };
+Grid grid_behind(vec2 uv)
+{
+    bool perspective = frame.eye.w > 0.5;
+    vec3 from = (frame.from_view * vec4(perspective ? vec3(0.0) : view_point(uv, 0.0), 1.0)).xyz;
+    vec3 d = normalize(mat3(frame.from_view) * (perspective ? view_point(uv, 1.0) : vec3(0.0, 0.0, -1.0)));
+    vec3 normal = cross(frame.grid_u.xyz, frame.grid_v.xyz);
+    float towards = dot(d, normal);
+    float along = (frame.grid_u.w - dot(from, normal)) / (abs(towards) > 1e-5 ? towards : 1e-5);
+    vec3 p = from + d * along;
+    return Grid(vec2(dot(p, frame.grid_u.xyz), dot(p, frame.grid_v.xyz)),
+                abs(towards) > 1e-4 && (along > 0.0 || !perspective));
+}
 // Mixed as colours look, by the square root of light, in which `color` is.
 vec3 with_line(vec3 color, vec4 line, float share) { return mix(color, sqrt(line.rgb), line.a * share); }
 #endif
@@ -33,11 +47,12 @@ void main()
 
     Ground g = ground_behind(uv);
 #ifdef GRID // derivatives stay outside branches
-    vec2 on_grid = g.at.xy - frame.grid_at.xy;
+    Grid grid = grid_behind(uv);
+    vec2 on_grid = grid.at - frame.grid_at.xy;
     float width_px = frame.centre.w;
     float fine = grid_line(on_grid, frame.ground.y, width_px);
     float coarse = grid_line(on_grid, frame.ground.y * 5.0, 1.35 * width_px);
-    vec2 axes = axis_lines(g.at.xy - frame.grid_at.zw, 1.6 * width_px);
+    vec2 axes = axis_lines(grid.at - frame.grid_at.zw, 1.6 * width_px);
 #endif
     if (g.seen && frame.ground.w > 0.5) {
         float fade = 1.0 - smoothstep(0.35, 1.0, g.away);
@@ -50,8 +65,10 @@ void main()
         color *= mix(vec3(1.0), lit, fade);
     }
 #ifdef GRID
-    if (g.seen) {
-        float fade = 1.0 - smoothstep(0.08, 0.80, g.away);
+    if (grid.seen) {
+        vec2 middle = vec2(dot(frame.centre.xyz, frame.grid_u.xyz), dot(frame.centre.xyz, frame.grid_v.xyz));
+        float away = length(grid.at - middle) / frame.ground.z;
+        float fade = 1.0 - smoothstep(0.08, 0.80, away) * (1.0 - frame.grid_v.w);
         vec3 root = sqrt(color);
         root = with_line(root, frame.grid_lines[0], fine * fade);
         root = with_line(root, frame.grid_lines[1], coarse * fade);

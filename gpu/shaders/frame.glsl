@@ -27,8 +27,10 @@ layout(std140, binding = 0) uniform Frame {
     vec4 backdrop[3];  // rgb display-linear: top (w: darker in the corners), middle, bottom
     vec4 centre;       // xyz centre of the ground's fade, w width of the grid's finest lines in pixels
     vec4 ground_share; // share of the ambient light in all that reaches the open ground, rgb
-    vec4 grid_lines[4]; // grid, every fifth line, x axis, y axis: display-linear, share of the encoded colour
-    vec4 grid_at;      // xy a crossing of fifth lines, zw of the axes (scene)
+    vec4 grid_lines[4]; // grid, every fifth line, the axes u and v: display-linear, share of the encoded colour
+    vec4 grid_at;      // xy a crossing of fifth lines, zw of the axes, both along u and v (scene)
+    vec4 grid_u;       // xyz unit of the grid's plane, w the plane's height along cross(u, v) (scene)
+    vec4 grid_v;       // xyz unit of the grid's plane, w 1: seen face to face, so it does not fade
 } frame;
 
 float saturate(float x) { return clamp(x, 0.0, 1.0); }

@@ -20,6 +20,49 @@ namespace {
 using ::testing::HasSubstr;
 using testing::TemporaryFolder, testing::write_file;
 
+// The branches of a history with all that is in them, whatever their order.
+std::string tree_of(const std::vector<History::Step>& steps,
+                    const std::vector<History::Branch>& branches, std::size_t before = 0)
+{
+    std::string out;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        for (const History::Branch& each : branches)
+            if (each.from == before + i)
+                out += "(" + tree_of(each.steps, each.others, each.from) + ")";
+        out += std::string(verb(steps[i].command)) + " ";
+    }
+    return out;
+}
+
+TEST(SceneFile, KeepsTheUndoneBranchesWhenItGetsItsName)
+{
+    const TemporaryFolder folder;
+    SceneFile scene;
+    scene.run(AddBox{});
+    scene.undo();
+    scene.run(AddSphere{});
+    scene.run(AddTorus{});
+    scene.run(AddPlane{});
+    scene.undo();
+    scene.undo();
+    scene.run(AddCylinder{}); // leaves torus and plane
+    scene.undo();
+    scene.run(AddMoebius{});
+    scene.run(AddBox{});
+    scene.undo();
+    const std::string tree = tree_of(scene.history().steps(), scene.history().branches());
+    EXPECT_EQ(tree,
+              "(add_box )add_sphere (add_torus add_plane )(add_cylinder )add_moebius add_box ");
+    const std::string before = digest(scene.document());
+    scene.save_as(folder.file("a.trivar"));
+    EXPECT_EQ(tree_of(scene.history().steps(), scene.history().branches()), tree);
+    scene = SceneFile();
+    const SceneFile again(folder.file("a.trivar"));
+    EXPECT_EQ(tree_of(again.history().steps(), again.history().branches()), tree);
+    EXPECT_EQ(again.history().position(), 2u);
+    EXPECT_EQ(digest(again.document()), before);
+}
+
 TEST(SceneFile, ReplayedFromItsFileHasTheBranchesAgain)
 {
     const TemporaryFolder folder;

@@ -73,6 +73,42 @@ TEST(GltfReferences, ToOptionalExtensionsAreSaidOnce)
     EXPECT_THAT(gltf_refusal(text), HasSubstr("it needs the extension KHR_lights_punctual"));
 }
 
+TEST(GltfReferences, TransformsOfTexturesMoveTheCoordinatesOfTheirOwnFaces)
+{
+    GltfText text = textured_gltf();
+    const std::vector<glm::vec2> plain = read_gltf_text(text).meshes[0]->uvs[0];
+    text["extensionsUsed"] = text["extensionsRequired"] = {"KHR_texture_transform"};
+    text["materials"].push_back(text["materials"][0]);
+    GltfText& use = text["materials"][1]["pbrMetallicRoughness"]["baseColorTexture"];
+    // A quarter turn counter-clockwise as it is seen: (u, v) becomes (v, -u), for v goes down.
+    use["extensions"]["KHR_texture_transform"] = {
+        {"offset", {0.5, 0.25}}, {"rotation", 1.5707963267948966}, {"scale", {2, 3}}};
+    GltfText& primitives = text["meshes"][0]["primitives"];
+    primitives.push_back(primitives[0]); // the same vertices with the other material
+    primitives[1]["material"] = 1;
+    const Model model = read_gltf_text(text);
+    for (const std::string& each : model.notices) // of the two faces in one place there is one
+        EXPECT_EQ(each.find("transform"), each.npos) << each;
+    const std::vector<glm::vec2>& uvs = model.meshes[0]->uvs[0];
+    ASSERT_EQ(uvs.size(), 6u);
+    for (std::size_t v = 0; v < 3; ++v) {
+        EXPECT_EQ(uvs[v], plain[v]);
+        const glm::vec2 down(plain[v].x, 1 - plain[v].y);
+        const glm::vec2 moved(0.5f + 3 * down.y, 0.25f - 2 * down.x);
+        EXPECT_NEAR(uvs[v + 3].x, moved.x, 1e-5f);
+        EXPECT_NEAR(uvs[v + 3].y, 1 - moved.y, 1e-5f);
+    }
+}
+
+TEST(GltfReferences, TransformsThatDifferOnTheSameCoordinatesAreSaid)
+{
+    GltfText text = textured_gltf();
+    text["materials"][0]["normalTexture"] = {
+        {"index", 0}, {"extensions", {{"KHR_texture_transform", {{"scale", {2, 2}}}}}}};
+    EXPECT_THAT(read_gltf_text(text).notices,
+                ElementsAre(HasSubstr("the transform of one texture was left out")));
+}
+
 TEST(GltfReferences, MirroredTexturesAreReadAsRepeating)
 {
     GltfText text = three_materials(textured_gltf());

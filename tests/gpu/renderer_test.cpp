@@ -281,6 +281,38 @@ TEST_F(TheRenderer, KeepsTheGridWhereItIsWhenTheSceneGrows)
     }
 }
 
+TEST_F(TheRenderer, DrawsTheGridAtHeightZeroWhateverStandsThere)
+{
+    Picture picture;
+    picture.settings.shadows = false;
+    picture.grid = true;
+    picture.samples = 1;
+    Backdrop backdrop;
+    backdrop.top = backdrop.middle = backdrop.bottom = glm::vec3(0.2f);
+    backdrop.corners = 0;
+    backdrop.grid = backdrop.grid_major = {0, 0, 0, 0};
+    backdrop.axis_x = {1, 0, 0, 1};
+    backdrop.axis_z = {0, 0, 1, 1};
+    picture.backdrop = backdrop;
+    const glm::ivec2 size(200, 200);
+    picture.camera.size_px = size;
+    const auto color_at = [&](const glm::dvec3& p) {
+        return rgb_at(renderer.render(picture, size), glm::ivec2(project(picture.camera, p).p_px));
+    };
+    for (const double z : {-0.5, 0.0, 2.0}) { // sunk into it, half in it, above it
+        picture.instances = {instance_of(sphere_mesh(0.4, 24, 12), moved(0, 0, z))};
+        picture.camera.eye = {0, -7, 5};
+        picture.camera.perspective = true;
+        EXPECT_GT(color_at({1.3, 0, 0}).r, color_at({1.3, 0, 0}).g + 60) << z;
+        // From the front the grid is the upright plane of X and Z.
+        picture.camera.eye = {0, -7, 0};
+        picture.camera.perspective = false;
+        picture.camera.height_world = 6;
+        EXPECT_GT(color_at({1.3, 0, 0}).r, color_at({1.3, 0, 0}).g + 60) << z;
+        EXPECT_GT(color_at({0, 0, 1.3}).b, color_at({0, 0, 1.3}).g + 60) << z;
+    }
+}
+
 // The edges of a ball alone, white on black, as they are shown in place of its surface.
 Picture edges_of_a_ball(int segments)
 {

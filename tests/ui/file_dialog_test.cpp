@@ -116,5 +116,24 @@ TEST(FileDialog, IsLeftByTheButtonThatSaysSo)
     EXPECT_FALSE(d.dialog.is_open());
 }
 
+TEST(FileDialog, AsksAgainWithWhatWasTyped)
+{
+    Dialog d({.title = "Save",
+              .action = "Save",
+              .extensions = {".obj"},
+              .saving = true,
+              .name = "b.obj"});
+    d.key(key_enter);
+    ASSERT_TRUE(d.chosen);
+    EXPECT_FALSE(d.dialog.is_open());
+    const std::string first = *d.chosen;
+    d.chosen.reset();
+    d.dialog.ask_again("The disk is full.");
+    d.frames();
+    EXPECT_TRUE(d.dialog.is_open());
+    d.key(key_enter);
+    EXPECT_EQ(d.chosen, first);
+}
+
 } // namespace
 } // namespace trivar::ui

@@ -50,6 +50,61 @@ TEST(ViewKeys, LeaveWhatIsSeenThroughToBePicked)
     }
 }
 
+TEST(ViewKeys, LookFromSixSidesWithoutPerspectiveUntilTheViewIsTurned)
+{
+    Boxes rig;
+    rig.wait();
+    const auto from = [&] {
+        const Camera& c = rig.editor.session.view.camera;
+        return glm::ivec3(glm::round(glm::normalize(c.eye - c.target)));
+    };
+    const auto keypad = [](int digit, bool ctrl) {
+        return ui::Chord{.key = ui::key_keypad_0 + digit, .ctrl = ctrl};
+    };
+    const bool& flat = rig.editor.session.view.camera.perspective;
+    rig.key(keypad(1, false));
+    EXPECT_EQ(from(), glm::ivec3(0, -1, 0));
+    EXPECT_FALSE(flat);
+    rig.key(keypad(1, true));
+    EXPECT_EQ(from(), glm::ivec3(0, 1, 0));
+    rig.key(keypad(3, true));
+    EXPECT_EQ(from(), glm::ivec3(-1, 0, 0));
+    rig.key(keypad(7, true));
+    EXPECT_EQ(from(), glm::ivec3(0, 0, -1));
+    EXPECT_FALSE(flat);
+    const auto turn = [&] {
+        const glm::vec2 at = rig.layout().view.center();
+        rig.move(at);
+        rig.screen.input().push(ui::press(ui::Button::middle));
+        rig.frames();
+        rig.move(at + glm::vec2(20, 5));
+        rig.move(at + glm::vec2(40, 9));
+        rig.screen.input().push(ui::press(ui::Button::middle, false));
+        rig.frames();
+    };
+    turn();
+    EXPECT_TRUE(flat) << "it was for the view along an axis alone";
+    rig.key(keypad(5, false));
+    rig.key(keypad(1, false));
+    turn();
+    EXPECT_FALSE(flat) << "it was chosen by hand";
+}
+
+TEST(ViewKeys, ATurnThatBeginsOverNothingKeepsWhatIsLookedAtInTheMiddle)
+{
+    Boxes rig;
+    rig.wait();
+    const glm::dvec3 before = rig.editor.session.view.camera.target;
+    const glm::vec2 corner = rig.layout().view.lo + glm::vec2(30, 250);
+    rig.move(corner);
+    rig.screen.input().push(ui::press(ui::Button::middle));
+    rig.frames();
+    for (int i = 1; i < 9; ++i) rig.move(corner + glm::vec2(20 * i, 0));
+    rig.screen.input().push(ui::press(ui::Button::middle, false));
+    rig.frames();
+    EXPECT_LT(glm::distance(rig.seen_at(before), rig.layout().view.center()), 2);
+}
+
 TEST(Isolate, ShowsOnlyWhatIsSelectedTillTheSameKeyIsPressed)
 {
     Boxes rig;

@@ -58,19 +58,45 @@ struct Row : Rig {
     glm::vec2 row(int i) const { return layout().outliner.lo + glm::vec2(80, 72 + 24 * i + 12); }
 };
 
-TEST(SelectingByHand, AClickSelectsAndCtrlAddsOrRemoves)
+TEST(SelectingByHand, AClickSelectsAndShiftOrCtrlAddsOrRemoves)
+{
+    for (const int key : {ui::key_left_shift, ui::key_left_control}) {
+        Row rig;
+        const glm::vec2 beside = rig.layout().view.lo + glm::vec2(20, 300);
+        rig.click(rig.box(0));
+        EXPECT_THAT(rig.ids(), ElementsAre(1));
+        rig.hold(key);
+        rig.click(rig.box(2));
+        EXPECT_THAT(rig.ids(), ElementsAre(1, 3));
+        rig.click(rig.box(0));
+        EXPECT_THAT(rig.ids(), ElementsAre(3));
+        rig.click(beside);
+        EXPECT_THAT(rig.ids(), ElementsAre(3));
+        rig.hold(key, false);
+        rig.click(beside);
+        EXPECT_THAT(rig.ids(), IsEmpty());
+    }
+}
+
+TEST(SelectingByHand, ShiftAddsWithTheToolsThatMoveToo)
 {
     Row rig;
+    rig.editor.choose_tool(1); // Move
     rig.click(rig.box(0));
-    EXPECT_THAT(rig.ids(), ElementsAre(1));
-    rig.hold(ui::key_left_control);
+    rig.hold(ui::key_left_shift);
     rig.click(rig.box(2));
+    rig.hold(ui::key_left_shift, false);
     EXPECT_THAT(rig.ids(), ElementsAre(1, 3));
-    rig.click(rig.box(0));
-    EXPECT_THAT(rig.ids(), ElementsAre(3));
-    rig.hold(ui::key_left_control, false);
-    rig.click(rig.layout().view.lo + glm::vec2(20, 300));
-    EXPECT_THAT(rig.ids(), IsEmpty());
+}
+
+TEST(SelectingByHand, ABoxWithShiftAdds)
+{
+    Row rig;
+    rig.editor.session.selected = 3;
+    rig.hold(ui::key_left_shift);
+    rig.draw({rig.box(0) - glm::vec2(0, 100), rig.box(1) + glm::vec2(0, 60)});
+    rig.hold(ui::key_left_shift, false);
+    EXPECT_THAT(rig.ids(), ElementsAre(3, 1, 2));
 }
 
 TEST(SelectingByHand, ADragOnNothingSelectsWhatIsSeenInTheBox)
