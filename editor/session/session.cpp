@@ -163,7 +163,12 @@ void Session::attach_proposal(const EvaluatedObject& laid)
         edit->attach = attachment_of(laid, *edit->sketch, edit->parameters.skip_back_faces);
     else
         return;
-    attempt([&] { scene_.propose(command); }, true);
+    try {
+        scene_.propose(command);
+    } catch (const Rejected&) {
+        return; // it stays in the world, as it was proposed
+    }
+    refresh();
 }
 
 void Session::finish_check()
