@@ -7,6 +7,7 @@
 #include "editor/actions/help_actions.h"
 #include "editor/actions/key_actions.h"
 #include "editor/actions/lattice_actions.h"
+#include "editor/actions/model_actions.h"
 #include "editor/actions/reset_actions.h"
 #include "editor/actions/selection_actions.h"
 #include "editor/actions/time_actions.h"
@@ -58,6 +59,7 @@ std::vector<Action> all_actions()
     a.push_back(add_action<AddTeapot>("Teapot"));
     a.push_back(add_action<AddText>("Text"));
     add_lattice_actions(a);
+    add_model_actions(a);
     add_view_actions(a);
     add_window_actions(a);
     add_time_actions(a);

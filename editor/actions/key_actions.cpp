@@ -112,14 +112,13 @@ bool key_view(Editor& e)
     return std::holds_alternative<Animate>(keys) && e.session.run(keys);
 }
 
-using Change = std::optional<Command> (*)(const Document&, const std::vector<Id>&,
-                                          const std::vector<std::string>&, double);
+using Change = std::optional<Command> (*)(const Session&, const std::vector<Id>&,
+                                          const std::vector<std::string>&);
 void change_keys(Editor& e, Change change)
 {
     Animate all;
     for (const KeyTarget& target : targets(e))
-        if (const auto one =
-                change(e.session.document(), target.ids, target.names, e.session.frame()))
+        if (const auto one = change(e.session, target.ids, target.names))
             for (const ObjectTracks& of : std::get<Animate>(*one).of) all.of.push_back(of);
     if (!all.of.empty() && !e.session.proposing()) e.session.run(all);
 }
@@ -169,7 +168,7 @@ void add_key_actions(std::vector<Action>& a)
                  {{'I'}},
                  [](Editor& e) {
                      if (key_view(e)) return;
-                     change_keys(e, keys_of);
+                     change_keys(e, keys_as_shown);
                      tell_of_parts(e);
                  },
                  {[](const Editor& e) { return !targets(e).empty() || numbers_of_parts(e); },
@@ -178,7 +177,12 @@ void add_key_actions(std::vector<Action>& a)
     a.push_back({"Animate",
                  remove_key_action,
                  {{.key = 'I', .alt = true}},
-                 [](Editor& e) { change_keys(e, without_keys); },
+                 [](Editor& e) {
+                     change_keys(e, [](const Session& session, const std::vector<Id>& ids,
+                                       const std::vector<std::string>& names) {
+                         return without_keys(session.document(), ids, names, session.frame());
+                     });
+                 },
                  something_to_key()});
     const Condition keyed{
         [](const Editor& e) { return !animated_ids(e.session.document()).empty(); },

@@ -2,6 +2,7 @@
 #include "editor/actions/palette_entries.h"
 
 #include "editor/actions/actions.h"
+#include "editor/actions/model_actions.h"
 #include "editor/commands/as_it_is.h"
 #include "editor/commands/typed_command.h"
 #include "editor/editor.h"
@@ -20,7 +21,7 @@ const char* icon_of(const Editor& editor, const Action& each)
     if (each.menu == "Tools")
         for (const auto& tool : editor.tools)
             if (tool->name() == each.name) return tool->icon();
-    if (each.menu == "Add") return ui::icon::add;
+    if (each.menu == "Add" || each.menu == models_menu) return ui::icon::add;
     if (each.menu == "File") return ui::icon::file;
     if (each.menu == "View") return ui::icon::eye;
     if (each.menu == "Help") return ui::icon::help;
@@ -108,7 +109,7 @@ std::vector<PaletteEntry> palette_commands(const Editor& editor)
     const std::vector<Command> commands = every_command();
     for (const Action& each : editor.actions) {
         if (each.name == palette_action) continue; // it is open
-        const bool add = each.menu == "Add";
+        const bool add = each.menu == "Add" || each.menu == models_menu;
         std::vector<std::string> caps;
         if (!each.keys.empty()) caps = ui::caps_of(each.keys.front());
         entries.push_back({add ? "Add " + each.name : each.name, each.menu, icon_of(editor, each),

@@ -2,6 +2,9 @@
 #include "editor/actions/time_actions.h"
 
 #include "editor/editor.h"
+#include "editor/session/scene_facts.h"
+#include "editor/session/scene_names.h"
+#include "editor/session/topics.h"
 #include "editor/timeline/travel_time.h"
 
 namespace trivar {
@@ -18,15 +21,37 @@ Action frame_action(const char* name, const ui::Chord& key, int (*found)(const S
     return action;
 }
 
+// Imported models come with clips of which none is chosen: where nothing else would move, each
+// begins its first one, in one step.
+void begin_clips(Session& session)
+{
+    const Document& document = session.document();
+    if (moves_in_time(document) || session.proposing() || session.scene().look_only()) return;
+    PlayClip command;
+    std::string names;
+    for (const auto& [id, effects] : session.evaluated().objects) {
+        if (!document.objects.contains(id) || effects->clips.empty() || !visible(document, id))
+            continue;
+        Playing playing = object(document, id).playing;
+        playing.clip = effects->clips.front();
+        command.objects.push_back(id);
+        command.playings.push_back(std::move(playing));
+        names +=
+            (names.empty() ? "" : ", ") + name_of(document, id) + ": " + effects->clips.front();
+    }
+    if (!command.objects.empty() && session.run(command))
+        session.notices.say(ui::NoticeKind::good, "Plays the first clip",
+                            names + ". The inspector has the others.", of_a_step);
+}
+
 } // namespace
 
 void add_time_actions(std::vector<Action>& a)
 {
     a.push_back({"Animate", play_action, {{ui::key_space}}, [](Editor& e) {
-                     if (e.playback.playing())
-                         e.playback.pause();
-                     else
-                         e.playback.play(e.session);
+                     if (e.playback.playing()) return e.playback.pause();
+                     begin_clips(e.session);
+                     e.playback.play(e.session);
                  }});
     a.push_back(
         {"Animate", loop_action, {}, [](Editor& e) { e.preferences.loop = !e.preferences.loop; }});

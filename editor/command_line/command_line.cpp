@@ -343,6 +343,7 @@ Status dispatch(const std::vector<std::string>& arguments, const Streams& stream
     options.samples = sample_scenes_in(places.scenes);
     options.sample_pictures = places.pictures;
     options.manual = places.manual;
+    options.models = places.models;
     options.tutorials = tutorials_in(places.tutorials);
     return run_editor(options) == 0 ? Status::done : Status::rejected;
 }

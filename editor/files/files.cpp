@@ -14,6 +14,7 @@
 
 #include <filesystem>
 #include <fmt/format.h>
+#include <imgui.h>
 
 namespace trivar {
 namespace fs = std::filesystem;
@@ -132,9 +133,12 @@ void Files::ask_for_file(Purpose purpose, ui::FileRequest request)
 {
     purpose_ = purpose;
     after_save_ = nullptr;
-    fs::path start = with_long_home(purpose == Purpose::import || purpose == Purpose::write_model
-                                        ? models_folder
-                                        : scenes_folder);
+    const bool of_models = purpose == Purpose::import || purpose == Purpose::write_model;
+    std::error_code ignored;
+    fs::path start = with_long_home(of_models ? models_folder : scenes_folder);
+    // Where scenes were, not where the last model came from.
+    if (start.empty())
+        start = scene_folder_.empty() ? fs::current_path(ignored) : fs::path(scene_folder_);
     if (!session_->scene().path().empty()) start = session_->scene().folder();
     if (purpose == Purpose::import && !import_folder_.empty()) start = import_folder_;
     if (purpose == Purpose::take_up) start = session_->unnamed_folder();
@@ -152,6 +156,7 @@ void Files::ask_open()
 void Files::ask_discarded()
 {
     if (SceneFile::set_aside_in(session_->unnamed_folder()).empty()) {
+        if (recovery_->left_scene()) return recover();
         session_->notices.say(ui::NoticeKind::good, "There is no discarded scene",
                               "What is discarded can be found here " +
                                   for_days(recovery_->discarded_days) + ".");
@@ -188,14 +193,15 @@ void Files::ask_missing()
                           "Every imported model's file is where the scene looks for it.");
 }
 
-void Files::ask_export()
+void Files::ask_export(const std::string& path)
 {
-    ask_for_file(Purpose::write_model,
-                 {.title = "Export what is visible",
-                  .action = "Export",
-                  .extensions = export_extensions(),
-                  .saving = true,
-                  .name = stem_of(session_->scene()) + export_extensions().front()});
+    const std::string name =
+        path.empty() ? stem_of(session_->scene()) + export_extensions().front() : path;
+    ask_for_file(Purpose::write_model, {.title = "Export what is visible",
+                                        .action = "Export",
+                                        .extensions = export_extensions(),
+                                        .saving = true,
+                                        .name = name});
 }
 
 void Files::save()
@@ -296,7 +302,7 @@ void Files::ask_close()
     keep_or([this] { close_agreed_ = true; });
 }
 
-void Files::write_scene(const std::string& path, bool compact)
+void Files::write_scene(const std::string& path, bool compact, bool from_dialog)
 {
     try {
         if (compact)
@@ -304,10 +310,15 @@ void Files::write_scene(const std::string& path, bool compact)
         else
             session_->save_as(path);
     } catch (const Rejected& why) {
-        session_->notices.say(ui::NoticeKind::error, file_name(path) + " was not saved",
-                              reason(why.what(), path));
+        const std::string what = file_name(path) + " was not saved",
+                          because = reason(why.what(), path);
+        if (from_dialog)
+            dialog_.ask_again(what + ". " + because);
+        else
+            session_->notices.say(ui::NoticeKind::error, what, because);
         return;
     }
+    scene_folder_ = fs::path(path).parent_path().string();
     session_->notices.say(ui::NoticeKind::good, "Saved as " + file_name(path),
                           "From now on it is written as you work.");
     if (const auto go_on = std::exchange(after_save_, nullptr)) go_on();
@@ -346,7 +357,8 @@ void Files::write_model_to(const std::string& path)
          },
          [this, path](const std::string& why) {
              session_->notices.say(ui::NoticeKind::error, file_name(path) + " was not written",
-                                   reason(why, path));
+                                   reason(why, path), {},
+                                   {{"Try again...", [this, path] { ask_export(path); }}});
          }});
 }
 
@@ -360,13 +372,16 @@ void Files::use_file(const std::string& path)
         return import(path);
     case Purpose::relink: return relink(*session_, relinked_, path);
     case Purpose::write_model: return write_model_to(path);
-    case Purpose::save_as: return write_scene(path, false);
-    case Purpose::save_compact: return write_scene(path, true);
+    case Purpose::save_as: return write_scene(path, false, true);
+    case Purpose::save_compact: return write_scene(path, true, true);
     }
 }
 
 void Files::draw(const ui::Theme& theme)
 {
+    measure_imported();
+    const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+    if (!waiting_.empty() && !asking() && !popup) take_dropped(std::exchange(waiting_, {}));
     if (question_) {
         const std::optional<int> answer = ui::ask(theme, question_->question);
         if (!answer) return;

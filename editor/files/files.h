@@ -30,9 +30,9 @@ public:
     void ask_open();
     void ask_discarded(); // which of them comes back
     void ask_import();
-    void ask_relink(Id object); // another file for an imported model
-    void ask_missing();         // for the first whose file is not there
-    void ask_export();
+    void ask_relink(Id object);                    // another file for an imported model
+    void ask_missing();                            // for the first whose file is not there
+    void ask_export(const std::string& path = {}); // to that file, at first
     void save(); // a scene with a name is on disk already: says so; else asks for one
     void ask_save_as();
     void ask_save_compact();
@@ -49,6 +49,8 @@ public:
     // Writes what is visible, as committed; with a certificate where something is refined.
     void write_model_to(const std::string& path);
     void take_dropped(const std::vector<std::string>& paths); // scenes open, models are imported
+    // The same in the next frame in which no dialog or menu is open.
+    void drop(const std::vector<std::string>& paths);
     void ask_close();
 
     void draw(const ui::Theme& theme); // whatever is asked at present
@@ -60,6 +62,7 @@ public:
 
     // Scenes to try, offered over an empty viewport: a copy is opened, they stay unchanged.
     std::vector<std::string> samples;
+    std::string own_models_folder; // of the models that come with the program; empty: not found
     // From the preferences: where dialogs begin that have no better place, and whether it is asked
     // what becomes of a scene without a name.
     std::string scenes_folder, models_folder;
@@ -97,7 +100,13 @@ private:
     void read_model_of(const std::string& path, bool frame_all,
                        const std::shared_ptr<Batch>& batch);
     void tell_lost(Batch& batch); // when the last of them is there
-    void write_scene(const std::string& path, bool compact);
+    // Once the models that came are in the picture: says where one is far larger or smaller than
+    // what was there, and offers to scale it.
+    void measure_imported();
+    void tell_of_sizes(Id id, double own_m, double scene_m); // diagonals of their boxes
+    // What fails is said in the dialog that asked for the file, which keeps the path; else in a
+    // notice.
+    void write_scene(const std::string& path, bool compact, bool from_dialog = false);
     void keep_or(std::function<void()> go_on); // asks what becomes of a scene without a name
 
     Session* session_;
@@ -105,6 +114,9 @@ private:
     std::weak_ptr<const Present> opening_; // its job has it
     ui::FileDialog dialog_;
     std::string import_folder_; // of the last model that was imported by the dialog
+    std::string scene_folder_;  // of the last scene that was opened or saved
+    std::vector<Id> to_measure_;
+    std::vector<std::string> waiting_; // files that were dropped
     Purpose purpose_ = Purpose::open;
     Id relinked_ = 0;
     std::optional<PendingQuestion> question_;

@@ -15,7 +15,8 @@ Places places_of(const std::filesystem::path& program)
         return std::filesystem::is_directory(path, ignored) ? path.string() : std::string();
     };
     return {folder(root / "assets" / "scenes"), folder(root / "assets" / "tutorials"),
-            folder(documents / "manual"), folder(documents / "gallery")};
+            folder(documents / "manual"), folder(documents / "gallery"),
+            folder((is_installed ? root : program.parent_path()) / "assets" / "models")};
 }
 
 } // namespace trivar

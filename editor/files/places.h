@@ -9,6 +9,7 @@ namespace trivar {
 // The folders of what comes with the program.
 struct Places {
     std::string scenes, tutorials, manual, pictures; // pictures: of the scenes, by their names
+    std::string models;                              // in a checkout those that the build makes
 };
 
 // As `cmake --install` puts them beside the program's own folder, else those of the checkout that

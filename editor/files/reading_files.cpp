@@ -3,10 +3,17 @@
 #include "core/base/rejected.h"
 #include "core/files/file_bytes.h"
 #include "editor/files/files.h"
+#include "editor/session/scene_facts.h"
+#include "editor/session/scene_names.h"
+#include "editor/session/session_facts.h"
 #include "editor/words/file_words.h"
+#include "ui/widgets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <fmt/format.h>
+#include <utility>
 
 namespace trivar {
 namespace fs = std::filesystem;
@@ -74,6 +81,7 @@ void Files::take_opened(const Present& since, const std::shared_ptr<SceneFile>& 
 
 void Files::show(SceneFile scene)
 {
+    if (!scene.path().empty()) scene_folder_ = scene.folder();
     const bool copy = scene.path().empty() && !scene.original().empty();
     std::vector<ui::Notices::Action> offers;
     if (copy) offers.push_back({"Save as...", [this] { ask_save_as(); }});
@@ -128,6 +136,7 @@ void Files::read_model_of(const std::string& path, bool frame_all,
                  if (!session_->run(command)) return;
                  session_->selected = id;
                  if (first || frame_all) session_->view.frame_all_when_evaluated = true;
+                 to_measure_.push_back(id);
                  if (said.empty()) return;
                  session_->notices.say_all(ui::NoticeKind::warning,
                                            file_name(path) + " was imported", said);
@@ -137,6 +146,49 @@ void Files::read_model_of(const std::string& path, bool frame_all,
              batch->lost.push_back({file_name(path), reason(why, path)});
              tell_lost(*batch);
          }});
+}
+
+void Files::measure_imported()
+{
+    Session& s = *session_;
+    if (to_measure_.empty() || !s.up_to_date() || s.proposing()) return;
+    const std::vector<Id> fresh = std::exchange(to_measure_, {});
+    for (const Id id : fresh) {
+        const auto& objects = s.document().objects;
+        if (!objects.contains(id)) continue;
+        std::vector<Id> others;
+        for (const auto& [other, each] : objects)
+            if (other != id && visible(s.document(), other) &&
+                std::ranges::find(fresh, other) == fresh.end())
+                others.push_back(other);
+        const double own = glm::length(bounds_of(s, id).size());
+        const double all = others.empty() ? 0 : glm::length(bounds_of(s, others).size());
+        if (own > 0 && all > 0) tell_of_sizes(id, own, all);
+    }
+}
+
+void Files::tell_of_sizes(Id id, double own_m, double scene_m)
+{
+    constexpr double odd = 50; // times as large or small as the rest: hardly ever meant
+    const double ratio = own_m / scene_m;
+    if (ratio < odd && ratio > 1 / odd) return;
+    const double factor = std::pow(10.0, -std::round(std::log10(ratio)));
+    const std::string name = name_of(session_->document(), id);
+    session_->notices.say(
+        ui::NoticeKind::warning,
+        fmt::format("{} is about {} times {} than the rest of the scene", name,
+                    ui::short_number(ratio > 1 ? 1 / factor : factor),
+                    ratio > 1 ? "larger" : "smaller"),
+        fmt::format("It measures {} m, the rest {} m. Its file may be in another unit.",
+                    ui::short_number(own_m), ui::short_number(scene_m)),
+        "size of a model",
+        {{fmt::format("Scale it by {}", ui::short_number(factor)), [this, id, factor] {
+              if (!session_->committed().objects.contains(id)) return;
+              Transform t = object(session_->committed(), id).transform;
+              t.scale *= factor;
+              if (session_->run(SetTransform{id, t}))
+                  session_->view.frame_all_when_evaluated = true;
+          }}});
 }
 
 void Files::tell_lost(Batch& batch)
@@ -156,6 +208,11 @@ void Files::tell_lost(Batch& batch)
     if (count > most) words += "\nand " + std::to_string(count - most) + " more";
     session_->notices.say(ui::NoticeKind::error, std::to_string(count) + " files were not imported",
                           words);
+}
+
+void Files::drop(const std::vector<std::string>& paths)
+{
+    waiting_.insert(waiting_.end(), paths.begin(), paths.end());
 }
 
 void Files::take_dropped(const std::vector<std::string>& paths)

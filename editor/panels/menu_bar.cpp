@@ -166,6 +166,7 @@ void menus(Editor& editor, const ui::Theme& theme)
             open = menu;
             menu_items(editor, theme, menu);
             if (menu == "View") kept_views(editor);
+            if (menu == "Add") draw_model_menu(editor, theme);
             if (menu == "Help")
                 for (const char* each : {"Samples", "Tutorials"}) menu_beside(editor, theme, each);
             go_to_neighbour(editor, i);

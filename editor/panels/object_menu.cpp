@@ -109,6 +109,7 @@ void draw_add_menu(Editor& editor, const ui::Theme& theme)
     for (const Action& each : editor.actions)
         if (each.menu == "Add" && each.name != add_action_name) entries.push_back(&each);
     for (const Action* each : entries) menu_item(editor, *each);
+    draw_model_menu(editor, theme);
     ImGui::Separator();
     entries.push_back(&action(editor, "Import model..."));
     menu_item(editor, *entries.back());

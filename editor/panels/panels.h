@@ -90,6 +90,8 @@ void draw_key_map(Editor& editor, const ui::Theme& theme, const ui::Rect& page);
 
 // An action as an item of the menu that is open.
 void menu_item(Editor& editor, const Action& each);
+// The models that come with the program, by their pictures, as a menu of the one that is open.
+void draw_model_menu(Editor& editor, const ui::Theme& theme);
 // What can be done with the selection, as a popup of that name.
 void draw_object_menu(Editor& editor, const ui::Theme& theme, const char* name);
 void draw_add_menu(Editor& editor, const ui::Theme& theme); // at the mouse, when it is asked for

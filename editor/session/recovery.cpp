@@ -3,6 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/scene/kept_scenes.h"
+#include "editor/session/topics.h"
 #include "editor/words/file_words.h"
 
 #include <sys/stat.h>
@@ -52,6 +53,7 @@ void Recovery::take_up_left_scene()
 {
     const std::optional<std::string> left = SceneFile::left_in(session_->unnamed_folder());
     if (!left || !take_up(*left)) return;
+    session_->notices.forget(of_left_scene);
     session_->notices.say(ui::NoticeKind::warning, "Your scene is back",
                           "Trivar ended before it had a name. Save it to keep it.");
 }
@@ -74,12 +76,13 @@ void Recovery::tell_of_left_scene()
     if (!left) return;
     session_->notices.say(
         ui::NoticeKind::warning, "A scene without a name was left",
-        "Trivar ended before it was saved. It is safe in the recovery folder.", {},
+        "Trivar ended before it was saved. It is safe in the recovery folder.", of_left_scene,
         {{"Recover", [this] { take_up_left_scene(); }}, {"Discard", [this, path = *left] {
                                                              SceneFile::set_aside(path);
                                                              left_looked_for_ = -1;
                                                              tell_of_discarded();
                                                          }}});
+    session_->notices.keep(of_left_scene);
 }
 
 } // namespace trivar

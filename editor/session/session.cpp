@@ -186,13 +186,20 @@ void Session::finish_check()
         notices.say(ui::NoticeKind::warning, "Nothing was placed", why, of_a_step);
         return;
     }
-    const Ref<EvaluatedObject> laid = found->second;
-    attach_proposal(*laid);
+    const Ref<EvaluatedObject> object_now = found->second;
+    const bool laid = std::holds_alternative<Place>(scene_.history().proposal()->command);
+    attach_proposal(*object_now);
+    const Document& proposed = scene_.document();
+    if (committed().objects.contains(check.object) && proposed.next_id == committed().next_id &&
+        object(proposed, check.object) == object(committed(), check.object))
+        return cancel(); // a drag that came back to where it began is no step
     if (!commit()) return;
     notices.forget(of_a_step);
-    const std::vector<std::string> lines = laid->placement->report.all_notices();
+    if (warnings_beside && selected == check.object) return;
+    const std::vector<std::string> lines = object_now->placement->report.all_notices();
     if (!lines.empty())
-        notices.say_all(ui::NoticeKind::warning, name_of(document(), check.object) + " was placed",
+        notices.say_all(ui::NoticeKind::warning,
+                        name_of(document(), check.object) + (laid ? " was placed" : " was changed"),
                         lines, of_a_step);
 }
 

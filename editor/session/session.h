@@ -101,6 +101,7 @@ public:
     void select_new(Id first);
     SceneView view;
     bool deform_on_processor = true; // false: parts are left for the graphics card to deform
+    bool warnings_beside = false;    // the window shows the selected object's beside the picture
     bool auto_key = false;           // every change of a number that can have keys sets a key
     ui::Notices notices;
 

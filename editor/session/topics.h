@@ -7,5 +7,6 @@ namespace trivar {
 // holds for saving.
 inline constexpr const char* of_a_step = "step";
 inline constexpr const char* of_saving = "saving";
+inline constexpr const char* of_left_scene = "left scene"; // that an ended program left
 
 } // namespace trivar

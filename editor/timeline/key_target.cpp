@@ -29,6 +29,16 @@ std::optional<Command> changed_tracks(const Document& document, const KeyTarget&
     return out;
 }
 
+// What an automatic size of an object comes to in the picture; 0: not known.
+double shown_size(const Session& session, Id id, const std::string& parameter)
+{
+    const auto found = session.evaluated().objects.find(id);
+    if (found == session.evaluated().objects.end() || !found->second->placement) return 0;
+    const PlacementReport& report = found->second->placement->report;
+    if (parameter == "placement.width") return report.width_world;
+    return parameter == "placement.height" ? report.height_world : 0;
+}
+
 } // namespace
 
 KeyTarget meant_by(const Document& document, KeyTarget target)
@@ -55,10 +65,23 @@ KeyState state_of_keys(const Session& session, const KeyTarget& target)
     return !any ? KeyState::none : all ? KeyState::here : KeyState::animated;
 }
 
+std::optional<Command> keys_as_shown(const Session& session, const std::vector<Id>& ids,
+                                     const std::vector<std::string>& names)
+{
+    std::optional<Command> keys = keys_of(session.document(), ids, names, session.frame());
+    if (!keys) return keys;
+    for (ObjectTracks& of : std::get<Animate>(*keys).of)
+        for (Track& track : of.tracks)
+            for (Key& key : track.keys)
+                if (key.frame == session.frame() && key.value == 0)
+                    key.value = shown_size(session, of.object, track.parameter);
+    return keys;
+}
+
 bool insert_keys(Session& session, const KeyTarget& target)
 {
     const KeyTarget meant = meant_by(session.document(), target);
-    return run_if(session, keys_of(session.document(), meant.ids, meant.names, session.frame()));
+    return run_if(session, keys_as_shown(session, meant.ids, meant.names));
 }
 
 bool remove_keys(Session& session, const KeyTarget& target)

@@ -26,6 +26,11 @@ KeyTarget meant_by(const Document& document, KeyTarget target);
 enum class KeyState { none, animated, here };
 KeyState state_of_keys(const Session& session, const KeyTarget& target);
 
+// Keys as keys_of gives them for the present frame, but an automatic size gets a key of the shown
+// value: a key of the 0 that stands for it would be a size of 0.
+std::optional<Command> keys_as_shown(const Session& session, const std::vector<Id>& ids,
+                                     const std::vector<std::string>& names);
+
 // Each is one step: keys of the present values in the present frame; without these keys; without
 // any. False where there is nothing to do.
 // where there is nothing to do.

@@ -22,7 +22,7 @@ std::vector<TimelineRow> timeline_rows(const Document& document, const std::set<
                    has_keys = std::ranges::find(animated, id) != animated.end(),
                    open = has_keys && unfolded.contains(id);
         if (!travels && !has_keys) continue;
-        out.push_back({Kind::object, id, {}, travels && !has_keys});
+        out.push_back({Kind::object, id, {}, travels && !open});
         if (!open) continue;
         if (travels) out.push_back({Kind::travel, id, {}, true});
         for (const Track& track : tracks_of(document, id))

@@ -13,7 +13,7 @@ namespace trivar {
 
 // The rows of the open timeline: what travels, and what has keys, in the order of the outliner,
 // the scene first. An object that does both and is unfolded has a row for its travel among those
-// of its tracks.
+// of its tracks; folded, the bar of its travel stands behind its keys.
 struct TimelineRow {
     enum class Kind { object, travel, track } kind = Kind::object;
     Id id = 0;

@@ -63,6 +63,7 @@ int run_editor(const EditorOptions& options)
         editor.start_card.lacks_samples = options.samples.empty();
         add_tutorials(editor, options.tutorials);
         editor.files.samples = options.samples;
+        editor.files.own_models_folder = options.models;
         add_samples(editor);
         use_keys(editor.actions, editor.preferences.keys);
         if (options.files.empty())

@@ -7,6 +7,7 @@
 #include "editor/panels/inspector/inspect.h"
 #include "editor/panels/panels.h"
 #include "editor/session/recent_scenes.h"
+#include "editor/session/recent_views.h"
 
 #include <filesystem>
 #include <imgui.h>
@@ -53,6 +54,48 @@ void apply_preferences(Editor& editor)
 struct KnownScene { // the session's scene that the tools know
     long number = 0;
 };
+
+struct ViewMet { // how the scene of that number and path is looked at
+    long scene = -1;
+    std::string path;
+    Camera camera;
+    double since_s = 0;
+    bool remembered = false;
+};
+
+// Every scene opens as it was looked at last, but where it has a view of its own.
+void remember_view(Editor& editor, ui::Frame& frame)
+{
+    constexpr double rest_s = 1; // not at each frame of a turn
+    ViewMet& met = editor.memory.of<ViewMet>();
+    Session& session = editor.session;
+    std::vector<std::string>& views = editor.preferences.recent_views;
+    const auto keep = [&] {
+        if (met.remembered || met.path.empty()) return;
+        met.remembered = true;
+        remember_view_of(views, met.path, met.camera,
+                         static_cast<std::size_t>(editor.preferences.most_recent));
+    };
+    const std::string& named = session.scene().path();
+    const std::string path =
+        named.empty() ? "" : std::filesystem::absolute(named).lexically_normal().string();
+    if (met.scene != session.scenes()) {
+        if (met.scene >= 0) keep();
+        met = {session.scenes(), path, session.view.camera, frame.time_s, true};
+        const auto view = view_of(views, path);
+        if (!view || session.document().kept_views.contains("picture")) return;
+        session.view.go_to = view;
+        session.view.frame_all_when_evaluated = false;
+        return;
+    }
+    const bool same = met.camera == session.view.camera && met.path == path;
+    if (!same) met = {met.scene, path, session.view.camera, frame.time_s, false};
+    if (met.remembered || path.empty()) return;
+    if (frame.close_asked || frame.time_s - met.since_s >= rest_s)
+        keep();
+    else
+        frame.again_in(rest_s);
+}
 
 // What was under way belongs to a scene that is gone.
 void meet_scene(Editor& editor)
@@ -115,9 +158,12 @@ void draw_editor(Editor& editor, ui::Frame& frame)
     if (editor.session.scene().look_only()) frame.again_in(1);
     if (!editor.session.scene().trouble().empty()) frame.again_in(5);
     remember_scene(editor);
+    remember_view(editor, frame);
+    editor.session.warnings_beside =
+        editor.preferences.show_dock && !editor.only_view && editor.tab == Editor::Tab::inspector;
     const long change = editor.session.change();
     for (const ui::Event& event : frame.events) {
-        if (event.kind == ui::Event::Kind::drop) editor.files.take_dropped(event.paths);
+        if (event.kind == ui::Event::Kind::drop) editor.files.drop(event.paths);
         // Somewhere else has the keyboard now: a gesture would go on without its end.
         if (event.kind != ui::Event::Kind::focus || event.down) continue;
         editor.active_tool().cancel(editor.session);

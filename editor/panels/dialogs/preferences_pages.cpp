@@ -162,8 +162,10 @@ void draw_files_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
                                    p.recent_scenes.size() == 1
                                        ? "one remembered"
                                        : fmt::format("{} remembered", p.recent_scenes.size())),
-                       ui::ButtonKind::plain, {theme.px(180), theme.size.row}))
+                       ui::ButtonKind::plain, {theme.px(180), theme.size.row})) {
             p.recent_scenes.clear();
+            p.recent_views.clear();
+        }
     }
     ui::gap(theme, 12);
     folder_row(theme, r, "Scenes", p.scenes_folder);

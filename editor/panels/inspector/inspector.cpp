@@ -227,6 +227,10 @@ ui::Edit draw_surfacing(Editor& editor, const ui::Theme& theme, std::vector<Id> 
     ValueRows rows{theme, &keys};
     FieldRows<Surfacing> fields(rows, s, "material");
     fields(&Surfacing::base_color);
+    double opacity = 100 * static_cast<double>(s.base_color.a);
+    rows.number("Opacity", opacity, 100, {.lo = 0, .hi = 100, .bar_hi = 100, .unit = "%"},
+                {"below 100 % what is behind shows through", std::string("material.base_color.w")});
+    s.base_color.a = static_cast<float>(opacity / 100);
     fields(&Surfacing::filling);
     if (s.filling == Filling::none) { // the others have their own
         fields(&Surfacing::metallic);

@@ -19,6 +19,14 @@ std::string percent(double share)
     return fmt::format("{:.0f} %", share * 100);
 }
 
+// Of shares that may be tiny or more than the whole: two digits at least, and no powers of ten.
+std::string share_words(double share)
+{
+    const double percents = share * 100;
+    if (percents < 0.01) return "under 0.01 %";
+    return percents < 10 ? fmt::format("{:.2g} %", percents) : fmt::format("{:.0f} %", percents);
+}
+
 void report_rows(const ui::Theme& theme, const PlacementReport& r)
 {
     const auto row = [&](const char* label, const std::string& value, const char* help,
@@ -39,8 +47,7 @@ void report_rows(const ui::Theme& theme, const PlacementReport& r)
             "made narrower, since the stroke turns more tightly there than it is wide",
             theme.color.warn);
     const bool through = r.penetration > 1e-3;
-    row("Penetration",
-        r.penetration <= 0 ? "none" : fmt::format("{:.2g} % of height", r.penetration * 100),
+    row("Penetration", r.penetration <= 0 ? "none" : share_words(r.penetration) + " of height",
         "how deep the scene is still in the volume at the worst", through ? theme.color.warn : 0);
     const bool folds = r.smallest_jacobian <= 0;
     row("Folds", folds ? "yes, at a node" : "none", "places where the volume is turned inside out",

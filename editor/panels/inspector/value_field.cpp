@@ -2,6 +2,7 @@
 #include "editor/panels/inspector/value_field.h"
 
 #include "core/commands/number_words.h"
+#include "editor/words/field_words.h"
 
 #include <cmath>
 

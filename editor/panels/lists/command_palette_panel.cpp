@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/command_filling.h"
 #include "editor/actions/palette_entries.h"
+#include "editor/actions/palette_search.h"
 #include "editor/actions/use_keys.h"
 #include "editor/panels/lists/palette_rows.h"
 #include "editor/panels/panels.h"
@@ -68,17 +69,9 @@ List list_of(const Editor& editor)
                                       : palette_commands(editor);
     list.caption = list.objects ? "OBJECTS" : list.preferences ? "PREFERENCES" : "COMMANDS";
     const std::string_view letters = std::string_view(typed).substr(list.commands() ? 0 : 1);
-    std::vector<std::string> names, notes;
-    for (const PaletteEntry& each : list.entries) {
-        names.push_back(each.name);
-        notes.push_back(each.note);
-    }
     const std::vector<std::string> none;
-    list.found =
-        ranked(letters, names, list.commands() ? editor.preferences.recent_commands : none);
-    if (!list.found.empty()) return list;
-    list.found = ranked(letters, notes, none); // by its menu or by what it is for
-    for (RankedName& each : list.found) each.letters.clear();
+    list.found = found_entries(letters, list.entries,
+                               list.commands() ? editor.preferences.recent_commands : none);
     return list;
 }
 

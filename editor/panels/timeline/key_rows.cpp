@@ -192,7 +192,9 @@ void draw_key_rows(Editor& editor, const ui::Theme& theme, const ui::Rect& names
         const ui::Rect row = place(i);
         ui::paint_box({{row.lo.x, row.hi.y - theme.size.hairline}, row.hi}, c.line_soft);
         ImGui::PushID(rows[i].id);
-        if (rows[i].travels) draw_travel_bar(editor, theme, row, scale, rows[i].id);
+        const bool with_keys =
+            rows[i].kind == RowKind::object && !tracks_of(session.document(), rows[i].id).empty();
+        if (rows[i].travels) draw_travel_bar(editor, theme, row, scale, rows[i].id, !with_keys);
         ImGui::PopID();
         paint_row_keys(theme, row, scale, view, session.document(), rows[i], hot);
     }

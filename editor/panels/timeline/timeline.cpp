@@ -351,11 +351,9 @@ void draw_corner(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
     if (width > theme.px(80)) {
         ImGui::SetCursorScreenPos({r.lo.x + theme.px(8), r.lo.y});
         int curves = view.curves ? 1 : 0;
-        if (ui::segments(theme, "shown", curves, {"Keys", "Curves"}, width) == ui::Edit::changed) {
+        // The panel keeps its height, so that its head stays under the hand.
+        if (ui::segments(theme, "shown", curves, {"Keys", "Curves"}, width) == ui::Edit::changed)
             view.curves = curves == 1;
-            constexpr double least = 260; // pixels at scale 1: curves need height
-            editor.preferences.timeline = std::max(editor.preferences.timeline, least);
-        }
         ui::tooltip(
             {"Keys or curves", {}, "When keys are, or how numbers go from one to the next."});
     }

@@ -47,9 +47,10 @@ void draw_key_rows(Editor& editor, const ui::Theme& theme, const ui::Rect& names
 // where they end.
 float draw_row_names(Editor& editor, const ui::Theme& theme, const ui::Rect& names,
                      const std::vector<TimelineRow>& rows, float y, bool folds);
-// Draws the bar of a travelling object in its row: it and its end can be dragged.
+// Draws the bar of a travelling object in its row: it can be dragged where `by_hand` (keys over it
+// are dragged instead), and so can its end.
 void draw_travel_bar(Editor& editor, const ui::Theme& theme, const ui::Rect& row,
-                     const FrameScale& scale, Id id);
+                     const FrameScale& scale, Id id, bool by_hand);
 void let_go_of_bar(Editor& editor);
 
 // Draws the curves of the chosen tracks, in place of the rows.

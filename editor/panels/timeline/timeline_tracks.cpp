@@ -123,7 +123,7 @@ void let_go_of_bar(Editor& editor)
 }
 
 void draw_travel_bar(Editor& editor, const ui::Theme& theme, const ui::Rect& row,
-                     const FrameScale& scale, Id id)
+                     const FrameScale& scale, Id id, bool by_hand)
 {
     Session& session = editor.session;
     const auto bar = bar_of(session, id);
@@ -135,6 +135,10 @@ void draw_travel_bar(Editor& editor, const ui::Theme& theme, const ui::Rect& row
     const float from = std::clamp(scale.x(bar->begin), row.lo.x, row.hi.x - least);
     const float to = std::clamp(scale.x(bar->end), from + least, row.hi.x);
     const ui::Rect r = {{from, row.lo.y + theme.px(3)}, {to, row.hi.y - theme.px(3)}};
+    if (!by_hand) {
+        paint_bar(theme, r, session.selected.contains(id), false, bar->endless, {});
+        return;
+    }
     ImGui::SetCursorScreenPos({r.lo.x, r.lo.y});
     ImGui::InvisibleButton("bar", {r.width(), r.height()});
     const bool hovered = ImGui::IsItemHovered(), active = ImGui::IsItemActive();

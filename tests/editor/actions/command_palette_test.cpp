@@ -3,10 +3,12 @@
 
 #include "editor/actions/actions.h"
 #include "editor/actions/all_actions.h"
+#include "editor/actions/palette_search.h"
 #include "editor/actions/show_manual.h"
 #include "editor/editor.h"
 #include "editor/words/letters_in_order.h"
 #include "editor/words/ranked.h"
+#include "editor/words/synonyms.h"
 #include "tests/editor/rig.h"
 
 #include <gmock/gmock.h>
@@ -63,6 +65,61 @@ TEST(RankedName, PutsTheRecentOnesFirstWithoutLettersAndAmongEqualMatches)
     const auto all = ranked("", names, {"Open"});
     EXPECT_TRUE(all[0].recent);
     EXPECT_FALSE(all[1].recent);
+}
+
+std::vector<std::string> found_in_palette(std::string_view typed)
+{
+    const Editor editor([] {}, all_actions());
+    const std::vector<PaletteEntry> entries = palette_commands(editor);
+    std::vector<std::string> names;
+    for (const RankedName& each : found_entries(typed, entries, {}))
+        names.push_back(entries[each.index].name);
+    return names;
+}
+
+TEST(PaletteSearch, KnowsNothingButNamesOfThePaletteUnderTheWordsOfArtists)
+{
+    const Editor editor([] {}, all_actions());
+    std::set<std::string, std::less<>> names;
+    for (const PaletteEntry& each : palette_commands(editor)) names.insert(each.name);
+    std::string_view before;
+    for (const Synonym& each : synonyms()) {
+        EXPECT_LT(before, each.word) << "the table is in alphabetical order";
+        before = each.word;
+        for (const std::string_view name : each.names)
+            EXPECT_TRUE(names.contains(name)) << each.word << ": " << name;
+    }
+}
+
+TEST(PaletteSearch, FindsWhatArtistsCallByAnotherWordAtOnce)
+{
+    for (const auto& [typed, first] :
+         std::vector<std::pair<std::string, std::string>>{{"light", "Set render"},
+                                                          {"sun", "Set render"},
+                                                          {"mirror", "Transform"},
+                                                          {"array", "Set travel"},
+                                                          {"opacity", "Set material"},
+                                                          {"orthographic", "Perspective"},
+                                                          {"ffd", "Add Lattice round selection"},
+                                                          {"cage", "Add Lattice round selection"},
+                                                          {"bake", "Export frames..."},
+                                                          {"Snap", "Place"},
+                                                          {"texture", "Set material"},
+                                                          {"video", "Record..."},
+                                                          {"measure", "Timing"}}) {
+        const std::vector<std::string> names = found_in_palette(typed);
+        ASSERT_FALSE(names.empty()) << typed;
+        EXPECT_EQ(names.front(), first) << typed;
+    }
+}
+
+TEST(PaletteSearch, PutsNamesBeforeWordsOfDescriptionsAndTakesNoLettersFromThese)
+{
+    EXPECT_EQ(found_in_palette("export").front(), "Export...");
+    EXPECT_EQ(found_in_palette("svc").front(), "Save compact...");
+    EXPECT_THAT(found_in_palette("xqzj"), IsEmpty());
+    const std::vector<std::string> names = found_in_palette("back");
+    EXPECT_EQ(names.front(), "Back");
 }
 
 TEST(CommandPalette, HoldsEveryActionAndSaysWhyOneCannotRun)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What becomes of work that is let go, and what the window says of it.
+#include "core/scene/log.h"
 #include "editor/session/recovery.h"
 #include "editor/session/scene_facts.h"
 #include "tests/editor/rig.h"
@@ -165,6 +166,101 @@ TEST(Menus, AreGoneThroughWithTheArrowsAndLetters)
     rig.key({ui::key_escape});
     EXPECT_FALSE(ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId));
     EXPECT_EQ(rig.steps(), 2u);
+}
+
+TEST(Keeping, TheNoticeOfALeftSceneStaysAndTheMenuFindsTheSceneAsLong)
+{
+    const testing::TemporaryFolder folder;
+    Session session([] {}, folder.path().string());
+    Recovery recovery(session);
+    Files files(session, recovery);
+    testing::write_file(folder.file("untitled-1.trivar"), log_header() + command_line(AddBox{}));
+    ASSERT_TRUE(SceneFile::left_in(folder.path().string()));
+    recovery.tell_of_left_scene();
+    ASSERT_EQ(session.notices.all().size(), 1u);
+    EXPECT_TRUE(session.notices.all().front().stays);
+    for (int i = 0; i < 4; ++i)
+        session.notices.say(ui::NoticeKind::good, "Notice " + std::to_string(i));
+    EXPECT_TRUE(session.notices.all().front().stays) << "others make room for themselves";
+    session.notices.clear(); // as its cross does
+    files.ask_discarded();
+    EXPECT_EQ(session.document().objects.size(), 1u);
+}
+
+TEST(Keeping, AFileThatCannotBeSavedLeavesTheDialogWithItsPath)
+{
+    const testing::TemporaryFolder folder;
+    Rig rig;
+    ASSERT_TRUE(rig.editor.session.run(AddBox{}));
+    rig.editor.preferences.scenes_folder = folder.path().string();
+    rig.frames();
+    rig.editor.files.ask_save_as();
+    rig.frames();
+    const std::string longer_than_a_file_may_be(300, 'x');
+    rig.type(longer_than_a_file_may_be);
+    rig.key({ui::key_enter});
+    EXPECT_TRUE(rig.editor.files.asking()) << "to be named otherwise";
+    EXPECT_TRUE(rig.editor.session.notices.all().empty()) << "the dialog says why";
+    EXPECT_EQ(rig.editor.session.scene().path(), "");
+    for (int i = 0; i < 290; ++i) rig.screen.input().push(ui::press_key(ui::key_backspace));
+    rig.frames();
+    rig.key({ui::key_enter});
+    EXPECT_FALSE(rig.editor.files.asking());
+    EXPECT_NE(rig.editor.session.scene().path(), "");
+}
+
+TEST(Keeping, WhatIsDroppedWaitsForTheAnswerToADialog)
+{
+    const testing::TemporaryFolder folder;
+    testing::write_file(folder.file("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    Rig rig;
+    ASSERT_TRUE(rig.editor.session.run(AddBox{}));
+    rig.editor.files.ask_export();
+    rig.frames();
+    rig.screen.input().push(ui::drop_files({folder.file("a.obj")}));
+    rig.wait();
+    EXPECT_EQ(rig.editor.session.document().objects.size(), 1u);
+    rig.key({ui::key_escape});
+    rig.wait();
+    EXPECT_EQ(rig.editor.session.document().objects.size(), 2u);
+}
+
+TEST(Keeping, ASceneOpensAsItWasLookedAtLast)
+{
+    const testing::TemporaryFolder folder;
+    Rig rig;
+    ASSERT_TRUE(rig.editor.session.run(AddBox{}));
+    rig.editor.session.save_as(folder.file("a.trivar"));
+    rig.wait();
+    rig.editor.session.view.camera.eye = {-3, 7, 2};
+    rig.editor.session.view.camera.target = {0.5, 0, 0.25};
+    rig.frames();
+    rig.editor.files.new_scene();
+    rig.frames();
+    EXPECT_NE(rig.editor.session.view.camera.eye, glm::dvec3(-3, 7, 2));
+    rig.editor.files.open_scene(folder.file("a.trivar"));
+    rig.wait();
+    EXPECT_EQ(rig.editor.session.view.camera.eye, glm::dvec3(-3, 7, 2));
+    EXPECT_EQ(rig.editor.session.view.camera.target, glm::dvec3(0.5, 0, 0.25));
+}
+
+TEST(Keeping, AModelAHundredTimesTheSceneIsSaidAndScaledWhereThatIsWanted)
+{
+    const testing::TemporaryFolder folder;
+    testing::write_file(folder.file("fox.obj"), "v 0 0 0\nv 200 0 0\nv 0 200 0\nf 1 2 3\n");
+    Rig rig;
+    ASSERT_TRUE(rig.editor.session.run(AddBox{}));
+    rig.wait();
+    rig.editor.files.import(folder.file("fox.obj"));
+    rig.wait();
+    rig.frames();
+    const auto& notices = rig.editor.session.notices.all();
+    ASSERT_EQ(notices.size(), 1u);
+    EXPECT_EQ(notices[0].title, "Fox is about 100 times larger than the rest of the scene");
+    ASSERT_EQ(notices[0].actions.size(), 1u);
+    const auto scale = notices[0].actions[0].act;
+    scale();
+    EXPECT_EQ(object(rig.editor.session.document(), 2).transform.scale, glm::dvec3(0.01));
 }
 
 } // namespace

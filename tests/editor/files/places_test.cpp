@@ -11,13 +11,15 @@ namespace {
 TEST(Places, OfAnInstalledProgramAreBesideItsFolder)
 {
     const testing::TemporaryFolder prefix;
-    for (const char* name : {"assets/scenes", "assets/tutorials", "manual", "gallery"})
+    for (const char* name :
+         {"assets/scenes", "assets/tutorials", "manual", "gallery", "assets/models"})
         std::filesystem::create_directories(prefix.path() / "share/trivar" / name);
     const Places places = places_of(prefix.path() / "bin" / "trivar");
     EXPECT_EQ(places.scenes, prefix.file("share/trivar/assets/scenes"));
     EXPECT_EQ(places.tutorials, prefix.file("share/trivar/assets/tutorials"));
     EXPECT_EQ(places.manual, prefix.file("share/trivar/manual"));
     EXPECT_EQ(places.pictures, prefix.file("share/trivar/gallery"));
+    EXPECT_EQ(places.models, prefix.file("share/trivar/assets/models"));
 }
 
 TEST(Places, OfABuiltProgramAreThoseOfItsCheckout)

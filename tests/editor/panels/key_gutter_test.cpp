@@ -135,5 +135,27 @@ TEST(AutoKey, MakesAKeyOfEveryChangeThatCanBeOne)
     EXPECT_FALSE(rig.track("transform.translation.x"));
 }
 
+TEST(KeyGutter, AnAutomaticSizeGetsAKeyOfWhatIsShown)
+{
+    Rig rig;
+    rig.two_objects();
+    Session& session = rig.editor.session;
+    ASSERT_TRUE(session.run(testing::placed(2, 1)));
+    rig.wait();
+    ASSERT_TRUE(session.evaluated().objects.at(2)->placement);
+    const PlacementReport report = session.evaluated().objects.at(2)->placement->report;
+    ASSERT_EQ(object(session.document(), 2).placement->parameters.width, 0);
+    ASSERT_TRUE(insert_keys(session, {{2}, {"placement.width", "placement.height"}}));
+    ASSERT_TRUE(track_of(session.document(), 2, "placement.width"));
+    EXPECT_EQ(track_of(session.document(), 2, "placement.width")->keys[0].value,
+              report.width_world);
+    EXPECT_EQ(track_of(session.document(), 2, "placement.height")->keys[0].value,
+              report.height_world);
+    rig.wait();
+    const PlacementReport keyed = session.evaluated().objects.at(2)->placement->report;
+    EXPECT_NEAR(keyed.width_world, report.width_world, 1e-12);
+    EXPECT_NEAR(keyed.height_world, report.height_world, 1e-12);
+}
+
 } // namespace
 } // namespace trivar

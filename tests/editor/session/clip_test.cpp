@@ -46,6 +46,20 @@ TEST_F(Clips, AreShownFrameByFrame)
     EXPECT_EQ(shown(), first);
 }
 
+TEST_F(Clips, BeginWhenTimeIsPlayedAndNothingElseMoves)
+{
+    ASSERT_FALSE(moves_in_time(rig.editor.session.document()));
+    rig.move(rig.layout().view.center());
+    rig.key({ui::key_space});
+    rig.key({ui::key_space}); // and stops
+    EXPECT_EQ(playing().clip, "bend");
+    const std::size_t steps = rig.steps();
+    ASSERT_TRUE(rig.editor.session.run(PlayClip{{1}, {.clip = "swell"}}));
+    rig.key({ui::key_space});
+    EXPECT_EQ(playing().clip, "swell") << "what was chosen stays";
+    EXPECT_EQ(rig.steps(), steps + 1);
+}
+
 TEST_F(Clips, AreTakenFromTheInspector)
 {
     EXPECT_EQ(rig.editor.session.evaluated().objects.at(1)->clips,

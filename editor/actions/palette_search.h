@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "editor/actions/palette_entries.h"
+#include "editor/words/ranked.h"
+
+namespace trivar {
+
+// What is found of the entries by what is typed, the best first: names that hold it as it stands,
+// then what artists call by that word elsewhere (editor/words/synonyms.h), then names that hold its
+// letters in order where there are few of them or nothing was found before, then entries whose
+// description has a word that begins with it. Without letters: the recent ones, then all others.
+std::vector<RankedName> found_entries(std::string_view typed,
+                                      const std::vector<PaletteEntry>& entries,
+                                      const std::vector<std::string>& recent);
+
+} // namespace trivar

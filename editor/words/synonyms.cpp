@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/words/synonyms.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace trivar {
+
+const std::vector<Synonym>& synonyms()
+{
+    static const std::vector<Synonym> all{
+        {"align", {"Place"}},
+        {"animate", {"Insert key", "Auto-key", "Timeline"}},
+        {"apply", {"Delete lattice, keep shape"}},
+        {"array", {"Set travel", "Duplicate"}},
+        {"autosave", {"Save", "Preferences..."}},
+        {"bake", {"Export frames...", "Delete lattice, keep shape"}},
+        {"bend", {"Lattice", "Place", "Press"}},
+        {"bookmark", {"Keep this view"}},
+        {"cage", {"Add Lattice round selection", "Lattice"}},
+        {"camera", {"View of pictures", "Use this view for pictures", "Keep this view"}},
+        {"clone", {"Duplicate"}},
+        {"color", {"Set material", "Colour by material"}},
+        {"colour", {"Set material", "Colour by material"}},
+        {"copies", {"Set travel", "Duplicate"}},
+        {"curve", {"Place", "Import model..."}},
+        {"decimate", {"Simplify"}},
+        {"deform", {"Lattice", "Add Lattice round selection", "Press", "Place"}},
+        {"detach", {"Take off the stroke"}},
+        {"drape", {"Place"}},
+        {"environment", {"Set render"}},
+        {"export", {"Export...", "Export frames..."}},
+        {"exposure", {"Set render"}},
+        {"ffd", {"Add Lattice round selection", "Lattice"}},
+        {"flow", {"Place", "Set travel"}},
+        {"follow", {"Place", "Set travel"}},
+        {"glass", {"Set material"}},
+        {"grab", {"Move"}},
+        {"help", {"Manual", "Keys and mouse"}},
+        {"invert", {"Select the others"}},
+        {"keyframe", {"Insert key", "Auto-key"}},
+        {"lamp", {"Set render"}},
+        {"letters", {"Add Text"}},
+        {"light", {"Set render"}},
+        {"link", {"Group", "Find missing file..."}},
+        {"load", {"Open...", "Import model..."}},
+        {"material", {"Set material"}},
+        {"measure", {"Timing", "Colour by stretch"}},
+        {"merge", {"Group"}},
+        {"mesh", {"Import model...", "Add Box", "Add Sphere"}},
+        {"mirror", {"Transform", "Scale"}},
+        {"model", {"Import model..."}},
+        {"morph", {"Add Lattice round selection", "Export frames..."}},
+        {"movie", {"Record..."}},
+        {"mug", {"Add Cylinder"}},
+        {"opacity", {"Set material"}},
+        {"options", {"Preferences..."}},
+        {"ortho", {"Perspective", "Front", "Right", "Top"}},
+        {"orthographic", {"Perspective", "Front", "Right", "Top"}},
+        {"parallel", {"Perspective"}},
+        {"parent", {"Group"}},
+        {"path", {"Place", "Set travel"}},
+        {"project", {"Place"}},
+        {"recover", {"Discarded scenes..."}},
+        {"reduce", {"Simplify"}},
+        {"render", {"Render picture", "Record..."}},
+        {"reset", {"Transform", "Usual size of the interface"}},
+        {"resize", {"Scale"}},
+        {"ring", {"Add Torus"}},
+        {"sculpt", {"Press"}},
+        {"settings", {"Preferences...", "Set render"}},
+        {"shadow", {"Set render"}},
+        {"shortcut", {"Keys and mouse"}},
+        {"shrinkwrap", {"Place"}},
+        {"sky", {"Set render"}},
+        {"slide", {"Set travel", "Edit placement"}},
+        {"smooth", {"Edit import", "Refine"}},
+        {"snap", {"Place"}},
+        {"soft selection", {"Proportional editing"}},
+        {"solo", {"Isolate"}},
+        {"subdivide", {"Edit import", "Refine"}},
+        {"sun", {"Set render"}},
+        {"texture", {"Set material", "Import model..."}},
+        {"tooltip", {"Show hints again"}},
+        {"transparency", {"Set material", "See through"}},
+        {"transparent", {"Set material", "See through"}},
+        {"twist", {"Lattice", "Add Lattice round selection", "Rotate"}},
+        {"unlink", {"Ungroup", "Take off the stroke"}},
+        {"unparent", {"Ungroup"}},
+        {"video", {"Record..."}},
+        {"walk", {"Play clip", "Set travel"}},
+        {"warp", {"Lattice", "Add Lattice round selection"}},
+        {"wrap", {"Place", "Place round"}},
+        {"x-ray", {"See through"}},
+        {"zoom", {"Frame selection", "Frame all"}},
+    };
+    return all;
+}
+
+std::vector<std::string> names_meant_by(std::string_view typed)
+{
+    constexpr std::size_t least = 2;
+    std::string word(typed.substr(0, 64));
+    std::ranges::transform(word, word.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    while (word.ends_with(' ')) word.pop_back();
+    std::vector<std::string> names;
+    if (word.size() < least) return names;
+    for (const Synonym& each : synonyms())
+        if (each.word.starts_with(word))
+            for (const std::string_view name : each.names)
+                if (std::ranges::find(names, name) == names.end()) names.emplace_back(name);
+    return names;
+}
+
+} // namespace trivar
