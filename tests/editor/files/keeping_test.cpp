@@ -202,8 +202,8 @@ TEST(Keeping, AFileThatCannotBeSavedLeavesTheDialogWithItsPath)
     EXPECT_TRUE(rig.editor.files.asking()) << "to be named otherwise";
     EXPECT_TRUE(rig.editor.session.notices.all().empty()) << "the dialog says why";
     EXPECT_EQ(rig.editor.session.scene().path(), "");
-    for (int i = 0; i < 290; ++i) rig.screen.input().push(ui::press_key(ui::key_backspace));
-    rig.frames();
+    rig.key({.key = 'A', .ctrl = true});
+    rig.type("short");
     rig.key({ui::key_enter});
     EXPECT_FALSE(rig.editor.files.asking());
     EXPECT_NE(rig.editor.session.scene().path(), "");

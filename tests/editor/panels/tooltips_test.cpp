@@ -78,7 +78,7 @@ TEST(Tooltips, SayOfAFieldWhatItsCommandSays)
     for (const float x : {r.lo.x + 40, r.lo.x + 160}) { // over the label and over the field
         const auto said = hand.said_along({x, r.lo.y}, {x, r.lo.y + 200}, 14);
         for (const auto& [label, field] :
-             {std::pair("Position", "translation"), std::pair("Rotation", "rotation_deg"),
+             {std::pair("Position, m", "translation"), std::pair("Rotation, deg", "rotation_deg"),
               std::pair("Scale", "scale")}) {
             ASSERT_THAT(said, ::testing::Contains(Key(label)));
             EXPECT_EQ(said.at(label).sentence, help_of_field("transform", field));
