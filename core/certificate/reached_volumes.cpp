@@ -46,7 +46,7 @@ ReachedVolumes::over(const EvaluatedObject& object, double from, double to, doub
             const double room = period / 8; // so that it is not prolonged anew each time
             longer.from = std::min({longer.from, from - room, axis.begin()});
             longer.to = std::max({longer.to, to + room, axis.end()});
-            longer.volume = make_ref(prolonged(*at_rest, longer.from, longer.to));
+            longer.volume = make_ref(prolonged(*at_rest, 0, longer.from, longer.to));
         }
         return ReachedVolume{.volume = longer.volume, .clamped = true};
     }

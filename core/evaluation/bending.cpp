@@ -6,11 +6,11 @@
 namespace trivar {
 
 Part in_volume(Part part, const Embedding& embedding, const Ref<Lattice>& volume,
-               const Lazy<Deformer>& deformer, bool again)
+               const Lazy<Deformer>& deformer, const Ref<Part>& inner)
 {
     const Lazy<Ref<Mesh>> out([=] { return make_ref((*deformer)(*volume)); });
     part.to_world = glm::dmat4(1);
-    part.bent = make_ref(Deformation{embedding, volume, out, again});
+    part.bent = make_ref(Deformation{embedding, volume, out, inner});
     return part;
 }
 
@@ -22,7 +22,7 @@ Lazy<Deformer> sorted_into(const Lattice& volume, const Part& part, const Embedd
 }
 
 Part Bending::operator()(const Part& part, const Embedding& embedding, const Ref<Lattice>& volume,
-                         bool again)
+                         const Ref<Part>& inner)
 {
     const std::array<Knots, 3>& axes = volume->displacement.axes;
     const auto found = std::ranges::find_if(sorted_, [&](const SortedPart& s) {
@@ -31,7 +31,7 @@ Part Bending::operator()(const Part& part, const Embedding& embedding, const Ref
     used_.push_back(found != sorted_.end()
                         ? *found
                         : SortedPart{part, embedding, axes, sorted_into(*volume, part, embedding)});
-    return in_volume(part, embedding, volume, used_.back().deformer, again);
+    return in_volume(part, embedding, volume, used_.back().deformer, inner);
 }
 
 } // namespace trivar

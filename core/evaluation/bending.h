@@ -11,7 +11,7 @@ namespace trivar {
 
 // The part in a volume; its mesh is deformed when somebody asks for it.
 Part in_volume(Part part, const Embedding& embedding, const Ref<Lattice>& volume,
-               const Lazy<Deformer>& deformer, bool again = false);
+               const Lazy<Deformer>& deformer, const Ref<Part>& inner = nullptr);
 // The sorted vertices of a part, for a volume of those axes.
 Lazy<Deformer> sorted_into(const Lattice& volume, const Part& part, const Embedding& embedding);
 
@@ -21,9 +21,9 @@ class Bending {
 public:
     // Parts that are deformed between begin() and end() are remembered for the next time.
     void begin() { used_.clear(); }
-    // `again` has the meaning of Deformation::again.
+    // `inner` has the meaning of Deformation::inner.
     Part operator()(const Part& part, const Embedding& embedding, const Ref<Lattice>& volume,
-                    bool again = false);
+                    const Ref<Part>& inner = nullptr);
     void end() { sorted_ = std::move(used_); }
 
 private:

@@ -20,7 +20,7 @@ Ref<Lattice> reaching(const Ref<Lattice>& volume, const Journey& journey,
     }
     if (from >= -1e-9 && to <= 1 + 1e-9) return volume;
     if (journey.rounds()) return make_ref(twice_round(*volume));
-    return make_ref(prolonged(*volume, from - slack, to + slack));
+    return make_ref(prolonged(*volume, 0, from - slack, to + slack));
 }
 
 } // namespace trivar

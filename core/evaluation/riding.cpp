@@ -47,7 +47,7 @@ public:
         Embedding embedding = part.bent->embedding;
         embedding.to_rest = to_world_ * embedding.to_rest;
         return in_volume(part, embedding, volume, sorted_into(*volume, part, embedding),
-                         part.bent->again);
+                         part.bent->inner);
     }
 
 private:

@@ -3,6 +3,13 @@
 
 namespace trivar {
 
+const Part& innermost(const Part& part)
+{
+    const Part* out = &part;
+    while (out->bent && out->bent->inner) out = out->bent->inner.get();
+    return *out;
+}
+
 bool is_deformed(const Part& part)
 {
     return part.bent ? part.bent->mesh.ready() : !part.posed || part.posed->mesh.ready();

@@ -8,6 +8,8 @@
 
 namespace trivar {
 
+struct Part;
+
 // A Deformation says how a mesh lies in a volume, and gives the mesh in the world. The processor
 // computes that when it is first asked for, on any thread, by one deformation of the vertices
 // (core/ffd/deform.h). Where the graphics card draws, nobody asks.
@@ -15,7 +17,8 @@ struct Deformation {
     Embedding embedding;
     Ref<Lattice> volume;
     Lazy<Ref<Mesh>> mesh;
-    bool again = false; // another volume deformed the vertices of the mesh before
+    // the part in the volume that deformed its vertices before this one; null: none did
+    Ref<Part> inner = nullptr;
 };
 
 // A Part is one mesh as it stands in the world: posed by its model's clip, and then deformed by a
@@ -37,6 +40,9 @@ struct Part {
                bent == other.bent && key == other.key;
     }
 };
+
+// The part in the first of the volumes that deform it, before all others.
+const Part& innermost(const Part& part);
 
 // true also if nothing deforms the part: mesh() is there at once
 bool is_deformed(const Part& part);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/ffd/prolong.h"
 
+#include "core/base/index.h"
+
 #include <algorithm>
 #include <cassert>
 
@@ -10,6 +12,22 @@ namespace {
 std::ptrdiff_t slice_size(const Trivariate<glm::dvec3>& f)
 {
     return std::ssize(f.points) / f.axes[0].count();
+}
+
+// The function with u and another axis exchanged.
+Trivariate<glm::dvec3> exchanged(Trivariate<glm::dvec3> f, int axis)
+{
+    if (axis == 0) return f;
+    Trivariate<glm::dvec3> out{f.axes, std::vector<glm::dvec3>(f.points.size())};
+    std::swap(out.axes[0], out.axes[at(axis)]);
+    for (int i = 0; i < out.axes[0].count(); ++i)
+        for (int j = 0; j < out.axes[1].count(); ++j)
+            for (int k = 0; k < out.axes[2].count(); ++k) {
+                glm::ivec3 from(i, j, k);
+                std::swap(from[0], from[axis]);
+                out.points[out.index(i, j, k)] = f.points[f.index(from.x, from.y, from.z)];
+            }
+    return out;
 }
 
 // u turned round: F(-u).
@@ -53,14 +71,13 @@ Trivariate<glm::dvec3> prolonged_end(const Trivariate<glm::dvec3>& f, double to)
 
 } // namespace
 
-Lattice prolonged(const Lattice& lattice, double from, double to)
+Lattice prolonged(const Lattice& lattice, int axis, double from, double to)
 {
-    assert(lattice.displacement.axes[0].closure() == Closure::open);
-    Lattice out = lattice;
-    if (from < lattice.displacement.axes[0].begin())
-        out.displacement = mirrored(prolonged_end(mirrored(out.displacement), -from));
-    out.displacement = prolonged_end(out.displacement, to);
-    return out;
+    const Knots& knots = lattice.displacement.axes[at(axis)];
+    assert(knots.closure() == Closure::open);
+    Trivariate<glm::dvec3> f = exchanged(lattice.displacement, axis);
+    if (from < knots.begin()) f = mirrored(prolonged_end(mirrored(f), -from));
+    return {exchanged(prolonged_end(f, to), axis), lattice.rest};
 }
 
 Lattice twice_round(const Lattice& lattice)

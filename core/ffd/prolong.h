@@ -5,10 +5,11 @@
 
 namespace trivar {
 
-// The same function over a longer u axis, which must be open and clamped. Beyond its domain, from
-// `from` <= begin and to `to` >= end, it continues straight with a continuous derivative. Exact;
-// control points away from the ends keep their bits. O(#control points).
-Lattice prolonged(const Lattice& lattice, double from, double to);
+// The same function over a longer axis (0: u, 1: v, 2: w), which must be open and clamped. Beyond
+// its domain, from `from` <= begin and to `to` >= end, it continues straight with a continuous
+// derivative. Exact; control points away from the ends keep their bits. How long the axis becomes
+// changes nothing between its ends. O(number of control points).
+Lattice prolonged(const Lattice& lattice, int axis, double from, double to);
 
 // A lattice that runs twice through one whose ends u = begin and u = end meet: F(u + period) =
 // F(u). The seam is as smooth as the ends meet there.

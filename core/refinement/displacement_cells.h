@@ -13,7 +13,9 @@ public:
     explicit AxisSlabs(const Knots& knots);
 
     int order() const { return order_; }
+    Closure closure() const { return closure_; }
     bool open() const { return closure_ == Closure::open; }
+    int count() const { return count_; } // of the domain, or of one period
     // The slab in which x lies; where two slabs meet in x, the upper or the lower one of them.
     int upper(double x) const;
     int lower(double x) const;

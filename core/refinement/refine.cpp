@@ -4,7 +4,7 @@
 #include "core/base/finite.h"
 #include "core/base/parallel.h"
 #include "core/base/rejected.h"
-#include "core/refinement/error_bounds.h"
+#include "core/refinement/composed_bounds.h"
 #include "core/refinement/shared_triangles.h"
 #include "core/refinement/split_point.h"
 
@@ -25,14 +25,15 @@ constexpr int most_depth = 20;
 class Refinement {
 public:
     Refinement(const std::vector<RefinePart>& parts, const Lattice& lattice,
-               const RefineOptions& options, const Progress& progress)
+               const RefineOptions& options, const Progress& progress,
+               const std::vector<NextVolume>& next)
         : options_(options),
           progress_(progress),
-          cells_(std::make_shared<const DisplacementCells>(lattice.displacement)),
-          all_(parts, lattice)
+          cells_(lattice, next),
+          all_(parts, lattice, cells_.next())
     {
         for (int a = 0; a < 3; ++a)
-            scale_[a] = cells_->slopes()[a] + glm::length(glm::dvec3(lattice.rest[a]));
+            scale_[a] = cells_.first()->slopes()[a] + glm::length(glm::dvec3(lattice.rest[a]));
         measure_rounding(parts);
     }
     void split();
@@ -62,7 +63,7 @@ private:
     Index edge_of_needle(const Triangle& triangle) const;
     // Of an edge or a triangle; not looked at again in four where that would not change what is
     // done.
-    double bound(ErrorBounds& bounds, const auto& simplex, double target) const;
+    double bound(ComposedBounds& bounds, const auto& simplex, double target) const;
     // What single precision takes away of the tolerance at a point, by where its vertices are
     // rounded to and by where those are taken; at most, in an edge or a triangle; and what it
     // leaves.
@@ -88,7 +89,7 @@ private:
     RefineOptions options_;
     const Progress& progress_;
     double done_ = 0; // of the edges there were last
-    Ref<DisplacementCells> cells_;
+    ComposedCells cells_;
     SharedTriangles all_;
     std::size_t first_new_edge_ = 0;
     glm::dvec3 scale_{0}; // world units by u, v and w, at most
@@ -116,9 +117,9 @@ void Refinement::measure_rounding(const std::vector<RefinePart>& parts)
             squared += glm::dot(glm::dvec3(e.to_rest[c]), glm::dvec3(e.to_rest[c]));
         double stretch = std::sqrt(squared);
         for (int a = 0; a < 3; ++a)
-            stretch += cells_->slopes()[a] *
+            stretch += cells_.first()->slopes()[a] *
                        glm::length(glm::dvec3(e.to_uvw[0][a], e.to_uvw[1][a], e.to_uvw[2][a]));
-        stretch_ = std::max(stretch_, stretch);
+        stretch_ = std::max(stretch_, stretch * cells_.most_stretch());
         finest = std::max(finest, far * 0x1p-23);
     }
     shortest_ = std::max(1e-6 * glm::length(box.size()), 16 * finest);
@@ -128,18 +129,12 @@ void Refinement::measure_rounding(const std::vector<RefinePart>& parts)
                                    options_.tolerance_world, least));
 }
 
-double Refinement::bound(ErrorBounds& bounds, const auto& simplex, double target) const
+double Refinement::bound(ComposedBounds& bounds, const auto& simplex, double target) const
 {
-    const auto by = [&](BoundMethod method) {
-        if constexpr (std::tuple_size_v<std::remove_cvref_t<decltype(simplex)>> == 2)
-            return bounds.edge(simplex, method);
-        else
-            return bounds.triangle(simplex, method);
-    };
-    const double once = by(options_.method);
+    const double once = bounds(simplex, options_.method);
     const bool nearly = once > target && once <= 1.2 * target;
     return options_.method == BoundMethod::composed_net && nearly
-               ? by(BoundMethod::composed_net_subdivided)
+               ? bounds(simplex, BoundMethod::composed_net_subdivided)
                : once;
 }
 
@@ -151,13 +146,10 @@ void Refinement::bound_edges()
     if (options_.rule == RefinementRule::thesis_four_split) return;
     const bool middles = options_.rule == RefinementRule::chua_neumann_midpoint;
     each_block(edges.size() - first, 256, [&](std::size_t begin, std::size_t end) {
-        ErrorBounds bounds(cells_);
+        ComposedBounds bounds(cells_);
         for (std::size_t i = first + begin; i < first + end; ++i) {
-            const auto [a, b] = all_.corners(edges[i]);
-            edges[i].bound = middles
-                                 ? glm::distance(bounds.corner((a.uvw + b.uvw) / 2.0).displacement,
-                                                 (a.displacement + b.displacement) / 2.0)
-                                 : bound(bounds, std::array{a, b}, target(edges[i]));
+            edges[i].bound = middles ? all_.middle_off(edges[i])
+                                     : bound(bounds, all_.simplex(edges[i]), target(edges[i]));
         }
     });
 }
@@ -177,10 +169,10 @@ void Refinement::bound_triangles(bool also_marked)
             (also_marked || !any_marked(triangles[i])))
             wanted.push_back(i);
     each_block(wanted.size(), 128, [&](std::size_t begin, std::size_t end) {
-        ErrorBounds bounds(cells_);
+        ComposedBounds bounds(cells_);
         for (std::size_t i = begin; i < end; ++i) {
             Triangle& t = triangles[wanted[i]];
-            t.bound = bound(bounds, all_.corners(t), target(t));
+            t.bound = bound(bounds, all_.simplex(t), target(t));
         }
     });
 }
@@ -299,10 +291,11 @@ void Refinement::choose_split_points()
     for (std::size_t e = 0; e < edges.size(); ++e)
         if (edges[e].marked) marked.push_back(static_cast<Index>(e));
     each_block(marked.size(), 256, [&](std::size_t begin, std::size_t end) {
-        ErrorBounds bounds(cells_);
+        ComposedBounds bounds(cells_);
         for (std::size_t i = begin; i < end; ++i) {
             Edge& edge = edges[marked[i]];
-            edge.t = static_cast<float>(split_point(bounds, all_.corners(edge), options_.split));
+            const auto [by, there] = bounds.worst_part(all_.simplex(edge), options_.method);
+            edge.t = static_cast<float>(split_point(by, there, options_.split));
         }
     });
 }
@@ -335,7 +328,7 @@ RefinementResult Refinement::result()
         const double bound = t.bound == SharedTriangles::unknown ? infinite : t.bound;
         part.bound = std::max(part.bound, bound + rounding(t));
         if (bound > target(t)) part.not_certified.push_back(static_cast<Index>(part.triangles));
-        const auto [a, b, c] = all_.corners(t);
+        const auto [a, b, c] = all_.simplex(t).by_first;
         for (const Index v : t.vertices) {
             if (v >= part.bound_at.size()) part.bound_at.resize(v + 1);
             part.bound_at[v] = std::max(part.bound_at[v], static_cast<float>(bound + rounding(t)));
@@ -371,19 +364,21 @@ std::size_t RefinementResult::not_certified() const
 }
 
 RefinementResult refine(const std::vector<RefinePart>& parts, const Lattice& lattice,
-                        const RefineOptions& options, const Progress& progress)
+                        const RefineOptions& options, const Progress& progress,
+                        const std::vector<NextVolume>& next)
 {
     if (!(options.tolerance_world > 0) || !std::isfinite(options.tolerance_world))
         throw Rejected("a tolerance has to be a length above 0 m");
-    Refinement refinement(parts, lattice, options, progress);
+    Refinement refinement(parts, lattice, options, progress, next);
     refinement.split();
     return refinement.result();
 }
 
 RefinementResult bounded(const std::vector<RefinePart>& parts, const Lattice& lattice,
-                         const RefineOptions& options, const Progress& progress)
+                         const RefineOptions& options, const Progress& progress,
+                         const std::vector<NextVolume>& next)
 {
-    return Refinement(parts, lattice, options, progress).result();
+    return Refinement(parts, lattice, options, progress, next).result();
 }
 
 } // namespace trivar

@@ -5,6 +5,7 @@
 #include "core/ffd/lattice.h"
 #include "core/refinement/born_vertices.h"
 #include "core/refinement/methods.h"
+#include "core/refinement/next_volume.h"
 #include "core/refinement/refine_part.h"
 
 namespace trivar {
@@ -50,10 +51,14 @@ struct RefinementResult {
 // new triangle is bounded once, 2 to 5 us for a tri-cubic lattice. Any number of threads gives the
 // same bits. Throws Rejected for a tolerance that is not above 0 or is finer than rounding.
 // Progress is the share of the edges that need no split; it may fall back when edges are split.
+// The volumes in `next` deform what the lattice has deformed, one after the other; bounds and
+// tolerance are of what the last one gives (core/refinement/composed_bounds.h).
 RefinementResult refine(const std::vector<RefinePart>& parts, const Lattice& lattice,
-                        const RefineOptions& options, const Progress& progress = {});
+                        const RefineOptions& options, const Progress& progress = {},
+                        const std::vector<NextVolume>& next = {});
 // Bounds the triangles as they are; nothing is split.
 RefinementResult bounded(const std::vector<RefinePart>& parts, const Lattice& lattice,
-                         const RefineOptions& options, const Progress& progress = {});
+                         const RefineOptions& options, const Progress& progress = {},
+                         const std::vector<NextVolume>& next = {});
 
 } // namespace trivar

@@ -12,9 +12,11 @@
 
 namespace trivar {
 
-SharedTriangles::SharedTriangles(const std::vector<RefinePart>& parts, const Lattice& lattice)
+SharedTriangles::SharedTriangles(const std::vector<RefinePart>& parts, const Lattice& lattice,
+                                 const std::vector<NextVolume>& next)
     : given_(parts),
       lattice_(lattice),
+      next_(next),
       parts_(parts.size())
 {
     take_vertices();
@@ -52,15 +54,21 @@ void SharedTriangles::take_vertices()
     parallel_blocks(first.size(), 1024, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const VertexPlace& from = placed[first[i]];
-            Point& point = points_[i];
-            point.uvw = from.uvw;
-            point.displacement = evaluate(lattice_.displacement, from.uvw).value;
-            point.rest_world =
-                glm::dvec3(given_[from.part].embedding.to_rest *
-                           glm::dvec4(given_[from.part].mesh->positions[from.vertex], 1));
+            place(points_[i], given_[from.part].embedding,
+                  given_[from.part].mesh->positions[from.vertex]);
         }
     });
     for (std::size_t p = 0; p < given_.size(); ++p) measure_places(p, 0);
+}
+
+void SharedTriangles::place(Point& point, const Embedding& embedding,
+                            const glm::dvec3& p_object) const
+{
+    const glm::dvec4 p(p_object, 1);
+    point.uvw = glm::dvec3(embedding.to_uvw * p) + 0.0; // minus zero is zero
+    point.displacement = evaluate(lattice_.displacement, point.uvw).value;
+    point.rest_world = glm::dvec3(embedding.to_rest * p);
+    point.last_world = through(next_, point.first_world());
 }
 
 // Deformed as they will be in the whole mesh, bit for bit.
@@ -72,12 +80,14 @@ void SharedTriangles::measure_places(std::size_t p, std::size_t first)
     fresh.positions.assign(part.mesh.positions.begin() + static_cast<std::ptrdiff_t>(first),
                            part.mesh.positions.end());
     if (fresh.positions.empty()) return;
-    const Mesh placed = deform(fresh, embedding, lattice_);
+    Mesh placed = deform(fresh, embedding, lattice_);
+    for (const NextVolume& next : next_) placed = deform(placed, next.embedding, *next.lattice);
     for (std::size_t v = 0; v < fresh.positions.size(); ++v) {
         Point& point = points_[part.point_of[first + v]];
+        // its vertices may stand in other parts, and so be a rounding apart at rest
         const glm::dvec3 rest(embedding.to_rest * glm::dvec4(fresh.positions[v], 1));
-        const double off =
-            glm::distance(glm::dvec3(placed.positions[v]), rest + point.displacement);
+        const glm::dvec3 wanted = through(next_, rest + point.displacement);
+        const double off = glm::distance(glm::dvec3(placed.positions[v]), wanted);
         if (!(off <= point.misplaced))
             point.misplaced = std::isfinite(off) ? off : std::numeric_limits<double>::infinity();
     }
@@ -107,16 +117,29 @@ void SharedTriangles::take_triangles()
             triangles_[t].edges[i] = adjacency.edge_at(static_cast<Index>(3 * t + i));
 }
 
-std::array<ErrorBounds::Corner, 3> SharedTriangles::corners(const Triangle& triangle) const
+ComposedBounds::Simplex<3> SharedTriangles::simplex(const Triangle& triangle) const
 {
-    const std::vector<Index>& point_of = parts_[triangle.part].point_of;
-    return {corner(point_of[triangle.vertices[0]]), corner(point_of[triangle.vertices[1]]),
-            corner(point_of[triangle.vertices[2]])};
+    ComposedBounds::Simplex<3> out;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Index point = parts_[triangle.part].point_of[triangle.vertices[i]];
+        out.by_first[i] = corner(point);
+        out.world[i] = points_[point].first_world();
+    }
+    return out;
 }
 
 double SharedTriangles::length_world(const Edge& edge) const
 {
-    return glm::distance(points_[edge.a].world(), points_[edge.b].world());
+    return glm::distance(points_[edge.a].last_world, points_[edge.b].last_world);
+}
+
+double SharedTriangles::middle_off(const Edge& edge) const
+{
+    const Point &a = points_[edge.a], &b = points_[edge.b];
+    const glm::dvec3 rest = (a.rest_world + b.rest_world) / 2.0,
+                     moved = evaluate(lattice_.displacement, (a.uvw + b.uvw) / 2.0).value;
+    if (next_.empty()) return glm::distance(moved, (a.displacement + b.displacement) / 2.0);
+    return glm::distance(through(next_, rest + moved), (a.last_world + b.last_world) / 2.0);
 }
 
 SharedTriangles::Index SharedTriangles::add_edge(Index p, Index q)
@@ -192,17 +215,14 @@ void SharedTriangles::split_marked()
             const std::vector<glm::vec3>& positions = part.mesh.positions;
             const BornVertex& born =
                 part.born[maker.vertex - (positions.size() - part.born.size())];
-            const glm::dvec3 place(positions[maker.vertex]),
+            const glm::dvec3 rounded(positions[maker.vertex]),
                 exact = glm::mix(glm::dvec3(positions[born.a]), glm::dvec3(positions[born.b]),
                                  double{born.t});
-            const glm::dvec4 p(place, 1);
             Point& point = points_[first_point + i];
             point.moved = glm::mix(points_[part.point_of[born.a]].moved,
                                    points_[part.point_of[born.b]].moved, double{born.t}) +
-                          glm::distance(place, exact);
-            point.uvw = glm::dvec3(embedding.to_uvw * p) + 0.0;
-            point.displacement = evaluate(lattice_.displacement, point.uvw).value;
-            point.rest_world = glm::dvec3(embedding.to_rest * p);
+                          glm::distance(rounded, exact);
+            place(point, embedding, rounded);
         }
     });
     for (std::size_t p = 0; p < parts_.size(); ++p)

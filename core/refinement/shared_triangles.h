@@ -2,15 +2,15 @@
 #pragma once
 
 #include "core/refinement/born_vertices.h"
-#include "core/refinement/error_bounds.h"
+#include "core/refinement/composed_bounds.h"
 #include "core/refinement/refine_part.h"
 
 namespace trivar {
 
-// SharedTriangles holds the triangles of several meshes in one volume, with the points and edges
-// that they share, so that an edge is split once for all triangles beside it. Two vertices are one
-// point if their parameters are equal: seams, and boundaries between meshes, split alike on both
-// sides.
+// SharedTriangles holds the triangles of several meshes in one volume, or in several that deform
+// one after the other, with the points and edges that they share, so that an edge is split once for
+// all triangles beside it. Two vertices are one point if their parameters are equal: seams, and
+// boundaries between meshes, split alike on both sides.
 class SharedTriangles {
 public:
     using Index = std::uint32_t;
@@ -24,7 +24,8 @@ public:
         // from the given flat triangles, in the object; `misplaced` their distance from where the
         // volume takes them, in the world.
         double moved = 0, misplaced = 0;
-        glm::dvec3 world() const { return rest_world + displacement; }
+        glm::dvec3 last_world{0}; // where the last volume takes it
+        glm::dvec3 first_world() const { return rest_world + displacement; }
     };
     struct Edge {
         Index a, b; // points
@@ -41,23 +42,24 @@ public:
         double bound = unknown;
     };
 
-    SharedTriangles(const std::vector<RefinePart>& parts, const Lattice& lattice);
+    // `next` deform what the lattice has deformed.
+    SharedTriangles(const std::vector<RefinePart>& parts, const Lattice& lattice,
+                    const std::vector<NextVolume>& next);
 
     const std::vector<Point>& points() const { return points_; }
     std::vector<Edge>& edges() { return edges_; }
     const std::vector<Edge>& edges() const { return edges_; }
     std::vector<Triangle>& triangles() { return triangles_; }
     const std::vector<Triangle>& triangles() const { return triangles_; }
-    ErrorBounds::Corner corner(Index point) const
+    ComposedBounds::Simplex<2> simplex(const Edge& edge) const
     {
-        return {points_[point].uvw, points_[point].displacement};
+        return {{corner(edge.a), corner(edge.b)},
+                {points_[edge.a].first_world(), points_[edge.b].first_world()}};
     }
-    std::array<ErrorBounds::Corner, 2> corners(const Edge& edge) const
-    {
-        return {corner(edge.a), corner(edge.b)};
-    }
-    std::array<ErrorBounds::Corner, 3> corners(const Triangle& triangle) const;
+    ComposedBounds::Simplex<3> simplex(const Triangle& triangle) const;
     double length_world(const Edge& edge) const; // length of the deformed chord
+    // Distance of the deformed middle of an edge from the middle of its deformed chord.
+    double middle_off(const Edge& edge) const;
 
     // Splits the marked edges, and their triangles into two, three (along the diagonal that is
     // shorter after deformation) or four. Afterwards no edge is marked, and the new edges stand
@@ -84,7 +86,12 @@ private:
         Mesh mesh;                    // only its vertices are kept up to date
         bool split = false;
     };
+    ErrorBounds::Corner corner(Index point) const
+    {
+        return {points_[point].uvw, points_[point].displacement};
+    }
     void take_vertices();
+    void place(Point& point, const Embedding& embedding, const glm::dvec3& p_object) const;
     void take_triangles();
     void measure_places(std::size_t part, std::size_t first_vertex);
     void split_triangle(const Triangle& triangle, std::vector<Triangle>& out);
@@ -94,6 +101,7 @@ private:
 
     const std::vector<RefinePart>& given_;
     const Lattice& lattice_;
+    const std::vector<NextVolume>& next_;
     std::vector<State> parts_;
     std::vector<Point> points_;
     std::vector<Edge> edges_;
