@@ -161,7 +161,7 @@ Certificate certificate_from_json(const std::string& text)
 SampledPart sampled(const Part& part, const std::vector<glm::vec3>& positions,
                     const std::vector<std::uint32_t>& corners, int steps)
 {
-    const Mesh& flat = *part.before_volume();
+    const Mesh& flat = *innermost(part).before_volume();
     const std::vector<glm::uvec3> order = by_material(flat);
     SampledPart out;
     out.triangles = order.size();
@@ -183,9 +183,7 @@ SampledPart sampled(const Part& part, const std::vector<glm::vec3>& positions,
                         object += weight[c] * glm::dvec3(flat.positions[vertex]);
                         drawn += weight[c] * glm::dvec3(positions[corners[3 * t + c]]);
                     }
-                    const double off = glm::distance(
-                        drawn,
-                        deform(object, part.bent->embedding, *part.bent->volume).position_world);
+                    const double off = glm::distance(drawn, place_in_world(part, object));
                     if (!(off <= most)) most = std::isfinite(off) ? off : infinite;
                 }
     });

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
 
 namespace trivar {
 namespace {
@@ -44,6 +45,25 @@ std::set<Id> with_contents(const Document& document, std::set<Id> ids)
                 break;
             }
     return ids;
+}
+
+std::set<Id> depending_on(const Document& document, const std::set<Id>& ids)
+{
+    std::map<Id, std::vector<Id>> above;
+    for (const auto& [other, ref] : document.objects) {
+        if (ref->placement)
+            for (const Id lower : ref->placement->onto) above[lower].push_back(other);
+        for (const Id lattice : lattices_round(document, other)) above[lattice].push_back(other);
+    }
+    std::set<Id> result(ids);
+    std::vector<Id> open(ids.begin(), ids.end());
+    while (!open.empty()) {
+        const Id lower = open.back();
+        open.pop_back();
+        for (const Id upper : above[lower])
+            if (result.insert(upper).second) open.push_back(upper);
+    }
+    return result;
 }
 
 void check_has_volume(const Object& o, Id id)

@@ -41,6 +41,10 @@ Document with_added(Document document, Object object);
 // The given objects and everything inside the groups among them.
 std::set<Id> with_contents(const Document& document, std::set<Id> ids);
 
+// The given objects and all that depend on them: what lies on them, directly or on others that do,
+// and what stands in a lattice that does.
+std::set<Id> depending_on(const Document& document, const std::set<Id>& ids);
+
 void check_transform(const Transform& transform);
 // Rotation, scale and translation of an affine matrix; its shear is lost.
 Transform decomposed(const glm::dmat4& matrix);

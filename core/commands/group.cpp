@@ -51,6 +51,15 @@ void check_no_ring(const Document& document, const std::vector<Id>& members, Id 
                                ? named(document, id) + " cannot be in itself"
                                : fmt::format("{} cannot be in {}, which is in it",
                                              named(document, id), named(document, parent)));
+    std::vector<Id> lattices = lattices_round(document, parent);
+    if (is_lattice(document, parent)) lattices.push_back(parent);
+    if (lattices.empty()) return;
+    const std::set<Id> above =
+        depending_on(document, with_contents(document, {members.begin(), members.end()}));
+    for (const Id lattice : lattices)
+        if (above.contains(lattice))
+            throw Rejected(fmt::format("{} cannot be in {}, which lies on it",
+                                       named(document, members.front()), named(document, lattice)));
 }
 
 } // namespace
@@ -133,7 +142,7 @@ Document applied(Document document, const SetParent& command)
 {
     const std::vector<Id> members = outermost(document, command.objects);
     if (command.parent != 0) {
-        if (object(document, command.parent).placement)
+        if (object(document, command.parent).placement && !is_lattice(document, command.parent))
             throw Rejected(fmt::format("{} lies on a stroke, where its transform does not count; "
                                        "lay the other object on it, or attach it",
                                        named(document, command.parent)));

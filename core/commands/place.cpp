@@ -17,27 +17,23 @@
 namespace trivar {
 namespace {
 
-// Every object that lies on `id`, directly or on others that do, and itself.
-std::set<Id> lying_on(const Document& document, Id id)
-{
-    std::map<Id, std::vector<Id>> above;
-    for (const auto& [other, ref] : document.objects)
-        if (ref->placement)
-            for (const Id lower : ref->placement->onto) above[lower].push_back(other);
-    std::set<Id> result{id};
-    std::vector<Id> open{id};
-    while (!open.empty()) {
-        const Id lower = open.back();
-        open.pop_back();
-        for (const Id upper : above[lower])
-            if (result.insert(upper).second) open.push_back(upper);
-    }
-    return result;
-}
-
 bool is_group(const Object& o)
 {
     return holds_others(o.source);
+}
+
+// A group has no shape to lay down; a lattice has its box.
+void check_can_be_laid(const Document& document, Id id)
+{
+    if (std::holds_alternative<GroupShape>(object(document, id).source))
+        throw Rejected(named(document, id) + " is a group; place the objects in it");
+}
+
+// What was done to the volume of a stroke goes with the stroke; a lattice keeps what was done to
+// its box.
+void forget_shaping(Object& o)
+{
+    if (!std::holds_alternative<LatticeShape>(o.source)) o.shaping.clear();
 }
 
 // More than any stroke meets; each placement remembers its whole list.
@@ -51,10 +47,16 @@ void check_count(const std::vector<Id>& supports)
                                    supports.size(), most_supports));
 }
 
+bool stands_in(const Document& document, Id id, Id lattice)
+{
+    const std::vector<Id> round = lattices_round(document, id);
+    return std::ranges::find(round, lattice) != round.end();
+}
+
 // The objects a stroke may fall on: those named, groups opened up, or all that make sense.
 std::vector<Id> supports(const Document& document, Id id, const std::vector<Id>& onto)
 {
-    const std::set<Id> above = lying_on(document, id);
+    const std::set<Id> above = depending_on(document, {id});
     std::vector<Id> result;
     if (onto.empty()) {
         result = possible_bases(document, id);
@@ -71,9 +73,11 @@ std::vector<Id> supports(const Document& document, Id id, const std::vector<Id>&
         if (is_group(object(document, other))) continue;
         if (other == id) throw Rejected("field \"onto\": an object cannot lie on itself");
         if (above.contains(other))
-            throw Rejected(fmt::format("field \"onto\": {} lies on {} already, so the other "
-                                       "way round is impossible",
-                                       named(document, other), named(document, id)));
+            throw Rejected(fmt::format(
+                "field \"onto\": {} {} {} already, so the other way round is "
+                "impossible",
+                named(document, other), stands_in(document, other, id) ? "stands in" : "lies on",
+                named(document, id)));
         result.push_back(other);
     }
     if (result.empty()) throw Rejected("field \"onto\" names only empty groups");
@@ -149,7 +153,7 @@ std::string words_of_support(const StepDocuments& step, Id id)
 
 std::vector<Id> possible_bases(const Document& document, Id id)
 {
-    const std::set<Id> above = lying_on(document, id);
+    const std::set<Id> above = depending_on(document, {id});
     std::vector<Id> result;
     for (const auto& [other, ref] : document.objects)
         if (!is_group(*ref) && !above.contains(other) && visible(document, other))
@@ -159,11 +163,7 @@ std::vector<Id> possible_bases(const Document& document, Id id)
 
 Document applied(Document document, const Place& command)
 {
-    const Object& placed = object(document, command.object);
-    if (is_group(placed))
-        throw Rejected(fmt::format("{} is a {}; place the objects in it",
-                                   named(document, command.object),
-                                   is_lattice(document, command.object) ? "lattice" : "group"));
+    check_can_be_laid(document, command.object);
     check_sketch(command.sketch);
     check_parameters(command.parameters);
     PlacementStep step{command.sketch,
@@ -174,7 +174,7 @@ Document applied(Document document, const Place& command)
     if (step.attach) check_attached(*step.attach, step);
     return with_changed(std::move(document), command.object, [&](Object& o) {
         o.placement = std::move(step);
-        o.shaping.clear();
+        forget_shaping(o);
     });
 }
 
@@ -189,10 +189,8 @@ StepTitle title(const Place& c, const StepDocuments& step)
 
 Document applied(Document document, const PlaceRound& command)
 {
-    const Object& placed = object(document, command.object);
+    check_can_be_laid(document, command.object);
     const Object& base = object(document, command.around);
-    if (is_group(placed))
-        throw Rejected(named(document, command.object) + " is a group; place the objects in it");
     if (!band_round(base.source, 0, glm::dmat4(1)))
         throw Rejected(fmt::format("field \"around\": {} is no cylinder, sphere, torus or Moebius "
                                    "band",
@@ -207,7 +205,7 @@ Document applied(Document document, const PlaceRound& command)
                        RoundWay{command.level}};
     return with_changed(std::move(document), command.object, [&](Object& o) {
         o.placement = std::move(step);
-        o.shaping.clear();
+        forget_shaping(o);
     });
 }
 
@@ -285,7 +283,7 @@ Document applied(Document document, const Unplace& command)
     check_placed(object(document, command.object), command.object);
     return with_changed(std::move(document), command.object, [](Object& o) {
         o.placement.reset();
-        o.shaping.clear();
+        forget_shaping(o);
         o.travel = {};
         o.refining.reset();
     });
@@ -298,7 +296,12 @@ StepTitle title(const Unplace& c, const StepDocuments& step)
 
 Document applied(Document document, const SetTravel& command)
 {
-    for (const Id id : distinct(document, command.objects)) check_placed(object(document, id), id);
+    for (const Id id : distinct(document, command.objects)) {
+        check_placed(object(document, id), id);
+        if (is_lattice(document, id))
+            throw Rejected(named(document, id) + " is a lattice, which does not travel; give keys "
+                                                 "to the start of its stroke instead");
+    }
     if (command.travels.empty())
         return with_all_changed(std::move(document), command.objects,
                                 [&](Object& o) { o.travel = command.travel; });

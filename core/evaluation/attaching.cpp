@@ -81,7 +81,7 @@ std::optional<Attachment> hosts_now(const Stage& laid, const PlacementStep& step
 std::optional<Attachment> attachment_of(const EvaluatedObject& laid, const Sketch& sketch,
                                         bool skip_back_faces)
 {
-    if (!laid.lies_on || !laid.supports || !laid.placement) return {};
+    if (!laid.lies_on || !laid.supports || !laid.stroke_placement()) return {};
     const RayScene& scene = *laid.lies_on;
     const std::vector<Support>& supports = *laid.supports;
     Attachment out;
@@ -95,7 +95,7 @@ std::optional<Attachment> attachment_of(const EvaluatedObject& laid, const Sketc
     // The strip lies where it was carried to; the rays are of the space of the stroke.
     const bool moved = laid.carriage && laid.carriage->moved();
     const glm::dmat4 back = moved ? glm::inverse(laid.carriage->to_world) : glm::dmat4(1);
-    for (const StripNode& node : laid.placement->nodes)
+    for (const StripNode& node : laid.stroke_placement()->nodes)
         rays.push_back(view.ray_to(glm::dvec3(back * glm::dvec4(node.p_world, 1))));
     const std::vector<std::optional<Hit>> hits = scene.hits(rays, skip_back_faces);
     bool any = false;

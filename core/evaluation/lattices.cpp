@@ -2,10 +2,10 @@
 #include "core/evaluation/lattices.h"
 
 #include "core/document/parameters.h"
+#include "core/evaluation/standing.h"
 #include "core/evaluation/told_steps.h"
+#include "core/ffd/prolong.h"
 #include "core/placement/box_volume.h"
-
-#include <glm/gtc/matrix_transform.hpp>
 
 namespace trivar {
 namespace {
@@ -15,9 +15,11 @@ namespace {
 Part before_bending(const Part& part)
 {
     Part out = part;
-    if (part.bent) out = {.rest = part.mesh(), .key = part.key};
+    if (part.bent)
+        out = {.rest = part.mesh(), .key = part.key, .bounds = bounding_box(*part.mesh())};
     if (glm::determinant(glm::dmat3(out.to_world)) >= 0) return out;
-    return {.rest = make_ref(transformed(*out.mesh(), out.to_world)), .key = part.key};
+    const Ref<Mesh> turned = make_ref(transformed(*out.mesh(), out.to_world));
+    return {.rest = turned, .key = part.key, .bounds = bounding_box(*turned)};
 }
 
 } // namespace
@@ -51,6 +53,12 @@ Ref<Stage> LatticeVolume::operator()(const Ref<Stage>& before, const StepInput& 
     const Ref<ShapedVolume> volume = in_world(*lattice, input);
     return known_({before, volume}, [&] {
         Stage stage = *before;
+        if (before->placement) {
+            const glm::dmat4 to_model = glm::dmat4(glm::dmat3(input.object.transform.matrix())) *
+                                        glm::inverse(to_world(input.document, input.id));
+            stage.stroke = make_ref(
+                LatticeStroke{before->placement, embedded(before->placement->embedding, to_model)});
+        }
         stage.placement = volume->placement;
         stage.shaped = volume;
         tell_of_steps(*volume, stage.notices);
@@ -58,34 +66,60 @@ Ref<Stage> LatticeVolume::operator()(const Ref<Stage>& before, const StepInput& 
     });
 }
 
+std::vector<BendingVolume> volumes_round(const Document& document, Id id,
+                                         const std::map<Id, Ref<EvaluatedObject>>& done)
+{
+    std::vector<BendingVolume> out;
+    for (const Id lattice : lattices_round(document, id)) {
+        const EvaluatedObject& round = *done.at(lattice);
+        const Ref<Placement>& box = round.placement;
+        out.push_back({{box, &box->volume}, {box->embedding.to_uvw, glm::dmat4(1)}});
+        if (!round.stroke) continue;
+        const Ref<Placement>& laid = round.stroke->placement;
+        out.push_back({{laid, &laid->volume}, round.stroke->embedding, true});
+    }
+    return out;
+}
+
 Ref<Stage> InLattices::operator()(const Ref<Stage>& before, const StepInput& input)
 {
-    std::vector<Ref<ShapedVolume>> lattices;
-    for (const Id id : lattices_round(input.document, input.id))
-        lattices.push_back(input.done.at(id)->shaped);
-    if (lattices.empty()) return before;
-    return known_({before, lattices}, [&] {
+    const std::vector<BendingVolume> volumes = volumes_round(input.document, input.id, input.done);
+    if (volumes.empty()) return before;
+    return known_({before, volumes}, [&] {
         Stage stage = *before;
-        put_back(bent(with_points(std::move(stage.parts), stage.curves), lattices), stage.parts,
+        put_back(bent(with_points(std::move(stage.parts), stage.curves), volumes), stage.parts,
                  stage.curves);
         return make_ref(std::move(stage));
     });
 }
 
-std::vector<Part> InLattices::bent(std::vector<Part> parts,
-                                   const std::vector<Ref<ShapedVolume>>& lattices)
+// One volume for all parts, so that what they have in common stays together.
+Ref<Lattice> InLattices::reaching_round(const std::vector<Part>& parts, const BendingVolume& volume)
 {
-    bendings_.resize(lattices.size());
-    for (std::size_t l = 0; l < lattices.size(); ++l) {
-        const Ref<Placement>& placement = lattices[l]->placement;
-        const Ref<Lattice> volume(placement, &placement->volume);
+    if (!volume.goes_on) return volume.volume;
+    Box uvw;
+    for (const Part& part : parts)
+        if (!part.bounds.empty())
+            for (const glm::dvec3& corner : part.bounds.corners())
+                uvw.add(
+                    glm::dvec3(volume.embedding.to_uvw * part.to_world * glm::dvec4(corner, 1)));
+    Lattice longer = prolonged_round(*volume.volume, uvw);
+    if (longer == *volume.volume) return volume.volume;
+    return longer_({volume.volume, longer}, [&] { return make_ref(longer); });
+}
+
+std::vector<Part> InLattices::bent(std::vector<Part> parts,
+                                   const std::vector<BendingVolume>& volumes)
+{
+    bendings_.resize(volumes.size());
+    for (std::size_t l = 0; l < volumes.size(); ++l) {
+        std::vector<Part> before;
+        for (const Part& part : parts) before.push_back(before_bending(part));
+        const Ref<Lattice> volume = reaching_round(before, volumes[l]);
         bendings_[l].begin();
-        for (Part& part : parts) {
-            const Part before = before_bending(part);
-            const Embedding embedding{placement->embedding.to_uvw * before.to_world,
-                                      before.to_world};
-            part = bendings_[l](before, embedding, volume, part.bent != nullptr);
-        }
+        for (std::size_t p = 0; p < parts.size(); ++p)
+            parts[p] = bendings_[l](before[p], embedded(volumes[l].embedding, before[p].to_world),
+                                    volume, parts[p].bent ? make_ref(parts[p]) : nullptr);
         bendings_[l].end();
     }
     return parts;

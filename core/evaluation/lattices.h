@@ -8,7 +8,8 @@
 
 namespace trivar {
 
-// LatticeVolume gives a lattice its volume, and renews it when box, steps or place change. Stage:
+// LatticeVolume gives a lattice its volume, and renews it when box, steps or place change. The
+// volume of a stroke on which the lattice lies is put aside, to be what bends the box. Stage:
 // shape.
 class LatticeVolume : public Step {
 public:
@@ -27,18 +28,39 @@ private:
     Recent<std::pair<Ref<Stage>, Ref<ShapedVolume>>, Ref<Stage>> known_;
 };
 
-// InLattices deforms the parts of one object by the lattices in which it stands, one after the
-// other, each starting from the result of the one before. A part that already lies in a volume is
-// deformed at once, so that it can be deformed further.
+// A BendingVolume bends parts that stand in the world: a lattice, or the stroke on which one lies.
+struct BendingVolume {
+    Ref<Lattice> volume;
+    Embedding embedding; // from the world
+    // Beyond its ends it goes straight on, as wide and as high as what it bends: that of a stroke.
+    // A lattice moves what is outside of it with its nearest side.
+    bool goes_on = false;
+    bool operator==(const BendingVolume&) const = default;
+};
+// The volumes of the lattices in which an object stands and of those that bend these, in the order
+// in which they bend it. The lattices must be in `done`.
+std::vector<BendingVolume> volumes_round(const Document& document, Id id,
+                                         const std::map<Id, Ref<EvaluatedObject>>& done);
+
+// InLattices deforms the parts of one object by the volumes round it, one after the other, each
+// starting from the result of the one before. A part that already lies in a volume is deformed at
+// once, so that it can be deformed further.
 class InLattices : public Step {
 public:
     Ref<Stage> operator()(const Ref<Stage>& before, const StepInput& input) override;
 
 private:
-    std::vector<Part> bent(std::vector<Part> parts, const std::vector<Ref<ShapedVolume>>& lattices);
+    std::vector<Part> bent(std::vector<Part> parts, const std::vector<BendingVolume>& volumes);
+    Ref<Lattice> reaching_round(const std::vector<Part>& parts, const BendingVolume& volume);
 
     std::vector<Bending> bendings_;
-    Recent<std::pair<Ref<Stage>, std::vector<Ref<ShapedVolume>>>, Ref<Stage>> known_;
+    Recent<std::pair<Ref<Stage>, std::vector<BendingVolume>>, Ref<Stage>> known_;
+    struct LongerVolume {
+        Ref<Lattice> of;
+        Lattice volume;
+        bool operator==(const LongerVolume&) const = default;
+    };
+    Recent<LongerVolume, Ref<Lattice>> longer_;
 };
 
 } // namespace trivar

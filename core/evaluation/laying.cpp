@@ -12,9 +12,12 @@
 namespace trivar {
 namespace {
 
-Box box_of(const Shape& shape, const glm::dmat3& turned)
+Box box_of(const Shape& shape, const glm::dmat3& turned, const std::optional<glm::dvec3>& lattice)
 {
     Box box;
+    if (lattice)
+        for (const glm::dvec3& corner : Box{-*lattice / 2.0, *lattice / 2.0}.corners())
+            box.add(turned * corner);
     for (const Shape::NodeMesh& hung : shape.meshes)
         box.add(bounding_box(*hung.mesh(), glm::dmat4(turned) * hung.to_model));
     for (const Shape::NodeCurves& hung : shape.curves)
@@ -95,15 +98,17 @@ Ref<Stage> Laying::operator()(const Ref<Stage>& before, const StepInput& input)
     const Object& o = input.object;
     if (!o.placement) return before;
     const glm::dmat3 turned(o.transform.matrix());
+    std::optional<glm::dvec3> lattice;
+    if (const auto* shape = std::get_if<LatticeShape>(&o.source)) lattice = shape->size;
     if (const Ref<Carriage> carriage = (*carriages_)(input)) {
         PlacementStep step = *o.placement;
         step.sketch = carriage->sketch;
         step.attach.reset(); // what carries it changes nothing about how it lies
-        return laid_on({before, turned, std::move(step), carriage->supports}, input);
+        return laid_on({before, turned, lattice, std::move(step), carriage->supports}, input);
     }
     const Supports supports = supports_of(*o.placement, input.done);
     const auto laid = [&](const std::vector<Support>& on) {
-        return laid_on({before, turned, *o.placement, on}, input);
+        return laid_on({before, turned, lattice, *o.placement, on}, input);
     };
     if (supports.travelling.empty() || supports.still.empty()) return laid(supports.all);
     const Ref<Stage> without = laid(supports.still);
@@ -113,7 +118,8 @@ Ref<Stage> Laying::operator()(const Ref<Stage>& before, const StepInput& input)
 
 Ref<Stage> Laying::laid_on(Stroke stroke, const StepInput& input)
 {
-    ShapedStroke key{std::move(stroke), input.object.shaping};
+    ShapedStroke key{std::move(stroke), {}};
+    if (!key.stroke.lattice) key.shaping = input.object.shaping; // else they shape its box
     return laid_(key, [&] {
         const Landing fallen = fallen_(key.stroke, [&] { return fall(key.stroke, input); });
         Stage stage = *key.stroke.before;
@@ -139,14 +145,14 @@ Laying::Landing Laying::fall(const Stroke& stroke, const StepInput& input)
     const Shape& shape = *stroke.before->shape;
     const PlacementStep& step = stroke.step;
     try {
-        if (shape.empty()) throw Rejected("there is no shape to lay down");
+        if (shape.empty() && !stroke.lattice) throw Rejected("there is no shape to lay down");
         if (stroke.supports.empty())
             throw Rejected("everything this object lay on is gone; place it anew or unplace it");
         const std::optional<Band> band = band_of(input.document, step);
         if (step.round && !band)
             throw Rejected("what it goes round is no cylinder, sphere, torus or Moebius band that "
                            "stands free any more; place it anew or unplace it");
-        const Box box = box_of(shape, stroke.turned);
+        const Box box = box_of(shape, stroke.turned, stroke.lattice);
         if (step.round)
             return {make_ref(timed(input.timings, "volume",
                                    [&] { return place_round(*band, step.parameters, box); })),

@@ -20,7 +20,8 @@ public:
 private:
     struct Stroke { // what is laid, and on what
         Ref<Stage> before;
-        glm::dmat3 turned; // the object's own rotation and scale, before it is laid
+        glm::dmat3 turned;                 // the object's own rotation and scale, before it is laid
+        std::optional<glm::dvec3> lattice; // size of its box, where a lattice is laid
         PlacementStep step;
         std::vector<Support> supports;
         bool operator==(const Stroke&) const = default;

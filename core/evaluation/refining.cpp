@@ -9,27 +9,34 @@
 namespace trivar {
 namespace {
 
-Part in_the_same_volume(const Part& part, const Ref<Mesh>& mesh)
+// The part with another mesh in place of the one that the first of its volumes deforms.
+Part in_the_same_volumes(const Part& part, const Ref<Mesh>& mesh)
 {
-    if (mesh == part.before_volume()) return part;
+    if (mesh == innermost(part).before_volume()) return part;
     const Ref<Deformation> bent = part.bent;
+    Ref<Part> inner;
+    if (bent->inner) inner = make_ref(in_the_same_volumes(*bent->inner, mesh));
+    const Ref<Mesh> before = inner ? inner->mesh() : mesh;
     const Lazy<Ref<Mesh>> out(
-        [=] { return make_ref(deform(*mesh, bent->embedding, *bent->volume)); });
-    return {.rest = mesh,
-            .bent = make_ref(Deformation{bent->embedding, bent->volume, out}),
+        [=] { return make_ref(deform(*before, bent->embedding, *bent->volume)); });
+    return {.rest = before,
+            .bent = make_ref(Deformation{bent->embedding, bent->volume, out, inner}),
             .key = part.key,
             .bounds = part.bounds};
+}
+
+// The volumes that deform a part after the first one.
+std::vector<NextVolume> later_volumes(const Part& part)
+{
+    std::vector<NextVolume> out;
+    for (const Part* each = &part; each->bent->inner; each = each->bent->inner.get())
+        out.insert(out.begin(), {each->bent->embedding, each->bent->volume});
+    return out;
 }
 
 Stage refined(const Stage& before, const Refining& refining, const Progress& progress)
 {
     Stage out = before;
-    if (before.parts.front().bent->again) {
-        out.notices.emplace_back(
-            "it is not refined: more than one volume bends it, and how far its "
-            "triangles are off is proven for one");
-        return out;
-    }
     try {
         SplitParts made = split(before.parts,
                                 {.tolerance_world = refining.tolerance,
@@ -54,12 +61,23 @@ SplitParts split(const std::vector<Part>& parts, const RefineOptions& options,
                  const Progress& progress)
 {
     std::vector<RefinePart> given;
-    for (const Part& part : parts) given.push_back({part.before_volume(), part.bent->embedding});
+    for (const Part& part : parts) {
+        const Part& first = innermost(part);
+        given.push_back({first.before_volume(), first.bent->embedding});
+    }
     SplitParts out;
-    out.refined = make_ref(refine(given, *parts.front().bent->volume, options, progress));
+    out.refined = make_ref(refine(given, *innermost(parts.front()).bent->volume, options, progress,
+                                  later_volumes(parts.front())));
     for (std::size_t p = 0; p < parts.size(); ++p)
-        out.parts.push_back(in_the_same_volume(parts[p], out.refined->parts[p].mesh));
+        out.parts.push_back(in_the_same_volumes(parts[p], out.refined->parts[p].mesh));
     return out;
+}
+
+RefinementResult bounded(const Part& part, const RefineOptions& options)
+{
+    const Part& first = innermost(part);
+    return bounded({{first.before_volume(), first.bent->embedding}}, *first.bent->volume, options,
+                   {}, later_volumes(part));
 }
 
 std::string notice_of(const RefinementResult& refined, const Refining& refining)

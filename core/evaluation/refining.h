@@ -19,14 +19,18 @@ private:
 // Whether a volume deforms the object: that of its stroke, or a lattice.
 bool lies_in_a_volume(const Stage& stage);
 
-// SplitParts holds parts of one volume after their triangles were split. split() throws Rejected as
-// refine() does.
+// SplitParts holds parts in the same volumes after their triangles were split. split() throws
+// Rejected as refine() does.
 struct SplitParts {
     Ref<RefinementResult> refined;
     std::vector<Part> parts;
 };
 SplitParts split(const std::vector<Part>& parts, const RefineOptions& options,
                  const Progress& progress = {});
+
+// Bounds how far the triangles of one part in volumes are off, as they are. Throws Rejected as
+// refine() does.
+RefinementResult bounded(const Part& part, const RefineOptions& options);
 
 // A sentence that says what is not certified, and why; empty: everything is.
 std::string notice_of(const RefinementResult& refined, const Refining& refining);

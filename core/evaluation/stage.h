@@ -15,13 +15,25 @@ namespace trivar {
 
 // Each struct holds what one step tells of an object beside what the object shows.
 
-struct LayingEffects {        // of an object that lies on a stroke, or of a lattice
+// of an object that lies on a stroke, or of a lattice: then of its box, as it would stand without
+// a stroke
+struct LayingEffects {
     Ref<Placement> placement; // null: the object is not laid
     Ref<ShapedVolume> shaped; // null: its volume was not shaped
     // What its stroke falls on, and the parts of that; null: nothing. They are in the space in
     // which the stroke was drawn, which the carriage takes to the world.
     Ref<RayScene> lies_on;
     Ref<std::vector<Support>> supports;
+};
+// What bends a lattice and its contents further where it lies on a stroke.
+struct LatticeStroke {
+    Ref<Placement> placement; // the volume of the stroke
+    // into it, from the world in which the lattice would stand without the stroke
+    Embedding embedding;
+    bool operator==(const LatticeStroke&) const = default;
+};
+struct LatticeEffects {
+    Ref<LatticeStroke> stroke; // null: no lattice, or one that lies on no stroke
 };
 struct CarriageEffects {
     Ref<Carriage> carriage; // null: nothing carries it
@@ -44,13 +56,23 @@ struct SimplifyingEffects {
 
 // A Stage is what some of an object's steps have made of it. A step changes a copy and returns
 // that, so that a stage never changes once another step has seen it.
-struct Stage : SimplifyingEffects, LayingEffects, CarriageEffects, TravelEffects, RefiningEffects {
+struct Stage : SimplifyingEffects,
+               LayingEffects,
+               LatticeEffects,
+               CarriageEffects,
+               TravelEffects,
+               RefiningEffects {
     Ref<Shape> shape;                 // what its source gives, as the file has it; never null
     std::vector<Part> parts;          // in the world; may be empty
     std::vector<CurvePart> curves;    // in the world; may be empty
     std::vector<std::string> notices; // for example: a missing file, a stroke that no longer hits
     // those of the notices that say why something is missing, as in Shape
     std::vector<std::string> lacks;
+    // How it lies on its stroke, where it does: beside `placement`, which is the box of a lattice.
+    const Ref<Placement>& stroke_placement() const
+    {
+        return stroke ? stroke->placement : placement;
+    }
     bool shows_nothing() const { return parts.empty() && curves.empty(); }
     // A sentence for the user that says why the stroke gave nothing; the object then stands
     // undeformed where its transform says. A tool shows the sentence and does not commit. Empty:

@@ -12,12 +12,6 @@
 namespace trivar {
 namespace {
 
-// In one volume: how far triangles are off is proven for one.
-bool can_be_split(const EvaluatedObject& object)
-{
-    return lies_in_a_volume(object) && !object.parts.front().bent->again;
-}
-
 std::size_t triangles_of(const EvaluatedObject& object)
 {
     std::size_t count = 0;
@@ -85,11 +79,11 @@ SeenEffects ViewRefining::operator()(const Evaluation& evaluated, const Camera& 
         return there == evaluated.objects.end() || there->second != known.object;
     });
     std::size_t laid = 0;
-    for (const auto& [id, object] : evaluated.objects) laid += can_be_split(*object);
+    for (const auto& [id, object] : evaluated.objects) laid += lies_in_a_volume(*object);
     SeenEffects out{.evaluated = evaluated};
     for (auto& [id, seen] : out.evaluated.objects) {
         const Ref<EvaluatedObject> object = seen;
-        if (!can_be_split(*object)) continue;
+        if (!lies_in_a_volume(*object)) continue;
         const double tolerance = view_tolerance(camera, *object->bounds, tolerance_px);
         const bool out_of_sight = std::isinf(tolerance);
         const bool fine_already = object->refined && object->refined->bound <= tolerance;

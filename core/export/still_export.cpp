@@ -22,6 +22,14 @@ std::string why_not_laid(const EvaluatedObject& object)
     return object.rejected.empty() ? "it has no shape" : object.rejected;
 }
 
+// A lattice shows nothing of its own.
+bool lies_on_its_stroke(const EvaluatedObject& object)
+{
+    return object.stroke ||
+           std::ranges::any_of(with_points(object.parts, object.curves),
+                               [](const Part& part) { return part.bent != nullptr; });
+}
+
 // `document` as the log makes it, `shown` as it was evaluated into `model`, by model_of.
 Certificate certificate_of(const Document& document, const Document& shown,
                            const Evaluation& evaluated, const Model& model)
@@ -32,9 +40,7 @@ Certificate certificate_of(const Document& document, const Document& shown,
     int mesh = 0; // model_of() makes one a part, in this order
     for (const auto& [id, ref] : evaluated.objects) {
         const Object& source = object(shown, id);
-        if (source.placement &&
-            std::ranges::none_of(with_points(ref->parts, ref->curves),
-                                 [](const Part& part) { return part.bent != nullptr; }))
+        if (source.placement && !lies_on_its_stroke(*ref))
             out.not_laid.push_back({id, source.name, why_not_laid(*ref)});
         for (std::size_t p = 0; p < ref->parts.size(); ++p, ++mesh) {
             if (!ref->parts[p].bent) continue;

@@ -10,6 +10,13 @@ const Part& innermost(const Part& part)
     return *out;
 }
 
+glm::dvec3 place_in_world(const Part& part, const glm::dvec3& p_object)
+{
+    if (!part.bent) return glm::dvec3(part.to_world * glm::dvec4(p_object, 1));
+    const glm::dvec3 p = part.bent->inner ? place_in_world(*part.bent->inner, p_object) : p_object;
+    return deform(p, part.bent->embedding, *part.bent->volume).position_world;
+}
+
 bool is_deformed(const Part& part)
 {
     return part.bent ? part.bent->mesh.ready() : !part.posed || part.posed->mesh.ready();

@@ -44,6 +44,10 @@ struct Part {
 // The part in the first of the volumes that deform it, before all others.
 const Part& innermost(const Part& part);
 
+// Where a point of the mesh that the first of them deforms is in the world, after all volumes of
+// the part. In double precision.
+glm::dvec3 place_in_world(const Part& part, const glm::dvec3& p_object);
+
 // true also if nothing deforms the part: mesh() is there at once
 bool is_deformed(const Part& part);
 

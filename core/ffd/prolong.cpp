@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace trivar {
 namespace {
@@ -78,6 +79,24 @@ Lattice prolonged(const Lattice& lattice, int axis, double from, double to)
     Trivariate<glm::dvec3> f = exchanged(lattice.displacement, axis);
     if (from < knots.begin()) f = mirrored(prolonged_end(mirrored(f), -from));
     return {exchanged(prolonged_end(f, to), axis), lattice.rest};
+}
+
+Lattice prolonged_round(const Lattice& lattice, const Box& uvw)
+{
+    constexpr double step = 0.25; // of the domain
+    Lattice out = lattice;
+    if (uvw.empty()) return out;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Knots knots = lattice.displacement.axes[at(axis)];
+        if (knots.closure() != Closure::open) continue;
+        const double begin = knots.begin(), end = knots.end(), width = step * (end - begin);
+        const Reach near = reach(knots); // what is outside by a rounding is inside
+        const double before = std::max(0.0, near.least - uvw.lo[axis]),
+                     behind = std::max(0.0, uvw.hi[axis] - near.most);
+        out = prolonged(out, axis, begin - std::ceil(before / width) * width,
+                        end + std::ceil(behind / width) * width);
+    }
+    return out;
 }
 
 Lattice twice_round(const Lattice& lattice)

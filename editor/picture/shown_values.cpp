@@ -2,6 +2,7 @@
 #include "editor/picture/shown_values.h"
 
 #include "core/base/rejected.h"
+#include "core/evaluation/refining.h"
 #include "core/ffd/volume_change.h"
 
 #include <algorithm>
@@ -16,9 +17,7 @@ std::vector<float> bounds_at_vertices(const EvaluatedObject& object, std::size_t
     if (object.refined) return object.refined->parts.at(part).bound_at;
     const Part& as_it_is = object.parts[part];
     try {
-        return bounded({{as_it_is.before_volume(), as_it_is.bent->embedding}},
-                       *as_it_is.bent->volume,
-                       {.tolerance_world = refining.tolerance, .method = refining.method})
+        return bounded(as_it_is, {.tolerance_world = refining.tolerance, .method = refining.method})
             .parts.at(0)
             .bound_at;
     } catch (const Rejected&) {

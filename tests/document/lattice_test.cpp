@@ -3,6 +3,7 @@
 #include "core/document/document_digest.h"
 #include "core/evaluation/evaluate.h"
 #include "tests/document/commands.h"
+#include "tests/document/drawn_off.h"
 #include "tests/support/fixtures.h"
 
 #include <gmock/gmock.h>
@@ -227,15 +228,17 @@ TEST(Lattices, LetWhatStandsInThemBeRefinedWithACertificate)
     EXPECT_GT(ball->parts.at(0).rest->face_count(), before);
 }
 
-TEST(Lattices, ClaimNothingOfWhatTwoOfThemBend)
+TEST(Lattices, LetWhatTwoOfThemBendBeRefinedWithACertificate)
 {
     Document document = after(ball_in_box(), lift(2, {1, 1, 3}, 0.3));
     document = after(document, AddLattice{.objects = {2}, .shape = {.size = {2, 2, 2}}});
+    document = after(document, lift(3, {2, 1, 1}, -0.4));
     document = after(document, Refine{{1}, {.tolerance = 1e-3}});
     const Ref<EvaluatedObject> ball = all_of(document).objects.at(1);
-    EXPECT_FALSE(ball->refined);
-    ASSERT_FALSE(ball->notices.empty());
-    EXPECT_THAT(ball->notices.front(), HasSubstr("more than one volume"));
+    ASSERT_TRUE(ball->refined);
+    EXPECT_LE(ball->refined->bound, 1e-3);
+    EXPECT_TRUE(ball->notices.empty());
+    EXPECT_LE(testing::drawn_off(ball->parts.at(0)), ball->refined->bound);
 }
 
 TEST(Lattices, AreWantedWhereWhatLiesOnNoStrokeIsToBeRefined)
@@ -279,7 +282,7 @@ TEST(Lattices, RefuseWhatCannotBeInASentence)
     refused(AddLattice{.objects = {7}}, "no object 7");
     refused(AddLattice{.objects = {1}, .shape = {.orders = {4, 7, 4}}}, "between 2 and 6");
     refused(AddLattice{.objects = {1}, .shape = {.grid = {1024, 1024, 10}}}, "10485760 control");
-    refused(Place{2, testing::small_sketch(), {}, {1}}, "is a lattice; place the objects in it");
+    refused(Place{2, testing::small_sketch(), {}, {1}}, "stands in object 2 (Lattice) already");
     refused(AddLattice{.objects = {1}, .shape = {.grid = {3, 4, 4}}}, "order 4 needs at least 4");
     refused(AddLattice{.objects = {1}, .shape = {.grid = {1, 4, 4}}}, "between 2 and 1024");
     refused(AddLattice{.objects = {1}, .shape = {.grid = {300, 300, 300}}},
