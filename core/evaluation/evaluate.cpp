@@ -96,7 +96,7 @@ EvaluatedObject finished(Id id, const Ref<Stage>& stage, const Object& object)
         Box box;
         for (const Part& part : with_points(stage->parts, stage->curves))
             box.add(bounding_box(*part.mesh(), part.to_world));
-        if (shows_volume) add_control_points(box, *stage->shaped->volume->volume);
+        if (shows_volume) add_control_points(box, *stage->seen_cage());
         return box;
     });
     return result;

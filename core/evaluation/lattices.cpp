@@ -4,7 +4,6 @@
 #include "core/document/parameters.h"
 #include "core/evaluation/standing.h"
 #include "core/evaluation/told_steps.h"
-#include "core/ffd/prolong.h"
 #include "core/placement/box_volume.h"
 
 namespace trivar {
@@ -58,6 +57,8 @@ Ref<Stage> LatticeVolume::operator()(const Ref<Stage>& before, const StepInput& 
                                         glm::inverse(to_world(input.document, input.id));
             stage.stroke = make_ref(
                 LatticeStroke{before->placement, embedded(before->placement->embedding, to_model)});
+            stage.bent_cage = bent_cage({volume->placement, &volume->placement->volume},
+                                        {bending_volume(*stage.stroke)});
         }
         stage.placement = volume->placement;
         stage.shaped = volume;
@@ -66,27 +67,18 @@ Ref<Stage> LatticeVolume::operator()(const Ref<Stage>& before, const StepInput& 
     });
 }
 
-std::vector<BendingVolume> volumes_round(const Document& document, Id id,
-                                         const std::map<Id, Ref<EvaluatedObject>>& done)
-{
-    std::vector<BendingVolume> out;
-    for (const Id lattice : lattices_round(document, id)) {
-        const EvaluatedObject& round = *done.at(lattice);
-        const Ref<Placement>& box = round.placement;
-        out.push_back({{box, &box->volume}, {box->embedding.to_uvw, glm::dmat4(1)}});
-        if (!round.stroke) continue;
-        const Ref<Placement>& laid = round.stroke->placement;
-        out.push_back({{laid, &laid->volume}, round.stroke->embedding, true});
-    }
-    return out;
-}
-
 Ref<Stage> InLattices::operator()(const Ref<Stage>& before, const StepInput& input)
 {
     const std::vector<BendingVolume> volumes = volumes_round(input.document, input.id, input.done);
     if (volumes.empty()) return before;
     return known_({before, volumes}, [&] {
         Stage stage = *before;
+        if (stage.placement) {
+            std::vector<BendingVolume> all = volumes;
+            if (stage.stroke) all.insert(all.begin(), bending_volume(*stage.stroke));
+            stage.bent_cage =
+                bent_cage({stage.placement, &stage.placement->volume}, std::move(all));
+        }
         put_back(bent(with_points(std::move(stage.parts), stage.curves), volumes), stage.parts,
                  stage.curves);
         return make_ref(std::move(stage));
@@ -103,9 +95,9 @@ Ref<Lattice> InLattices::reaching_round(const std::vector<Part>& parts, const Be
             for (const glm::dvec3& corner : part.bounds.corners())
                 uvw.add(
                     glm::dvec3(volume.embedding.to_uvw * part.to_world * glm::dvec4(corner, 1)));
-    Lattice longer = prolonged_round(*volume.volume, uvw);
-    if (longer == *volume.volume) return volume.volume;
-    return longer_({volume.volume, longer}, [&] { return make_ref(longer); });
+    const Ref<Lattice> out = reaching(volume, uvw);
+    if (out == volume.volume) return out;
+    return longer_({volume.volume, *out}, [&] { return out; });
 }
 
 std::vector<Part> InLattices::bent(std::vector<Part> parts,

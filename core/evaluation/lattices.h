@@ -3,6 +3,7 @@
 
 #include "core/base/recent.h"
 #include "core/evaluation/bending.h"
+#include "core/evaluation/bending_volume.h"
 #include "core/evaluation/step.h"
 #include "core/placement/shaper.h"
 
@@ -28,20 +29,6 @@ private:
     Recent<std::pair<Ref<Stage>, Ref<ShapedVolume>>, Ref<Stage>> known_;
 };
 
-// A BendingVolume bends parts that stand in the world: a lattice, or the stroke on which one lies.
-struct BendingVolume {
-    Ref<Lattice> volume;
-    Embedding embedding; // from the world
-    // Beyond its ends it goes straight on, as wide and as high as what it bends: that of a stroke.
-    // A lattice moves what is outside of it with its nearest side.
-    bool goes_on = false;
-    bool operator==(const BendingVolume&) const = default;
-};
-// The volumes of the lattices in which an object stands and of those that bend these, in the order
-// in which they bend it. The lattices must be in `done`.
-std::vector<BendingVolume> volumes_round(const Document& document, Id id,
-                                         const std::map<Id, Ref<EvaluatedObject>>& done);
-
 // InLattices deforms the parts of one object by the volumes round it, one after the other, each
 // starting from the result of the one before. A part that already lies in a volume is deformed at
 // once, so that it can be deformed further.
@@ -57,7 +44,7 @@ private:
     Recent<std::pair<Ref<Stage>, std::vector<BendingVolume>>, Ref<Stage>> known_;
     struct LongerVolume {
         Ref<Lattice> of;
-        Lattice volume;
+        Lattice longer;
         bool operator==(const LongerVolume&) const = default;
     };
     Recent<LongerVolume, Ref<Lattice>> longer_;

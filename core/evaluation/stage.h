@@ -32,8 +32,11 @@ struct LatticeStroke {
     Embedding embedding;
     bool operator==(const LatticeStroke&) const = default;
 };
-struct LatticeEffects {
+struct LatticeEffects {        // of what has a volume
     Ref<LatticeStroke> stroke; // null: no lattice, or one that lies on no stroke
+    // The object's volume as its stroke, if it is a lattice, and the lattices round it bend it;
+    // null: nothing does.
+    Ref<Lazy<Ref<Lattice>>> bent_cage;
 };
 struct CarriageEffects {
     Ref<Carriage> carriage; // null: nothing carries it
@@ -72,6 +75,11 @@ struct Stage : SimplifyingEffects,
     const Ref<Placement>& stroke_placement() const
     {
         return stroke ? stroke->placement : placement;
+    }
+    // Its volume with the control points where they are seen. It must have one.
+    Ref<Lattice> seen_cage() const
+    {
+        return bent_cage ? **bent_cage : Ref<Lattice>(placement, &placement->volume);
     }
     bool shows_nothing() const { return parts.empty() && curves.empty(); }
     // A sentence for the user that says why the stroke gave nothing; the object then stands

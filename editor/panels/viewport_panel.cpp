@@ -5,7 +5,6 @@
 #include "core/base/text.h"
 #include "editor/actions/start_card.h"
 #include "editor/panels/foot_cards.h"
-#include "editor/picture/bent_cage.h"
 #include "editor/picture/captions.h"
 #include "editor/picture/volume_picture.h"
 #include "editor/session/scene_facts.h"
@@ -31,7 +30,7 @@ void add_lattices(std::vector<gpu::Line>& lines, const Session& session, const u
         if (!is_lattice(session.document(), id) || !each->placement ||
             std::ranges::binary_search(session.hidden_here, id))
             continue;
-        const Ref<Lattice> cage = bent_cage(session.evaluated(), session.document(), *each);
+        const Ref<Lattice> cage = each->seen_cage();
         const Lattice& volume = *cage;
         const ShellLook& look = !session.selected.contains(id)                    ? other
                                 : volume.displacement.points.size() > most_points ? many
@@ -57,9 +56,7 @@ Helpers helpers_of(Editor& editor, const ui::Theme& theme)
         return helpers;
     const Placement& placement = *found->second->placement;
     if (is_lattice(editor.session.document(), found->first)) {
-        const Session& session = editor.session;
-        helpers.veils.push_back(shell_veil(
-            *bent_cage(session.evaluated(), session.document(), *found->second), theme.color));
+        helpers.veils.push_back(shell_veil(*found->second->seen_cage(), theme.color));
     } else {
         std::ranges::move(placement_lines(placement, theme.color, theme.line(1)),
                           std::back_inserter(helpers.lines));

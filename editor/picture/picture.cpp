@@ -83,7 +83,8 @@ void add_seen_points(std::vector<glm::dvec3>& points, const EvaluatedObject& obj
 {
     add_points(points, object);
     if (!object.shows_nothing() || !object.placement) return;
-    const Lattice& volume = object.placement->volume;
+    const Ref<Lattice> cage = object.seen_cage();
+    const Lattice& volume = *cage;
     const std::array<Knots, 3>& axes = volume.displacement.axes;
     for (int i = 0; i < axes[0].count(); ++i)
         for (int j = 0; j < axes[1].count(); ++j)

@@ -2,7 +2,6 @@
 #include "editor/picture/volume_picture.h"
 
 #include "core/mesh/primitives.h"
-#include "editor/picture/bent_cage.h"
 #include "editor/picture/volume_facts.h"
 #include "editor/picture/volume_surface.h"
 
@@ -152,7 +151,7 @@ void add_volumes(gpu::Picture& picture, const Evaluation& evaluated, const Docum
             continue;
         drawn.push_back(&volume);
         const bool box = is_lattice(document, id);
-        const Ref<Lattice> cage = bent_cage(evaluated, document, *each);
+        const Ref<Lattice> cage = each->seen_cage();
         std::ranges::move(box ? shell_lines(*cage, color.lattice, line_px)
                               : placement_lines(*each->placement, color, line_px),
                           std::back_inserter(picture.lines));

@@ -196,7 +196,7 @@ void Session::finish_check()
     if (!commit()) return;
     notices.forget(of_a_step);
     if (warnings_beside && selected == check.object) return;
-    const std::vector<std::string> lines = object_now->placement->report.all_notices();
+    const std::vector<std::string> lines = object_now->stroke_placement()->report.all_notices();
     if (!lines.empty())
         notices.say_all(ui::NoticeKind::warning,
                         name_of(document(), check.object) + (laid ? " was placed" : " was changed"),

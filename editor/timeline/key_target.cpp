@@ -33,8 +33,8 @@ std::optional<Command> changed_tracks(const Document& document, const KeyTarget&
 double shown_size(const Session& session, Id id, const std::string& parameter)
 {
     const auto found = session.evaluated().objects.find(id);
-    if (found == session.evaluated().objects.end() || !found->second->placement) return 0;
-    const PlacementReport& report = found->second->placement->report;
+    if (found == session.evaluated().objects.end() || !found->second->stroke_placement()) return 0;
+    const PlacementReport& report = found->second->stroke_placement()->report;
     if (parameter == "placement.width") return report.width_world;
     return parameter == "placement.height" ? report.height_world : 0;
 }

@@ -5,7 +5,6 @@
 #include "core/commands/edits.h"
 #include "core/evaluation/attaching.h"
 #include "core/placement/shifting.h"
-#include "editor/picture/bent_cage.h"
 #include "editor/session/topics.h"
 #include "editor/tools/gesture_keys.h"
 #include "editor/tools/hand_motion.h"
@@ -80,6 +79,21 @@ bool has(const std::vector<glm::ivec3>& points, const glm::ivec3& point)
     return std::ranges::find(points, point) != points.end();
 }
 
+// Along each axis at a control point: the length of a small piece of the volume, by that of the
+// same piece as it is seen.
+glm::dvec3 own_by_seen(const Lattice& own, const Lattice& seen, const glm::ivec3& point)
+{
+    const glm::dvec3 at = greville(own, point);
+    const auto a = evaluate(own, at, 1).first, b = evaluate(seen, at, 1).first;
+    glm::dvec3 out(1);
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto n = static_cast<std::size_t>(axis);
+        if (const double length = glm::length(b[n]); length > 0 && a[n] != b[n])
+            out[axis] = glm::length(a[n]) / length;
+    }
+    return out;
+}
+
 } // namespace
 
 const char* LatticePointsTool::icon() const
@@ -128,9 +142,7 @@ void LatticePointsTool::keep_what_is_there(const Session& session)
 
 Ref<Lattice> LatticePointsTool::cage(const Session& session) const
 {
-    if (cage_.evaluation == session.evaluation() && cage_.id == session.selected)
-        return cage_.volume;
-    return bent_cage(session.evaluated(), session.document(), *selected_volume(session));
+    return selected_volume(session)->seen_cage();
 }
 
 std::optional<glm::ivec3> LatticePointsTool::point_at(const Session& session,
@@ -204,8 +216,6 @@ void LatticePointsTool::use(Session& session, const ViewportInput& input)
 {
     tell(session);
     outside_ = !input.hovered;
-    if (const EvaluatedObject* laid = selected_volume(session))
-        cage_ = {session.evaluation(), laid->id, cage(session)};
     if (gesture_) {
         if (!selected_volume(session)) return cancel(session);
         return go_on(session, input);
@@ -218,7 +228,8 @@ void LatticePointsTool::use(Session& session, const ViewportInput& input)
         if (input.pressed) select_by_click(session, input.under);
         return;
     }
-    const Lattice& volume = *cage_.volume;
+    const Ref<Lattice> seen = cage(session);
+    const Lattice& volume = *seen;
     if (box_px_) {
         if (!input.released && input.down) return;
         if (glm::distance(*box_px_, input.mouse) >= click_slip_px)
@@ -273,7 +284,8 @@ void LatticePointsTool::choose(const Session& session, const ViewportInput& inpu
 void LatticePointsTool::choose_line(const Session& session)
 {
     const ImGuiIO& io = ImGui::GetIO();
-    const Lattice& volume = *cage_.volume;
+    const Ref<Lattice> seen = cage(session);
+    const Lattice& volume = *seen;
     const bool again = line_at_ == hovered_ && line_is_plane_ == io.KeyShift;
     line_axis_ = again ? (line_axis_ + 1) % 3
                        : clearest_axis(volume, session.view.camera, *hovered_, io.KeyShift);
@@ -290,7 +302,8 @@ void LatticePointsTool::choose_in_box(const Session& session, const ViewportInpu
 {
     const glm::dvec2 lo = glm::min(*box_px_, input.mouse), hi = glm::max(*box_px_, input.mouse);
     if (!adds_to_selection()) chosen_.clear();
-    const Lattice& volume = *cage_.volume;
+    const Ref<Lattice> seen = cage(session);
+    const Lattice& volume = *seen;
     const std::vector<char> before = flags_of(volume, chosen_);
     each_point(volume, session.view.camera, [&](const glm::ivec3& p, glm::dvec2 at) {
         const bool inside =
@@ -306,8 +319,10 @@ void LatticePointsTool::begin(const Session& session, const ViewportInput& input
     of_ = point_count(volume);
     by_key_ = false;
     kind_ = kind;
-    const MotionFrame frame = frame_of(*cage(session));
+    const Ref<Lattice> seen = cage(session);
+    const MotionFrame frame = frame_of(*seen);
     world_axes_ = frame_of(volume).axes;
+    own_by_seen_ = own_by_seen(volume, *seen, chosen_.front());
     // A lattice's steps are of the box before the object's transform, those of a stroke of the
     // space that it was drawn in.
     const bool box = is_lattice(session.document(), object_);
@@ -345,6 +360,8 @@ PointShift LatticePointsTool::shift() const
     const bool same = from_world_ == glm::dmat3(1) && world == axes_;
     PointShift out = held();
     if (motion.kind == MotionKind::move) out.by = same ? motion.offset : along(motion.offset);
+    // A hand moves what it sees; numbers are those of the volume itself.
+    if (!gesture_->typed().open()) out.by *= own_by_seen_;
     if (motion.kind == MotionKind::scale) out.factors = motion.factors;
     if (motion.kind == MotionKind::rotate) {
         const glm::dvec3 axis = without_rounding(glm::normalize(along(motion.turn_axis)));

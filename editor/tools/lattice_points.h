@@ -81,6 +81,8 @@ private:
     // transform and after it, what takes a direction of the world there, and how far all points
     // are. The handles' directions differ where a lattice round this one bends what is seen of it.
     glm::dmat3 axes_{1}, world_axes_{1}, from_world_{1};
+    // Own length by seen length along each of these axes: other volumes stretch the cage.
+    glm::dvec3 own_by_seen_{1};
     std::vector<PointDistance> distances_;
     PointShift shown_; // proposed last
     Proportional proportional_;
@@ -90,11 +92,6 @@ private:
     bool by_key_ = false;                // the gesture goes on till a click
     bool outside_ = false;               // the mouse is not over the picture
     Id told_of_ = 0;
-    struct Cage { // what cage() gave last, by the evaluation
-        long evaluation = -1;
-        Id id = 0;
-        Ref<Lattice> volume;
-    } cage_;
     // The row or plane that was chosen last by its point: the same again is along the next axis.
     std::optional<glm::ivec3> line_at_;
     bool line_is_plane_ = false;

@@ -78,7 +78,8 @@ void LatticePointsTool::paint_points(const Session& session, const ui::Theme& th
 void LatticePointsTool::paint_gesture(const Session& session, const ui::Theme& theme,
                                       const ViewportInput& input) const
 {
-    const Lattice& volume = selected_volume(session)->placement->volume;
+    const Ref<Lattice> seen = cage(session);
+    const Lattice& volume = *seen;
     const glm::vec2 mouse = input.rect.lo + glm::vec2(input.mouse);
     if (proportional_.on) {
         const PicturePoint middle = project(session.view.camera, frame_of(volume).pivot);

@@ -27,13 +27,15 @@ constexpr double rejoin_px = 16;   // in the old stroke's picture: a piece that 
 bool can_be_placed(const Document& document, Id id)
 {
     const auto found = document.objects.find(id);
-    return found != document.objects.end() && !holds_others(found->second->source);
+    return found != document.objects.end() &&
+           !std::holds_alternative<GroupShape>(found->second->source);
 }
 
 const Placement* placement_of(const Session& session, Id id)
 {
     const auto found = session.evaluated().objects.find(id);
-    return found == session.evaluated().objects.end() ? nullptr : found->second->placement.get();
+    return found == session.evaluated().objects.end() ? nullptr
+                                                      : found->second->stroke_placement().get();
 }
 
 // The corner nearest to the mouse would be covered by the hand; the chips stand to its right.
@@ -54,8 +56,8 @@ bool carries(const EvaluatedObject& furniture, const Evaluation& evaluated)
     const Box& bounds = *furniture.bounds;
     const double slack = 0.01 * glm::length(bounds.size());
     return std::ranges::any_of(evaluated.objects, [&](const auto& entry) {
-        return entry.second->placement &&
-               std::ranges::any_of(entry.second->placement->nodes, [&](const StripNode& node) {
+        const Ref<Placement>& placement = entry.second->stroke_placement();
+        return placement && std::ranges::any_of(placement->nodes, [&](const StripNode& node) {
                    return node.contact == Contact::touches &&
                           bounds.distance(node.p_world) <= slack;
                });
@@ -204,8 +206,8 @@ void PlaceTool::use(Session& session, const ViewportInput& input)
         const EvaluatedObject* laid =
             handles_.shown(session) ? selected_placement(session) : nullptr;
         on_line_ = laid && (input.hovered || input.pressed) &&
-                   nearest_on_line(*laid->placement, session.view.camera, input.mouse).distance_px <
-                       near_line_px * input.scale;
+                   nearest_on_line(*laid->stroke_placement(), session.view.camera, input.mouse)
+                           .distance_px < near_line_px * input.scale;
         const Id model = on_line_ ? 0 : model_to_place(session, chosen_);
         why_not_.clear();
         if (!on_line_ && input.hovered) {
@@ -291,7 +293,7 @@ std::vector<gpu::Translucent> PlaceTool::veils(const Session& session, const ui:
 {
     const EvaluatedObject* laid = handles_.shown(session) ? selected_placement(session) : nullptr;
     const Placement* placement = drawing_ ? placement_of(session, model_)
-                                 : laid   ? laid->placement.get()
+                                 : laid   ? laid->stroke_placement().get()
                                           : nullptr;
     if (!placement) return {};
     return {strip_veil(*placement, theme)};
@@ -303,8 +305,8 @@ void PlaceTool::overlay(const Session& session, const ui::Theme& theme,
     if (drawing_) return paint_stroke(session, theme, input);
     if (const EvaluatedObject* laid = selected_placement(session);
         laid && handles_.shown(session)) {
-        paint_nodes(theme, input, session.view.camera, *laid->placement, Nodes::trouble);
-        paint_strip_legend(theme, input.rect, *laid->placement);
+        paint_nodes(theme, input, session.view.camera, *laid->stroke_placement(), Nodes::trouble);
+        paint_strip_legend(theme, input.rect, *laid->stroke_placement());
     }
     handles_.overlay(session, theme, input);
     if (!input.hovered || handles_.hovers() || handles_.busy()) return;

@@ -96,8 +96,8 @@ std::vector<HoldPoint> PlacementHandles::points(const Session& session) const
 {
     const EvaluatedObject* shown = selected_placement(session);
     if (!shown) return {};
-    std::vector<HoldPoint> out =
-        hold_points(*object(session.document(), session.selected).placement, *shown->placement);
+    std::vector<HoldPoint> out = hold_points(
+        *object(session.document(), session.selected).placement, *shown->stroke_placement());
     std::erase_if(out, [&](const HoldPoint& p) { return !wanted(*choice_, p.hold.kind); });
     return out;
 }
@@ -119,7 +119,7 @@ bool PlacementHandles::use(Session& session, const ViewportInput& input)
         step.sketch = stroke_now(*laid, step);
         drag_ = HoldDrag{session.selected,
                          std::move(step),
-                         laid->placement,
+                         laid->stroke_placement(),
                          laid->lies_on,
                          *over,
                          session.view.camera,
@@ -193,7 +193,7 @@ void PlacementHandles::overlay(const Session& session, const ui::Theme& theme,
     const PlacementParameters& now =
         object(session.document(), session.selected).placement->parameters;
     const glm::vec2 mouse = input.rect.lo + glm::vec2(at_px_);
-    const std::string words = words_of(lit, now, laid->placement->report);
+    const std::string words = words_of(lit, now, laid->stroke_placement()->report);
     ui::paint_chip(theme, mouse + glm::vec2(theme.px(18), -theme.px(30)), {words});
 }
 

@@ -130,7 +130,7 @@ const PlacementReport* report_of(const Session& session, const Command& command)
             if constexpr (std::is_same_v<C, Place> || std::is_same_v<C, EditPlacement>) {
                 const auto found = session.evaluated().objects.find(c.object);
                 if (found != session.evaluated().objects.end() && found->second->placement)
-                    return &found->second->placement->report;
+                    return &found->second->stroke_placement()->report;
             }
             return nullptr;
         },

@@ -139,7 +139,7 @@ void draw_placement(Editor& editor, const ui::Theme& theme, Id id)
     const auto effects = editor.session.evaluated().objects.find(id);
     const Placement* placement = effects == editor.session.evaluated().objects.end()
                                      ? nullptr
-                                     : effects->second->placement.get();
+                                     : effects->second->stroke_placement().get();
     const bool round = each.placement->round.has_value();
     const KeyGutter keys(editor, {id});
     ValueRows rows{theme, &keys};

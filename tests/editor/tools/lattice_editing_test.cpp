@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/commands/keying.h"
-#include "editor/picture/bent_cage.h"
 #include "tests/editor/rig.h"
 
 namespace trivar {
@@ -174,8 +173,7 @@ TEST(LatticeEditing, TakesThePointsOfAnInnerLatticeWhereTheOuterOneBendsThem)
     rig.editor.session.selected = 2;
     rig.wait();
     const EvaluatedObject& inner = *rig.editor.session.evaluated().objects.at(2);
-    const Ref<Lattice> cage =
-        bent_cage(rig.editor.session.evaluated(), rig.editor.session.document(), inner);
+    const Ref<Lattice> cage = inner.seen_cage();
     const glm::vec2 at = rig.seen_at(control_point(*cage, corner.x, corner.y, corner.z));
     ASSERT_GT(glm::distance(at, unbent), 40);
     rig.move(at);
