@@ -184,6 +184,33 @@ TEST(LatticeEditing, TakesThePointsOfAnInnerLatticeWhereTheOuterOneBendsThem)
     EXPECT_EQ(rig.last().by, glm::dvec3(0, 0, 0.05));
 }
 
+TEST(LatticeEditing, FollowsTheMouseWhereTheLatticeLiesOnAStroke)
+{
+    BoxRig rig;
+    Session& session = rig.editor.session;
+    ASSERT_TRUE(session.run(AddPlane{.shape = {.size = {6, 6}}}));
+    Sketch line{rig.editor.session.view.camera, {}};
+    line.camera.eye = {0, -0.02, 9};
+    line.camera.target = {0, 0, 0};
+    for (int i = 0; i <= 20; ++i)
+        line.samples.push_back({line.camera.size_px * glm::dvec2(0.35 + 0.015 * i, 0.5), 0.02 * i});
+    Place place{2, line, {}, {3}};
+    place.parameters.height = 0.4; // of a box of 1 m: what is seen is not its own size
+    ASSERT_TRUE(session.run(place));
+    rig.editor.session.selected = 2;
+    rig.wait();
+    const auto seen = [&] {
+        const Ref<Lattice> cage = session.evaluated().objects.at(2)->seen_cage();
+        return rig.seen_at(control_point(*cage, corner.x, corner.y, corner.z));
+    };
+    const glm::vec2 at = seen();
+    rig.move(at);
+    rig.draw({at, at + glm::vec2(6, -16)});
+    rig.wait();
+    ASSERT_EQ(rig.shaped(), 1u);
+    EXPECT_LT(glm::distance(seen(), at + glm::vec2(6, -16)), 3);
+}
+
 TEST(LatticeEditing, PressesTheLatticeOfWhatThePressIsDraggedOn)
 {
     BoxRig rig;
