@@ -71,6 +71,11 @@ std::vector<Command> every_command();
 // look at a document.
 void check(const Command& command);
 
+// Throws Rejected for a command that would do nothing, as far as the document knows: a step that a
+// lattice cannot take. after() takes it, since older scenes hold such steps, which are passed over;
+// a command that is given anew is checked first.
+void check_new(const Document& document, const Command& command);
+
 // The document after the command; objects that the command does not touch keep their pointer. Pure:
 // reads no file. Throws Rejected (the field, what is wrong, what would be right), and nothing
 // happened. The id of a new object is the old document's next_id.

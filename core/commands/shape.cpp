@@ -20,58 +20,6 @@ const char* axis_name(VolumeAxis axis, bool box)
     return (box ? of_box : of_stroke)[static_cast<std::size_t>(axis)];
 }
 
-glm::ivec3 knots_in(const KnotInsertion& k)
-{
-    return {k.along.size(), k.across.size(), k.up.size()};
-}
-
-// Control points that a lattice has after its steps, at most; nothing where the stroke decides it.
-std::optional<glm::ivec3> most_points(const Object& o)
-{
-    const auto* box = std::get_if<LatticeShape>(&o.source);
-    if (!box) return std::nullopt;
-    glm::ivec3 n = box->grid;
-    for (const Ref<VolumeEdit>& edit : o.shaping) {
-        if (edit->insertion) n += knots_in(*edit->insertion);
-        if (!edit->coarsening) continue;
-        const int axis = static_cast<int>(edit->coarsening->axis);
-        if (edit->coarsening->count >= box->orders[axis]) // else it does nothing
-            n[axis] = std::min(n[axis], edit->coarsening->count);
-    }
-    return n;
-}
-
-// Throws Rejected for a step that the lattice cannot take, as far as the document knows.
-void check_fits(const Object& o, const VolumeEdit& edit)
-{
-    const std::optional<glm::ivec3> n = most_points(o);
-    if (!n) return;
-    if (edit.insertion) {
-        const glm::dvec3 then(*n + knots_in(*edit.insertion));
-        if (then.x * then.y * then.z > most_control_points)
-            throw Rejected(fmt::format("{} would have {:.0f} control points; a lattice may have "
-                                       "{:.0f}",
-                                       o.name, then.x * then.y * then.z, most_control_points));
-    }
-    if (edit.shift)
-        for (const glm::ivec3& p : edit.shift->points)
-            if (glm::any(glm::greaterThanEqual(p, *n)))
-                throw Rejected(fmt::format("field \"points\" names {}, {}, {}, but {} has {} x {} "
-                                           "x {} control points, numbered from 0",
-                                           p.x, p.y, p.z, o.name, n->x, n->y, n->z));
-    if (!edit.coarsening) return;
-    const int axis = static_cast<int>(edit.coarsening->axis), count = edit.coarsening->count;
-    const int order = std::get<LatticeShape>(o.source).orders[axis];
-    if (count >= (*n)[axis])
-        throw Rejected(fmt::format("field \"count\" is {}, but {} has {} control points along {}; "
-                                   "give fewer",
-                                   count, o.name, (*n)[axis], "XYZ"[axis]));
-    if (count < order)
-        throw Rejected(fmt::format("field \"count\" is {}, but order {} needs at least {} control "
-                                   "points along {}",
-                                   count, order, order, "XYZ"[axis]));
-}
-
 } // namespace
 
 Document with_step(Document document, Id id, VolumeEdit edit)
@@ -81,7 +29,6 @@ Document with_step(Document document, Id id, VolumeEdit edit)
     if (o.shaping.size() >= most_shaping_steps)
         throw Rejected(fmt::format("{} is shaped in {} steps already; take some back", named(id, o),
                                    most_shaping_steps));
-    check_fits(o, edit);
     return with_changed(std::move(document), id, [&](Object& changed) {
         changed.shaping.push_back(make_ref(std::move(edit)));
     });

@@ -12,8 +12,8 @@ void check(const VolumeEdit& edit);
 // done again when the stroke changes.
 inline constexpr std::size_t most_shaping_steps = 4096;
 
-// The document with one more step of shaping. Throws Rejected where the object has no volume, has
-// too many steps, or is a lattice that cannot take the step.
+// The document with one more step of shaping, also one that the volume cannot take: evaluation
+// passes it over and says so. Throws Rejected where the object has no volume or too many steps.
 Document with_step(Document document, Id id, VolumeEdit edit);
 
 struct PressVolume {

@@ -49,7 +49,8 @@ Log read_log(std::string_view text, const std::string& name);
 // Reads one line that is not the header. Throws Rejected, without its place.
 LogLine read_log_line(std::string_view line);
 
-// Applies one line to a history; digests are not checked. Throws Rejected with NAME:LINE.
+// Applies one line to a history, by after() alone: what was taken once is taken again. Digests are
+// not checked. Throws Rejected with NAME:LINE.
 void apply(History& history, const LogLine& line, const std::string& name);
 // Applies all lines to an empty document.
 History replay(const Log& log);

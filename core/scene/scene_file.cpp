@@ -272,9 +272,20 @@ void SceneFile::save_copy(const std::string& path) const
                           log_text(elsewhere ? moved(s.history, s.folder, folder) : s.history));
 }
 
-void SceneFile::propose(Command command)
+// A command that begins a branch was taken when the branch was made.
+void SceneFile::check_given(const Command& command) const
 {
     check_may_change();
+    const History& history = state_->history;
+    const bool known = std::ranges::any_of(history.branches(), [&](const History::Branch& branch) {
+        return branch.from == history.position() && branch.steps.front().command == command;
+    });
+    if (!known) check_new(history.committed(), command);
+}
+
+void SceneFile::propose(Command command)
+{
+    check_given(command);
     state_->history.propose(std::move(command));
 }
 
@@ -294,7 +305,7 @@ void SceneFile::cancel()
 
 void SceneFile::run(Command command, const std::string& note)
 {
-    check_may_change();
+    check_given(command);
     state_->history.propose(std::move(command), note);
     commit();
 }

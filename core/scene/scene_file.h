@@ -47,7 +47,7 @@ public:
     const std::vector<std::string>& lines() const;
     const Document& document() const { return history().document(); }
 
-    // As in History.
+    // As in History, for commands that are given now: see check_new().
     void propose(Command command);
     bool commit();
     void cancel();
@@ -89,6 +89,7 @@ public:
 
 private:
     void check_may_change() const;
+    void check_given(const Command& command) const;
     void keep_torn(); // beside the file, with .torn after its name, before its end is cut off
     void append(const std::string& line);
     void start_kept();

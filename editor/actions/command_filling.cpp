@@ -43,7 +43,9 @@ std::string unreadable(const CommandForm& form, const Document& document)
 std::string refusal(const CommandForm& form, const Document& document)
 {
     try {
-        after(document, filled(form, document));
+        const Command command = filled(form, document);
+        check_new(document, command);
+        after(document, command);
     } catch (const Rejected& why) {
         return why.what();
     }

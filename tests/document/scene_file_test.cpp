@@ -34,6 +34,42 @@ std::string tree_of(const std::vector<History::Step>& steps,
     return out;
 }
 
+TEST(SceneFile, RefusesToBeGivenAStepAnewThatAnOlderSceneHoldsAndThatDoesNothing)
+{
+    const TemporaryFolder folder;
+    const std::string stored =
+        read_text_file(TRIVAR_SOURCE_DIR "/tests/logs/versions/1_steps_without_effect.trivar");
+    write_file(folder.file("a.trivar"), stored);
+    SceneFile scene(folder.file("a.trivar"));
+    const std::vector<History::Step> steps = scene.history().steps();
+    const std::string before = digest(scene.document());
+    int refused = 0;
+    for (const History::Step& step : steps) {
+        if (!std::holds_alternative<MovePoints>(step.command) &&
+            !std::holds_alternative<CoarsenVolume>(step.command) &&
+            !std::holds_alternative<InsertKnots>(step.command))
+            continue;
+        EXPECT_THROW(scene.run(step.command), Rejected);
+        EXPECT_THROW(scene.propose(step.command), Rejected);
+        ++refused;
+    }
+    EXPECT_EQ(refused, 4);
+    EXPECT_EQ(digest(scene.document()), before);
+    EXPECT_EQ(read_text_file(folder.file("a.trivar")), stored);
+}
+
+TEST(SceneFile, GoesBackToABranchThatBeginsWithAStepWithoutEffect)
+{
+    const TemporaryFolder folder;
+    write_file(folder.file("a.trivar"),
+               log_header() + command_line(AddBox{}) + command_line(AddLattice{.objects = {1}}) +
+                   command_line(CoarsenVolume{2, {VolumeAxis::up, 4}}) + undo_line() +
+                   command_line(AddSphere{}) + undo_line());
+    SceneFile scene(folder.file("a.trivar"));
+    EXPECT_NO_THROW(scene.run(scene.history().branches().front().steps.front().command));
+    EXPECT_EQ(object(scene.document(), 2).shaping.size(), 1u);
+}
+
 TEST(SceneFile, KeepsTheUndoneBranchesWhenItGetsItsName)
 {
     const TemporaryFolder folder;
