@@ -250,7 +250,16 @@ StepTitle title(const EditPlacement& c, const StepDocuments& step)
     const Object *a = step.was(c.object), *b = step.is(c.object);
     if (!a || !b || !a->placement || !b->placement) return {"Placement of " + name, {}};
     const Changes found = changes(a->placement->parameters, b->placement->parameters);
-    if (!(a->placement->sketch == b->placement->sketch)) return {"Stroke of " + name, {}};
+    const Sketch &then = a->placement->sketch, &now = b->placement->sketch;
+    if (then != now && then.samples == now.samples) { // it moved as a whole, with its camera
+        const auto away = [](const Camera& camera) {
+            return glm::distance(camera.eye, camera.target);
+        };
+        const double factor = away(now.camera) / away(then.camera);
+        if (std::abs(factor - 1) < 1e-9) return {"Move " + name + " over the surface", {}};
+        return {"Scale " + name + " on the surface", "× " + brief_number(factor)};
+    }
+    if (then != now) return {"Stroke of " + name, {}};
     if (found.empty() && a->placement->onto != b->placement->onto)
         return {"Lay " + name + words_of_support(step, c.object), {}};
     return title_of_changes(found, "Placement", name);

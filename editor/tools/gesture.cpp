@@ -65,6 +65,7 @@ TransformGesture::TransformGesture(MotionKind kind, std::vector<Stand> stands, I
       pivot_world_(grasp.pivot_world),
       constraint_(grasp.handle),
       by_handle_(grasp.handle.grip != Grip::none),
+      own_axes_(grasp.own_axes),
       scale_(grasp.scale),
       from_px_(grasp.from_px),
       hand_px_(grasp.from_px),
@@ -115,7 +116,8 @@ void TransformGesture::choose_axis(int axis, bool plane)
                         : kind_ == MotionKind::rotate ? Grip::ring
                                                       : Grip::axis,
                         axis};
-    if (kind_ == MotionKind::rotate && plane) return; // there is no turning in a line
+    // There is no turning in a line.
+    if (kind_ == MotionKind::rotate && (plane || own_axes_)) return;
     by_handle_ = false;
     typed_.begin_anew();
     const auto away = [&] {
@@ -127,7 +129,7 @@ void TransformGesture::choose_axis(int axis, bool plane)
     if (constraint_ != wanted) {
         constraint_ = wanted;
         asked_ = choices_.orientation;
-    } else if (choices_.orientation == asked_) {
+    } else if (choices_.orientation == asked_ && !own_axes_) {
         choices_.orientation = other;
     } else {
         constraint_ = {};
@@ -232,6 +234,11 @@ Motion TransformGesture::by_numbers() const
             m.offset[axes[i]] = typed_.value(static_cast<int>(i), measure).value_or(0);
     }
     return m;
+}
+
+bool TransformGesture::free() const
+{
+    return constraint_.grip == Grip::none && !typed_.open();
 }
 
 Motion TransformGesture::motion() const

@@ -41,7 +41,8 @@ struct Grasp {
     glm::dvec3 pivot_world{0};
     Handle handle = {};
     glm::dvec2 from_px{0};
-    double scale = 1; // of the interface
+    double scale = 1;      // of the interface
+    bool own_axes = false; // no other axes can be chosen, and a turn is about that of the handle
 };
 
 // A TransformGesture is moving, turning or scaling by hand, from beginning to end, without anything
@@ -56,8 +57,8 @@ public:
     };
     // Follows the hand; where the camera moved instead, only the place of the mouse changes.
     void move_hand(const Camera& camera, glm::dvec2 to_px, HeldKeys held);
-    // Chooses an axis by its key: first that axis; pressed again, that of the other orientation;
-    // pressed once more, none.
+    // Chooses an axis by its key: first that axis; pressed again, that of the other orientation,
+    // where there is a choice; pressed once more, none.
     void choose_axis(int axis, bool plane);
     TypedAmounts& typed() { return typed_; }
     const TypedAmounts& typed() const { return typed_; }
@@ -73,6 +74,7 @@ public:
     const Handle& constraint() const { return constraint_; } // none: free
     MotionFrame frame() const;                               // of the handles, at the beginning
     glm::dvec3 turn_axis_world() const;
+    bool free() const; // the hand may go anywhere, and no number is typed
     double travelled_px() const { return travelled_px_; }
     glm::dvec2 from_px() const { return from_px_; }
 
@@ -95,7 +97,7 @@ private:
     Camera camera_;
     glm::dvec3 pivot_world_;
     Handle constraint_;
-    bool by_handle_;
+    bool by_handle_, own_axes_;
     double scale_;
     glm::dvec2 from_px_, hand_px_, mouse_px_; // the hand goes slower than the mouse while fine
     glm::dvec3 offset_before_{0};             // done before the camera moved, in the world

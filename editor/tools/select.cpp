@@ -2,6 +2,7 @@
 #include "editor/tools/select.h"
 
 #include "editor/session/scene_facts.h"
+#include "editor/tools/laid_motion.h"
 #include "editor/tools/motion.h"
 #include "ui/icons.h"
 #include "ui/widgets.h"
@@ -120,7 +121,7 @@ std::vector<Hint> SelectTool::hints(const Session& session) const
         hints.push_back({{"Shift", "left"}, "Add or remove"});
         hints.push_back({{"left"}, "Drag a box"});
     }
-    if (!stands_of(session.document(), session.selected.ids()).empty()) {
+    if (laid_stand(session) || !stands_of(session.document(), session.selected.ids()).empty()) {
         for (const char* tool : {"Move", "Rotate", "Scale"})
             hints.push_back({{std::string("@") + tool}, tool});
     }

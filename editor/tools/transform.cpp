@@ -8,8 +8,14 @@
 #include "ui/icons.h"
 
 #include <imgui.h>
+#include <utility>
 
 namespace trivar {
+namespace {
+
+constexpr Handle about_surface{Grip::ring, 2}; // of what lies on a stroke
+
+} // namespace
 
 std::string TransformTool::name() const
 {
@@ -37,6 +43,7 @@ std::vector<ui::Chord> TransformTool::keys() const
 
 std::optional<MotionFrame> TransformTool::handles_at(const Session& session) const
 {
+    if (const auto laid = laid_stand(session)) return laid->frame();
     const std::vector<Stand> stands = stands_of(session.document(), session.selected.ids());
     if (stands.empty()) return {};
     const Id active = session.selected;
@@ -44,6 +51,17 @@ std::optional<MotionFrame> TransformTool::handles_at(const Session& session) con
         choices_->pivot == Pivot::center ? bounds_of(session, session.selected.ids()) : Box{};
     return MotionFrame{pivot_of(stands, active, choices_->pivot, seen),
                        shared_axes(stands, active, choices_->orientation, session.view.camera)};
+}
+
+std::vector<HandleShape> TransformTool::handles(const Session& session, double scale) const
+{
+    const auto frame = handles_at(session);
+    if (!frame) return {};
+    std::vector<HandleShape> shapes = gizmo_shapes(kind_, session.view.camera, *frame, scale);
+    if (kind_ == MotionKind::rotate && laid_stand(session))
+        std::erase_if(shapes,
+                      [](const HandleShape& shape) { return shape.handle != about_surface; });
+    return shapes;
 }
 
 bool TransformTool::awaits(const ui::Chord& chord) const
@@ -57,32 +75,54 @@ void TransformTool::begin(Session& session)
 {
     refused_s_ = -1e9;
     if (session.selected == 0 || session.committing()) return;
-    if (!handles_at(session)) {
-        refused_s_ = ImGui::GetTime();
-        if (locked(session.document(), session.selected)) {
-            session.notices.say(ui::NoticeKind::warning,
-                                name_of(session.document(), session.selected) + " is locked",
-                                "Unlock it in the outliner to move it.");
-            return;
-        }
-        const Id lies = session.selected;
-        session.notices.say(ui::NoticeKind::warning,
-                            name_of(session.document(), lies) + " lies on its stroke",
-                            "Draw another stroke to lay it elsewhere, or take it off the stroke.",
-                            "on a stroke", {{"Take off the stroke", [&session, lies] {
-                                                 if (session.run(Unplace{lies}))
-                                                     session.selected = lies;
-                                             }}});
-        return;
-    }
+    if (!handles_at(session)) return refuse(session);
     beginning_ = by_key_ = true;
 }
 
-void TransformTool::start(const Session& session, const Grasp& grasp)
+void TransformTool::refuse(Session& session)
 {
-    gesture_.emplace(kind_, stands_of(session.document(), session.selected.ids()),
-                     session.selected.active(), *choices_, session.view.camera, grasp);
-    shown_.clear();
+    refused_s_ = ImGui::GetTime();
+    const Id lies = session.selected;
+    const std::string name = name_of(session.document(), lies);
+    if (locked(session.document(), lies)) {
+        session.notices.say(ui::NoticeKind::warning, name + " is locked",
+                            "Unlock it in the outliner to move it.");
+        return;
+    }
+    if (session.selected.size() > 1) {
+        session.notices.say(ui::NoticeKind::warning, "All of these lie on strokes",
+                            "Select one of them: each moves over its own surface.", "on a stroke");
+        return;
+    }
+    const auto& step = object(session.document(), lies).placement;
+    const bool round = step && step->round;
+    session.notices.say(ui::NoticeKind::warning,
+                        round ? name + " goes round what it lies on"
+                              : name + " lies on nothing now",
+                        round ? "Its level, start and fill say where; or draw a stroke to lay it "
+                                "elsewhere, or take it off."
+                              : "Draw another stroke to lay it elsewhere, or take it off.",
+                        "on a stroke", {{"Take off the stroke", [&session, lies] {
+                                             if (session.run(Unplace{lies}))
+                                                 session.selected = lies;
+                                         }}});
+}
+
+void TransformTool::start(const Session& session, Grasp grasp)
+{
+    laid_ = laid_stand(session);
+    TransformChoices choices = *choices_;
+    std::vector<Stand> stands;
+    if (laid_) {
+        stands.push_back(laid_->stand());
+        choices.orientation = Orientation::local;
+        grasp.own_axes = true;
+        if (kind_ == MotionKind::rotate) grasp.handle = about_surface;
+    } else
+        stands = stands_of(session.document(), session.selected.ids());
+    gesture_.emplace(kind_, std::move(stands), session.selected.active(), choices,
+                     session.view.camera, grasp);
+    shown_.reset();
 }
 
 void TransformTool::use(Session& session, const ViewportInput& input)
@@ -95,8 +135,7 @@ void TransformTool::use(Session& session, const ViewportInput& input)
         hovered_ = {};
         const double scale = input.scale;
         if (frame && (input.hovered || input.pressed))
-            hovered_ = handle_at(gizmo_shapes(kind_, session.view.camera, *frame, scale),
-                                 glm::vec2(input.mouse), scale);
+            hovered_ = handle_at(handles(session, scale), glm::vec2(input.mouse), scale);
         if (hovered_.grip != Grip::none) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
         if (!input.pressed || session.committing()) return;
         if (!frame || hovered_.grip == Grip::none) {
@@ -116,24 +155,39 @@ void TransformTool::use(Session& session, const ViewportInput& input)
         show(session);
 }
 
+std::optional<Command> TransformTool::wanted(const Camera& camera) const
+{
+    if (!laid_) return arranged(gesture_->ids(), gesture_->transforms());
+    const Motion motion = gesture_->motion();
+    const MotionFrame frame = gesture_->frame();
+    if (kind_ == MotionKind::move && gesture_->free())
+        return moved_under(*laid_, frame.pivot + frame.axes * motion.offset, camera);
+    return moved(*laid_, motion, frame);
+}
+
 void TransformTool::show(Session& session)
 {
     // One proposal at a time: the next waits until the last one can be seen.
     if (!session.up_to_date()) return;
-    std::vector<Transform> wanted = gesture_->transforms();
-    if (wanted == shown_) return;
-    if (session.propose_quietly(arranged(gesture_->ids(), wanted))) shown_ = std::move(wanted);
+    const std::optional<Command> next = wanted(session.view.camera);
+    if (!next || next == shown_) return;
+    if (session.propose_quietly(*next)) shown_ = next;
 }
 
 void TransformTool::finish(Session& session)
 {
-    const TransformGesture done = *gesture_;
+    const bool by_hand = by_key_ || gesture_->travelled_px() >= click_slip_px;
+    const bool something =
+        !gesture_->motion().is_nothing() && (by_hand || gesture_->typed().open());
+    // Beside all that it could lie on it stays where it was seen last.
+    std::optional<Command> done = something ? wanted(session.view.camera) : std::nullopt;
+    if (something && !done) done = shown_;
+    const std::optional<LaidStand> laid = std::exchange(laid_, std::nullopt);
     gesture_.reset();
-    const bool by_hand = by_key_ || done.travelled_px() >= click_slip_px;
-    const bool nothing = done.motion().is_nothing();
-    if (nothing || !(by_hand || done.typed().open()) ||
-        !session.propose(arranged(done.ids(), done.transforms())))
+    if (!done || !session.propose(*done))
         session.cancel();
+    else if (laid)
+        session.commit_if_placed(laid->object);
     else
         session.commit();
 }
@@ -143,6 +197,7 @@ void TransformTool::cancel(Session& session)
     beginning_ = false;
     if (!gesture_) return;
     gesture_.reset();
+    laid_.reset();
     session.cancel();
 }
 

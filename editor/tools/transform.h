@@ -2,6 +2,7 @@
 #pragma once
 
 #include "editor/tools/gesture.h"
+#include "editor/tools/laid_motion.h"
 #include "editor/tools/tool.h"
 
 #include <memory>
@@ -11,7 +12,7 @@ namespace trivar {
 
 // A TransformTool moves, turns or scales the selection: by a drag on a handle, or after its key
 // with the mouse free until a click. The proposal is what is seen; a gesture is one step. A click
-// beside the handles selects.
+// beside the handles selects. What lies on a stroke moves over the surface, with its stroke.
 class TransformTool : public Tool {
 public:
     TransformTool(MotionKind kind, std::shared_ptr<TransformChoices> choices)
@@ -38,23 +39,30 @@ public:
 
 private:
     std::optional<MotionFrame> handles_at(const Session& session) const;
-    void start(const Session& session, const Grasp& grasp);
+    std::vector<HandleShape> handles(const Session& session, double scale) const;
+    void start(const Session& session, Grasp grasp);
+    void refuse(Session& session);
+    // What the present motion asks for; nothing: the mouse is where nothing can lie.
+    std::optional<Command> wanted(const Camera& camera) const;
+    std::string amount(const Session& session) const;
+    std::string words(const Session& session) const;
     void show(Session& session); // proposes the present result of the gesture
     void finish(Session& session);
-    void gesture_overlay(const Camera& camera, const ui::Theme& theme,
+    void gesture_overlay(const Session& session, const ui::Theme& theme,
                          const ViewportInput& input) const;
-    std::vector<Hint> hints_at_work() const;
+    std::vector<Hint> hints_at_work(const Session& session) const;
     std::vector<Hint> hints_at_rest(const Session& session) const;
 
     MotionKind kind_;
     std::shared_ptr<TransformChoices> choices_;
     std::optional<TransformGesture> gesture_;
-    bool by_key_ = false;     // a click ends the gesture, not a release
-    bool beginning_ = false;  // begun by its key, as soon as the place of the mouse is known
-    bool outside_ = false;    // the mouse is not over the picture
-    double refused_s_ = -1e9; // when there was nothing to move, although axes may follow
+    std::optional<LaidStand> laid_; // what the gesture moves, where it lies on a stroke
+    bool by_key_ = false;           // a click ends the gesture, not a release
+    bool beginning_ = false;        // begun by its key, as soon as the place of the mouse is known
+    bool outside_ = false;          // the mouse is not over the picture
+    double refused_s_ = -1e9;       // when there was nothing to move, although axes may follow
     Handle hovered_;
-    std::vector<Transform> shown_; // the last proposal
+    std::optional<Command> shown_; // the last proposal
 };
 
 } // namespace trivar

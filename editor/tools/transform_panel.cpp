@@ -34,16 +34,16 @@ void TransformTool::overlay(const Session& session, const ui::Theme& theme,
     const glm::vec2 at = input.rect.lo;
     ImGui::PushClipRect({at.x, at.y}, {input.rect.hi.x, input.rect.hi.y}, true);
     if (gesture_)
-        gesture_overlay(session.view.camera, theme, input);
-    else if (const auto frame = handles_at(session))
-        paint_gizmo(theme, at, gizmo_shapes(kind_, session.view.camera, *frame, theme.scale),
-                    hovered_);
+        gesture_overlay(session, theme, input);
+    else if (handles_at(session))
+        paint_gizmo(theme, at, handles(session, theme.scale), hovered_);
     ImGui::PopClipRect();
 }
 
-void TransformTool::gesture_overlay(const Camera& camera, const ui::Theme& theme,
+void TransformTool::gesture_overlay(const Session& session, const ui::Theme& theme,
                                     const ViewportInput& input) const
 {
+    const Camera& camera = session.view.camera;
     const MotionFrame frame = gesture_->frame();
     const Handle& held = gesture_->constraint();
     const bool free = held.grip == Grip::none, plane = held.grip == Grip::plane;
@@ -64,13 +64,13 @@ void TransformTool::gesture_overlay(const Camera& camera, const ui::Theme& theme
                    free ? theme.color.selected : axis_color(theme, held.axis));
     }
     ui::paint_dot(pivot, theme.px(4), theme.color.selected, theme.color.halo, 1.5f * theme.scale);
-    if (input.rect.contains(hand)) amount_chip(theme, input, gesture_->amount());
+    if (input.rect.contains(hand)) amount_chip(theme, input, amount(session));
 }
 
 void TransformTool::options(Session& session, const ui::Theme& theme, float width)
 {
-    (void)session;
-    const bool roomy = width >= theme.px(640); // else the choices are lists
+    const bool laid = laid_stand(session).has_value(); // it has its own axes, and its own pivot
+    const bool roomy = width >= theme.px(640);         // else the choices are lists
     const auto one_of = [&](const char* id, auto& value, const std::vector<std::string>& names) {
         return [&theme, &value, roomy, id, names](float field) {
             int chosen = static_cast<int>(value);
@@ -86,11 +86,13 @@ void TransformTool::options(Session& session, const ui::Theme& theme, float widt
     const auto setting = [&](const char* words, float field_px, auto field, const char* help) {
         options.push_back({words, field_px, std::move(field), help});
     };
-    setting("Axes", roomy ? 168 : 88, one_of("axes", c.orientation, {"World", "Local", "View"}),
-            "Along which directions the handles and X, Y and Z go.");
-    setting("Pivot", roomy ? 216 : 88,
-            one_of("pivot", c.pivot, {"Origin", "Centre", "Each", "Active"}),
-            "The point that turns and sizes are about.");
+    if (!laid)
+        setting("Axes", roomy ? 168 : 88, one_of("axes", c.orientation, {"World", "Local", "View"}),
+                "Along which directions the handles and X, Y and Z go.");
+    if (!laid)
+        setting("Pivot", roomy ? 216 : 88,
+                one_of("pivot", c.pivot, {"Origin", "Centre", "Each", "Active"}),
+                "The point that turns and sizes are about.");
     setting(
         "Ctrl snaps to", 88,
         [&](float field) {
@@ -106,15 +108,32 @@ void TransformTool::options(Session& session, const ui::Theme& theme, float widt
     ui::option_bar(theme, options, width);
 }
 
-std::vector<Hint> TransformTool::hints(const Session& session) const
+// Where a hand slides it over a surface it is the way there that counts.
+std::string TransformTool::amount(const Session& session) const
 {
-    return gesture_ ? hints_at_work() : hints_at_rest(session);
+    if (!laid_ || kind_ != MotionKind::move || !gesture_->free()) return gesture_->amount();
+    const MotionFrame frame = gesture_->frame();
+    const auto laid = laid_stand(session);
+    return in_metres(laid ? glm::distance(laid->frame().pivot, frame.pivot) : 0);
 }
 
-std::vector<Hint> TransformTool::hints_at_work() const
+std::string TransformTool::words(const Session& session) const
+{
+    if (!laid_) return gesture_->words();
+    if (kind_ == MotionKind::move && gesture_->free()) return "Slide " + amount(session);
+    const bool turns = kind_ == MotionKind::rotate;
+    return turns ? "Turn on the surface " + gesture_->amount() : gesture_->words();
+}
+
+std::vector<Hint> TransformTool::hints(const Session& session) const
+{
+    return gesture_ ? hints_at_work(session) : hints_at_rest(session);
+}
+
+std::vector<Hint> TransformTool::hints_at_work(const Session& session) const
 {
     std::vector<Hint> hints;
-    hints.push_back(hint({}, gesture_->words()));
+    hints.push_back(hint({}, words(session)));
     const bool typing = gesture_->typed().open();
     if (typing)
         hints.push_back(hint({"Enter"}, "Done"));
@@ -124,8 +143,14 @@ std::vector<Hint> TransformTool::hints_at_work() const
         hints.push_back(hint({"left"}, "Let go when done"));
     hints.push_back(hint({"Esc", "/", "right"}, "Cancel"));
     if (typing && gesture_->numbers() > 1) hints.push_back(hint({"Tab"}, "Next number"));
-    hints.push_back(hint({"X", "Y", "Z"}, "Axis"));
-    if (kind_ != MotionKind::rotate) hints.push_back(hint({"Shift", "X", "Y", "Z"}, "Plane"));
+    if (laid_ && kind_ == MotionKind::move)
+        hints.push_back(hint({"X", "Y", "Z"}, "Along, across, off the surface"));
+    else if (laid_ && kind_ == MotionKind::scale)
+        hints.push_back(hint({"X", "Y", "Z"}, "Length, width, height"));
+    else if (!laid_)
+        hints.push_back(hint({"X", "Y", "Z"}, "Axis"));
+    if (kind_ != MotionKind::rotate && !laid_)
+        hints.push_back(hint({"Shift", "X", "Y", "Z"}, "Plane"));
     if (typing) return hints;
     hints.push_back(hint({"0-9"}, "Type it"));
     hints.push_back(hint({"Ctrl"}, "Snap"));
@@ -146,7 +171,7 @@ std::vector<Hint> TransformTool::hints_at_rest(const Session& session) const
                           glm::all(glm::lessThan(middle.p_px, session.view.camera.size_px));
         if (seen) hints.push_back(hint({"left"}, "Drag a handle"));
         hints.push_back(hint({"@" + name()}, name() + " freely"));
-        hints.push_back(hint({reset}, "Reset"));
+        if (!laid_stand(session)) hints.push_back(hint({reset}, "Reset"));
         if (!seen) hints.push_back(hint({"@Frame selection"}, "Frame it, to see the handles"));
     }
     hints.push_back(hint({"left"}, "Select"));

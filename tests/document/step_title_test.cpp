@@ -150,6 +150,15 @@ TEST(StepTitle, TellsAStrokeDrawnAgainAndOneThatWasReshaped)
               "Place Pot again on Table");
     EXPECT_EQ(said(EditPlacement{.object = 3, .parameters = {}, .sketch = other, .onto = {}}),
               "Stroke of Pot");
+    Sketch moved = testing::small_sketch();
+    moved.camera.eye.x += 1;
+    moved.camera.target.x += 1;
+    EXPECT_EQ(said(EditPlacement{.object = 3, .parameters = {}, .sketch = moved, .onto = {}}),
+              "Move Pot over the surface");
+    Sketch grown = testing::small_sketch();
+    grown.camera.eye += grown.camera.eye - grown.camera.target;
+    EXPECT_EQ(said(EditPlacement{.object = 3, .parameters = {}, .sketch = grown, .onto = {}}),
+              "Scale Pot on the surface × 2");
     EXPECT_EQ(said(EditPlacement{
                   .object = 3, .parameters = {}, .sketch = {}, .onto = std::vector<Id>{2}}),
               "Lay Pot on Ball");

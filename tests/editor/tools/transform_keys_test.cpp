@@ -156,12 +156,12 @@ TEST(TransformByKey, AltResets)
     EXPECT_EQ(rig.steps(), 3u) << "there is nothing to reset";
 }
 
-TEST(TransformByKey, WhatLiesOnAStrokeSaysWhyItStaysWhereItIs)
+TEST(TransformByKey, WhatGoesRoundABodyOffersToBeTakenOff)
 {
     Rig rig;
     rig.two_objects();
-    rig.key({'D'});
-    rig.draw(rig.stroke());
+    ASSERT_TRUE(rig.editor.session.run(AddCylinder{}));
+    ASSERT_TRUE(rig.editor.session.run(PlaceRound{2, 3, 0, {}}));
     rig.wait();
     ASSERT_TRUE(object(rig.editor.session.document(), 2).placement);
     EXPECT_EQ(stands_of(rig.editor.session.document(), {1, 2}).size(), 1u);
@@ -171,13 +171,13 @@ TEST(TransformByKey, WhatLiesOnAStrokeSaysWhyItStaysWhereItIs)
     EXPECT_FALSE(rig.editor.active_tool().busy());
     ASSERT_EQ(rig.editor.session.notices.all().size(), said + 1);
     rig.key({'X'});
-    EXPECT_EQ(rig.steps(), 3u) << "an axis is no command of its own";
+    EXPECT_EQ(rig.steps(), 4u) << "an axis is no command of its own";
     const auto& notice = rig.editor.session.notices.all().back();
     ASSERT_EQ(notice.actions.size(), 1u);
     EXPECT_EQ(notice.actions[0].words, "Take off the stroke");
     const auto take_off = notice.actions[0].act; // it may outlive its notice
     take_off();
-    EXPECT_EQ(rig.steps(), 4u);
+    EXPECT_EQ(rig.steps(), 5u);
     EXPECT_FALSE(object(rig.editor.session.document(), 2).placement);
     EXPECT_EQ(rig.editor.session.selected, 2);
     rig.key({'G'});
