@@ -9,8 +9,8 @@
 namespace trivar {
 
 // The names that hold the letters in order, the best match first. Among equal matches a complete
-// word comes first, then the last used, then the first listed. Without letters: the recent names
-// and then all others.
+// word comes first, then the last used, then the one whose letters stand nearest together, then the
+// first listed. Without letters: the recent names and then all others.
 struct RankedName {
     std::size_t index = 0;            // in `names`
     std::vector<std::size_t> letters; // that matched
