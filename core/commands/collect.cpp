@@ -3,69 +3,17 @@
 
 #include "core/base/rejected.h"
 #include "core/files/companions.h"
-#include "core/files/file_bytes.h"
+#include "core/files/copies.h"
 
 #include <filesystem>
 #include <fmt/format.h>
 #include <map>
-#include <unistd.h>
 #include <vector>
 
 namespace trivar {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool same_content(const fs::path& a, const fs::path& b)
-{
-    std::error_code ignored;
-    return fs::equivalent(a, b, ignored) ||
-           (fs::file_size(a, ignored) == fs::file_size(b, ignored) &&
-            file_hash(a.string()) == file_hash(b.string()));
-}
-
-// Copies that go again unless they are kept.
-class Copies {
-public:
-    Copies() = default;
-    Copies(const Copies&) = delete;
-    Copies& operator=(const Copies&) = delete;
-    ~Copies()
-    {
-        std::error_code ignored;
-        for (auto each = made_.rbegin(); each != made_.rend(); ++each) fs::remove(*each, ignored);
-    }
-    void keep() { made_.clear(); }
-
-    // Of the folders that lead to a file, those that are missing.
-    void make_folder(const fs::path& folder)
-    {
-        std::error_code error;
-        if (folder.empty() || fs::is_directory(folder, error)) return;
-        make_folder(folder.parent_path());
-        if (!fs::create_directory(folder, error))
-            throw Rejected(fmt::format("{}: the folder cannot be made ({})", folder.string(),
-                                       error ? error.message() : "something is in its place"));
-        made_.push_back(folder);
-    }
-    void copy(const fs::path& from, const fs::path& to)
-    {
-        make_folder(to.parent_path());
-        const fs::path beside = to.string() + fmt::format(".{}.part", ::getpid());
-        made_.push_back(beside);
-        std::error_code error;
-        const bool copied = fs::copy_file(from, beside, fs::copy_options::none, error);
-        if (copied) fs::rename(beside, to, error);
-        if (!copied || error)
-            throw Rejected(fmt::format("{}: cannot be copied to {} ({}); nothing has changed",
-                                       from.filename().string(), to.parent_path().string(),
-                                       error.message()));
-        made_.back() = to;
-    }
-
-private:
-    std::vector<fs::path> made_;
-};
 
 // A model's file and what goes with it, all as from one folder.
 struct Bundle {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/kept_scenes.h"
 
+#include "core/base/rejected.h"
+#include "core/base/text.h"
+
 #include <algorithm>
 #include <ctime>
 #include <fmt/format.h>
@@ -8,6 +11,28 @@
 #include <unistd.h>
 
 namespace trivar {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view shapes_suffix = " kept shapes";
+
+bool is_shapes_folder(const fs::path& name)
+{
+    return name.string().starts_with(kept_name) && name.string().ends_with(shapes_suffix);
+}
+
+// Whether a scene holds that text. One that cannot be read may.
+bool names(const fs::path& scene, const std::string& text)
+{
+    try {
+        return read_text_file(scene.string()).find(text) != std::string::npos;
+    } catch (const Rejected&) {
+        return true;
+    }
+}
+
+} // namespace
 
 std::string absolute_folder(const std::string& path)
 {
@@ -40,6 +65,36 @@ void forget_old_scenes(const std::string& folder, std::chrono::hours aside_for)
     const auto now = std::filesystem::file_time_type::clock::now();
     for (const auto& [time, path] : scenes_in(folder, aside_name))
         if (now - time > aside_for) std::filesystem::remove(path, ignored);
+    remove_unused_shapes(folder);
+}
+
+std::string kept_shapes_of(const std::string& scene_path)
+{
+    return fs::path(scene_path).replace_extension().string() + std::string(shapes_suffix);
+}
+
+bool is_kept_shape(const fs::path& file, const fs::path& folder)
+{
+    const fs::path within = file.lexically_normal().lexically_relative(folder.lexically_normal());
+    return std::distance(within.begin(), within.end()) == 2 && is_shapes_folder(*within.begin());
+}
+
+void remove_unused_shapes(const std::string& folder)
+{
+    std::error_code ignored;
+    std::vector<fs::path> scenes, shapes;
+    for (const auto& each : fs::directory_iterator(folder, ignored))
+        if (each.path().extension() == kept_extension)
+            scenes.push_back(each.path());
+        else if (is_shapes_folder(each.path().filename()) && each.is_directory(ignored))
+            shapes.push_back(each.path());
+    for (const fs::path& each : shapes) {
+        const std::string name = each.filename().string();
+        if (std::ranges::none_of(scenes, [&](const fs::path& scene) {
+                return kept_shapes_of(scene.filename().string()) == name || names(scene, name);
+            }))
+            fs::remove_all(each, ignored);
+    }
 }
 
 std::string free_kept_path(const std::string& folder)

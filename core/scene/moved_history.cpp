@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/moved_history.h"
 
+#include "core/scene/kept_scenes.h"
+
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace trivar {
@@ -29,28 +32,92 @@ bool is_relative(const ImportedFile* file)
     return std::filesystem::path(file->path).is_relative();
 }
 
-} // namespace
-
-bool imports_by_relative_path(const History::Step& step)
+std::filesystem::path absolute(const ImportedFile& file, const std::filesystem::path& folder)
 {
-    return std::ranges::any_of(files_of(step.command), is_relative);
+    return (folder / file.path).lexically_normal();
+}
+
+// Where a copy of the file can lie: where there is none, or one with the same content.
+std::filesystem::path place_for(const std::filesystem::path& file,
+                                const std::filesystem::path& folder)
+{
+    const auto usable = [&](const std::string& path) {
+        std::error_code ignored;
+        return !std::filesystem::exists(path, ignored) || same_content(path, file);
+    };
+    const std::string path = (folder / file.filename()).string();
+    return usable(path) ? path : numbered_name(path, usable);
+}
+
+// New paths of files by their old ones, both absolute.
+using NewPaths = std::map<std::filesystem::path, std::filesystem::path>;
+
+NewPaths shapes_brought(const History& history, const std::filesystem::path& from,
+                        const std::filesystem::path& to, Copies& copies)
+{
+    NewPaths brought;
+    const auto bring = [&](const ImportedFile& file) {
+        const std::filesystem::path path = absolute(file, from);
+        std::error_code ignored;
+        if (brought.contains(path) || !is_kept_shape(path, from) ||
+            !std::filesystem::is_regular_file(path, ignored))
+            return;
+        const std::filesystem::path place = place_for(path, to).lexically_normal();
+        if (!std::filesystem::exists(place, ignored)) copies.copy(path, place);
+        brought[path] = place;
+    };
+    history.retell(
+        [&](const History::Step& step) {
+            for (const ImportedFile* file : files_of(step.command)) bring(*file);
+        },
+        [] {});
+    return brought;
 }
 
 History moved(const History& history, const std::filesystem::path& from,
-              const std::filesystem::path& to)
+              const std::filesystem::path& to, const NewPaths& brought)
 {
     History result;
     history.retell(
         [&](const History::Step& step) {
             Command command = step.command;
-            for (ImportedFile* file : files_of(command))
-                if (is_relative(file))
-                    file->path =
-                        (from / file->path).lexically_normal().lexically_relative(to).string();
+            for (ImportedFile* file : files_of(command)) {
+                if (!is_relative(file)) continue;
+                const std::filesystem::path path = absolute(*file, from);
+                const auto found = brought.find(path);
+                const std::filesystem::path& now = found == brought.end() ? path : found->second;
+                file->path = now.lexically_relative(to).string();
+            }
             result.run(std::move(command), step.note);
         },
         [&] { result.undo(); });
     return result;
+}
+
+} // namespace
+
+bool imports_by_relative_path(const History& history)
+{
+    bool found = false;
+    history.retell(
+        [&](const History::Step& step) {
+            found = found || std::ranges::any_of(files_of(step.command), is_relative);
+        },
+        [] {});
+    return found;
+}
+
+History moved(const History& history, const std::filesystem::path& from,
+              const std::filesystem::path& to)
+{
+    return moved(history, from, to, {});
+}
+
+std::optional<History> moved_with_shapes(const History& history, const std::filesystem::path& from,
+                                         const std::filesystem::path& to, Copies& copies)
+{
+    if (from == to || !imports_by_relative_path(history)) return {};
+    return moved(history, from, to, shapes_brought(history, from, to, copies));
 }
 
 } // namespace trivar

@@ -45,8 +45,10 @@ struct SceneFile::State {
     void let_go()
     {
         std::error_code ignored;
-        if (file && path.empty()) std::filesystem::remove(file_path, ignored);
+        const bool unnamed = file && path.empty();
+        if (unnamed) std::filesystem::remove(file_path, ignored);
         file.reset();
+        if (unnamed) remove_unused_shapes(std::filesystem::path(file_path).parent_path().string());
     }
 
     History history;
@@ -190,8 +192,7 @@ void SceneFile::keep_in(const std::string& folder)
     if (folder.empty() || !s.path.empty() || s.file || s.look_only) return;
     s.kept_in = folder;
     const std::string from = std::exchange(s.folder, std::filesystem::absolute(folder).string());
-    if (std::ranges::any_of(s.history.steps(), imports_by_relative_path))
-        s.history = moved(s.history, from, s.folder);
+    if (imports_by_relative_path(s.history)) s.history = moved(s.history, from, s.folder);
     if (!s.as_opened) start_kept();
 }
 
@@ -212,6 +213,22 @@ void SceneFile::start_kept()
     } catch (const Rejected& error) {
         s.trouble = error.what();
     }
+}
+
+std::string SceneFile::make_shapes_folder()
+{
+    check_may_change();
+    State& s = *state_;
+    if (!s.path.empty()) return s.folder;
+    if (!s.file) start_kept();
+    if (!s.file)
+        throw Rejected(s.trouble.empty() ? "the scene has no folder yet; save it first"
+                                         : s.trouble);
+    const std::string folder = kept_shapes_of(s.file_path);
+    Copies made;
+    made.make_folder(folder);
+    made.keep();
+    return folder;
 }
 
 const History& SceneFile::history() const
@@ -265,11 +282,11 @@ void SceneFile::save_copy(const std::string& path) const
     const State& s = *state_;
     if (std::filesystem::exists(path))
         throw Rejected(path + ": is there already and is not replaced");
-    const std::string folder = absolute_folder(path);
-    const bool elsewhere =
-        folder != s.folder && std::ranges::any_of(s.history.steps(), imports_by_relative_path);
-    const LockedFile file(path,
-                          log_text(elsewhere ? moved(s.history, s.folder, folder) : s.history));
+    Copies copies;
+    const std::optional<History> other =
+        moved_with_shapes(s.history, s.folder, absolute_folder(path), copies);
+    const LockedFile file(path, log_text(other ? *other : s.history));
+    copies.keep();
 }
 
 // A command that begins a branch was taken when the branch was made.
@@ -346,17 +363,16 @@ void SceneFile::save(const std::string& path, bool compact)
     if (!in_place && std::filesystem::is_regular_file(path, ignored) &&
         LockedFile(path).access() == LockedFile::Access::in_use)
         throw Rejected(path + ": is open in another Trivar; choose another name");
-    // Where no path changes the very documents stay, and with them what was computed from them.
-    std::optional<History> other;
-    if (folder != s.folder && std::ranges::any_of(s.history.steps(), imports_by_relative_path))
-        other = moved(s.history, s.folder, folder);
-    const History& kept = other ? *other : s.history;
+    History kept = s.history;
+    if (compact) kept.forget_undone();
+    Copies copies;
+    if (auto other = moved_with_shapes(kept, s.folder, folder, copies)) kept = std::move(*other);
     const std::string text = compact ? compact_log_text(kept) : log_text(kept);
     if (in_place) keep_torn();
     LockedFile file(path, text);
+    copies.keep();
     s.let_go();
-    if (other) s.history = std::move(*other);
-    if (compact) s.history.forget_undone();
+    s.history = std::move(kept);
     s.history.cancel();
     s.file.emplace(std::move(file));
     s.path = s.file_path = path;

@@ -65,8 +65,8 @@ public:
 
     // Writes the whole history, or only the steps in force (which forgets the undone ones), beside
     // the target, renames that file over the target and continues there. In another folder the
-    // paths of imports are rewritten. If it throws Rejected, neither the file at `path` nor this
-    // scene has changed.
+    // paths of imports are rewritten, and shapes that were kept while the scene had no name are
+    // copied there. If it throws Rejected, neither the file at `path` nor this scene has changed.
     void save_as(const std::string& path);
     void save_compact(const std::string& path);
     // Writes the whole history into a new file; this scene continues where it is. Throws Rejected,
@@ -77,6 +77,10 @@ public:
     // From its next step on, a scene without a name is kept in the folder, which is made where it
     // is missing. No effect on other scenes, nor with an empty name; `trouble` says what fails.
     void keep_in(const std::string& folder);
+
+    // The folder for files of shapes that this scene keeps: its own, or while it has no name one in
+    // the folder for such scenes, which is made. Throws Rejected where it is in memory only.
+    std::string make_shapes_folder();
 
     const std::string& path() const;     // empty: a scene without a name, or a copy
     const std::string& original() const; // the file it is a copy of; empty: none

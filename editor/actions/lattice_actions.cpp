@@ -102,10 +102,12 @@ void add_member_actions(std::vector<Action>& actions)
                        },
                        {[](const Editor& e) {
                             const Id lattice = selected_lattice(e.session);
+                            const bool on_disk = !e.session.scene().path().empty() ||
+                                                 !e.session.unnamed_folder().empty();
                             return lattice != 0 && !locked(e.session.document(), lattice) &&
-                                   e.session.up_to_date() && !e.session.scene().path().empty();
+                                   e.session.up_to_date() && on_disk;
                         },
-                        "select a lattice first, in a scene that was saved"}});
+                        "select a lattice first, in a scene that is kept on disk"}});
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "core/base/rejected.h"
 #include "core/commands/collect.h"
 #include "core/export/still_export.h"
+#include "core/files/copies.h"
 #include "core/files/file_bytes.h"
 #include "core/files/write_model.h"
 #include "core/scene/files_read.h"
@@ -56,24 +57,6 @@ ExportWords words_of_export(const std::string& path, const std::string& scene,
 }
 
 } // namespace
-
-std::string numbered_name(const std::string& path)
-{
-    const fs::path file(path);
-    std::string stem = file.stem().string();
-    const std::size_t bar = stem.rfind('_');
-    if (bar != stem.npos && bar > 0 && bar + 1 < stem.size() &&
-        stem.find_first_not_of("0123456789", bar + 1) == stem.npos)
-        stem.resize(bar);
-    std::error_code ignored;
-    for (int n = 1;; ++n) {
-        std::string digits = std::to_string(n);
-        if (digits.size() < 3) digits.insert(0, 3 - digits.size(), '0');
-        const fs::path copy =
-            file.parent_path() / (stem + "_" + digits + file.extension().string());
-        if (!fs::exists(copy, ignored)) return copy.string();
-    }
-}
 
 const std::vector<std::string>& model_extensions()
 {

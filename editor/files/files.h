@@ -15,8 +15,6 @@ namespace trivar {
 
 const std::vector<std::string>& model_extensions(); // that can be imported
 const std::vector<std::string>& export_extensions();
-// The first free name beside a file: a_001.trivar, then a_002.trivar.
-std::string numbered_name(const std::string& path);
 inline constexpr const char* scene_extension = ".trivar";
 
 // Files is everything that a person reads and writes: dialogs, drops, questions. Reading and

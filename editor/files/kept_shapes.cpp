@@ -2,8 +2,8 @@
 #include "editor/files/kept_shapes.h"
 
 #include "core/commands/group.h"
+#include "core/files/copies.h"
 #include "core/files/write_model.h"
-#include "editor/files/files.h"
 #include "editor/session/scene_facts.h"
 
 #include <algorithm>
@@ -45,22 +45,33 @@ Model model_then(const EvaluatedObject& object, const Document& then)
     return model_of(one, then);
 }
 
+// The file at that path or the next number of it that holds the model; it is written where none
+// does.
+std::string file_with(const Model& model, const std::string& path)
+{
+    const std::string made = numbered_name(path);
+    write_model(model, made);
+    const std::string same =
+        numbered_name(path, [&](const std::string& each) { return same_content(each, made); });
+    std::error_code ignored;
+    if (same != made) std::filesystem::remove(made, ignored);
+    return same;
+}
+
 } // namespace
 
-Command kept_shapes(const Session& session, Id lattice)
+Command kept_shapes(Session& session, Id lattice)
 {
     KeepShape keep{lattice, {}, {}};
     const Document& document = session.document();
     const Document then = after(document, Ungroup{lattice});
-    const std::filesystem::path folder = session.assets()->folder();
+    const std::filesystem::path folder = session.make_shapes_folder();
     for (const auto& [id, each] : session.evaluated().objects) {
         if (id == lattice || each->shows_nothing() || !belongs_to(document, id, lattice)) continue;
         const std::filesystem::path file =
             folder / (as_file_name(name_of(document, id) + " kept") + ".glb");
-        const std::string path = numbered_name(file.string());
-        write_model(model_then(*each, then), path);
         keep.members.push_back(id);
-        keep.files.emplace_back().path = path;
+        keep.files.emplace_back().path = file_with(model_then(*each, then), file.string());
     }
     if (keep.members.empty()) return Ungroup{lattice};
     return prepare(std::move(keep), *session.assets());

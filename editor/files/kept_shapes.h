@@ -6,9 +6,9 @@
 
 namespace trivar {
 
-// The command that deletes a lattice and keeps its contents in their present shape. It writes one
-// .glb per object into the scene's folder, under a free name, and names these files. The scene must
-// have a name. Throws Rejected where a file cannot be written.
-Command kept_shapes(const Session& session, Id lattice);
+// The command that deletes a lattice and keeps its contents in their present shape. It names one
+// .glb per object, in the scene's folder for them, and writes those that are not there already,
+// under free names. Throws Rejected where a file cannot be written.
+Command kept_shapes(Session& session, Id lattice);
 
 } // namespace trivar

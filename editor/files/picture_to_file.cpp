@@ -2,8 +2,8 @@
 #include "editor/files/picture_to_file.h"
 
 #include "core/base/rejected.h"
+#include "core/files/copies.h"
 #include "core/files/image.h"
-#include "editor/files/files.h"
 #include "editor/words/file_words.h"
 #include "ui/camera_control.h"
 

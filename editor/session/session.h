@@ -80,8 +80,9 @@ public:
     const std::string& unnamed_folder() const { return unnamed_folder_; }
     // Called when a scene without a name that holds work was replaced by another one.
     std::function<void()> when_discarded;
-    void save_as(const std::string& path);      // may throw Rejected
-    void save_compact(const std::string& path); // may throw Rejected
+    void save_as(const std::string& path);                                   // may throw Rejected
+    void save_compact(const std::string& path);                              // may throw Rejected
+    std::string make_shapes_folder() { return scene_.make_shapes_folder(); } // may throw Rejected
     Ref<AssetStore> assets() const { return assets_; }
 
     void poll(); // takes in what other threads finished; once a frame

@@ -8,7 +8,7 @@ namespace trivar::testing {
 
 // Two boxes side by side, the left one selected, seen from the front.
 struct Boxes : Rig {
-    Boxes()
+    explicit Boxes(const std::string& unnamed_folder = {}) : Rig({720, 520}, {}, unnamed_folder)
     {
         for (const double x : {-1.5, 1.5}) {
             AddBox box;

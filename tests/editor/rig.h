@@ -15,14 +15,16 @@ namespace trivar::testing {
 
 // The whole editor without a screen, driven by the mouse and keys of nobody.
 struct Rig {
-    explicit Rig(glm::ivec2 size = {720, 520}, const ui::ThemeOptions& options = {})
+    explicit Rig(glm::ivec2 size = {720, 520}, const ui::ThemeOptions& options = {},
+                 const std::string& unnamed_folder = {})
         : size_px(size),
-          screen(size, options)
+          screen(size, options),
+          editor([] {}, all_actions(), unnamed_folder)
     {
     }
     glm::ivec2 size_px;
     ui::HeadlessFrames screen;
-    Editor editor{[] {}, all_actions()};
+    Editor editor;
 
     ui::DrawFrame body()
     {

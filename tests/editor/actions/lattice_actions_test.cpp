@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/lattice_actions.h"
 
+#include "core/base/text.h"
+#include "core/document/document_digest.h"
+#include "core/scene/kept_scenes.h"
 #include "editor/actions/actions.h"
 #include "editor/session/outline.h"
 #include "editor/tools/lattice_round.h"
@@ -12,11 +15,11 @@
 namespace trivar {
 namespace {
 
-using ::testing::ElementsAre;
+using ::testing::ElementsAre, ::testing::IsEmpty;
 
 // Box 1 in lattice 3, box 2 beside it.
 struct InALattice : testing::Boxes {
-    InALattice()
+    explicit InALattice(const std::string& unnamed_folder = {}) : Boxes(unnamed_folder)
     {
         EXPECT_TRUE(editor.session.run(
             AddLattice{.objects = {1}, .shape = {.size = {2, 2, 2}}, .transform = of(1)}));
@@ -104,6 +107,147 @@ TEST(LatticeActions, KeepTheShapeOfMembersInFilesWhenALatticeIsDeleted)
     rig.editor.session.undo();
     rig.wait();
     EXPECT_TRUE(rig.editor.session.document().objects.contains(3));
+}
+
+// All files in a folder and in its folders.
+std::vector<std::string> files_in(const std::filesystem::path& folder)
+{
+    std::vector<std::string> out;
+    for (const auto& each : std::filesystem::recursive_directory_iterator(folder))
+        out.push_back(each.path().lexically_relative(folder).string());
+    std::ranges::sort(out);
+    return out;
+}
+
+// Box 1 kept its shape in a scene without a name.
+struct KeptWithoutAName : InALattice {
+    explicit KeptWithoutAName(const std::string& unnamed_folder) : InALattice(unnamed_folder)
+    {
+        editor.session.selected = 3;
+        run(keep_shape_action);
+    }
+    std::string effects() const { return digest(editor.session.evaluated()); }
+    std::string path() const
+    {
+        return std::get<ImportedFile>(object(editor.session.document(), 1).source).path;
+    }
+};
+
+TEST(LatticeActions, KeepTheShapeInASceneWithoutANameAndBringItsFileAlongWhenItGetsOne)
+{
+    const testing::TemporaryFolder unnamed, folder;
+    std::string effects, causes;
+    {
+        KeptWithoutAName rig(unnamed.path().string());
+        ASSERT_TRUE(rig.path().ends_with(" kept shapes/Box kept_001.glb")) << rig.path();
+        effects = rig.effects();
+        rig.editor.session.undo();
+        rig.wait();
+        EXPECT_NE(rig.effects(), effects);
+        rig.editor.session.redo();
+        rig.wait();
+        EXPECT_EQ(rig.effects(), effects);
+        rig.editor.session.save_as(folder.file("scene.trivar"));
+        rig.wait();
+        EXPECT_EQ(rig.effects(), effects);
+        EXPECT_EQ(rig.path(), "Box kept_001.glb");
+        causes = digest(rig.editor.session.document());
+        EXPECT_THAT(files_in(folder.path()), ElementsAre("Box kept_001.glb", "scene.trivar"));
+        EXPECT_THAT(files_in(unnamed.path()), IsEmpty());
+    }
+    testing::Rig again;
+    again.editor.session.replace_scene(SceneFile(folder.file("scene.trivar")));
+    again.wait();
+    EXPECT_EQ(digest(again.editor.session.document()), causes);
+    EXPECT_EQ(digest(again.editor.session.evaluated()), effects);
+    again.editor.session.undo();
+    again.wait();
+    EXPECT_TRUE(again.editor.session.document().objects.contains(3));
+}
+
+TEST(LatticeActions, WriteAShapeOnceHoweverOftenItIsKept)
+{
+    const testing::TemporaryFolder unnamed;
+    KeptWithoutAName rig(unnamed.path().string());
+    const std::vector<std::string> once = files_in(unnamed.path());
+    rig.editor.session.undo();
+    rig.wait();
+    rig.editor.session.selected = 3;
+    rig.run(keep_shape_action);
+    EXPECT_EQ(files_in(unnamed.path()), once);
+    rig.editor.session.undo();
+    rig.wait();
+    ASSERT_TRUE(rig.editor.session.run(
+        MovePoints{3, {.points = {{1, 1, 3}, {2, 2, 3}}, .by = {0, 0, 0.1}}}));
+    rig.wait();
+    rig.editor.session.selected = 3;
+    rig.run(keep_shape_action);
+    EXPECT_EQ(files_in(unnamed.path()).size(), once.size() + 1);
+    EXPECT_TRUE(rig.path().ends_with("Box kept_002.glb"));
+}
+
+TEST(LatticeActions, TakeAFreeNameForAShapeThatAnotherFilesNameIsInTheWayOf)
+{
+    const testing::TemporaryFolder unnamed, folder;
+    testing::write_file(folder.file("Box kept_001.glb"), "another");
+    KeptWithoutAName rig(unnamed.path().string());
+    const std::string effects = rig.effects();
+    rig.editor.session.save_as(folder.file("scene.trivar"));
+    rig.wait();
+    EXPECT_EQ(rig.path(), "Box kept_002.glb");
+    EXPECT_EQ(rig.effects(), effects);
+    EXPECT_EQ(read_text_file(folder.file("Box kept_001.glb")), "another");
+}
+
+TEST(LatticeActions, FindAKeptShapeAgainAfterACrashAndAfterTheSceneWasDiscarded)
+{
+    const testing::TemporaryFolder unnamed, killed;
+    std::string effects;
+    {
+        KeptWithoutAName rig(unnamed.path().string());
+        effects = rig.effects();
+        std::filesystem::copy(unnamed.path(), killed.path(),
+                              std::filesystem::copy_options::recursive);
+    }
+    for (const std::filesystem::path& folder : {killed.path(), unnamed.path()}) {
+        const std::string where = folder.string();
+        testing::Rig rig({720, 520}, {}, where);
+        const std::string scene = folder == killed.path() ? SceneFile::left_in(where).value()
+                                                          : SceneFile::set_aside_in(where).front();
+        rig.editor.session.replace_scene(SceneFile::taken_up(scene));
+        rig.wait();
+        EXPECT_EQ(digest(rig.editor.session.evaluated()), effects);
+        const std::string named = (folder / "named/scene.trivar").string();
+        std::filesystem::create_directory(folder / "named");
+        rig.editor.session.save_as(named);
+        rig.wait();
+        EXPECT_EQ(digest(rig.editor.session.evaluated()), effects);
+        EXPECT_THAT(files_in(folder),
+                    ElementsAre("named", "named/Box kept_001.glb", "named/scene.trivar"));
+    }
+}
+
+TEST(LatticeActions, ForgetAKeptShapeWithTheDiscardedSceneThatNamedIt)
+{
+    const testing::TemporaryFolder unnamed;
+    const std::string where = unnamed.path().string();
+    {
+        const KeptWithoutAName rig(where);
+        forget_old_scenes(where, std::chrono::hours(0));
+        EXPECT_EQ(files_in(unnamed.path()).size(), 3u) << "it is open";
+    }
+    forget_old_scenes(where, std::chrono::days(30));
+    EXPECT_EQ(files_in(unnamed.path()).size(), 3u) << "it can be brought back";
+    const std::string discarded = SceneFile::set_aside_in(where).front();
+    const std::string other = unnamed.file("untitled-other.trivar");
+    std::filesystem::copy_file(discarded, other);
+    std::filesystem::last_write_time(discarded, std::filesystem::file_time_type::clock::now() -
+                                                    std::chrono::days(31));
+    forget_old_scenes(where, std::chrono::days(30));
+    EXPECT_EQ(files_in(unnamed.path()).size(), 3u) << "another scene has it too";
+    std::filesystem::remove(other);
+    forget_old_scenes(where, std::chrono::days(30));
+    EXPECT_THAT(files_in(unnamed.path()), IsEmpty());
 }
 
 TEST(LatticeActions, AreNeededNoMoreThanADropOnALatticesRow)
