@@ -137,14 +137,19 @@ void GltfMeshes::append(std::vector<T>& values, const GltfEntry& owner, const ch
                  read.not_finite);
 }
 
-GltfMeshes::VertexRange GltfMeshes::add_vertices(Mesh& mesh, const GltfEntry& primitive)
+std::size_t GltfMeshes::position_count(const GltfEntry& attributes)
 {
-    const GltfEntry attributes = primitive.needed_part("attributes");
     const GltfAccessors::Table positions = accessors_.floats(attributes, "POSITION");
     if (positions.not_finite > 0)
         attributes.fail(fmt::format("'POSITION' has numbers that are infinite or none, {} in all",
                                     positions.not_finite));
-    const VertexRange added{mesh.vertex_count(), positions.count};
+    return positions.count;
+}
+
+GltfMeshes::VertexRange GltfMeshes::add_vertices(Mesh& mesh, const GltfEntry& primitive)
+{
+    const GltfEntry attributes = primitive.needed_part("attributes");
+    const VertexRange added{mesh.vertex_count(), position_count(attributes)};
     if (added.end() > 0xfffffff0u)
         primitive.fail("with it, the mesh has more vertices than can be counted");
     accessors_.file().account(primitive, added.count, "vertices", vertex_bytes);
@@ -230,11 +235,7 @@ void GltfMeshes::add_targets(Mesh& mesh, const GltfEntry& primitive, VertexRange
 GltfMeshes::VertexRange GltfMeshes::add_line_points(Mesh& points, const GltfEntry& primitive)
 {
     const GltfEntry attributes = primitive.needed_part("attributes");
-    const GltfAccessors::Table positions = accessors_.floats(attributes, "POSITION");
-    if (positions.not_finite > 0)
-        attributes.fail(fmt::format("'POSITION' has numbers that are infinite or none, {} in all",
-                                    positions.not_finite));
-    const VertexRange added{points.vertex_count(), positions.count};
+    const VertexRange added{points.vertex_count(), position_count(attributes)};
     accessors_.file().account(primitive, added.count, "points", vertex_bytes);
     append(points.positions, attributes, "POSITION", added, glm::vec3(0));
     append(points.colors, attributes, "COLOR_0", added, glm::vec4(1), 3);

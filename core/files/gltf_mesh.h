@@ -30,6 +30,7 @@ private:
         std::size_t first, count;
         std::size_t end() const { return first + count; }
     };
+    std::size_t position_count(const GltfEntry& attributes); // all of which are finite
     VertexRange add_vertices(Mesh& mesh, const GltfEntry& primitive);
     void add_uvs(Mesh& mesh, const GltfEntry& attributes, VertexRange added,
                  const UvTransforms& transforms);
