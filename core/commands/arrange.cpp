@@ -84,7 +84,7 @@ Document without(Document document, const std::set<Id>& chosen, std::set<Id>& go
         Id parent = object(document, id).parent;
         if (gone.contains(id) || !gone.contains(parent)) continue;
         while (gone.contains(parent)) parent = object(document, parent).parent;
-        document = hung(std::move(document), id, parent);
+        document = with_parent(std::move(document), id, parent);
     }
     for (const Id id : gone) document.objects.erase(id);
     return document;

@@ -66,7 +66,7 @@ void check_no_ring(const Document& document, const std::vector<Id>& members, Id 
 
 // What is placed lies in the world without its transform, and keeps that for the day it is taken
 // off its stroke.
-Document hung(Document document, Id id, Id parent)
+Document with_parent(Document document, Id id, Id parent)
 {
     const glm::dmat4 from = parent_to_world(document, object(document, id).parent);
     const glm::dmat4 to = parent_to_world(document, parent);
@@ -97,7 +97,7 @@ Document with_parent_of(Document document, const std::vector<Id>& objects, Objec
         if (object(document, id).parent != holder.parent) holder.parent = 0;
     const Id group = document.next_id;
     document = with_added(std::move(document), std::move(holder));
-    for (const Id id : members) document = hung(std::move(document), id, group);
+    for (const Id id : members) document = with_parent(std::move(document), id, group);
     check_depth(document, group);
     return document;
 }
@@ -126,7 +126,7 @@ Document applied(Document document, const Ungroup& command)
     std::vector<Id> members;
     for (const auto& [id, ref] : document.objects)
         if (ref->parent == command.object) members.push_back(id);
-    for (const Id id : members) document = hung(std::move(document), id, parent);
+    for (const Id id : members) document = with_parent(std::move(document), id, parent);
     document.objects.erase(command.object);
     return document;
 }
@@ -148,7 +148,7 @@ Document applied(Document document, const SetParent& command)
                                        named(document, command.parent)));
         check_no_ring(document, members, command.parent);
     }
-    for (const Id id : members) document = hung(std::move(document), id, command.parent);
+    for (const Id id : members) document = with_parent(std::move(document), id, command.parent);
     for (const Id id : members) check_depth(document, id);
     return document;
 }
@@ -180,7 +180,8 @@ Document applied(Document document, const Reorder& command)
     const auto at = before == 0 ? rows.end() : std::ranges::find(rows, before);
     rows.insert(at, members.begin(), members.end());
     for (const Id id : members)
-        if (object(document, id).parent != parent) document = hung(std::move(document), id, parent);
+        if (object(document, id).parent != parent)
+            document = with_parent(std::move(document), id, parent);
     if (parent != 0) check_depth(document, parent);
     document.rows = make_ref(std::move(rows));
     return document;

@@ -12,7 +12,7 @@ namespace trivar {
 Document with_parent_of(Document document, const std::vector<Id>& objects, Object holder);
 
 // The document with an object in another group, or below another object; it stays where it stands.
-Document hung(Document document, Id id, Id parent);
+Document with_parent(Document document, Id id, Id parent);
 
 // Throws Rejected where groups below this one nest too deep.
 void check_depth(const Document& document, Id group);
