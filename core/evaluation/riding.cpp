@@ -8,21 +8,13 @@
 namespace trivar {
 namespace {
 
-Lattice carried(Lattice lattice, const glm::dmat4& to_world)
-{
-    const glm::dmat3 turn(to_world);
-    for (glm::dvec3& d : lattice.displacement.points) d = turn * d;
-    lattice.rest = to_world * lattice.rest;
-    return lattice;
-}
-
 Ref<ShapedVolume> carried(const ShapedVolume& shaped, const glm::dmat4& to_world)
 {
     ShapedVolume out = shaped;
     out.placement = make_ref(carried(*shaped.placement, to_world));
     LaidVolume laid = *shaped.volume;
-    laid.volume = make_ref(carried(*laid.volume, to_world));
-    laid.as_laid = make_ref(carried(*laid.as_laid, to_world));
+    laid.volume = make_ref(mapped(*laid.volume, to_world));
+    laid.as_laid = make_ref(mapped(*laid.as_laid, to_world));
     out.volume = make_ref(std::move(laid));
     return make_ref(std::move(out));
 }
@@ -43,7 +35,7 @@ public:
             return part;
         }
         Ref<Lattice>& volume = known_[part.bent->volume.get()];
-        if (!volume) volume = make_ref(carried(*part.bent->volume, to_world_));
+        if (!volume) volume = make_ref(mapped(*part.bent->volume, to_world_));
         Embedding embedding = part.bent->embedding;
         embedding.to_rest = to_world_ * embedding.to_rest;
         return in_volume(part, embedding, volume, sorted_into(*volume, part, embedding),
@@ -60,7 +52,7 @@ private:
 Placement carried(Placement placement, const glm::dmat4& to_world)
 {
     const auto at = [&](const glm::dvec3& p) { return glm::dvec3(to_world * glm::dvec4(p, 1)); };
-    placement.volume = carried(std::move(placement.volume), to_world);
+    placement.volume = mapped(std::move(placement.volume), to_world);
     for (glm::dvec3& p : placement.contact.points) p = at(p);
     for (std::vector<glm::dvec3>& line : placement.strip)
         for (glm::dvec3& p : line) p = at(p);

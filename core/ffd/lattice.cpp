@@ -56,6 +56,14 @@ Lattice lattice_through(const Trivariate<glm::dvec3>& control_points_world)
     return out;
 }
 
+Lattice mapped(Lattice lattice, const glm::dmat4& to_world)
+{
+    const glm::dmat3 turn(to_world);
+    for (glm::dvec3& d : lattice.displacement.points) d = turn * d;
+    lattice.rest = to_world * lattice.rest;
+    return lattice;
+}
+
 Jet<glm::dvec3> evaluate(const Lattice& lattice, glm::dvec3 uvw, int derivatives)
 {
     Jet<glm::dvec3> jet = evaluate(lattice.displacement, uvw, derivatives);

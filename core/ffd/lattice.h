@@ -40,6 +40,9 @@ struct PointMove {
 // The lattice with control points moved; the others keep their bits. Indices must be inside.
 Lattice moved(Lattice lattice, std::span<const PointMove> moves);
 
+// The lattice after an affine map of the world.
+Lattice mapped(Lattice lattice, const glm::dmat4& to_world);
+
 // Parameters outside this interval lie before or after the domain of an open axis. There the
 // displacement is that of the nearest end, so it does not change along this axis.
 struct Reach {

@@ -7,17 +7,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace trivar {
-namespace {
-
-Lattice mapped(Lattice lattice, const glm::dmat4& to_world)
-{
-    const glm::dmat3 turn(to_world);
-    for (glm::dvec3& d : lattice.displacement.points) d = turn * d;
-    lattice.rest = to_world * lattice.rest;
-    return lattice;
-}
-
-} // namespace
 
 Placement place_box(const glm::dvec3& size, const glm::ivec3& grid, const glm::ivec3& orders)
 {
