@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/evaluation/stroke_hosts.h"
+
+namespace trivar {
+
+// Takes each sample of the carriage's stroke along to where its place is now in the space of the
+// stroke, and those that met no host in between. Says where hosts moved apart so far that the
+// stroke bridges a gap. Hosts must know where they stand in that space.
+void carry_samples(Carriage& carriage, const StrokeHosts& stroke);
+
+} // namespace trivar
