@@ -70,6 +70,24 @@ TEST(SceneFile, GoesBackToABranchThatBeginsWithAStepWithoutEffect)
     EXPECT_EQ(object(scene.document(), 2).shaping.size(), 1u);
 }
 
+TEST(SceneFile, RewritesThePathsOfABranchInAnotherFolder)
+{
+    const TemporaryFolder folder;
+    for (const char* name : {"a", "b"}) std::filesystem::create_directory(folder.file(name));
+    SceneFile scene;
+    scene.save_as(folder.file("a/scene.trivar"));
+    ImportModel import;
+    import.file.path = "snail.obj";
+    scene.run(import);
+    scene.undo();
+    scene.run(AddBox{}); // no step in force names a file
+    scene.save_as(folder.file("b/scene.trivar"));
+    const SceneFile again(folder.file("b/scene.trivar"));
+    ASSERT_EQ(again.history().branches().size(), 1u);
+    const History::Step& step = again.history().branches().front().steps.front();
+    EXPECT_EQ(std::get<ImportModel>(step.command).file.path, "../a/snail.obj");
+}
+
 TEST(SceneFile, KeepsTheUndoneBranchesWhenItGetsItsName)
 {
     const TemporaryFolder folder;
