@@ -11,7 +11,7 @@
 namespace trivar {
 namespace {
 
-using ::testing::IsEmpty;
+using ::testing::ElementsAre, ::testing::IsEmpty;
 using testing::Rig;
 
 // The box laid on the plane, from the left to the right.
@@ -190,6 +190,61 @@ TEST(PlacementHandles, AlsoFromAnotherSideThanItWasDrawnFrom)
     const NearestLine now =
         nearest_on_line(rig.laid(), rig.editor.session.view.camera, goal - rig.layout().view.lo);
     EXPECT_LT(now.distance_px, 4);
+}
+
+TEST(PlacementHandles, ARimSetsTheWidthOfWhatWentWithItsHostAndKeepsItAttached)
+{
+    PlacedRig rig;
+    const auto touched = [&] {
+        std::vector<Id> ids;
+        if (rig.step().attach)
+            for (const AttachedHost& host : rig.step().attach->hosts)
+                if (host.touched) ids.push_back(host.object);
+        return ids;
+    };
+    const auto middle = [&] { // of the stroke, on the host
+        const std::vector<glm::dvec3>& line = rig.laid().strip.front();
+        return line[line.size() / 2];
+    };
+    const auto pulled = [&] { // a rim, as far again
+        const HoldPoint rim = rig.hold(HoldKind::width);
+        rig.pull(rim, rig.seen_at(rim.p_world) - rig.seen_at(rim.base_world));
+    };
+    ASSERT_THAT(touched(), ElementsAre(1));
+    const double width = rig.laid().report.width_world;
+    const glm::dvec3 narrow = middle();
+    PlacementParameters p = rig.step().parameters;
+    p.width = 2 * width;
+    ASSERT_TRUE(rig.editor.session.run(EditPlacement{2, p, {}, {}}));
+    rig.wait();
+    const glm::dvec3 wide = middle();
+    rig.editor.session.undo();
+    const auto expect_carried = [&](const glm::dvec3& drawn, const Transform& host) {
+        EXPECT_LT(glm::distance(middle(), glm::dvec3(host.matrix() * glm::dvec4(drawn, 1))), 1e-3);
+    };
+    const Transform there{.translation = {0.3, 0.4, 0.2}, .rotation_deg = {10, 0, 25}};
+    ASSERT_TRUE(rig.editor.session.run(SetTransform{1, there}));
+    rig.wait();
+    expect_carried(narrow, there);
+    const std::size_t steps = rig.steps();
+    const std::string causes = digest(rig.editor.session.committed()),
+                      effects = digest(rig.editor.session.evaluated());
+    pulled();
+    EXPECT_EQ(rig.steps(), steps + 1);
+    EXPECT_NEAR(rig.step().parameters.width, 2 * width, 0.03 * width);
+    EXPECT_NEAR(rig.laid().report.width_world, 2 * width, 0.03 * width);
+    EXPECT_THAT(touched(), ElementsAre(1));
+    expect_carried(wide, there);
+    const Transform further{.translation = {-0.2, 0.1, 0.3}, .rotation_deg = {0, 5, -20}};
+    ASSERT_TRUE(rig.editor.session.run(SetTransform{1, further}));
+    rig.wait();
+    expect_carried(wide, further);
+    EXPECT_NEAR(rig.laid().report.width_world, 2 * width, 0.03 * width);
+    rig.editor.session.undo();
+    rig.editor.session.undo();
+    rig.wait();
+    EXPECT_EQ(digest(rig.editor.session.committed()), causes);
+    EXPECT_EQ(digest(rig.editor.session.evaluated()), effects);
 }
 
 TEST(PlacementHandles, EscapeAndWhatIsLockedLeaveNoTrace)
