@@ -99,7 +99,7 @@ Document applied(Document document, const Lock& command);
 StepTitle title(const Lock& c, const StepDocuments& step);
 
 struct Unlock {
-    static constexpr std::string_view verb = "unlock", summary = "Let hands take objects again.";
+    static constexpr std::string_view verb = "unlock", summary = "Unlock objects.";
     static constexpr CommandNature nature{.icon = CommandIcon::unlock,
                                           .asked = Invocation::at_once};
     std::vector<Id> objects;

@@ -26,8 +26,8 @@ StepTitle title(const ImportModel& c, const StepDocuments& step);
 
 struct EditImport {
     static constexpr std::string_view verb = "edit_import",
-                                      summary = "Take a model from another file, or read it "
-                                                "otherwise. It stays where it is.";
+                                      summary =
+                                          "Replace a model's file or its import settings in place.";
     Id object = 0;
     ImportedFile file;
     bool operator==(const EditImport&) const = default;

@@ -40,8 +40,8 @@ public:
     bool parse_error(std::size_t, const std::string&, const json::exception& error) override
     {
         if (const auto* parse = dynamic_cast<const json::parse_error*>(&error))
-            throw Rejected(fmt::format("no JSON: byte {} is not what it should be", parse->byte));
-        throw Rejected("no JSON: a number is too large");
+            throw Rejected(fmt::format("not valid JSON at byte {}", parse->byte));
+        throw Rejected("not valid JSON: a number is too large");
     }
 
 private:

@@ -147,7 +147,7 @@ Document applied(Document document, const MendVolume& command)
 
 StepTitle title(const MendVolume& c, const StepDocuments& step)
 {
-    return {"Mend the volume of " + name_in(step.before, c.object), {}};
+    return {"Repair folds in " + name_in(step.before, c.object), {}};
 }
 
 Document applied(Document document, const AllowFolds& command)

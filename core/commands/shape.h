@@ -17,9 +17,9 @@ inline constexpr std::size_t most_shaping_steps = 4096;
 Document with_step(Document document, Id id, VolumeEdit edit);
 
 struct PressVolume {
-    static constexpr std::string_view verb = "press",
-                                      summary = "Press a ball into the volume of a placed object, "
-                                                "or draw it out.";
+    static constexpr std::string_view
+        verb = "press",
+        summary = "Push or pull the volume of a placed object with a soft ball.";
     static constexpr CommandNature nature{.asked = Invocation::by_actions};
     Id object = 0;
     Press press;
@@ -115,8 +115,7 @@ StepTitle title(const AllowFolds& c, const StepDocuments& step);
 
 struct Unshape {
     static constexpr std::string_view verb = "unshape",
-                                      summary = "Take steps back that shaped the volume of a "
-                                                "placed object.";
+                                      summary = "Undo lattice edits of a placed object.";
     Id object = 0;
     std::vector<int> steps;
     bool operator==(const Unshape&) const = default;

@@ -21,7 +21,7 @@ Document applied(Document document, const KeepView& command)
 
 StepTitle title(const KeepView& c, const StepDocuments& step)
 {
-    if (c.name == "picture") return {"Use this view for pictures", {}};
+    if (c.name == "picture") return {"Set render camera to view", {}};
     return {(step.before.kept_views.contains(c.name) ? "Aim " : "Keep ") + c.name, {}};
 }
 

@@ -171,8 +171,7 @@ std::vector<std::string> sentences(const Repairs& repairs)
         "faces had corners that repeat a point; the repeats were left out");
     say(repairs.dropped, "face with fewer than three different corners was left out",
         "faces with fewer than three different corners were left out");
-    say(repairs.turned, "face was turned round to agree with its neighbours",
-        "faces were turned round to agree with their neighbours");
+    say(repairs.turned, "flipped face was corrected", "flipped faces were corrected");
     say(repairs.loose, "vertex that no face uses was left out",
         "vertices that no face uses were left out");
     return said;

@@ -39,20 +39,20 @@ std::vector<std::string> notices(const PlacementReport& r, const Extrusion& e,
 {
     std::vector<std::string> out;
     if (r.missed_share > 0)
-        out.push_back(fmt::format("{:.0f} % of the strip meets nothing and was bridged",
+        out.push_back(fmt::format("{:.0f} % of the model has no surface beneath it",
                                   std::max(1.0, 100 * r.missed_share)));
     constexpr double far_off = 0.5; // of the length: no bridge any more
     if (p.springs && r.largest_gap > far_off * r.length_world)
-        out.push_back(fmt::format("it hangs up to {:.2g} m over the scene; make the springs less "
-                                  "stiff, or let it follow the scene",
+        out.push_back(fmt::format("it hovers up to {:.2g} m above the surface; lower the "
+                                  "stiffness, or let it drop into gaps",
                                   r.largest_gap));
     const auto some = [](int count, const char* one, const char* more) {
         return count == 1 ? std::string(one) : fmt::format("{} {}", count, more);
     };
     if (r.narrowed > 0)
-        out.push_back(fmt::format("the stroke turns tighter than the strip is wide and narrows {} "
-                                  "of it; draw a wider turn or reduce the width",
-                                  some(r.narrowed, "one column", "columns")));
+        out.push_back(fmt::format("the turn is too tight for this width, so the model is pinched "
+                                  "in {}; draw a wider turn or reduce the width",
+                                  some(r.narrowed, "one place", "places")));
     if (e.lowered > 0)
         out.push_back(fmt::format("the volume would fold and is lowered to less than half in {}; "
                                   "reduce the height or the offset",

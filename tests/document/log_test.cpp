@@ -72,7 +72,8 @@ TEST(Log, NamesLineAndFieldOfWhatItRefuses)
     EXPECT_THAT(line_rejection(R"({"do":"rename","object":7,"name":"a"})"),
                 HasSubstr("no object 7"));
     EXPECT_THAT(line_rejection(R"({"do":"add_box","size":[1,2]})"), HasSubstr("list of 3 numbers"));
-    EXPECT_THAT(line_rejection(R"({"do":"add_box","size":[1,2,NaN]})"), HasSubstr("no JSON"));
+    EXPECT_THAT(line_rejection(R"({"do":"add_box","size":[1,2,NaN]})"),
+                HasSubstr("not valid JSON"));
     EXPECT_THAT(line_rejection(R"({"do":"add_box","size":[1,2,1e999]})"), HasSubstr("too large"));
     EXPECT_THAT(line_rejection(R"({"do":"add_box","sise":[1,2,3]})"),
                 HasSubstr("\"sise\" is unknown"));
@@ -114,7 +115,7 @@ TEST(Log, TellsTheSameFieldTwiceWhereverItStands)
 TEST(Log, RefusesWhatIsNoSceneAndWhatIsNewer)
 {
     EXPECT_THAT(rejection(""), HasSubstr("empty"));
-    EXPECT_THAT(rejection("v 1 2 3\n"), HasSubstr("a.trivar:1: no JSON"));
+    EXPECT_THAT(rejection("v 1 2 3\n"), HasSubstr("a.trivar:1: not valid JSON"));
     EXPECT_THAT(rejection("{\"a\":1}\n"), HasSubstr("no Trivar scene"));
     EXPECT_THAT(rejection("{\"trivar\":2}\n"), HasSubstr("newer"));
     EXPECT_THAT(rejection("{\"trivar\":1,\"units\":\"ft\"}\n"), HasSubstr("\"units\""));

@@ -62,7 +62,7 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Move a control point of Pot 0.0224 m",
         "Refine the volume of Pot 2 knots",
         "Coarsen the volume of Pot to 8 points along the stroke",
-        "Mend the volume of Pot",
+        "Repair folds in Pot",
         "Let Pot fold in places",
         "Take back the shaping of Pot",
         "Paste 3 objects",

@@ -264,9 +264,8 @@ TEST(Repairs, AreSummedOverTheMeshesOfAFile)
         model.meshes.push_back(model.meshes[0]);
         model.nodes.push_back({"b", -1, glm::dmat4(1), i});
     }
-    EXPECT_THAT(
-        notices(bytes_of(model, ".glb"), "a.glb"),
-        ::testing::ElementsAre("a.glb: 60 faces were turned round to agree with their neighbours"));
+    EXPECT_THAT(notices(bytes_of(model, ".glb"), "a.glb"),
+                ::testing::ElementsAre("a.glb: 60 flipped faces were corrected"));
 }
 
 TEST(Repairs, LeaveAMoebiusBandAsItIs)

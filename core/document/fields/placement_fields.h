@@ -44,7 +44,8 @@ template <> struct FieldsOf<PlacementParameters> {
         field("skip_back_faces", p.skip_back_faces, "rays pass through faces seen from behind",
               any_value.called("Back faces").says("let through", "hit"));
         field("start", p.start, "where along the stroke the model begins", in_range(0, 1));
-        field("fill", p.fill, "how much of the stroke it fills; start + fill is at most 1",
+        field("fill", p.fill,
+              "share of the stroke the model occupies; start + fill cannot exceed 1",
               in_range(1e-3, 1));
         field("lift_tolerance", p.lift_tolerance,
               "penetration that may stay, as a fraction of the height",
@@ -59,7 +60,7 @@ template <> struct FieldsOf<PlacementParameters> {
               "how the width changes along the stroke: control points of a curve, [share of "
               "the length, factor] each; none: it does not",
               later_in_range(0, 20).zero_is("even"));
-        field("height_profile", p.height_profile, "the same of the height",
+        field("height_profile", p.height_profile, "how the height changes along the stroke",
               later_in_range(0, 20).zero_is("even"));
         field("height_across", p.height_across,
               "how the height changes across the stroke, from its right to its left: control "

@@ -10,18 +10,19 @@ template <> struct FieldsOf<Travel> {
     static void fields(auto& t, auto&& field)
     {
         field("speed", t.speed,
-              "metres a second along the middle of its volume, the way it looks; negative: "
-              "backwards; 0: it rests; a fill below 1 gives it room",
-              in_range(-1e6, 1e6).in(Unit::metres_per_second).zero_is("rests").without_keys());
+              "speed along the stroke in metres per second; negative goes backwards, 0 stays; "
+              "needs a fill below 1",
+              in_range(-1e6, 1e6).in(Unit::metres_per_second).zero_is("not moving").without_keys());
         field("ends", t.ends,
               "what it does where its stroke ends: it stops, is not shown any more, goes straight "
               "on, goes on from the other end, or turns back",
               any_value.without_keys());
-        field("ease_in", t.ease_in, "seconds from rest to that speed",
+        field("ease_in", t.ease_in, "seconds from standing still to full speed",
               in_range(0, 1e6).in(Unit::seconds).without_keys());
-        field("ease_out", t.ease_out, "seconds from that speed to rest, where it stops or turns",
+        field("ease_out", t.ease_out,
+              "seconds from full speed to standing still, where it stops or turns",
               in_range(0, 1e6).in(Unit::seconds).without_keys());
-        field("start_frame", t.start_frame, "the frame in which it sets out",
+        field("start_frame", t.start_frame, "the frame in which it starts",
               in_range(-999999, 999999).called("Start").in(Unit::at_frame).without_keys());
         field("duration", t.duration, "seconds after which it stops wherever it is; 0: no limit",
               in_range(0, 1e6)
@@ -29,8 +30,8 @@ template <> struct FieldsOf<Travel> {
                   .in(Unit::seconds)
                   .zero_is("unlimited")
                   .without_keys());
-        field("followers", t.followers, "as many more of it go behind it, one after the other",
-              later_in_range(0, 999).zero_is("alone"));
+        field("followers", t.followers, "number of copies that follow it, one behind the other",
+              later_in_range(0, 999).zero_is("none"));
         field("gap", t.gap,
               "metres along the middle of the volume from one to the next; 0: evenly along a loop, "
               "else as close as they are long",

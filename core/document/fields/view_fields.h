@@ -10,15 +10,15 @@ template <> struct FieldsOf<RenderSettings> {
     {
         field("look", s.look, "light and background", one_of("studio|clay|dark"));
         field("exposure", s.exposure, "brightness, in stops", in_range(-20, 20).in(Unit::stops));
-        field("sun_azimuth", s.sun_azimuth, "where the sun stands round Z, 0 along +X, in radians",
-              in_range(-100, 100).called("Sun round").in(Unit::radians));
+        field("sun_azimuth", s.sun_azimuth, "direction of the sun round Z, 0 along +X, in radians",
+              in_range(-100, 100).called("Sun direction").in(Unit::radians));
         field("sun_elevation", s.sun_elevation,
               "how high the sun stands above the horizon, in radians",
-              in_range(-1.6, 1.6).called("Sun height").in(Unit::radians));
+              in_range(-1.6, 1.6).called("Sun elevation").in(Unit::radians));
         field("shadows", s.shadows, "the sun casts shadows");
-        field("ambient_occlusion", s.ambient_occlusion, "corners are darker",
-              any_value.called("Dark corners"));
-        field("wire", s.wire, "the edges of the faces are drawn over them", later.called("Edges"));
+        field("ambient_occlusion", s.ambient_occlusion, "darkens corners and creases",
+              any_value.called("Ambient occlusion"));
+        field("wire", s.wire, "draws the edges of the faces over them", later.called("Edges"));
         field("color_by", s.color_by,
               "what colours show: materials, how what was placed is stretched and squeezed, or how "
               "far its triangles may be from the true surface",
@@ -38,9 +38,11 @@ template <> struct FieldsOf<RenderSettings> {
 template <> struct FieldsOf<Time> {
     static void fields(auto& t, auto&& field)
     {
-        field("first_frame", t.first_frame, "where playing begins", in_range(-999999, 999999));
-        field("last_frame", t.last_frame, "where it ends, itself shown", in_range(-999999, 999999));
-        field("frames_per_second", t.frames_per_second, "how fast they follow each other",
+        field("first_frame", t.first_frame, "the first frame that is played",
+              in_range(-999999, 999999));
+        field("last_frame", t.last_frame, "the last frame that is played",
+              in_range(-999999, 999999));
+        field("frames_per_second", t.frames_per_second, "frames shown per second",
               in_range(0.1, 1000).called("Rate").in(Unit::frames_per_second));
     }
 };
