@@ -194,8 +194,7 @@ void draw_timing(const Theme& theme, glm::vec2 at, float max_height, const Timin
     const Chip pill{milliseconds(median), timing_color(theme, median)};
     const float width = text_width(theme.font.small, pill.text) + theme.px(30);
     if (ImGui::InvisibleButton("pill", {width, theme.size.row})) view.open = !view.open;
-    tooltip({"Timing", key,
-             "The median of the last pictures while something moved, with what they show."});
+    tooltip({"Timing", key, "Median frame time while something moved, with what was drawn."});
     paint_chip(theme, at, pill);
     if (view.open)
         draw_card(theme, at + glm::vec2(0, theme.px(28)), max_height - theme.px(28), sources, view);

@@ -15,7 +15,7 @@ Condition something_there(); // in the scene
 inline constexpr const char* add_action_name = "Add...";
 inline constexpr const char* palette_action = "Find a command...";
 inline constexpr const char* isolate_action = "Isolate";
-inline constexpr const char* mend_action = "Mend the volume";
+inline constexpr const char* mend_action = "Repair folds";
 inline constexpr const char* preferences_action = "Preferences...";
 
 const Action& action(const Editor& editor, const std::string& name);

@@ -204,7 +204,7 @@ void add_edit_actions(std::vector<Action>& a)
                   },
                   "select something first that goes with another object"}});
     a.push_back({"Edit",
-                 "Take off the stroke",
+                 "Detach from stroke",
                  {},
                  [](Editor& e) { e.session.run(Unplace{e.session.selected}); },
                  {[](const Editor& e) {

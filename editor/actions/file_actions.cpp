@@ -38,7 +38,8 @@ void add_file_actions(std::vector<Action>& a)
                      });
                  }});
     a.push_back({"File", "Open...", {ctrl('O')}, [](Editor& e) { e.files.ask_open(); }});
-    a.push_back({"File", "Discarded scenes...", {}, [](Editor& e) { e.files.ask_discarded(); }});
+    a.push_back(
+        {"File", "Recover discarded scenes...", {}, [](Editor& e) { e.files.ask_discarded(); }});
     a.push_back({"File", "Save", {ctrl('S')}, [](Editor& e) { e.files.save(); }, {}, true});
     a.push_back(
         {"File", "Save as...", {ctrl('S', true)}, [](Editor& e) { e.files.ask_save_as(); }});
@@ -46,7 +47,9 @@ void add_file_actions(std::vector<Action>& a)
         {"File", "Save numbered copy", {{.key = 'S', .ctrl = true, .alt = true}}, [](Editor& e) {
              e.files.save_numbered_copy();
          }});
-    a.push_back({"File", "Save compact...", {}, [](Editor& e) { e.files.ask_save_compact(); }});
+    a.push_back({"File", "Save without undone steps...", {}, [](Editor& e) {
+                     e.files.ask_save_compact();
+                 }});
     a.push_back({"File",
                  "Import model...",
                  {ctrl('I', true)},
@@ -59,12 +62,12 @@ void add_file_actions(std::vector<Action>& a)
                  [](Editor& e) { e.files.ask_missing(); },
                  something_there()});
     a.push_back({"File",
-                 "Read files anew",
+                 "Reload files",
                  {},
                  [](Editor& e) { read_anew(e.session, e.session.selected.ids()); },
                  something_selected()});
     a.push_back({"File",
-                 "Collect files beside the scene",
+                 "Collect files next to scene",
                  {},
                  [](Editor& e) { e.files.collect(); },
                  something_there()});

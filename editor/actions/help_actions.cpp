@@ -33,7 +33,7 @@ void tutorial_actions(std::vector<Action>& a)
                  tutorial_back,
                  {{ui::key_left}},
                  [](Editor& e) { e.tutorial.back(e.session); },
-                 at("no tutorial has a step before", [](const Tutorial& t, const Session& s) {
+                 at("this is the first step", [](const Tutorial& t, const Session& s) {
                      return !t.note(s).empty() && t.step(s) > 1;
                  })});
     a.push_back({"Tutorials",

@@ -219,8 +219,8 @@ void let_keys_take(std::vector<Action>& actions)
     };
     take("Select all", choose_all, false);
     take(
-        "Select nothing", [](Editor& e) { e.timeline.keys.chosen.clear(); }, false);
-    take("Select the others", choose_others, false);
+        "Deselect all", [](Editor& e) { e.timeline.keys.chosen.clear(); }, false);
+    take("Invert selection", choose_others, false);
     take("Delete", delete_chosen, true);
     take(
         "Duplicate", [](Editor& e) { e.timeline.keys.asked = Hand::copy; }, true);

@@ -90,7 +90,7 @@ void add_selection_actions(std::vector<Action>& a)
                  },
                  something_there()});
     a.push_back({"Select",
-                 "Select nothing",
+                 "Deselect all",
                  {{.key = 'A', .alt = true}},
                  [](Editor& e) {
                      if (e.active_tool().choose_parts(e.session, PartChoice::none)) return;
@@ -98,7 +98,7 @@ void add_selection_actions(std::vector<Action>& a)
                  },
                  something_selected()});
     a.push_back({"Select",
-                 "Select the others",
+                 "Invert selection",
                  {{.key = 'I', .ctrl = true}},
                  [](Editor& e) {
                      if (e.active_tool().choose_parts(e.session, PartChoice::others)) return;

@@ -9,7 +9,7 @@ inline constexpr const char *play_action = "Play or pause", *next_frame_action =
                             *previous_frame_action = "Previous frame",
                             *first_frame_action = "First frame", *last_frame_action = "Last frame",
                             *loop_action = "Play in a loop", *timeline_action = "Timeline",
-                            *make_room_action = "Make room for what travels";
+                            *make_room_action = "Extend range to fit motion";
 
 // What the menu Animate holds.
 void add_time_actions(std::vector<Action>& actions);

@@ -40,10 +40,10 @@ void add_view_tolerances(std::vector<Action>& a)
                      {},
                      [value](Editor& e) { e.preferences.view_tolerance = value; },
                      {[value](const Editor& e) { return e.preferences.view_tolerance != value; },
-                      "it is so"}});
+                      "already on"}});
         a.back().on = [value](const Editor& e) { return e.preferences.view_tolerance == value; };
     };
-    tolerance("Triangles as they are", "off");
+    tolerance("Original triangles", "off");
     a.back().group_begins = true;
     tolerance("Triangles within 2 px", "2");
     tolerance("Triangles within 1 px", "1");
@@ -102,7 +102,7 @@ void add_view_actions(std::vector<Action>& a)
     a.back().on = [](const Editor& e) { return e.session.view.camera.perspective; };
     a.push_back(
         {"View",
-         "View of pictures",
+         "Render camera",
          {keypad(0)},
          [](Editor& e) { e.session.view.follows = FollowedView{"picture"}; },
          {[](const Editor& e) { return e.session.document().kept_views.contains("picture"); },
@@ -114,7 +114,7 @@ void add_view_actions(std::vector<Action>& a)
     };
     shading("Wireframe", {'Z'}, &Shading::wireframe);
     a.back().group_begins = true;
-    shading("See through", alt('Z'), &Shading::see_through);
+    shading("X-ray", alt('Z'), &Shading::see_through);
     shading("Edges over surfaces", {.key = 'Z', .shift = true}, &Shading::edges);
     const auto colored_by = [&](const char* name, ColorBy by) {
         const auto so = [by](const Editor& e) {
@@ -128,7 +128,7 @@ void add_view_actions(std::vector<Action>& a)
                          settings.color_by = by;
                          e.session.run(SetRender{settings});
                      },
-                     {[so](const Editor& e) { return !so(e); }, "it is so"}});
+                     {[so](const Editor& e) { return !so(e); }, "already on"}});
         a.back().on = so;
     };
     colored_by("Colour by material", ColorBy::material);
@@ -137,7 +137,7 @@ void add_view_actions(std::vector<Action>& a)
     colored_by("Colour by error", ColorBy::error);
     add_view_tolerances(a);
     a.push_back({"View",
-                 "Keep this view",
+                 "Bookmark view",
                  {},
                  [](Editor& e) {
                      std::string name;
@@ -150,7 +150,7 @@ void add_view_actions(std::vector<Action>& a)
                  },
                  {},
                  true});
-    a.push_back({"View", "Use this view for pictures", {}, [](Editor& e) {
+    a.push_back({"View", "Set render camera to view", {}, [](Editor& e) {
                      if (e.session.run(KeepView{"picture", camera_for_pictures(e.session)}))
                          e.session.notices.say(ui::NoticeKind::good, "This view is kept",
                                                "Replayed pictures and this scene open in it.");
@@ -213,7 +213,7 @@ void add_window_actions(std::vector<Action>& a)
                  {[](const Editor& e) { return e.preferences.scale > interface_scales.front(); },
                   "it is the smallest"}});
     a.push_back({"View",
-                 "Usual size of the interface",
+                 "Reset interface size",
                  {ctrl(ui::key_0)},
                  scaled(0),
                  {[](const Editor& e) { return e.preferences.scale != 1; }, "it is at 100 %"}});

@@ -157,7 +157,7 @@ std::string clipboard_text(const Session& session, const std::vector<Id>& ids)
 void paste_text(Session& session, std::string_view text)
 {
     std::vector<Command> commands;
-    std::string why = "What is on the clipboard are no objects. Copy some first.";
+    std::string why = "The clipboard holds no objects. Copy some first.";
     try {
         commands = commands_in(text);
     } catch (const Rejected& refused) {

@@ -112,8 +112,8 @@ ExportOutlook outlook_of(const ExportPlan& plan, const ExportWish& wish)
         out.words = fmt::format("{}{}, {}: the places of all points in each, and colours.", stem,
                                 ending, all);
     else
-        out.words = fmt::format("{}{}, {} as one clip, with materials and pictures. Certified to "
-                                "be within the tolerance at every time, or said where not.",
+        out.words = fmt::format("{}{}, {} as one clip, with materials and pictures. Certified "
+                                "within the tolerance at all times; exceptions are reported.",
                                 stem, ending, all);
     out.replaces = is_there(file);
     if (out.replaces) out.words += " It is there already and is replaced.";

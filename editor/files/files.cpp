@@ -48,7 +48,7 @@ ExportWords words_of_export(const std::string& path, const std::string& scene,
         return {ui::NoticeKind::warning, "Exported " + name + ", not all of it certified",
                 open.size() == 1 ? open.front() + "."
                                  : fmt::format("{}, and {} more.", open.front(), open.size() - 1)};
-    std::string body = "Certified to be within " + bound_text(certificate->bound) + ".";
+    std::string body = "Certified within " + bound_text(certificate->bound) + ".";
     if (extension_of(path) != ".glb")
         body += " Only glTF says so in the file.";
     else if (scene.empty())
@@ -79,15 +79,15 @@ void Files::keep_or(std::function<void()> go_on)
     const std::size_t steps = s.scene().history().steps().size();
     const std::string what = std::to_string(steps) + (steps == 1 ? " step" : " steps");
     question_ = PendingQuestion{
-        {"Keep this scene?",
-         "It has " + what + " and no name yet. " +
-             (s.unnamed_folder().empty() ? "It is gone when you discard it. "
-                                         : "Every step is safe in the recovery folder " +
-                                               for_days(recovery_->discarded_days) + ". ") +
-             "Name it to keep it with your scenes.",
+        {"Save this scene?",
+         "It has " + what + " and has not been saved. " +
+             (s.unnamed_folder().empty()
+                  ? "It cannot be recovered once discarded. "
+                  : "A recovery copy is kept " + for_days(recovery_->discarded_days) + ". ") +
+             "Save it to keep it with your scenes.",
          {{"Discard", ui::ButtonKind::plain, true},
           {"Cancel", ui::ButtonKind::plain},
-          {"Name it...", ui::ButtonKind::primary}},
+          {"Save...", ui::ButtonKind::primary}},
          2},
         [this, go_on = std::move(go_on)](int answer) {
             if (answer == 0) go_on();
@@ -140,7 +140,7 @@ void Files::ask_discarded()
 {
     if (SceneFile::set_aside_in(session_->unnamed_folder()).empty()) {
         if (recovery_->left_scene()) return recover();
-        session_->notices.say(ui::NoticeKind::good, "There is no discarded scene",
+        session_->notices.say(ui::NoticeKind::good, "No discarded scenes",
                               "What is discarded can be found here " +
                                   for_days(recovery_->discarded_days) + ".");
         return;
@@ -214,7 +214,8 @@ void Files::ask_save_compact()
         {"Forget the undone steps?",
          "A compact scene holds only the steps that are in force. It is smaller, "
          "and what was undone cannot be redone from it.",
-         {{"Cancel", ui::ButtonKind::plain}, {"Save compact...", ui::ButtonKind::primary}},
+         {{"Cancel", ui::ButtonKind::plain},
+          {"Save without undone steps...", ui::ButtonKind::primary}},
          0},
         [this](int answer) {
             if (answer != 1) return;
@@ -303,7 +304,7 @@ void Files::write_scene(const std::string& path, bool compact, bool from_dialog)
     }
     scene_folder_ = fs::path(path).parent_path().string();
     session_->notices.say(ui::NoticeKind::good, "Saved as " + file_name(path),
-                          "From now on it is written as you work.");
+                          "Changes are now saved automatically.");
     if (const auto go_on = std::exchange(after_save_, nullptr)) go_on();
 }
 

@@ -95,7 +95,7 @@ void PictureToFile::advance(Session& session, ui::Frame& frame,
              write_image(*image, path);
              return [&session, path] {
                  session.notices.say(ui::NoticeKind::good, file_name(path) + " was written",
-                                     "It lies beside the scene.", "picture");
+                                     "Saved next to the scene file.", "picture");
              };
          },
          [&session, path = path_](const std::string& why) { tell_failed(session, path, why); }});

@@ -93,11 +93,10 @@ void Files::ask_how_to_open(const std::shared_ptr<SceneFile>& copy)
     const std::string path = copy->original();
     question_ = PendingQuestion{
         {file_name(path) + " is open in another window",
-         "Look at it here, and see what is done there as it is done. Or go on in a "
-         "copy of your own, which has no name yet.",
+         "Open it read-only and follow the changes live, or work on an unsaved copy.",
          {{"Cancel", ui::ButtonKind::plain},
           {"Open a copy", ui::ButtonKind::plain},
-          {"Look only", ui::ButtonKind::primary}},
+          {"Open read-only", ui::ButtonKind::primary}},
          2},
         [this, copy, path](int answer) {
             if (answer == 1) show(std::move(*copy));

@@ -25,8 +25,7 @@ void draw_tabs(Editor& editor, const ui::Theme& theme, const Layout& layout)
                        ui::Align::center);
         x += width + theme.px(4);
     };
-    tab(Editor::Tab::inspector, "Inspector",
-        "What the selected objects are made of, to be changed.");
+    tab(Editor::Tab::inspector, "Inspector", "Properties of the selection.");
     tab(Editor::Tab::history, "History", "Every step so far; each can be returned to.");
     tab(Editor::Tab::log, "Log",
         "Every command as it stands in the scene file; more can be typed.");

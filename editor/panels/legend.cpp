@@ -39,8 +39,8 @@ std::optional<Legend> legend_of(const Document& document)
     const ColorBy by = document.render->color_by;
     if (by == ColorBy::material) return std::nullopt;
     if (by == ColorBy::stretch)
-        return Legend{"Volume, beside what is usual in it",
-                      {"half", "usual", "double"},
+        return Legend{"Local volume relative to the average",
+                      {"half", "average", "double"},
                       gpu::diverging_color,
                       true};
     const auto color = [](float t) { return gpu::sequential_color((t + 1) / 2); };

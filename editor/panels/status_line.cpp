@@ -64,8 +64,8 @@ std::vector<Hint> open_timeline_hints(const Editor& editor)
     const bool any = !animated_ids(editor.session.document()).empty();
     if (any && keys.curves)
         return {{{"left"}, "Drag keys and handles"},
-                {{"Alt", "left"}, "One handle alone"},
-                {{"right"}, "Ways to the next key"},
+                {{"Alt", "left"}, "Break handles"},
+                {{"right"}, "Interpolation"},
                 {{"wheel"}, "Zoom"},
                 {{"middle"}, "Pan"},
                 {{"@Frame all"}, "Show all"}};

@@ -42,7 +42,7 @@ State state_of(const Editor& editor, const ui::Palette& c)
     if (named) return {name, "All changes saved", c.text_3};
     if (scene.look_only()) return {name, "Follows the file", c.text_3};
     const bool nothing = scene.as_opened();
-    return {name, nothing ? "Nothing to save" : "Has no name yet", nothing ? c.text_3 : c.warn};
+    return {name, nothing ? "No changes" : "Not saved yet", nothing ? c.text_3 : c.warn};
 }
 
 // The way to every command, and to what its key is. Returns where it begins.

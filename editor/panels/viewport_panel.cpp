@@ -81,11 +81,11 @@ std::string hidden_here_words(const Editor& editor)
         if (!each->shows_nothing() && !std::ranges::binary_search(session.hidden_here, id))
             shown.push_back(id);
     const std::string key = key_text(action(editor, isolate_action));
-    const std::string back = "  ·  " + (key.empty() ? "Isolate" : key) + " brings the others back";
-    if (shown.empty()) return "What was isolated is hidden" + back;
+    const std::string back = "  ·  " + (key.empty() ? "Isolate" : key) + " to exit";
+    if (shown.empty()) return "The isolated objects are hidden" + back;
     const std::string what = shown.size() == 1 ? name_of(session.document(), shown.front())
                                                : std::to_string(shown.size()) + " objects";
-    return "Only " + what + back;
+    return "Isolated: " + what + back;
 }
 
 gpu::DeformBy deform_by(const Preferences& preferences)
@@ -100,8 +100,7 @@ void labels(Editor& editor, const ui::Theme& theme, ui::Frame& frame, const ui::
     std::string label = session.view.camera.perspective ? "Perspective" : "Orthographic";
     const auto add = [&](const std::string& words) { label += "  ·  " + words; };
     if (session.view.follows && session.view.follows->shown)
-        add(session.view.follows->name == "picture" ? "View of pictures"
-                                                    : session.view.follows->name);
+        add(session.view.follows->name == "picture" ? "Render camera" : session.view.follows->name);
     if (editor.shading.wireframe)
         add("Wireframe");
     else if (editor.shading.see_through)

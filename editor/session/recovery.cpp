@@ -75,8 +75,8 @@ void Recovery::tell_of_left_scene()
     const std::optional<std::string> left = SceneFile::left_in(session_->unnamed_folder());
     if (!left) return;
     session_->notices.say(
-        ui::NoticeKind::warning, "A scene without a name was left",
-        "Trivar ended before it was saved. It is safe in the recovery folder.", of_left_scene,
+        ui::NoticeKind::warning, "Trivar closed before a scene was saved",
+        "Every finished step is safe in the recovery folder.", of_left_scene,
         {{"Recover", [this] { take_up_left_scene(); }}, {"Discard", [this, path = *left] {
                                                              SceneFile::set_aside(path);
                                                              left_looked_for_ = -1;

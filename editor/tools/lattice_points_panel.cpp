@@ -124,7 +124,7 @@ std::vector<Hint> LatticePointsTool::hints(const Session& session) const
     if (!chosen_.empty())
         hints.insert(hints.begin() + 1, {{"@Move", "@Rotate", "@Scale"}, "With the mouse"});
     if (!all_are_shown(laid->placement->volume))
-        hints.insert(hints.begin(), {{}, "There are many: those round the mouse are shown"});
+        hints.insert(hints.begin(), {{}, "Too many points: showing those near the pointer"});
     return hints;
 }
 

@@ -74,7 +74,7 @@ std::optional<Refusal> refusal(const Session& session, Id model)
         return Refusal{"There is no model to lay",
                        "Drop a model into the window, then draw the stroke again."};
     if (session.document().objects.size() < 2)
-        return Refusal{"One object alone lies on nothing",
+        return Refusal{"Placing needs at least two objects",
                        "Drop a second one into the window, or add one: of the two, one is laid on "
                        "the other."};
     if (!session.hidden_here.empty() && bases_for_stroke(session, model).empty())
@@ -214,7 +214,7 @@ void PlaceTool::use(Session& session, const ViewportInput& input)
             if (const auto no = refusal(session, model))
                 why_not_ = no->what;
             else if (input.seen_at(input.mouse) == 0)
-                why_not_ = "Nothing to lie on is under the mouse";
+                why_not_ = "Nothing under the pointer to place on";
         }
         if (input.pressed && !session.committing()) begin(session, input);
     }

@@ -15,10 +15,7 @@ class PressTool : public Tool {
 public:
     std::string name() const override { return "Press"; }
     const char* icon() const override;
-    std::string help() const override
-    {
-        return "Press a ball into the volume of a placed model, or draw it out.";
-    }
+    std::string help() const override { return "Push or pull a placed model with a soft ball."; }
     std::string page() const override { return "press"; }
     std::vector<ui::Chord> keys() const override { return {{'P'}, {'3'}}; }
     bool crosshair() const override { return at_.has_value() || busy(); }

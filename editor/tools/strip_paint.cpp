@@ -30,8 +30,8 @@ NodeLook shown(const ui::Theme& theme, NodeState state)
     const ui::Palette& c = theme.color;
     switch (state) {
     case NodeState::touches: return {"touches", c.stroke, 0.15f};
-    case NodeState::bridges: return {"bridges a gap", c.free_node, 0.1f};
-    case NodeState::missed: return {"meets nothing", c.axis_z, 0.3f};
+    case NodeState::bridges: return {"spans a gap", c.free_node, 0.1f};
+    case NodeState::missed: return {"unsupported", c.axis_z, 0.3f};
     case NodeState::uneven: return {"stretched or squeezed", c.bad, 0.25f};
     case NodeState::folds: return {"folds", c.bad_fill, 0.8f};
     }

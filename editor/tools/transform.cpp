@@ -99,10 +99,10 @@ void TransformTool::refuse(Session& session)
     session.notices.say(ui::NoticeKind::warning,
                         round ? name + " goes round what it lies on"
                               : name + " lies on nothing now",
-                        round ? "Its level, start and fill say where; or draw a stroke to lay it "
-                                "elsewhere, or take it off."
-                              : "Draw another stroke to lay it elsewhere, or take it off.",
-                        "on a stroke", {{"Take off the stroke", [&session, lies] {
+                        round ? "Its level, start and fill say where. Draw a stroke to lay it "
+                                "elsewhere, or detach it."
+                              : "Draw another stroke to lay it elsewhere, or detach it.",
+                        "on a stroke", {{"Detach from stroke", [&session, lies] {
                                              if (session.run(Unplace{lies}))
                                                  session.selected = lies;
                                          }}});

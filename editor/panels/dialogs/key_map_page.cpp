@@ -175,7 +175,7 @@ void draw_key_seeker(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
         ui::paint_text(theme.font.body, in, c.text_2, ui::icon::close, ui::Align::right);
     } else {
         ui::paint_text(theme.font.body, {{x, in.lo.y}, in.hi}, dialog.seeking ? c.text_2 : c.text_3,
-                       dialog.seeking ? "Press it now" : "Press a key to find");
+                       dialog.seeking ? "Press it now" : "Find by key");
     }
     if (!clicked) return;
     dialog.seeking = !dialog.sought && !dialog.seeking;

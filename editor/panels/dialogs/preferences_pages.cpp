@@ -45,14 +45,14 @@ void draw_general_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r
     const Preferences& usual = usual_preferences();
     choice_row(theme, "At start", p.at_start, usual.at_start,
                {{"card", "Start card"}, {"last", "Last scene"}, {"empty", "Empty scene"}});
-    flag_row(theme, "Unnamed scenes", p.ask_to_keep, usual.ask_to_keep,
-             "ask what becomes of them when they are closed");
-    flag_row(theme, "Hints", p.hints, usual.hints, "what to do first, at the foot of the picture");
-    flag_row(theme, "Playing", p.loop, usual.loop, "begins anew after the last frame");
+    flag_row(theme, "Unnamed scenes", p.ask_to_keep, usual.ask_to_keep, "ask before closing");
+    flag_row(theme, "Hints", p.hints, usual.hints, "show what to do next");
+    flag_row(theme, "Playback", p.loop, usual.loop, "loop");
     foot_note(theme, r,
-              "A scene with a name is written as you work, so closing it asks nothing. What is "
-              "discarded can be brought back " +
-                  for_days(static_cast<int>(p.discarded_days)) + " by File > Discarded scenes.");
+              "A saved scene is kept up to date as you work, so closing it asks nothing. Discarded "
+              "scenes can be recovered " +
+                  for_days(static_cast<int>(p.discarded_days)) +
+                  " with File > Recover discarded scenes.");
 }
 
 void draw_interface_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
@@ -65,11 +65,10 @@ void draw_interface_page(Editor& editor, const ui::Theme& theme, const ui::Rect&
     p.look.light = look == "light";
     flag_row(theme, "Side panels", p.show_dock, usual.show_dock,
              "outliner and inspector at the right");
-    flag_row(theme, "Timeline", p.timeline_open, usual.timeline_open,
-             "open, with a row for each object that travels");
+    flag_row(theme, "Timeline", p.timeline_open, usual.timeline_open, "open");
     foot_note(theme, r,
-              "The size is times the monitor's own scale. Panels are as wide as the lines between "
-              "them are dragged; a double click on a line restores it.");
+              "The size multiplies the display scale. Drag panel borders to resize them; "
+              "double-click a border to reset it.");
 }
 
 void draw_viewport_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
@@ -82,16 +81,14 @@ void draw_viewport_page(Editor& editor, const ui::Theme& theme, const ui::Rect& 
     p.backdrop_as_in_pictures = backdrop == "pictures";
     if (!p.backdrop_as_in_pictures)
         flag_row(theme, "Grid", p.grid, usual.grid, "on the ground, with the axes");
-    flag_row(theme, "Navigation", p.show_axes, usual.show_axes,
-             "the axes in the corner, which turn the view");
-    flag_row(theme, "Timing", p.show_timing, usual.show_timing,
-             "how long a picture takes, in the other corner");
+    flag_row(theme, "Navigation", p.show_axes, usual.show_axes, "show the axes that turn the view");
+    flag_row(theme, "Timing", p.show_timing, usual.show_timing, "show the frame time");
     choice_row(theme, "Triangles", p.view_tolerance, usual.view_tolerance,
-               {{"off", "As they are"}, {"2", "2 px"}, {"1", "1 px"}, {"0.5", "0.5 px"}});
+               {{"off", "Original"}, {"2", "2 px"}, {"1", "1 px"}, {"0.5", "0.5 px"}});
     foot_note(theme, r,
-              "As in pictures the backdrop is the one of the scene's look: the window then shows "
-              "what a picture will show. Triangles of what is placed can be split for the window "
-              "alone, till none is seen further than so many pixels from the true surface.");
+              "\"As in pictures\" uses the render background. Triangles of placed objects can be "
+              "split for the viewport only, until none is further than this many pixels from the "
+              "true surface.");
 }
 
 void draw_mouse_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
@@ -108,23 +105,22 @@ void draw_mouse_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
     choice_row(theme, "Orbit about", m.orbit_about, was.orbit_about,
                {{"cursor", "Under the mouse"}, {"selection", "Selection"}, {"origin", "Origin"}});
     flag_row(theme, "Zoom", m.zoom_to_cursor, was.zoom_to_cursor,
-             "to what is under the mouse, not to the middle");
+             "towards the pointer, not the centre");
     flag_row(theme, "Zoom direction", m.reversed_zoom, was.reversed_zoom,
-             "reversed: turning the wheel towards you comes nearer");
+             "reversed: wheel towards you zooms in");
     speed_row(theme, "Orbit speed", m.orbit);
     speed_row(theme, "Pan speed", m.pan);
     speed_row(theme, "Zoom speed", m.zoom);
     choice_row(theme, "Double click", editor.preferences.look.double_click_s,
                usual_preferences().look.double_click_s,
-               {{0.2, "Quick"}, {0.3, "Usual"}, {0.5, "Slow"}, {0.8, "Slower"}});
+               {{0.2, "Quick"}, {0.3, "Normal"}, {0.5, "Slow"}, {0.8, "Slower"}});
     foot_note(
         theme, r,
         m.device == "mouse"
             ? "The wheel zooms; the middle button orbits, with Shift pans, with Ctrl zooms."
             : std::string("On a trackpad two fingers orbit, with Shift pan, with Ctrl zoom. ") +
                   (m.device == "automatic"
-                       ? "Scrolling is taken for a trackpad's where it goes sideways or by "
-                         "parts of a step."
+                       ? "Sideways or fractional scrolling is treated as a trackpad."
                        : "A wheel orbits as well then."));
 }
 
@@ -177,10 +173,9 @@ void draw_files_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
     };
     where("Recovery folder", editor.session.unnamed_folder());
     where("Preferences", editor.preferences_path);
-    foot_note(
-        theme, r,
-        "Every step is on disk as soon as it is made: in the scene's file, or before it has a "
-        "name in the recovery folder. There is nothing to save at intervals.");
+    foot_note(theme, r,
+              "Every step is written to disk as you make it: to the scene file, or to the recovery "
+              "folder until you first save. No timed autosave is needed.");
 }
 
 void draw_performance_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
@@ -206,8 +201,8 @@ void draw_performance_page(Editor& editor, const ui::Theme& theme, const ui::Rec
         {.lo = 0, .hi = 1024, .bar_hi = all, .step = 1, .zero = fmt::format("all {}", all)},
         theme.px(160));
     foot_note(theme, r,
-              "Quality is that of the picture at rest. What moves is drawn as well as it keeps up "
-              "with so many pictures a second, but no better. Placed objects are deformed by the "
+              "Quality applies when nothing moves; during movement it drops to keep the frame "
+              "rate. Placed objects are deformed by the "
               "processor, or by the graphics card: in one phase as they are drawn, in two phases "
               "once before. Automatic: in two phases where there is a card. Fewer threads leave "
               "the others to other programs; results are the same.");
@@ -218,16 +213,15 @@ void draw_accessibility_page(Editor& editor, const ui::Theme& theme, const ui::R
     Preferences& p = editor.preferences;
     const Preferences& usual = usual_preferences();
     scale_row(editor, theme);
-    flag_row(theme, "Contrast", p.look.high_contrast, usual.look.high_contrast,
-             "high: no quiet text, wider lines");
+    flag_row(theme, "Contrast", p.look.high_contrast, usual.look.high_contrast, "high");
     flag_row(theme, "Overlays", p.look.other_hues, usual.look.other_hues,
-             "in hues for colour-blind eyes");
+             "colours for colour-blind eyes");
     choice_row(theme, "Lines", p.look.lines, usual.look.lines,
-               {{1, "Usual"}, {1.5, "Wide"}, {2, "Wider"}, {3, "Widest"}});
+               {{1, "Normal"}, {1.5, "Wide"}, {2, "Wider"}, {3, "Widest"}});
     flag_row(theme, "Motion", p.reduced_motion, usual.reduced_motion,
-             "reduced: what would move is there at once");
+             "reduced: no animated transitions");
     flag_row(theme, "Dragging", p.look.click_holds, usual.look.click_holds,
-             "a click begins it, another ends it: no button is held");
+             "click to start and end drags");
     choice_row(theme, "Tooltips after", p.look.tooltip_s, usual.look.tooltip_s,
                {{0.15, "0.15 s"}, {0.5, "0.5 s"}, {1, "1 s"}, {2, "2 s"}});
     const std::string key = key_text(action(editor, palette_action));

@@ -211,7 +211,7 @@ void draw_transform(Editor& editor, const ui::Theme& theme, Id id)
         fields(&Transform::rotation_deg);
     }
     fields(&Transform::scale);
-    const ui::Row row = ui::label_row(theme, "All alike", false, "one factor along X, Y and Z");
+    const ui::Row row = ui::label_row(theme, "Uniform scale", false, "one factor along X, Y and Z");
     double uniform = t.scale.x;
     const ui::Edit one =
         ui::number_field(theme, "uniform", uniform, {.lo = 1e-6, .hi = 1e6}, row.width);

@@ -37,7 +37,7 @@ void step_caption(const ui::Theme& theme, const std::string& words)
 void draw_other_numbers(Editor& editor, const ui::Theme& theme, Id id)
 {
     constexpr std::size_t most = 60; // rows
-    if (!ui::section(theme, "More with keys", false)) return;
+    if (!ui::section(theme, "Other animatable properties", false)) return;
     const Document& document = editor.session.document();
     const Ref<Object> each = document.objects.at(id); // edits replace it while we read
     const KeyGutter keys(editor, {id});
@@ -75,7 +75,7 @@ void draw_kept_view(Editor& editor, const ui::Theme& theme)
 {
     const auto& kept_views = editor.session.document().kept_views;
     const auto kept = kept_views.find("picture");
-    if (kept == kept_views.end() || !ui::section(theme, "View of pictures")) return;
+    if (kept == kept_views.end() || !ui::section(theme, "Render camera")) return;
     Camera camera = kept->second;
     const KeyGutter keys(editor, {0});
     ValueRows rows{theme, &keys};

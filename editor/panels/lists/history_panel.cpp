@@ -178,7 +178,7 @@ void draw_footer(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
     const std::size_t count = scene.history().steps().size(), now = scene.history().position();
     std::string words = now < count ? fmt::format("{} of {} steps", now, count)
                                     : fmt::format("{} step{}", count, count == 1 ? "" : "s");
-    const char* save = "Save compact...";
+    const char* save = "Save without undone steps...";
     const float width = ui::text_width(theme.font.body, save) + theme.px(24);
     const ui::Rect inside = {r.lo + glm::vec2(theme.size.padding, 0),
                              {r.hi.x - width - theme.px(8), r.hi.y}};
@@ -192,7 +192,8 @@ void draw_footer(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
     ImGui::SetCursorScreenPos({r.hi.x - width, r.lo.y + theme.px(6)});
     if (ui::button(theme, save, ui::ButtonKind::quiet, {width, theme.px(28)}))
         editor.files.ask_save_compact();
-    ui::tooltip({"Save compact", {}, "Writes only the steps in force, under another name."});
+    ui::tooltip(
+        {"Save without undone steps", {}, "Writes only the steps in force, under another name."});
 }
 
 } // namespace

@@ -106,10 +106,10 @@ void draw_key_numbers(Editor& editor, const ui::Theme& theme, const ui::Rect& pl
         const float width = next(way_width);
         take(ui::segments(theme, "way", way, {"Step", "Linear", "Cubic"}, width),
              [&] { return with_tween(document, chosen, static_cast<Tween>(way)); });
-        ui::tooltip({"To the next key",
-                     {},
-                     "Step stays till then, linear goes straight, cubic along a curve whose "
-                     "handles can be dragged under Curves."});
+        ui::tooltip(
+            {"To the next key",
+             {},
+             "Step holds the value, Linear is a straight line, Cubic follows draggable handles."});
     }
     Parameter value = now.number;
     value.name = "value";

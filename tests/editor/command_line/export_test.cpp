@@ -48,7 +48,7 @@ TEST_F(WindowExport, CarriesTheCertificateOfWhatIsRefined)
     open(testing::scene_text() + command_line(refine));
     const ui::Notices::Notice said = exported("pot.glb");
     EXPECT_EQ(said.title, "Exported pot.glb");
-    EXPECT_THAT(said.body, HasSubstr("Certified to be within"));
+    EXPECT_THAT(said.body, HasSubstr("Certified within"));
     EXPECT_THAT(verified(Status::done), HasSubstr("what it claims holds"));
     // Later steps of the log take nothing from what was exported before them.
     rig.editor.session.run(Hide{{2}});

@@ -20,7 +20,7 @@ struct Filmed : Rig {
                                      {{"camera.picture.eye.x",
                                        {{.frame = 1, .value = 0, .tween = Tween::linear},
                                         {.frame = 101, .value = 5}}}}}}});
-        action(editor, "View of pictures").run(editor);
+        action(editor, "Render camera").run(editor);
         wait();
     }
     double x() const { return editor.session.view.camera.eye.x; }
@@ -49,7 +49,7 @@ TEST(FollowedView, StaysWhereAHandPutsTheCamera)
     EXPECT_FALSE(rig.editor.session.view.follows);
     rig.show(51);
     EXPECT_EQ(rig.x(), 0);
-    action(rig.editor, "View of pictures").run(rig.editor);
+    action(rig.editor, "Render camera").run(rig.editor);
     rig.frames(2);
     EXPECT_DOUBLE_EQ(rig.x(), 2.5);
 }

@@ -60,7 +60,7 @@ TEST_F(RefinedViews, AreChosenInTheMenuAndLeaveTheDocumentAndItsEffectsAlone)
     EXPECT_EQ(rig.steps(), steps);
     EXPECT_EQ(digest(session().document()), document);
     EXPECT_EQ(digest(session().evaluated()), effects);
-    run("Triangles as they are");
+    run("Original triangles");
     EXPECT_EQ(view().seen().objects, session().evaluated().objects);
     EXPECT_EQ(view().words(0), "");
 }

@@ -137,7 +137,7 @@ TEST(EditorWindow, WhereNothingIsToLieOnThePlaceToolSaysSoBeforeAStroke)
     rig.move(rig.seen_at({0, 0, 0}));
     EXPECT_EQ(said().verb, "Drag to lay Box");
     rig.move(rig.layout().view.lo + glm::vec2(200, 30)); // the sky
-    EXPECT_EQ(said().verb, "Nothing to lie on is under the mouse");
+    EXPECT_EQ(said().verb, "Nothing under the pointer to place on");
     EXPECT_TRUE(said().inputs.empty());
     rig.move(rig.seen_at({0, 0, 0}));
     EXPECT_FALSE(said().inputs.empty());
