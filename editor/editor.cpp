@@ -20,7 +20,7 @@ void Editor::lose_context()
     recording.forget_gpu();
     stored_pictures.forget_gpu();
     session.notices.say(ui::NoticeKind::warning, "The graphics card was reset",
-                        "The picture is drawn anew. Nothing of the scene is lost.");
+                        "The picture is being redrawn. Nothing in the scene is lost.");
 }
 
 void Editor::choose_tool(std::size_t index)

@@ -48,9 +48,9 @@ Document applied(Document document, const EditImport& command);
 StepTitle title(const EditImport& c, const StepDocuments& step);
 
 struct Relink {
-    static constexpr std::string_view verb = "relink",
-                                      summary = "Take models from other files, one each, or read "
-                                                "them otherwise. They stay where they are.";
+    static constexpr std::string_view
+        verb = "relink",
+        summary = "Replace the files of models, one each, or their import settings, in place.";
     std::vector<Id> objects;
     std::vector<ImportedFile> files;
     bool operator==(const Relink&) const = default;

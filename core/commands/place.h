@@ -74,7 +74,7 @@ struct EditPlacement {
         field("parameters", c.parameters, "all of them; what is left out has its default",
               required);
         field("sketch", c.sketch, "a new stroke; left out: as it was");
-        field("onto", c.onto, "ids it lies on; left out: as it was; empty: chosen anew");
+        field("onto", c.onto, "ids it lies on; left out: as before; empty: chosen again");
         field("attach", c.attach,
               "which of them carry it; left out: as it was, but none where the stroke is new");
     }

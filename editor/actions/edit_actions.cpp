@@ -27,7 +27,7 @@ std::vector<Id> deletable(Editor& e, const char* title)
     std::erase_if(ids, [&](Id id) { return locked(e.session.document(), id); });
     if (ids.empty())
         e.session.notices.say(ui::NoticeKind::warning, title,
-                              "What is selected is locked. Unlock it first.");
+                              "The selected objects are locked. Unlock them first.");
     return ids;
 }
 
@@ -204,7 +204,7 @@ void add_edit_actions(std::vector<Action>& a)
                   },
                   "select something first that goes with another object"}});
     a.push_back({"Edit",
-                 "Detach from stroke",
+                 "Remove from stroke",
                  {},
                  [](Editor& e) { e.session.run(Unplace{e.session.selected}); },
                  {[](const Editor& e) {

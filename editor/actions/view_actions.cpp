@@ -152,7 +152,7 @@ void add_view_actions(std::vector<Action>& a)
                  true});
     a.push_back({"View", "Set render camera to view", {}, [](Editor& e) {
                      if (e.session.run(KeepView{"picture", camera_for_pictures(e.session)}))
-                         e.session.notices.say(ui::NoticeKind::good, "This view is kept",
+                         e.session.notices.say(ui::NoticeKind::good, "View bookmarked",
                                                "Replayed pictures and this scene open in it.");
                  }});
     a.push_back({"View",

@@ -101,7 +101,7 @@ CLI::App* add_render(CLI::App& app, RenderOptions& o)
         "  trivar render ants.trivar --frames 1:240 --out ants/ants.####.exr --shard 2/4\n"
         "  trivar render ants.trivar --frames 1:240 --out ants/ants.####.png --resume\n"
         "  trivar render ants.trivar --frames 1:240 --sheet 3x2 --size 480x270 --out ants.png\n\n"
-        "Ctrl C ends it after the frame at hand, with status 130.");
+        "Ctrl C stops it after the current frame, with status 130.");
     add_scene(*render, o.scene);
     render->add_option("--frames", o.frames, "from A to B, every Sth")
         ->required()

@@ -110,8 +110,8 @@ std::string placed_words(const Document& before, const Document& document, const
         else if (std::ranges::none_of(laid->onto, [&](Id id) { return id >= before.next_id; }))
             ++elsewhere;
     }
-    if (straight > 0) return "What it lay on is not here, so it stands straight.";
-    if (elsewhere > 0) return "What it lay on is not here, so it lies on what is.";
+    if (straight > 0) return "What it lay on is not in this scene, so it stands straight.";
+    if (elsewhere > 0) return "What it lay on is not in this scene, so it lies on what is here.";
     if (in_place > 0) return "It lies on the same stroke: draw another one for it.";
     return {};
 }

@@ -141,7 +141,7 @@ void Files::ask_discarded()
     if (SceneFile::set_aside_in(session_->unnamed_folder()).empty()) {
         if (recovery_->left_scene()) return recover();
         session_->notices.say(ui::NoticeKind::good, "No discarded scenes",
-                              "What is discarded can be found here " +
+                              "Discarded scenes can be found here " +
                                   for_days(recovery_->discarded_days) + ".");
         return;
     }

@@ -222,7 +222,7 @@ void Files::take_dropped(const std::vector<std::string>& paths)
     for (const std::string& path : paths)
         if (fs::is_directory(path, ignored))
             batch->lost.push_back(
-                {file_name(path) + "/", "this is a folder, drop the files in it"});
+                {file_name(path) + "/", "that is a folder; drop the files inside it instead"});
         else if (extension_of(path) == scene_extension)
             scenes.push_back(path);
         else if (is_model(path))

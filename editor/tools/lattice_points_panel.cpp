@@ -49,7 +49,7 @@ void LatticePointsTool::options(Session& session, const ui::Theme& theme, float 
                                               {field, theme.size.row}))
                                    put_lattice_round_selection(session);
                            },
-                           "What is selected bends with the control points of a box round it."});
+                           "Puts a lattice box round the selected objects that bends them."});
         return ui::option_bar(theme, options, width);
     }
     if (laid) add_proportional_options(options, theme, laid->placement->volume);

@@ -71,14 +71,14 @@ struct Refusal {
 std::optional<Refusal> refusal(const Session& session, Id model)
 {
     if (model == 0)
-        return Refusal{"There is no model to lay",
+        return Refusal{"There is no model to place",
                        "Drop a model into the window, then draw the stroke again."};
     if (session.document().objects.size() < 2)
         return Refusal{"Placing needs at least two objects",
                        "Drop a second one into the window, or add one: of the two, one is laid on "
                        "the other."};
     if (!session.hidden_here.empty() && bases_for_stroke(session, model).empty())
-        return Refusal{"What it could lie on is hidden here",
+        return Refusal{"All objects it could lie on are hidden",
                        "Bring the other objects back, then draw the stroke again."};
     return {};
 }
@@ -371,15 +371,15 @@ void PlaceTool::options(Session& session, const ui::Theme& theme, float width)
                            if (ui::choice(theme, "model", index, names, field) == ui::Edit::changed)
                                chosen_ = ids[static_cast<std::size_t>(index)];
                        },
-                       "What is laid along the stroke."});
+                       "The model that is laid along the stroke."});
     options.push_back(
         {"Width", 88,
          [&](float field) { ui::number_field(theme, "width", parameters_.width, size, field); },
-         "Of the strip, across the stroke. Auto: in proportion to the model."});
+         "Width across the stroke. Auto: in proportion to the model."});
     options.push_back(
         {"Height", 88,
          [&](float field) { ui::number_field(theme, "height", parameters_.height, size, field); },
-         "Of the model, away from the scene. Auto: in proportion to it."});
+         "Height above the surface. Auto: in proportion to the model."});
     options.push_back({"Brush", 192,
                        [&](float field) {
                            int brush = static_cast<int>(brush_);

@@ -216,7 +216,7 @@ std::optional<ui::Option> PlacementHandles::option(const Session& session, const
             ui::segments(theme, "handles", chosen, {"All", "Stroke", "Sizes", "None"}, width);
             *choice_ = static_cast<HandleChoice>(chosen);
         },
-        "Which points of the selected stroke can be dragged in the picture."};
+        "Which points of the selected stroke can be dragged in the viewport."};
 }
 
 } // namespace trivar

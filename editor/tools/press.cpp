@@ -402,7 +402,7 @@ void PressTool::options(Session& session, const ui::Theme& theme, float width)
     check("Mirror", "mirror", mirror_, 20, "The same on the other side of the middle.");
     check("Guard", "guard", guard_, 20, "No deeper than is proven not to fold the volume.");
     check("Into the scene", "into scene", into_scene_, 20,
-          "What lies on the scene may be drawn into it.");
+          "The model may be pulled into the surface it lies on.");
     (void)session;
     ui::option_bar(theme, options, width);
 }

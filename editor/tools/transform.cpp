@@ -96,16 +96,15 @@ void TransformTool::refuse(Session& session)
     }
     const auto& step = object(session.document(), lies).placement;
     const bool round = step && step->round;
-    session.notices.say(ui::NoticeKind::warning,
-                        round ? name + " goes round what it lies on"
-                              : name + " lies on nothing now",
-                        round ? "Its level, start and fill say where. Draw a stroke to lay it "
-                                "elsewhere, or detach it."
-                              : "Draw another stroke to lay it elsewhere, or detach it.",
-                        "on a stroke", {{"Detach from stroke", [&session, lies] {
-                                             if (session.run(Unplace{lies}))
-                                                 session.selected = lies;
-                                         }}});
+    session.notices.say(
+        ui::NoticeKind::warning,
+        round ? name + " goes round what it lies on" : name + " lies on nothing now",
+        round ? "Its level, start and fill say where. Draw a stroke to lay it "
+                "elsewhere, or remove it from its stroke."
+              : "Draw another stroke to lay it elsewhere, or remove it from its stroke.",
+        "on a stroke", {{"Remove from stroke", [&session, lies] {
+                             if (session.run(Unplace{lies})) session.selected = lies;
+                         }}});
 }
 
 void TransformTool::start(const Session& session, Grasp grasp)

@@ -15,8 +15,8 @@ struct DeformWords {
 };
 inline constexpr std::array<DeformWords, gpu::deform_names.size()> deform_words{{
     {"Processor", "All processors at once, before anything is drawn."},
-    {"One phase", "By the graphics card as it draws, anew in every pass: the time is that of one."},
-    {"Two phases", "By the graphics card, once for all passes."},
+    {"One phase", "On the graphics card while drawing, in every pass; the time is for one pass."},
+    {"Two phases", "On the graphics card, once for all passes."},
     {"Differences", "Two phases, with normals by differences (thesis, 4.3)."},
     {"Raised orders", "Two phases, by lerps between control points (thesis, 4.4)."},
     {"Filtered", "The same lerps by the card's filter: a preview, for its fractions are coarse."},

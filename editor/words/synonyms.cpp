@@ -82,7 +82,7 @@ const std::vector<Synonym>& synonyms()
         {"transparency", {"Set material", "X-ray"}},
         {"transparent", {"Set material", "X-ray"}},
         {"twist", {"Lattice", "Add Lattice round selection", "Rotate"}},
-        {"unlink", {"Ungroup", "Detach from stroke"}},
+        {"unlink", {"Ungroup", "Remove from stroke"}},
         {"unparent", {"Ungroup"}},
         {"video", {"Record..."}},
         {"walk", {"Play clip", "Set travel"}},

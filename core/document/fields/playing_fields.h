@@ -9,22 +9,20 @@ template <> struct FieldsOf<Playing> {
     static constexpr std::string_view told_as = "values of [play_clip](#play_clip)";
     static void fields(auto& p, auto&& field)
     {
-        field("clip", p.clip, "name of a clip in its file; empty: it stands as it came",
-              any_value.without_keys());
-        field("speed", p.speed, "of the clip's own speed; negative: backwards",
+        field("clip", p.clip, "animation clip to play; empty: rest pose", any_value.without_keys());
+        field("speed", p.speed,
+              "playback speed relative to the clip's own; negative plays backwards",
               in_range(-1e3, 1e3).in(Unit::times).without_keys());
         field("repeat", p.repeat,
               "what comes after the clip's end: nothing, the clip again, or the way back",
               any_value.without_keys());
         field("offset", p.offset, "seconds into the clip at the start frame",
               in_range(-1e6, 1e6).in(Unit::seconds));
-        field("start_frame", p.start_frame, "the frame from which on it moves",
+        field("start_frame", p.start_frame, "the frame in which the clip starts",
               in_range(-999999, 999999).called("Start").in(Unit::at_frame).without_keys());
-        field(
-            "foot_lock", p.foot_lock,
-            "in step with its travel: it goes on as far as keeps its planted feet where they are, "
-            "whatever its speed says",
-            later.without_keys());
+        field("foot_lock", p.foot_lock,
+              "matches the walking speed to the clip so that planted feet do not slide",
+              later.without_keys());
     }
 };
 

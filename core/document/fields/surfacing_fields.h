@@ -14,8 +14,9 @@ template <> struct FieldsOf<Surfacing> {
         field("metallic", s.metallic, "0: not a metal, 1: a metal", in_range(0, 1));
         field("roughness", s.roughness, "0: a mirror, 1: chalk", in_range(0, 1));
         field("solid", s.filling,
-              "what fills it and deforms with it; the colour tints it, its roughness is its own",
-              any_value.counts(Counting::bare).called("Filling"));
+              "solid texture that deforms with the object; the colour tints it, and it has its own "
+              "roughness",
+              any_value.counts(Counting::bare).called("Solid texture"));
     }
 };
 

@@ -34,7 +34,7 @@ void browse(ExportDialog& dialog)
 bool draw_plan(const ui::Theme& theme, ExportPlan& plan, const Time& time)
 {
     const bool browsed =
-        draw_path_row(theme, "File", plan.file, "a file", "Its folder must be there.");
+        draw_path_row(theme, "File", plan.file, "a file", "Its folder must exist.");
     int kind = kind_of(plan);
     const float width =
         ui::label_row(theme, "Kind", false,

@@ -30,10 +30,11 @@ void folder_row(const ui::Theme& theme, const ui::Rect& r, const char* label, st
 {
     const ui::Row row = ui::label_row(theme, label, !folder.empty());
     if (row.reset) folder.clear();
-    ui::text_field(theme, label, folder, "Where the last dialog was", row.width, ui::icon::folder);
+    ui::text_field(theme, label, folder, "Last used folder", row.width, ui::icon::folder);
     std::error_code ignored;
     if (!folder.empty() && !std::filesystem::is_directory(with_long_home(folder), ignored))
-        foot_note(theme, r, "There is no folder " + folder + ". Dialogs begin where they were.",
+        foot_note(theme, r,
+                  "There is no folder " + folder + ". Dialogs open in the last used folder.",
                   theme.color.warn);
 }
 

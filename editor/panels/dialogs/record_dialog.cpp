@@ -63,7 +63,7 @@ void browse(RecordDialog& dialog)
 bool draw_plan(const ui::Theme& theme, RecordPlan& plan, const Session& session)
 {
     const bool browsed =
-        draw_path_row(theme, "Folder", plan.folder, "a folder", "It is made if it is not there.");
+        draw_path_row(theme, "Folder", plan.folder, "a folder", "Created if it does not exist.");
     const auto segments = [&](const char* label, int chosen, const std::vector<std::string>& names,
                               const char* help) {
         ui::segments(theme, label, chosen, names, ui::label_row(theme, label, false, help).width);
@@ -99,11 +99,11 @@ std::string words_of(RecordDialog& dialog, const RecordingWish& wish)
     if (wish.frames.size() > 1) out += " to " + name(names.path(wish.frames.back()));
     out +=
         wish.frames.size() == 1 ? ", one frame." : fmt::format(", {} frames.", wish.frames.size());
-    if (!wish.camera) out += " Seen from the view of pictures.";
+    if (!wish.camera) out += " Seen from the render camera.";
     if (there > 0)
-        out += fmt::format(" {} {} there: what shows the scene as it is now stays, the rest is "
-                           "drawn anew.",
-                           there, there == 1 ? "file is" : "files are");
+        out += fmt::format(
+            " {} {} there: frames that match the scene are kept, the others are rendered again.",
+            there, there == 1 ? "file is" : "files are");
     return out;
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* own_words =
     "This step is your own: the scene is yours to go on with. @Undo takes it back, and the "
-    "tutorial begins anew from **Help > Tutorials**.";
+    "tutorial starts again from **Help > Tutorials**.";
 
 std::vector<ui::Run> runs_of(const Editor& editor)
 {
@@ -102,9 +102,10 @@ ui::Rect draw_tutorial(Editor& editor, ui::Frame& frame, const ui::Rect& view)
     ui::draw_rich(theme, style, runs, {r.lo.x + pad, r.lo.y + head}, width - 2 * pad);
     ImGui::PopClipRect();
     ImGui::SetCursorScreenPos({r.hi.x - theme.px(34), r.lo.y + theme.px(8)});
-    const bool closes = ui::icon_button(
-        theme, "close", ui::icon::close, glm::vec2(theme.size.icon_button),
-        tip_of(editor, action(editor, tutorial_close), "Its scene stays, all steps done."));
+    const bool closes =
+        ui::icon_button(theme, "close", ui::icon::close, glm::vec2(theme.size.icon_button),
+                        tip_of(editor, action(editor, tutorial_close),
+                               "Its scene stays open with all steps done."));
     const float y = r.hi.y - theme.px(16) - theme.px(32);
     if (!own)
         paint_dots(theme, {{r.lo.x + pad, y}, {r.hi.x, y + theme.px(32)}}, step, tutorial.count());

@@ -27,7 +27,7 @@ bool recent_row(Editor& editor, const ui::Theme& theme, const ui::Rect& row,
     const bool clicked = ImGui::InvisibleButton("recent", {row.width(), row.height()});
     const bool hovered = ImGui::IsItemHovered();
     if (hovered) ui::paint_box(row, c.row_hover, theme.size.rounding);
-    ui::tooltip({scene.there ? scene.path : "It is not there any more",
+    ui::tooltip({scene.there ? scene.path : "This file no longer exists",
                  {},
                  scene.there ? "" : "Click to look for it."});
     const ui::Color quiet = hovered ? c.text_2 : c.text_3;

@@ -26,8 +26,7 @@ ui::Edit axis_fields(const ui::Theme& theme, float width, ui::NumberStyle style,
 ui::Edit draw_surfacing(Editor& editor, const ui::Theme& theme, std::vector<Id> ids,
                         Surfacing& surfacing);
 
-inline constexpr const char* material_help =
-    "the colours and textures of the file, or one plain material";
+inline constexpr const char* material_help = "use the file's materials, or override them with one";
 
 // Commits the proposal once no field is held any more; called every frame, after all panels.
 void finish_edit(Editor& editor);

@@ -86,7 +86,8 @@ void draw_file(Editor& editor, const ui::Theme& theme, const ImportedFile& file,
     const float width = ui::label_row(theme, "File").width;
     const std::string name = std::filesystem::path(file.path).filename().string();
     const std::string shown = ui::elided(theme.font.body, name, width - theme.px(84));
-    if (ui::button(theme, shown, ui::ButtonKind::plain, {width, theme.size.row}, nullptr, "Other"))
+    if (ui::button(theme, shown, ui::ButtonKind::plain, {width, theme.size.row}, nullptr,
+                   "Replace..."))
         editor.files.ask_relink(id);
     ui::tooltip({file.path, {}, "Click to take another file."});
     EditImport edit{id, file};
@@ -246,7 +247,7 @@ void draw_material(Editor& editor, const ui::Theme& theme, Id id)
     if (!ui::section(theme, "Material")) return;
     bool own = !each.surfacing.has_value();
     ui::label_row(theme, "Use", false, material_help);
-    const ui::Edit use = ui::check_box(theme, "own", own, "the model's own");
+    const ui::Edit use = ui::check_box(theme, "own", own, "original materials");
     if (use == ui::Edit::copied && own) copy_command(editor, ClearMaterial{{id}});
     if (use == ui::Edit::copied && !own) copy_command(editor, SetMaterial{{id}, *each.surfacing});
     if (use == ui::Edit::changed && own) editor.session.run(ClearMaterial{{id}});

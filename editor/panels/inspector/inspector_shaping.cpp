@@ -100,7 +100,7 @@ void allowance_row(Session& session, const ui::Theme& theme, Id id, std::size_t 
                    theme.color.text, fmt::format("in {} {}", parts, parts == 1 ? "part" : "parts"));
     ImGui::SetCursorScreenPos({at.x + theme.px(68) + side, at.y});
     if (ui::icon_button(theme, "fold nowhere", ui::icon::trash, {side, side},
-                        {"Nowhere any more", {}, "What was done till then stays."}))
+                        {"Nowhere any more", {}, "Edits made so far stay."}))
         session.run(AllowFolds{id, {}});
     ImGui::SetCursorScreenPos({at.x, at.y + side + theme.px(4)});
     ImGui::Dummy({1, 0});

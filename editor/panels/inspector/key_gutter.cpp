@@ -62,7 +62,7 @@ void KeyGutter::mark(const ui::Theme& theme, const ui::Row& row,
         {state == KeyState::here ? "Remove this key" : "Insert a key",
          key_text(action(editor_, state == KeyState::here ? remove_key_action : insert_key_action)),
          state == KeyState::none ? "The value of this frame. What has keys changes in time."
-                                 : "It has keys; the timeline shows them."});
+                                 : "Has keys, shown in the timeline."});
     menu(all, names.size() == 1 ? names.front() : names.front() + " ...");
     const ui::Color rim = state != KeyState::none ? c.key : hot ? c.text : c.text_3;
     ui::paint_diamond(place.center(), theme.px(hot ? 5 : 4) + 0.5f,

@@ -64,8 +64,8 @@ ui::Edit point_row(const ui::Theme& theme, const ProfileRows& rows, Points& poin
                    double scale, const std::string& unit)
 {
     const ProfileKind kind = rows.kind;
-    const ui::Row row = ui::label_row(theme, "Point", false,
-                                      "Where the chosen point of the curve stands, and its size.");
+    const ui::Row row =
+        ui::label_row(theme, "Point", false, "Position and value of the selected curve point.");
     if (rows.keys)
         rows.keys->mark(theme, row,
                         axes_of(rows.words.parameters.front() + "." + std::to_string(i), 2), true);

@@ -166,7 +166,7 @@ PointerState draw_line(const ui::Theme& theme, const Session& session, const Lin
         ui::tooltip({title.text(),
                      {},
                      line.kind == Line::fork
-                         ? "What was done before something else was done instead."
+                         ? "Steps that were undone before other steps were made."
                          : "Click to go there; what comes after it is kept."});
     return pointed;
 }

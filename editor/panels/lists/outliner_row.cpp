@@ -126,9 +126,8 @@ void column_cell(Editor& editor, const ui::Theme& theme, const ui::Rect& cell, C
                      {},
                      "Drag down to do it to more rows; Alt shows only this one."});
     else
-        ui::tooltip({on ? "Unlock" : "Lock",
-                     {},
-                     "What is locked is not picked, moved or deleted by hand."});
+        ui::tooltip(
+            {on ? "Unlock" : "Lock", {}, "Locked objects cannot be picked, moved or deleted."});
 }
 
 const EvaluatedObject* effects_of(const Session& session, Id id)

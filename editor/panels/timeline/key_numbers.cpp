@@ -125,7 +125,9 @@ void draw_key_numbers(Editor& editor, const ui::Theme& theme, const ui::Rect& pl
     const double before = first_frame(chosen);
     const float frame_px = next(frame_width);
     const ui::Edit of_frame = ui::number_field(theme, "frame", frame, frames, frame_px);
-    ui::tooltip({"Frame of the chosen keys", {}, "Of several the first; the others go along."});
+    ui::tooltip({"Frame of the chosen keys",
+                 {},
+                 "With several keys this is the first; the others move with it."});
     take(of_frame, [&] { return moved(document, chosen, frame - before); });
     ImGui::PopID();
     if (how == ui::Edit::changed && !edit.command) return;

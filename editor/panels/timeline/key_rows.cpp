@@ -127,7 +127,7 @@ void draw_row_name(Editor& editor, const ui::Theme& theme, const ui::Rect& row,
     ui::paint_text(theme.font.small, in, c.text_2, note, ui::Align::right);
     ui::tooltip({name,
                  {},
-                 lost                        ? "There is no such number now; its keys wait."
+                 lost                        ? "This property no longer exists; its keys are kept."
                  : of.kind == RowKind::track ? of.parameter
                                              : std::string()});
 }

@@ -56,12 +56,12 @@ void buttons(Editor& editor, Transport& line)
         bool enabled = true;
     };
     const std::array<Button, 5> all{
-        {{first_frame_action, ui::icon::first, "Where playing begins.", frame > time.first_frame},
+        {{first_frame_action, ui::icon::first, "Go to the first frame.", frame > time.first_frame},
          {previous_frame_action, ui::icon::back, "", frame > time.first_frame},
          {play_action, playing ? ui::icon::pause : ui::icon::play,
           "A second of the scene takes a second; frames that come too late are left out."},
          {next_frame_action, ui::icon::forward, "", frame < time.last_frame},
-         {last_frame_action, ui::icon::last, "Where playing ends.", frame < time.last_frame}}};
+         {last_frame_action, ui::icon::last, "Go to the last frame.", frame < time.last_frame}}};
     for (const Button& each : all) {
         const Action& does = action(editor, each.name);
         if (line.icon(each.name, each.icon, tip_of(editor, does, each.says),
@@ -129,7 +129,7 @@ void heading(Editor& editor, Transport& line, bool has_title)
     line.place(side);
     if (ui::icon_button(theme, "open", "", {side + words, side},
                         {open ? "Close the timeline" : "Open the timeline", key_text(toggle),
-                         "Keys and what travels, and when: to be chosen and dragged."}))
+                         "Keys and travelling objects over time; select and drag them."}))
         toggle.run(editor);
     ui::paint_text(theme.font.body, {{line.x, line.bar.lo.y}, {line.x + side, line.bar.hi.y}},
                    theme.color.text_2, open ? ui::icon::open : ui::icon::closed, ui::Align::center);

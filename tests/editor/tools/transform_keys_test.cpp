@@ -174,7 +174,7 @@ TEST(TransformByKey, WhatGoesRoundABodyOffersToBeTakenOff)
     EXPECT_EQ(rig.steps(), 4u) << "an axis is no command of its own";
     const auto& notice = rig.editor.session.notices.all().back();
     ASSERT_EQ(notice.actions.size(), 1u);
-    EXPECT_EQ(notice.actions[0].words, "Detach from stroke");
+    EXPECT_EQ(notice.actions[0].words, "Remove from stroke");
     const auto take_off = notice.actions[0].act; // it may outlive its notice
     take_off();
     EXPECT_EQ(rig.steps(), 5u);
