@@ -159,7 +159,7 @@ Placement as_shaped(Placement placement, const LaidVolume& v)
         r.smallest_jacobian = std::isfinite(least) ? least / laid_volume : 1;
     if (r.height_world > 0) r.penetration = std::max(r.penetration, below / r.height_world);
     // What the stroke said of folds was before.
-    r.folds = r.smallest_jacobian > 0 ? "" : "the volume folds; mend it";
+    r.folds = r.smallest_jacobian > 0 ? "" : "the volume folds; repair the folds";
     return placement;
 }
 

@@ -53,7 +53,7 @@ std::string words_of(const VolumeEdit& edit, bool box)
             words += (words.empty() ? "" : ", ") + each.name + " " + each.value;
         return words;
     }
-    return "Mended";
+    return "Folds repaired";
 }
 
 VolumeEdit as_done(VolumeEdit edit, const Shaping& done)

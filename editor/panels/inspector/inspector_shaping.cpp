@@ -157,8 +157,8 @@ void draw_shaping(Editor& editor, const ui::Theme& theme, Id id)
     if (verdicts && !verdicts->good()) {
         const ImVec2 at = ImGui::GetCursorScreenPos();
         ImGui::SetCursorScreenPos({at.x + edge, at.y});
-        if (ui::button(theme, "Mend", ui::ButtonKind::primary, {theme.px(160), 0}, ui::icon::guard,
-                       key_text(action(editor, mend_action))))
+        if (ui::button(theme, mend_action, ui::ButtonKind::primary, {theme.px(160), 0},
+                       ui::icon::guard, key_text(action(editor, mend_action))))
             action(editor, mend_action).run(editor);
     }
     ui::gap(theme, 8);
