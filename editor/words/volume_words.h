@@ -14,7 +14,7 @@ std::string words_of(const VolumeEdit& edit, bool box = false);
 // The part of a step that was done: where the guard stopped it, it has the amount let through. A
 // press, a turn and a change of size are returned as they are.
 VolumeEdit as_done(VolumeEdit edit, const Shaping& done);
-// The same words for a step that is done, with what was chosen then: "Folds repaired".
+// The same words for a step that is done, with what was chosen then.
 std::string words_of(const VolumeEdit& edit, bool box, const Shaping& done);
 
 // What is proven of a volume, as the end of a sentence: "folds nowhere, proven".
