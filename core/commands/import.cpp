@@ -54,7 +54,7 @@ StepTitle title(const EditImport& c, const StepDocuments& step)
         return {"File of " + name, std::filesystem::path(c.file.path).filename().string()};
     if (file->subdivisions != c.file.subdivisions)
         return {"Subdivision of " + name, fmt::format("{} levels", c.file.subdivisions)};
-    return {"Read " + name + (file->hash != c.file.hash ? " anew" : " otherwise"), {}};
+    return {"Read " + name + (file->hash != c.file.hash ? " again" : " with other settings"), {}};
 }
 Document applied(Document document, const Relink& command)
 {

@@ -68,14 +68,13 @@ template <> struct FieldsOf<Camera> {
     static constexpr std::string_view told_as = "[camera](#camera)";
     static void fields(auto& c, auto&& field)
     {
-        field("eye", c.eye, "where the camera is, metres",
-              required.called("From").in(Unit::metres));
+        field("eye", c.eye, "where the camera is, metres", required.called("Eye").in(Unit::metres));
         field("target", c.target, "the point it looks at, metres",
-              required.called("To").in(Unit::metres));
+              required.called("Target").in(Unit::metres));
         field("up", c.up, "the direction that is up in the picture");
         field("perspective", c.perspective, "false: orthographic");
         field("fov_y", c.fov_y, "full vertical angle in radians, perspective only",
-              in_range(1e-3, 3.1).called("Angle").in(Unit::radians));
+              in_range(1e-3, 3.1).called("Field of view").in(Unit::radians));
         field("height_world", c.height_world, "height of the picture in metres, orthographic only",
               positive.in(Unit::metres));
         field("size_px", c.size_px, "width and height of the picture in pixels",

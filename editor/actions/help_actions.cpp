@@ -24,7 +24,7 @@ void tutorial_actions(std::vector<Action>& a)
                  tutorial_next,
                  {{ui::key_right}},
                  [](Editor& e) { e.tutorial.next(e.session, e.preferences.reduced_motion); },
-                 at("no tutorial has a next step",
+                 at("no further tutorial step",
                     [](const Tutorial& t, const Session& s) {
                         return !t.note(s).empty() && t.step(s) < t.count();
                     }),
@@ -33,7 +33,7 @@ void tutorial_actions(std::vector<Action>& a)
                  tutorial_back,
                  {{ui::key_left}},
                  [](Editor& e) { e.tutorial.back(e.session); },
-                 at("this is the first step", [](const Tutorial& t, const Session& s) {
+                 at("no earlier tutorial step", [](const Tutorial& t, const Session& s) {
                      return !t.note(s).empty() && t.step(s) > 1;
                  })});
     a.push_back({"Tutorials",

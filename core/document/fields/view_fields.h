@@ -15,7 +15,7 @@ template <> struct FieldsOf<RenderSettings> {
         field("sun_elevation", s.sun_elevation,
               "how high the sun stands above the horizon, in radians",
               in_range(-1.6, 1.6).called("Sun elevation").in(Unit::radians));
-        field("shadows", s.shadows, "the sun casts shadows");
+        field("shadows", s.shadows, "the sun casts shadows", any_value.called("Sun shadows"));
         field("ambient_occlusion", s.ambient_occlusion, "darkens corners and creases",
               any_value.called("Ambient occlusion"));
         field("wire", s.wire, "draws the edges of the faces over them", later.called("Edges"));
@@ -30,8 +30,9 @@ template <> struct FieldsOf<RenderSettings> {
         field("captions", s.captions,
               "under what is refined stand its triangles, how they were split and what of their "
               "error is certified",
-              later.says("shown", "not shown"));
-        field("ground", s.ground, "a ground under the scene that catches shadows");
+              later.called("Refinement captions").says("shown", "not shown"));
+        field("ground", s.ground, "a ground under the scene that catches shadows",
+              any_value.called("Ground shadow"));
     }
 };
 
