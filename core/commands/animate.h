@@ -20,9 +20,9 @@ template <> struct FieldsOf<ObjectTracks> {
     }
 };
 struct Animate {
-    static constexpr std::string_view verb = "animate",
-                                      summary = "Let parameters of objects or of the scene go "
-                                                "from key to key.";
+    static constexpr std::string_view
+        verb = "animate",
+        summary = "Animate parameters of objects or of the scene with keys.";
     std::vector<ObjectTracks> of;
     bool operator==(const Animate&) const = default;
     static void fields(auto& c, auto&& field)

@@ -8,7 +8,7 @@ namespace trivar {
 
 struct SetTransform {
     static constexpr std::string_view verb = "transform",
-                                      summary = "Give an object a new transform, as a whole.";
+                                      summary = "Set the whole transform of an object.";
     static constexpr CommandNature nature{.icon = CommandIcon::move};
     Id object = 0;
     Transform transform;
@@ -29,7 +29,7 @@ StepTitle title(const SetTransform& c, const StepDocuments& step);
 
 struct Arrange {
     static constexpr std::string_view verb = "arrange",
-                                      summary = "Give objects new transforms, one each.";
+                                      summary = "Set the whole transforms of objects, one each.";
     static constexpr CommandNature nature{.icon = CommandIcon::move,
                                           .asked = Invocation::by_actions};
     std::vector<Id> objects;
@@ -45,7 +45,7 @@ Document applied(Document document, const Arrange& command);
 StepTitle title(const Arrange& c, const StepDocuments& step);
 
 struct Rename {
-    static constexpr std::string_view verb = "rename", summary = "Give an object another name.";
+    static constexpr std::string_view verb = "rename", summary = "Rename an object.";
     static constexpr CommandNature nature{.icon = CommandIcon::rename,
                                           .asked = Invocation::by_actions};
     Id object = 0;
@@ -61,7 +61,7 @@ Document applied(Document document, const Rename& command);
 StepTitle title(const Rename& c, const StepDocuments& step);
 
 struct Hide {
-    static constexpr std::string_view verb = "hide", summary = "Leave objects out of the picture.";
+    static constexpr std::string_view verb = "hide", summary = "Hide objects.";
     static constexpr CommandNature nature{.icon = CommandIcon::hide, .asked = Invocation::at_once};
     std::vector<Id> objects;
     bool operator==(const Hide&) const = default;
@@ -87,9 +87,9 @@ Document applied(Document document, const Show& command);
 StepTitle title(const Show& c, const StepDocuments& step);
 
 struct Lock {
-    static constexpr std::string_view verb = "lock",
-                                      summary = "Keep objects from being picked, moved and deleted "
-                                                "by hand.";
+    static constexpr std::string_view
+        verb = "lock",
+        summary = "Protect objects from being picked, moved and deleted by hand.";
     static constexpr CommandNature nature{.icon = CommandIcon::lock, .asked = Invocation::at_once};
     std::vector<Id> objects;
     bool operator==(const Lock&) const = default;
@@ -111,8 +111,9 @@ StepTitle title(const Unlock& c, const StepDocuments& step);
 
 struct Delete {
     static constexpr std::string_view verb = "delete",
-                                      summary = "Delete objects, groups with what is in them. "
-                                                "What lay on a deleted object no longer counts it.";
+                                      summary =
+                                          "Delete objects, and groups with their contents. Objects "
+                                          "that lay on a deleted one no longer use it.";
     static constexpr CommandNature nature{.icon = CommandIcon::remove,
                                           .asked = Invocation::by_actions};
     std::vector<Id> objects;
@@ -123,10 +124,10 @@ Document applied(Document document, const Delete& command);
 StepTitle title(const Delete& c, const StepDocuments& step);
 
 struct Duplicate {
-    static constexpr std::string_view verb = "duplicate",
-                                      summary =
-                                          "Copy objects, groups with what is in them. Copies "
-                                          "that lay on each other lie on each other's copies.";
+    static constexpr std::string_view
+        verb = "duplicate",
+        summary = "Duplicate objects, and groups with their contents. Where one lay on another, "
+                  "its copy lies on the other's copy.";
     static constexpr CommandNature nature{.icon = CommandIcon::copy,
                                           .asked = Invocation::by_actions};
     std::vector<Id> objects;

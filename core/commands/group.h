@@ -21,7 +21,7 @@ void check_own_depth(const Document& document, Id id);
 
 struct Group {
     static constexpr std::string_view verb = "group",
-                                      summary = "Put objects into a new group; they stay in place.";
+                                      summary = "Group objects; they stay in place.";
     static constexpr CommandNature nature{.icon = CommandIcon::group,
                                           .asked = Invocation::by_actions};
     std::vector<Id> objects;
@@ -37,9 +37,9 @@ Document applied(Document document, const Group& command);
 StepTitle title(const Group& c, const StepDocuments& step);
 
 struct Ungroup {
-    static constexpr std::string_view verb = "ungroup",
-                                      summary = "Dissolve a group; what is in it stays in place, "
-                                                "but for shear.";
+    static constexpr std::string_view
+        verb = "ungroup",
+        summary = "Dissolve a group; its contents stay in place, except that shear is lost.";
     static constexpr CommandNature nature{.icon = CommandIcon::group,
                                           .asked = Invocation::by_actions};
     Id object = 0;
@@ -50,9 +50,9 @@ Document applied(Document document, const Ungroup& command);
 StepTitle title(const Ungroup& c, const StepDocuments& step);
 
 struct SetParent {
-    static constexpr std::string_view verb = "parent",
-                                      summary = "Let objects go with another one; they stay in "
-                                                "place, but for shear.";
+    static constexpr std::string_view
+        verb = "parent",
+        summary = "Parent objects to another one; they stay in place, except that shear is lost.";
     static constexpr CommandNature nature{.icon = CommandIcon::group,
                                           .asked = Invocation::by_actions};
     std::vector<Id> objects;
@@ -70,10 +70,10 @@ Document applied(Document document, const SetParent& command);
 StepTitle title(const SetParent& c, const StepDocuments& step);
 
 struct Reorder {
-    static constexpr std::string_view verb = "reorder",
-                                      summary = "Give objects another place in the outliner, in a "
-                                                "group or out of one; in the scene they stay where "
-                                                "they are, but for shear.";
+    static constexpr std::string_view
+        verb = "reorder",
+        summary = "Move objects in the outliner, into a group or out of one; in the scene they "
+                  "stay in place, except that shear is lost.";
     std::vector<Id> objects;
     Id parent = 0, before = 0;
     bool operator==(const Reorder&) const = default;

@@ -11,8 +11,9 @@ void check(const LatticeShape& shape);
 
 struct AddLattice {
     static constexpr std::string_view verb = "add_lattice",
-                                      summary = "Put a box of control points round objects. They "
-                                                "stand in it as in a group and bend with it.";
+                                      summary =
+                                          "Put a box of control points round objects. They are its "
+                                          "children, as in a group, and bend with it.";
     static constexpr CommandNature nature{.icon = CommandIcon::add,
                                           .asked = Invocation::by_actions};
     std::vector<Id> objects;
@@ -36,10 +37,10 @@ Document applied(Document document, const AddLattice& command);
 StepTitle title(const AddLattice& c, const StepDocuments& step);
 
 struct SetLattice {
-    static constexpr std::string_view verb = "set_lattice",
-                                      summary = "Change the size and the control points of a "
-                                                "lattice. Steps that move points it then has not "
-                                                "are passed over; insert_knots keeps its shape.";
+    static constexpr std::string_view
+        verb = "set_lattice",
+        summary = "Change the size and the control points of a lattice. Steps that move points it "
+                  "no longer has are skipped; insert_knots keeps its shape.";
     Id object = 0;
     LatticeShape shape = {};
     bool operator==(const SetLattice&) const = default;

@@ -8,7 +8,7 @@ namespace trivar {
 
 struct SetMaterial {
     static constexpr std::string_view verb = "set_material",
-                                      summary = "Cover objects with one plain material.";
+                                      summary = "Override the materials of objects with one.";
     static constexpr CommandNature nature{.icon = CommandIcon::material};
     std::vector<Id> objects;
     Surfacing surfacing;
@@ -30,7 +30,7 @@ StepTitle title(const SetMaterial& c, const StepDocuments& step);
 
 struct ClearMaterial {
     static constexpr std::string_view verb = "clear_material",
-                                      summary = "Give objects their own materials back.";
+                                      summary = "Restore the original materials of objects.";
     static constexpr CommandNature nature{.icon = CommandIcon::material,
                                           .asked = Invocation::at_once};
     std::vector<Id> objects;

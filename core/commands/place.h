@@ -40,7 +40,7 @@ std::vector<Id> possible_bases(const Document& document, Id id);
 struct PlaceRound {
     static constexpr std::string_view verb = "place_round",
                                       summary = "Lay an object round a cylinder, a sphere, a torus "
-                                                "or a Moebius band, on a way that closes.";
+                                                "or a Moebius band, on a closed path.";
     static constexpr CommandNature nature{.icon = CommandIcon::place};
     Id object = 0, around = 0;
     double level = 0;
@@ -90,8 +90,8 @@ StepTitle title(const EditPlacement& c, const StepDocuments& step);
 
 struct Attach {
     static constexpr std::string_view verb = "attach",
-                                      summary = "Let what lies on objects go with them. It keeps "
-                                                "its place.";
+                                      summary = "Attach placed objects to the objects they lie on, "
+                                                "so that they move along. They stay in place.";
     static constexpr CommandNature nature{.icon = CommandIcon::place,
                                           .asked = Invocation::by_actions};
     Id object = 0;
@@ -110,7 +110,8 @@ StepTitle title(const Attach& c, const StepDocuments& step);
 
 struct Unplace {
     static constexpr std::string_view verb = "unplace",
-                                      summary = "Take an object off its stroke, straight again.";
+                                      summary =
+                                          "Remove an object from its stroke; it is straight again.";
     static constexpr CommandNature nature{.icon = CommandIcon::place,
                                           .asked = Invocation::by_actions};
     Id object = 0;

@@ -9,8 +9,8 @@ namespace trivar {
 
 struct PlayClip {
     static constexpr std::string_view verb = "play_clip",
-                                      summary = "Let imported models move by a clip of their "
-                                                "file, or stand.";
+                                      summary =
+                                          "Play an animation clip of imported models, or none.";
     std::vector<Id> objects;
     Playing playing;
     std::vector<Playing> playings = {};

@@ -11,8 +11,9 @@ void check(const Refining& refining);
 
 struct Refine {
     static constexpr std::string_view verb = "refine",
-                                      summary = "Split the triangles of what is bent until the "
-                                                "bent surface is certified within a tolerance.";
+                                      summary =
+                                          "Split the triangles of bent objects until they are "
+                                          "certified to be within a tolerance of the true surface.";
     std::vector<Id> objects;
     Refining refining;
     std::vector<Refining> refinings = {};
@@ -37,7 +38,7 @@ StepTitle title(const Refine& c, const StepDocuments& step);
 
 struct ClearRefine {
     static constexpr std::string_view verb = "clear_refine",
-                                      summary = "Give objects the triangles back that they have.";
+                                      summary = "Undo the refinement of objects.";
     std::vector<Id> objects;
     bool operator==(const ClearRefine&) const = default;
     static void fields(auto& c, auto&& field)

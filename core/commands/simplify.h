@@ -7,9 +7,9 @@
 namespace trivar {
 
 struct Simplify {
-    static constexpr std::string_view verb = "simplify",
-                                      summary = "Make the triangles of objects fewer. What is done "
-                                                "with them comes after it.";
+    static constexpr std::string_view
+        verb = "simplify",
+        summary = "Reduce the triangles of objects, before anything else is done with them.";
     std::vector<Id> objects;
     Simplifying simplifying;
     bool operator==(const Simplify&) const = default;
@@ -28,7 +28,7 @@ StepTitle title(const Simplify& c, const StepDocuments& step);
 
 struct ClearSimplify {
     static constexpr std::string_view verb = "clear_simplify",
-                                      summary = "Give objects all their triangles back.";
+                                      summary = "Undo the simplification of objects.";
     static constexpr CommandNature nature{.asked = Invocation::at_once};
     std::vector<Id> objects;
     bool operator==(const ClearSimplify&) const = default;

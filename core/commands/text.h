@@ -13,9 +13,7 @@ std::string size_words(const TextShape& shape);
 using AddText = AddShape<TextShape>;
 
 struct SetText {
-    static constexpr std::string_view verb = "set_text",
-                                      summary = "Change the letters of a text. It stays where it "
-                                                "is.";
+    static constexpr std::string_view verb = "set_text", summary = "Change a text in place.";
     Id object = 0;
     TextShape shape;
     bool operator==(const SetText&) const = default;

@@ -7,9 +7,9 @@
 namespace trivar {
 
 struct SetTravel {
-    static constexpr std::string_view verb = "set_travel",
-                                      summary = "Let placed objects travel along their strokes, "
-                                                "or rest.";
+    static constexpr std::string_view
+        verb = "set_travel",
+        summary = "Make placed objects travel along their strokes, or stop.";
     std::vector<Id> objects;
     Travel travel;
     std::vector<Travel> travels = {};

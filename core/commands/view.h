@@ -7,9 +7,9 @@
 namespace trivar {
 
 struct KeepView {
-    static constexpr std::string_view verb = "save_camera",
-                                      summary = "Keep a point of view under a name. The one named "
-                                                "picture is what replay draws.";
+    static constexpr std::string_view
+        verb = "save_camera",
+        summary = "Bookmark a view under a name. The one named picture is the render camera.";
     static constexpr CommandNature nature{.icon = CommandIcon::camera};
     std::string name;
     Camera camera;
@@ -24,7 +24,7 @@ Document applied(Document document, const KeepView& command);
 StepTitle title(const KeepView& c, const StepDocuments& step);
 
 struct ForgetView {
-    static constexpr std::string_view verb = "delete_camera", summary = "Forget a point of view.";
+    static constexpr std::string_view verb = "delete_camera", summary = "Delete a bookmarked view.";
     static constexpr CommandNature nature{.icon = CommandIcon::camera};
     std::string name;
     bool operator==(const ForgetView&) const = default;
@@ -38,7 +38,8 @@ StepTitle title(const ForgetView& c, const StepDocuments& step);
 
 struct SetTime {
     static constexpr std::string_view verb = "set_time",
-                                      summary = "Say which frames the scene has, as a whole.";
+                                      summary =
+                                          "Set the frame range and the frame rate of the scene.";
     Time time;
     bool operator==(const SetTime&) const = default;
     static void fields(auto& c, auto&& field) { FieldsOf<Time>::fields(c.time, field); }
@@ -47,8 +48,9 @@ Document applied(Document document, const SetTime& command);
 StepTitle title(const SetTime& c, const StepDocuments& step);
 
 struct SetRender {
-    static constexpr std::string_view verb = "set_render",
-                                      summary = "Say how the picture is made, as a whole.";
+    static constexpr std::string_view
+        verb = "set_render",
+        summary = "Set the look, the light and the overlays of the picture.";
     RenderSettings settings;
     bool operator==(const SetRender&) const = default;
     static void fields(auto& c, auto&& field)

@@ -24,8 +24,8 @@ StepTitle title(const WarpVolume& c, const StepDocuments& step);
 
 struct SetWarp {
     static constexpr std::string_view verb = "set_warp",
-                                      summary = "Change the numbers of a warp that was done to a "
-                                                "lattice before.";
+                                      summary =
+                                          "Change the numbers of an earlier warp of a lattice.";
     static constexpr CommandNature nature{.asked = Invocation::by_actions};
     Id object = 0;
     int step = 1;
