@@ -53,16 +53,18 @@ bool stands_in(const Document& document, Id id, Id lattice)
     return std::ranges::find(round, lattice) != round.end();
 }
 
-// The objects a stroke may fall on: those named, groups opened up, or all that make sense.
-std::vector<Id> supports(const Document& document, Id id, const std::vector<Id>& onto)
+// The objects a stroke may fall on: those named, groups opened up, or all that make sense; none
+// only where it falls on the ground.
+std::vector<Id> supports(const Document& document, Id id, const std::vector<Id>& onto,
+                         bool on_ground = false)
 {
     const std::set<Id> above = depending_on(document, {id});
     std::vector<Id> result;
     if (onto.empty()) {
         result = possible_bases(document, id);
-        if (result.empty())
+        if (result.empty() && !on_ground)
             throw Rejected(fmt::format("there is nothing visible that {} could lie on; add or "
-                                       "show another object first",
+                                       "show another object first, or draw on the ground",
                                        named(document, id)));
         check_count(result);
         return result;
@@ -141,12 +143,14 @@ Attachment attached_to_all(const Document& document, const PlacementStep& step)
     return out;
 }
 
-// " on Vase and Table": what it lies on after the step.
+// " on Vase and Table", " on Vase and the ground": what it lies on after the step.
 std::string words_of_support(const StepDocuments& step, Id id)
 {
     const Object* laid = step.is(id);
-    if (!laid || !laid->placement || laid->placement->onto.empty()) return {};
-    return " on " + names_in(step.after, laid->placement->onto);
+    if (!laid || !laid->placement) return {};
+    const bool ground = laid->placement->parameters.on_ground;
+    if (laid->placement->onto.empty()) return ground ? " on the ground" : "";
+    return " on " + names_in(step.after, laid->placement->onto) + (ground ? " and the ground" : "");
 }
 
 } // namespace
@@ -166,11 +170,12 @@ Document applied(Document document, const Place& command)
     check_can_be_laid(document, command.object);
     check_sketch(command.sketch);
     check_parameters(command.parameters);
-    PlacementStep step{command.sketch,
-                       command.parameters,
-                       supports(document, command.object, command.onto),
-                       {},
-                       command.attach};
+    PlacementStep step{
+        command.sketch,
+        command.parameters,
+        supports(document, command.object, command.onto, command.parameters.on_ground),
+        {},
+        command.attach};
     if (step.attach) check_attached(*step.attach, step);
     return with_changed(std::move(document), command.object, [&](Object& o) {
         o.placement = std::move(step);
@@ -232,7 +237,13 @@ Document applied(Document document, const EditPlacement& command)
         throw Rejected(fmt::format("field \"onto\": {} goes round object {}; use place_round for "
                                    "another one",
                                    placed.name, step.onto.empty() ? 0 : step.onto.front()));
-    if (command.onto) step.onto = supports(document, command.object, *command.onto);
+    if (command.onto)
+        step.onto = supports(document, command.object, *command.onto, step.parameters.on_ground);
+    const PlacementStep& before = *placed.placement;
+    if (step.onto.empty() && before.parameters.on_ground && !step.parameters.on_ground)
+        throw Rejected(fmt::format("{} lies on the ground alone; add or show another object and "
+                                   "name it in \"onto\"",
+                                   named(document, command.object)));
     if (command.attach) step.attach = command.attach;
     if (command.attach) check_attached(*step.attach, step);
     if (step.attach && command.onto)

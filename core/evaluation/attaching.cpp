@@ -65,7 +65,7 @@ std::optional<Attachment> hosts_now(const Stage& laid, const PlacementStep& step
     Attachment out;
     const auto add = [&](Id id) {
         const auto support = std::ranges::find(*laid.supports, id, &Support::id);
-        if (support == laid.supports->end() ||
+        if (id == 0 || support == laid.supports->end() || // the ground carries nothing
             std::ranges::find(out.hosts, id, &AttachedHost::object) != out.hosts.end())
             return;
         const auto host = std::ranges::find(known, id, &AttachedHost::object);
@@ -87,7 +87,8 @@ std::optional<Attachment> attachment_of(const EvaluatedObject& laid, const Sketc
     Attachment out;
     std::map<Id, int> number; // of each host in the list
     for (const Support& support : supports)
-        if (number.emplace(support.id, static_cast<int>(out.hosts.size())).second)
+        if (support.id != 0 && // the ground carries nothing
+            number.emplace(support.id, static_cast<int>(out.hosts.size())).second)
             out.hosts.push_back(attached_host(support.id, support.own_to_drawn, false));
     const View view(sketch.camera);
     std::vector<Ray> rays;
@@ -104,6 +105,7 @@ std::optional<Attachment> attachment_of(const EvaluatedObject& laid, const Sketc
         if (is_sample) out.samples.emplace_back();
         if (!hits[i]) continue;
         const Support& support = supports[static_cast<std::size_t>(hits[i]->entry)];
+        if (support.id == 0) continue;
         const int host = number.at(support.id);
         out.hosts[static_cast<std::size_t>(host)].touched = true;
         any = true;

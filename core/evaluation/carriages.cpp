@@ -26,11 +26,11 @@ void stand(Carriage& carriage, StrokeHosts& stroke, bool exact)
 }
 
 // `others` are what it lies on without being attached to it.
-Carriage carriage_of(const Sketch& sketch, StrokeHosts stroke,
-                     const std::vector<Ref<EvaluatedObject>>& others)
+Carriage carriage_of(const PlacementStep& step, StrokeHosts stroke,
+                     const std::vector<Ref<EvaluatedObject>>& others, const GroundPlane& ground)
 {
     Carriage out;
-    out.sketch = sketch;
+    out.sketch = step.sketch;
     if (!stroke.main_host().object) {
         out.shown = false;
         out.notices.emplace_back("what carries it is not shown in this frame");
@@ -45,6 +45,9 @@ Carriage carriage_of(const Sketch& sketch, StrokeHosts stroke,
             if (other)
                 for (const Part& part : other->parts)
                     out.supports.push_back(support_of(*other, part, other->own_to_world));
+    if (step.parameters.on_ground)
+        if (const auto under = ground.under(out.sketch, out.to_world))
+            out.supports.push_back(*under);
     return out;
 }
 
@@ -72,8 +75,9 @@ Ref<Carriage> Carriages::operator()(const StepInput& input)
             from.others.push_back(done(id));
     return known_(from, [&] {
         const Attachment& attachment = *from.step.attach;
-        return make_ref(carriage_of(
-            from.step.sketch, stroke_hosts(attachment, from.hosts, footings_, input), from.others));
+        return make_ref(carriage_of(from.step,
+                                    stroke_hosts(attachment, from.hosts, footings_, input),
+                                    from.others, ground_));
     });
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/base/recent.h"
 #include "core/evaluation/footing.h"
+#include "core/evaluation/ground_plane.h"
 #include "core/evaluation/step.h"
 
 namespace trivar {
@@ -28,6 +29,7 @@ private:
         bool operator==(const From&) const = default;
     };
     Footings footings_;
+    GroundPlane ground_;
     Recent<From, Ref<Carriage>> known_;
 };
 

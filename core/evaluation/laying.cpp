@@ -44,9 +44,13 @@ struct Supports {
     std::vector<Support> all, still;
     std::vector<Ref<EvaluatedObject>> travelling;
 };
-Supports supports_of(const PlacementStep& step, const std::map<Id, Ref<EvaluatedObject>>& done)
+Supports supports_of(const PlacementStep& step, const std::map<Id, Ref<EvaluatedObject>>& done,
+                     const GroundPlane& ground)
 {
     Supports out;
+    if (step.parameters.on_ground && !step.round)
+        if (const auto under = ground.under(step.sketch, glm::dmat4(1)))
+            out.still.push_back(out.all.emplace_back(*under));
     for (const Id lower : step.onto) {
         const auto found = done.find(lower);
         if (found == done.end()) continue;
@@ -106,7 +110,7 @@ Ref<Stage> Laying::operator()(const Ref<Stage>& before, const StepInput& input)
         step.attach.reset(); // what carries it changes nothing about how it lies
         return laid_on({before, turned, lattice, std::move(step), carriage->supports}, input);
     }
-    const Supports supports = supports_of(*o.placement, input.done);
+    const Supports supports = supports_of(*o.placement, input.done, ground_);
     const auto laid = [&](const std::vector<Support>& on) {
         return laid_on({before, turned, lattice, *o.placement, on}, input);
     };
@@ -146,7 +150,7 @@ Laying::Landing Laying::fall(const Stroke& stroke, const StepInput& input)
     const PlacementStep& step = stroke.step;
     try {
         if (shape.empty() && !stroke.lattice) throw Rejected("there is no shape to lay down");
-        if (stroke.supports.empty())
+        if (stroke.supports.empty() && !step.parameters.on_ground)
             throw Rejected("everything this object lay on is gone; place it anew or unplace it");
         const std::optional<Band> band = band_of(input.document, step);
         if (step.round && !band)

@@ -4,6 +4,7 @@
 #include "core/base/recent.h"
 #include "core/evaluation/bending.h"
 #include "core/evaluation/carriages.h"
+#include "core/evaluation/ground_plane.h"
 #include "core/evaluation/step.h"
 
 namespace trivar {
@@ -42,6 +43,7 @@ private:
     void bend(Stage& stage, const glm::dmat3& turned);
 
     std::shared_ptr<Carriages> carriages_;
+    GroundPlane ground_;
     Recent<Stroke, Landing> fallen_;
     Recent<ShapedStroke, Ref<Stage>> laid_;
     Recent<std::vector<Support>, Ref<RayScene>> scenes_{1};

@@ -3,6 +3,7 @@
 
 #include "core/base/rounded.h"
 #include "core/evaluation/attaching.h"
+#include "core/evaluation/ground_plane.h"
 #include "core/placement/embed.h"
 #include "core/placement/redraw.h"
 #include "editor/session/scene_facts.h"
@@ -68,19 +69,30 @@ bool carries(const EvaluatedObject& furniture, const Evaluation& evaluated)
 struct Refusal {
     const char *what, *remedy;
 };
-std::optional<Refusal> refusal(const Session& session, Id model)
+std::optional<Refusal> refusal(const Session& session, Id model, bool on_ground)
 {
     if (model == 0)
         return Refusal{"There is no model to place",
                        "Drop a model into the window, then draw the stroke again."};
-    if (session.document().objects.size() < 2)
-        return Refusal{"Placing needs at least two objects",
-                       "Drop a second one into the window, or add one: of the two, one is laid on "
-                       "the other."};
+    if (session.document().objects.size() < 2 && !on_ground)
+        return Refusal{"Placing needs a second object or the ground",
+                       "Begin the stroke on the ground beside the model, or add a second object to "
+                       "place it on."};
     if (!session.hidden_here.empty() && bases_for_stroke(session, model).empty())
         return Refusal{"All objects it could lie on are hidden",
                        "Bring the other objects back, then draw the stroke again."};
     return {};
+}
+
+// Whether the mouse is on the ground that is seen, where no object is. What stands alone cannot be
+// meant, so that it hides nothing.
+bool over_ground(const Session& session, const ViewportInput& input)
+{
+    constexpr double seen = 20; // times the way to what the view turns about: beyond is the horizon
+    if (input.seen_at(input.mouse) != 0 && session.document().objects.size() > 1) return false;
+    const Camera& camera = session.view.camera;
+    const auto distance = distance_to_ground(ray_through(camera, input.mouse));
+    return distance && *distance < seen * glm::distance(camera.eye, camera.target);
 }
 
 // Nothing can be done here: a ring with a bar across.
@@ -146,6 +158,7 @@ Command PlaceTool::command(const Session& session) const
         PlacementParameters parameters = lengthwise(parameters_, stands_);
         if (width_ > 0) parameters.width = width_;
         parameters.width_profile = brush_profile(drawn.samples, brush_);
+        parameters.on_ground = on_ground_;
         return Place{model_, drawn, std::move(parameters), bases_for_stroke(session, model_)};
     }
     // A new stroke for what was placed before keeps how it lies.
@@ -158,6 +171,7 @@ Command PlaceTool::command(const Session& session) const
         if (width_ > 0) edit.parameters.width = width_;
         if (brush_ != Brush::even)
             edit.parameters.width_profile = brush_profile(drawn.samples, brush_);
+        edit.parameters.on_ground = on_ground_;
         return edit;
     }
     edit.onto.reset();
@@ -178,7 +192,7 @@ void PlaceTool::begin(Session& session, const ViewportInput& input)
 {
     redrawing_ = on_line_;
     model_ = redrawing_ ? session.selected : model_to_place(session, chosen_);
-    if (const auto no = refusal(session, model_)) {
+    if (const auto no = refusal(session, model_, on_ground_)) {
         session.notices.say(ui::NoticeKind::warning, no->what, no->remedy, of_a_step);
         return;
     }
@@ -210,10 +224,11 @@ void PlaceTool::use(Session& session, const ViewportInput& input)
                            .distance_px < near_line_px * input.scale;
         const Id model = on_line_ ? 0 : model_to_place(session, chosen_);
         why_not_.clear();
+        if (!on_line_ && (input.hovered || input.pressed)) on_ground_ = over_ground(session, input);
         if (!on_line_ && input.hovered) {
-            if (const auto no = refusal(session, model))
+            if (const auto no = refusal(session, model, on_ground_))
                 why_not_ = no->what;
-            else if (input.seen_at(input.mouse) == 0)
+            else if (!on_ground_ && input.seen_at(input.mouse) == 0)
                 why_not_ = "Nothing under the pointer to place on";
         }
         if (input.pressed && !session.committing()) begin(session, input);
@@ -314,7 +329,8 @@ void PlaceTool::overlay(const Session& session, const ui::Theme& theme,
     if (!why_not_.empty()) return paint_no(theme, mouse);
     ui::paint_dot(mouse, theme.px(5), ui::faded(theme.color.stroke, 0.35f), theme.color.stroke,
                   1.4f * theme.scale);
-    if (on_line_) ui::paint_chip(theme, mouse + glm::vec2(theme.px(18), -theme.px(30)), {"redraw"});
+    const char* where = on_line_ ? "redraw" : on_ground_ ? "on the ground" : nullptr;
+    if (where) ui::paint_chip(theme, mouse + glm::vec2(theme.px(18), -theme.px(30)), {where});
 }
 
 void PlaceTool::paint_stroke(const Session& session, const ui::Theme& theme,

@@ -55,7 +55,8 @@ private:
         std::optional<Attachment> hosts = {};
     };
     Start start_;
-    bool on_line_ = false; // the mouse is where a stroke would redraw the old one
+    bool on_line_ = false;   // the mouse is where a stroke would redraw the old one
+    bool on_ground_ = false; // the stroke begins on the ground
     std::string why_not_;  // what speaks against a stroke that begins at the mouse
     StrokeDrawing stroke_;
     Brush brush_ = Brush::even;

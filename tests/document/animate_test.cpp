@@ -83,6 +83,7 @@ TEST(Animate, MovesEveryParameterThatThereIs)
                              "placement.grid.y",
                              "placement.misses",
                              "placement.sharp",
+                             "placement.on_ground",
                              "travel.followers",
                              "travel.gap",
                              "shaping.0.press.decay",

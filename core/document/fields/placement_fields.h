@@ -84,6 +84,8 @@ template <> struct FieldsOf<PlacementParameters> {
         field("sharp", p.sharp,
               "it takes on the scene's sharp edges: control points are added where they are",
               later.called("Edges").says("sharp", "rounded"));
+        field("on_ground", p.on_ground, "it falls on the ground too, the plane Z 0",
+              later.called("Ground").says("lies on it", "passed over"));
     }
 };
 

@@ -123,6 +123,7 @@ void fit_rows(ValueRows& rows, PlacementRows& fields, PlacementParameters& p)
 void contact_rows(PlacementRows& fields)
 {
     using P = PlacementParameters;
+    fields(&P::on_ground);
     fields(&P::misses);
     fields(&P::sharp);
     fields(&P::clearance);

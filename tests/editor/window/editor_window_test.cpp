@@ -107,6 +107,8 @@ TEST(EditorWindow, AClickOrAStrokeBesideTheSceneSaysWhatToDoAndChangesNothing)
     EXPECT_EQ(rig.editor.session.notices.all().back().body,
               "Draw a line across the scene before you let go.");
     rig.editor.session.notices.clear();
+    rig.editor.session.view.camera.target = {0, 0, 3}; // above, the sky
+    rig.frames(3);
     const glm::vec2 corner = rig.layout().view.lo + glm::vec2(200, 8);
     rig.draw({corner, corner + glm::vec2(60, 0), corner + glm::vec2(120, 4)});
     rig.wait();
@@ -136,9 +138,13 @@ TEST(EditorWindow, WhereNothingIsToLieOnThePlaceToolSaysSoBeforeAStroke)
     const auto said = [&] { return rig.editor.active_tool().hints(rig.editor.session).front(); };
     rig.move(rig.seen_at({0, 0, 0}));
     EXPECT_EQ(said().verb, "Drag to lay Box");
-    rig.move(rig.layout().view.lo + glm::vec2(200, 30)); // the sky
+    rig.editor.session.view.camera.target = {0, 0, 3};
+    rig.frames(3);
+    rig.move(rig.layout().view.lo + glm::vec2(200, 8)); // the sky
     EXPECT_EQ(said().verb, "Nothing under the pointer to place on");
     EXPECT_TRUE(said().inputs.empty());
+    rig.editor.session.view.camera.target = {0, 0, 0};
+    rig.frames(3);
     rig.move(rig.seen_at({0, 0, 0}));
     EXPECT_FALSE(said().inputs.empty());
 }
