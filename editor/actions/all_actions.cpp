@@ -79,14 +79,13 @@ std::vector<Action> all_actions()
         a.back().repeats = true;
         a.back().group_begins = factor < 1;
     }
-    a.push_back({"Edit",
+    a.push_back({"Lattice",
                  mend_action,
                  {{.key = 'M', .shift = true}},
                  [](Editor& e) { e.session.run(MendVolume{e.session.selected}); },
                  {[](const Editor& e) { return selected_volume(e.session) != nullptr; },
-                  "select a placed object or a lattice first"},
-                 true});
-    a.push_back({"Edit",
+                  "select a placed object or a lattice first"}});
+    a.push_back({"Lattice",
                  allow_folds_action,
                  {},
                  [](Editor& e) {

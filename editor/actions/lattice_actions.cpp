@@ -56,7 +56,7 @@ std::vector<Id> to_take_out(const Session& session)
 void add_member_actions(std::vector<Action>& actions)
 {
     actions.push_back(
-        {"Edit",
+        {"Lattice",
          add_to_lattice_action,
          {},
          [](Editor& e) {
@@ -66,9 +66,8 @@ void add_member_actions(std::vector<Action>& actions)
                  e.session.selected = lattice;
          },
          {[](const Editor& e) { return !to_add(e.session, selected_lattice(e.session)).empty(); },
-          "select a lattice and what is to bend with it"},
-         true});
-    actions.push_back({"Edit",
+          "select a lattice and what is to bend with it"}});
+    actions.push_back({"Lattice",
                        take_out_of_lattice_action,
                        {},
                        [](Editor& e) {
@@ -80,7 +79,7 @@ void add_member_actions(std::vector<Action>& actions)
                        },
                        {[](const Editor& e) { return !to_take_out(e.session).empty(); },
                         "select an object in a lattice first"}});
-    actions.push_back({"Edit",
+    actions.push_back({"Lattice",
                        back_to_rest_action,
                        {},
                        [](Editor& e) { e.session.run(Ungroup{selected_lattice(e.session)}); },
@@ -89,7 +88,7 @@ void add_member_actions(std::vector<Action>& actions)
                             return lattice != 0 && !locked(e.session.document(), lattice);
                         },
                         "select a lattice first"}});
-    actions.push_back({"Edit",
+    actions.push_back({"Lattice",
                        keep_shape_action,
                        {},
                        [](Editor& e) {

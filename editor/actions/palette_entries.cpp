@@ -2,6 +2,7 @@
 #include "editor/actions/palette_entries.h"
 
 #include "editor/actions/actions.h"
+#include "editor/actions/menus_beside.h"
 #include "editor/actions/model_actions.h"
 #include "editor/commands/as_it_is.h"
 #include "editor/commands/typed_command.h"
@@ -23,7 +24,7 @@ const char* icon_of(const Editor& editor, const Action& each)
             if (tool->name() == each.name) return tool->icon();
     if (each.menu == "Add" || each.menu == models_menu) return ui::icon::add;
     if (each.menu == "File") return ui::icon::file;
-    if (each.menu == "View") return ui::icon::eye;
+    if (menu_path(each).starts_with("View")) return ui::icon::eye;
     if (each.menu == "Help") return ui::icon::help;
     return ui::icon::pencil;
 }
@@ -112,8 +113,9 @@ std::vector<PaletteEntry> palette_commands(const Editor& editor)
         const bool add = each.menu == "Add" || each.menu == models_menu;
         std::vector<std::string> caps;
         if (!each.keys.empty()) caps = ui::caps_of(each.keys.front());
-        entries.push_back({add ? "Add " + each.name : each.name, each.menu, icon_of(editor, each),
-                           caps, is_enabled(editor, each) ? "" : each.enabled.otherwise,
+        entries.push_back({add ? "Add " + each.name : each.name, menu_path(each),
+                           icon_of(editor, each), caps,
+                           is_enabled(editor, each) ? "" : each.enabled.otherwise,
                            [name = each.name](Editor& e) { action(e, name).run(e); }, each.name});
         PaletteEntry& entry = entries.back();
         if (each.menu == "Tools" && each.name != "Place") continue; // their values come from a hand

@@ -29,7 +29,7 @@ template <glm::dvec3 Transform::*part> bool can_be_reset(const Editor& e)
 
 template <glm::dvec3 Transform::*part> Action reset_action(const std::string& name, int key)
 {
-    return {"Edit",
+    return {"Reset",
             name,
             {{.key = key, .alt = true}},
             reset<part>,
@@ -41,7 +41,6 @@ template <glm::dvec3 Transform::*part> Action reset_action(const std::string& na
 void add_reset_actions(std::vector<Action>& a)
 {
     a.push_back(reset_action<&Transform::translation>("Reset position", 'G'));
-    a.back().group_begins = true;
     a.push_back(reset_action<&Transform::rotation_deg>("Reset rotation", 'R'));
     a.push_back(reset_action<&Transform::scale>("Reset scale", 'S'));
 }

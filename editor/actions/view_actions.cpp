@@ -35,7 +35,7 @@ void open_tab(Editor& e, Editor::Tab tab)
 void add_view_tolerances(std::vector<Action>& a)
 {
     const auto tolerance = [&](const char* name, const char* value) {
-        a.push_back({"View",
+        a.push_back({"Detail",
                      name,
                      {},
                      [value](Editor& e) { e.preferences.view_tolerance = value; },
@@ -44,7 +44,6 @@ void add_view_tolerances(std::vector<Action>& a)
         a.back().on = [value](const Editor& e) { return e.preferences.view_tolerance == value; };
     };
     tolerance("Original triangles", "off");
-    a.back().group_begins = true;
     tolerance("Triangles within 2 px", "2");
     tolerance("Triangles within 1 px", "1");
     tolerance("Triangles within 0.5 px", "0.5");
@@ -54,6 +53,65 @@ void add_view_tolerances(std::vector<Action>& a)
 
 void add_view_actions(std::vector<Action>& a)
 {
+    a.push_back({"Viewpoint", "Front", {alt('1'), keypad(1)}, [](Editor& e) {
+                     look_from(e, {0, -1, 0});
+                 }});
+    a.push_back({"Viewpoint", "Right", {alt('3'), keypad(3)}, [](Editor& e) {
+                     look_from(e, {1, 0, 0});
+                 }});
+    a.push_back({"Viewpoint", "Top", {alt('7'), keypad(7)}, [](Editor& e) {
+                     look_from(e, {0, 0, 1});
+                 }});
+    a.push_back({"Viewpoint", "Back", {alt_shift('1'), keypad(1, true)}, [](Editor& e) {
+                     look_from(e, {0, 1, 0});
+                 }});
+    a.push_back({"Viewpoint", "Left", {alt_shift('3'), keypad(3, true)}, [](Editor& e) {
+                     look_from(e, {-1, 0, 0});
+                 }});
+    a.push_back({"Viewpoint", "Bottom", {alt_shift('7'), keypad(7, true)}, [](Editor& e) {
+                     look_from(e, {0, 0, -1});
+                 }});
+    a.push_back({"Viewpoint", "Perspective", {alt('5'), keypad(5)}, [](Editor& e) {
+                     Camera& camera = e.session.view.camera;
+                     camera = ui::with_perspective(camera, !camera.perspective);
+                     e.session.view.flat_till_turned = false;
+                 }});
+    a.back().on = [](const Editor& e) { return e.session.view.camera.perspective; };
+    a.push_back(
+        {"Viewpoint",
+         "Render camera",
+         {keypad(0)},
+         [](Editor& e) { e.session.view.follows = FollowedView{"picture"}; },
+         {[](const Editor& e) { return e.session.document().kept_views.contains("picture"); },
+          "no view is kept for pictures"}});
+    const auto shading = [&](const char* name, const ui::Chord& key, bool Shading::*part) {
+        a.push_back(
+            {"Shading", name, {key}, [part](Editor& e) { e.shading.*part = !(e.shading.*part); }});
+        a.back().on = [part](const Editor& e) { return e.shading.*part; };
+    };
+    shading("Wireframe", {'Z'}, &Shading::wireframe);
+    shading("X-ray", alt('Z'), &Shading::see_through);
+    shading("Edges over surfaces", {.key = 'Z', .shift = true}, &Shading::edges);
+    const auto colored_by = [&](const char* name, ColorBy by) {
+        const auto so = [by](const Editor& e) {
+            return e.session.document().render->color_by == by;
+        };
+        a.push_back({"Shading",
+                     name,
+                     {},
+                     [by](Editor& e) {
+                         RenderSettings settings = *e.session.document().render;
+                         settings.color_by = by;
+                         e.session.run(SetRender{settings});
+                     },
+                     {[so](const Editor& e) { return !so(e); }, "already on"}});
+        a.back().on = so;
+    };
+    colored_by("Colour by material", ColorBy::material);
+    a.back().group_begins = true;
+    colored_by("Colour by stretch", ColorBy::stretch);
+    colored_by("Colour by error", ColorBy::error);
+    add_view_tolerances(a);
     a.push_back({"View",
                  "Frame selection",
                  {{ui::key_period}, {'F'}},
@@ -74,69 +132,6 @@ void add_view_actions(std::vector<Action>& a)
                  },
                  something_there()});
     a.push_back({"View",
-                 "Front",
-                 {alt('1'), keypad(1)},
-                 [](Editor& e) {
-                     look_from(e, {0, -1, 0});
-                 },
-                 {},
-                 true});
-    a.push_back({"View", "Right", {alt('3'), keypad(3)}, [](Editor& e) {
-                     look_from(e, {1, 0, 0});
-                 }});
-    a.push_back({"View", "Top", {alt('7'), keypad(7)}, [](Editor& e) { look_from(e, {0, 0, 1}); }});
-    a.push_back({"View", "Back", {alt_shift('1'), keypad(1, true)}, [](Editor& e) {
-                     look_from(e, {0, 1, 0});
-                 }});
-    a.push_back({"View", "Left", {alt_shift('3'), keypad(3, true)}, [](Editor& e) {
-                     look_from(e, {-1, 0, 0});
-                 }});
-    a.push_back({"View", "Bottom", {alt_shift('7'), keypad(7, true)}, [](Editor& e) {
-                     look_from(e, {0, 0, -1});
-                 }});
-    a.push_back({"View", "Perspective", {alt('5'), keypad(5)}, [](Editor& e) {
-                     Camera& camera = e.session.view.camera;
-                     camera = ui::with_perspective(camera, !camera.perspective);
-                     e.session.view.flat_till_turned = false;
-                 }});
-    a.back().on = [](const Editor& e) { return e.session.view.camera.perspective; };
-    a.push_back(
-        {"View",
-         "Render camera",
-         {keypad(0)},
-         [](Editor& e) { e.session.view.follows = FollowedView{"picture"}; },
-         {[](const Editor& e) { return e.session.document().kept_views.contains("picture"); },
-          "no view is kept for pictures"}});
-    const auto shading = [&](const char* name, const ui::Chord& key, bool Shading::*part) {
-        a.push_back(
-            {"View", name, {key}, [part](Editor& e) { e.shading.*part = !(e.shading.*part); }});
-        a.back().on = [part](const Editor& e) { return e.shading.*part; };
-    };
-    shading("Wireframe", {'Z'}, &Shading::wireframe);
-    a.back().group_begins = true;
-    shading("X-ray", alt('Z'), &Shading::see_through);
-    shading("Edges over surfaces", {.key = 'Z', .shift = true}, &Shading::edges);
-    const auto colored_by = [&](const char* name, ColorBy by) {
-        const auto so = [by](const Editor& e) {
-            return e.session.document().render->color_by == by;
-        };
-        a.push_back({"View",
-                     name,
-                     {},
-                     [by](Editor& e) {
-                         RenderSettings settings = *e.session.document().render;
-                         settings.color_by = by;
-                         e.session.run(SetRender{settings});
-                     },
-                     {[so](const Editor& e) { return !so(e); }, "already on"}});
-        a.back().on = so;
-    };
-    colored_by("Colour by material", ColorBy::material);
-    a.back().group_begins = true;
-    colored_by("Colour by stretch", ColorBy::stretch);
-    colored_by("Colour by error", ColorBy::error);
-    add_view_tolerances(a);
-    a.push_back({"View",
                  "Bookmark view",
                  {},
                  [](Editor& e) {
@@ -155,13 +150,6 @@ void add_view_actions(std::vector<Action>& a)
                          e.session.notices.say(ui::NoticeKind::good, "View bookmarked",
                                                "Replayed pictures and this scene open in it.");
                  }});
-    a.push_back({"View",
-                 "Timing",
-                 {{ui::key_f1 + 9}},
-                 [](Editor& e) { e.timing.open = !e.timing.open; },
-                 {},
-                 true});
-    a.back().on = [](const Editor& e) { return e.timing.open; };
 }
 
 void add_window_actions(std::vector<Action>& a)
@@ -198,25 +186,31 @@ void add_window_actions(std::vector<Action>& a)
             scale = direction == 0 ? 1 : next_scale(scale, direction);
         };
     };
-    a.push_back({"View",
+    a.push_back({"Interface",
                  "Larger interface",
                  {ctrl(ui::key_plus), ctrl(ui::key_equal), ctrl(ui::key_equal, true),
                   ctrl(ui::key_plus, true), ctrl(ui::key_keypad_plus)},
                  scaled(1),
                  {[](const Editor& e) { return e.preferences.scale < interface_scales.back(); },
-                  "it is the largest"},
-                 true});
-    a.push_back({"View",
+                  "it is the largest"}});
+    a.push_back({"Interface",
                  "Smaller interface",
                  {ctrl(ui::key_minus), ctrl(ui::key_keypad_minus)},
                  scaled(-1),
                  {[](const Editor& e) { return e.preferences.scale > interface_scales.front(); },
                   "it is the smallest"}});
-    a.push_back({"View",
+    a.push_back({"Interface",
                  "Reset interface size",
                  {ctrl(ui::key_0)},
                  scaled(0),
                  {[](const Editor& e) { return e.preferences.scale != 1; }, "it is at 100 %"}});
+    a.push_back({"Interface",
+                 "Timing",
+                 {{ui::key_f1 + 9}},
+                 [](Editor& e) { e.timing.open = !e.timing.open; },
+                 {},
+                 true});
+    a.back().on = [](const Editor& e) { return e.timing.open; };
 }
 
 } // namespace trivar

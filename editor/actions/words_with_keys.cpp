@@ -2,6 +2,7 @@
 #include "editor/actions/words_with_keys.h"
 
 #include "editor/actions/actions.h"
+#include "editor/actions/menus_beside.h"
 #include "editor/editor.h"
 
 namespace trivar {
@@ -19,7 +20,8 @@ const Action* named_at(const Editor& editor, std::string_view text)
 
 ui::Run key_of(const Action& action)
 {
-    if (action.keys.empty()) return {ui::Run::Kind::strong, action.menu + " > " + action.name};
+    if (action.keys.empty())
+        return {ui::Run::Kind::strong, menu_path(action) + " > " + action.name};
     std::string caps;
     for (const std::string& cap : ui::caps_of(action.keys.front()))
         caps += (caps.empty() ? "" : " ") + cap;

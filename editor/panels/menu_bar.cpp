@@ -2,6 +2,7 @@
 #include "editor/panels/menu_bar.h"
 
 #include "editor/actions/menu_letters.h"
+#include "editor/actions/menus_beside.h"
 #include "editor/panels/panels.h"
 #include "editor/session/recent_scenes.h"
 
@@ -110,6 +111,8 @@ void menu_items(Editor& editor, const ui::Theme& theme, const std::string& menu)
         const bool pressed = letters[i] && ui::struck({letters[i]});
         if (listens && pressed && is_enabled(editor, each)) chosen = items[i];
         if (each.name == "Open...") recent_scenes(editor);
+        for (const MenuBeside& beside : menus_beside)
+            if (each.name == beside.after) menu_beside(editor, theme, beside.name);
     }
     if (!chosen) return;
     ImGui::ClosePopupToLevel(0, true);
