@@ -50,7 +50,8 @@ float search_button(Editor& editor, const ui::Theme& theme, const ui::Rect& bar)
 {
     const ui::Palette& c = theme.color;
     const Action& find = action(editor, palette_action);
-    const float width = theme.px(bar.width() < theme.px(1200) ? 128 : 208);
+    const bool narrow = bar.width() < theme.px(760);
+    const float width = theme.px(narrow ? 36 : bar.width() < theme.px(1200) ? 128 : 208);
     const ui::Rect r = {{bar.hi.x - theme.px(12) - width, bar.lo.y + theme.px(6)},
                         {bar.hi.x - theme.px(12), bar.hi.y - theme.px(6)}};
     ImGui::SetCursorScreenPos({r.lo.x, r.lo.y});
@@ -58,6 +59,10 @@ float search_button(Editor& editor, const ui::Theme& theme, const ui::Rect& bar)
     ui::paint_box(r, ImGui::IsItemHovered() ? c.field_hover : c.field, theme.size.rounding);
     ui::tooltip({"Find a command", key_text(find), "Every command by its letters, with its key."});
     const ui::Rect in = {r.lo + glm::vec2(theme.px(8), 0), r.hi - glm::vec2(theme.px(8), 0)};
+    if (narrow) {
+        ui::paint_text(theme.font.body, r, c.text_2, ui::icon::search, ui::Align::center);
+        return r.lo.x;
+    }
     const float left = in.lo.x + theme.px(22);
     const bool roomy = width > theme.px(160);
     ui::paint_text(theme.font.body, in, c.text_2, ui::icon::search);

@@ -25,9 +25,13 @@ void draw_page_names(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
 {
     const ui::Palette& c = theme.color;
     auto& dialog = editor.preferences_dialog;
+    // Nearer to each other in a low window: all of them are seen.
+    const float room = (r.height() - theme.px(24)) / static_cast<float>(pages.size());
+    const float pitch = std::min(theme.px(34), std::floor(room));
     const auto place = [&](int i) {
-        const float y = r.lo.y + theme.px(12) + theme.px(34) * static_cast<float>(i);
-        return ui::Rect{{r.lo.x + theme.px(12), y}, {r.hi.x - theme.px(12), y + theme.px(32)}};
+        const float y = r.lo.y + theme.px(12) + pitch * static_cast<float>(i);
+        return ui::Rect{{r.lo.x + theme.px(12), y},
+                        {r.hi.x - theme.px(12), y + pitch - theme.px(2)}};
     };
     const auto turn = [&](int page) {
         dialog = {};

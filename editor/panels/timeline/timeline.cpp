@@ -46,7 +46,7 @@ struct Transport {
     }
 };
 
-void buttons(Editor& editor, Transport& line)
+void buttons(Editor& editor, Transport& line, bool steps)
 {
     const bool playing = editor.playback.playing();
     const Time& time = editor.session.document().time;
@@ -63,6 +63,7 @@ void buttons(Editor& editor, Transport& line)
          {next_frame_action, ui::icon::forward, "", frame < time.last_frame},
          {last_frame_action, ui::icon::last, "Go to the last frame.", frame < time.last_frame}}};
     for (const Button& each : all) {
+        if (!steps && std::string_view(each.name) != play_action) continue;
         const Action& does = action(editor, each.name);
         if (line.icon(each.name, each.icon, tip_of(editor, does, each.says),
                       {.enabled = each.enabled}))
@@ -95,10 +96,11 @@ void buttons(Editor& editor, Transport& line)
 // What there is room for beside the ruler, or in the open timeline beside the numbers of the chosen
 // keys; the least wanted first to go.
 struct Room {
-    bool title = true, rate = true, range = true;
+    bool title = true, rate = true, range = true,
+         steps = true; // steps: to other frames, by buttons
 };
 constexpr float title_width = 72, rate_width = 72, range_width = 146, rest_width = 320,
-                least_ruler = 140, least_key_numbers = 172;
+                steps_width = 4 * 32, least_ruler = 140, least_key_numbers = 172;
 Room room_in(const Editor& editor, const ui::Theme& theme, float width)
 {
     const bool open = editor.preferences.timeline_open;
@@ -114,6 +116,7 @@ Room room_in(const Editor& editor, const ui::Theme& theme, float width)
     if (open && !editor.timeline.keys.chosen.empty()) needed += theme.px(least_key_numbers);
     drop(room.rate, rate_width);
     drop(room.range, range_width);
+    if (!open) drop(room.steps, steps_width); // the ruler shows the range and goes to any frame
     return room;
 }
 
@@ -419,7 +422,7 @@ void draw_timeline(Editor& editor, const ui::Theme& theme, const Layout& layout)
     const Room room = room_in(editor, theme, r.width());
     Transport line{theme, bar, r.lo.x + theme.px(8)};
     heading(editor, line, room.title);
-    buttons(editor, line);
+    buttons(editor, line, room.steps);
     numbers(editor, line, room);
     const Time& time = editor.session.document().time;
     const FrameScale scale{line.x + theme.px(12),
