@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 namespace trivar::ui {
 namespace {
@@ -37,6 +38,9 @@ void begin_card(const Theme& theme, const char* name, const Rect& rect)
     paint_card(theme, rect);
 }
 
+// Cards stand on each other in the lower right corner, or hang from the upper right one.
+enum class Stack { stands, hangs };
+
 // No higher than that, but for a line of its body: the rest of this is in a tooltip.
 // Returns the card's rectangle; `close` says whether its cross was pressed, `act` which button.
 struct DrawnCard {
@@ -44,7 +48,7 @@ struct DrawnCard {
     bool close = false, hovered = false;
     std::function<void()> act = {};
 };
-DrawnCard draw_one(const Theme& theme, const Notices::Notice& notice, glm::vec2 lower_right,
+DrawnCard draw_one(const Theme& theme, const Notices::Notice& notice, glm::vec2 corner, Stack stack,
                    float width, float most_height, const char* name)
 {
     const Palette& c = theme.color;
@@ -78,6 +82,7 @@ DrawnCard draw_one(const Theme& theme, const Notices::Notice& notice, glm::vec2 
     if (cut) body.back().back() += " …";
     const float height = height_of_all();
     const glm::vec2 size{width, height};
+    const glm::vec2 lower_right = corner + glm::vec2(0, stack == Stack::hangs ? height : 0);
     DrawnCard drawn{.rect = {lower_right - size, lower_right}};
     begin_card(theme, name, drawn.rect);
     const Rect& r = drawn.rect;
@@ -173,15 +178,19 @@ void Notices::draw(Frame& frame, const Rect& in)
     const double passed = std::clamp(frame.time_s - last_s_, 0.0, 1.0);
     last_s_ = frame.time_s;
     const float width = in.hi.x - theme.px(16) - left_of(theme, in);
+    // The buttons of a dialog are at its foot: nothing lies on them.
+    const Stack stack = ImGui::GetTopMostPopupModal() ? Stack::hangs : Stack::stands;
     glm::vec2 corner = in.hi - theme.px(16);
+    if (stack == Stack::hangs) corner = {frame.size_px.x - theme.px(16), theme.px(16)};
     std::function<void()> act;                        // may say the next thing
     for (std::size_t i = notices_.size(); i-- > 0;) { // the newest lowest
         Notice& notice = notices_[i];
         if (notice.left_s < 0) notice.left_s = lifetime_s(notice);
         const std::string name = "notice " + std::to_string(i);
         const DrawnCard drawn =
-            draw_one(theme, notice, corner, width, 0.4f * in.height(), name.c_str());
-        corner.y = drawn.rect.lo.y - theme.px(8);
+            draw_one(theme, notice, corner, stack, width, 0.4f * in.height(), name.c_str());
+        corner.y =
+            stack == Stack::hangs ? drawn.rect.hi.y + theme.px(8) : drawn.rect.lo.y - theme.px(8);
         if (!drawn.hovered) notice.left_s -= passed;
         if (drawn.close || drawn.act) notice.left_s = 0;
         if (drawn.act) act = drawn.act;

@@ -31,7 +31,8 @@ public:
                  std::string topic = {}, std::vector<Action> actions = {});
     void forget(std::string_view topic); // what was said on the topic is no longer true
     void keep(std::string_view topic);   // it stays until it is closed or answered
-    // Draws at most three notices over the lower right of the rectangle.
+    // Draws at most three notices over the lower right of the rectangle; while a dialog is open, at
+    // the upper right of the window, away from its buttons.
     void draw(Frame& frame, const Rect& in);
 
     struct Notice {
@@ -39,7 +40,7 @@ public:
         std::string title, body; // the body's lines end with \n
         std::string topic = {};
         int count = 1;
-        double left_s = 0;  // before it leaves; negative: not yet shown
+        double left_s = 0; // before it leaves; negative: not yet shown
         std::vector<Action> actions = {};
         bool stays = false; // until it is closed
     };

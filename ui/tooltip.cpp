@@ -81,6 +81,18 @@ void paint(const Theme& theme, const Tooltips::Offer& offer, glm::vec2 window_px
     ImGui::End();
 }
 
+// A thing in a panel of rows at the right edge takes the whole width of the panel.
+Tooltips::Offer offer_of(unsigned id, Rect thing, Tip tip, Side side)
+{
+    const ImGuiWindow* panel = ImGui::GetCurrentWindow()->RootWindow;
+    const float window = ImGui::GetIO().DisplaySize.x, left = panel->Pos.x,
+                right = panel->Pos.x + panel->Size.x;
+    const bool beside = side == Side::below && right >= window - 1 && left >= 0.4f * window &&
+                        panel->Size.y > 2 * thing.height();
+    if (!beside) return {id, thing, std::move(tip), side};
+    return {id, {{left, thing.lo.y}, {right, thing.hi.y}}, std::move(tip), Side::left};
+}
+
 } // namespace
 
 void tooltip(Tip tip, Side side)
@@ -89,7 +101,7 @@ void tooltip(Tip tip, Side side)
     const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
     const ImGuiID item = ImGui::GetItemID();
     const ImGuiID id = item ? item : ImGui::GetID(tip.name.c_str());
-    tooltips().offer({id, {{lo.x, lo.y}, {hi.x, hi.y}}, std::move(tip), side});
+    tooltips().offer(offer_of(id, {{lo.x, lo.y}, {hi.x, hi.y}}, std::move(tip), side));
 }
 
 void tooltip_in(const Rect& part, Tip tip)
@@ -97,7 +109,7 @@ void tooltip_in(const Rect& part, Tip tip)
     if (!may_offer() || !ImGui::IsWindowHovered()) return;
     if (!ImGui::IsMouseHoveringRect({part.lo.x, part.lo.y}, {part.hi.x, part.hi.y})) return;
     const ImGuiID id = ImGui::GetID(tip.name.c_str());
-    tooltips().offer({id, part, std::move(tip), Side::below});
+    tooltips().offer(offer_of(id, part, std::move(tip), Side::below));
 }
 
 glm::vec2 tooltip_place(const Rect& thing, glm::vec2 mouse, glm::vec2 size, glm::vec2 window,
@@ -110,6 +122,7 @@ glm::vec2 tooltip_place(const Rect& thing, glm::vec2 mouse, glm::vec2 size, glm:
     };
     const float right = thing.hi.x + 2 * gap, left = thing.lo.x - 2 * gap - size.x;
     if (side == Side::right && right <= last.x) return inside({right, thing.lo.y});
+    if (side == Side::left && left >= 0) return inside({left, thing.lo.y});
     const float x = thing.width() > size.x ? mouse.x : thing.lo.x;
     const float below = std::max(thing.hi.y + gap, mouse.y + arrow);
     const float above = thing.lo.y - gap - size.y;

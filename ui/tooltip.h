@@ -14,9 +14,10 @@ struct Tip {
     std::string name, key = {}, sentence = {};
 };
 
-enum class Side { below, right }; // side of the thing, where there is room
+enum class Side { below, right, left }; // side of the thing, where there is room
 
-// Shows the tip for the last item, once the mouse rests on it.
+// Shows the tip for the last item, once the mouse rests on it. In a panel at the right edge of the
+// window it stands left of the panel, so that it covers none of the rows below.
 void tooltip(Tip tip, Side side = Side::below);
 // Shows the tip for a part of the current window; items inside of it may show their own.
 void tooltip_in(const Rect& part, Tip tip);

@@ -23,7 +23,7 @@ TEST(TooltipPlace, IsInsideTheWindowAndNotOnTheThing)
                  {glm::vec2(24, 24), glm::vec2(300, 24), glm::vec2(36, 200)})
                 for (float x = 0; x + thing.x <= window.x; x += 60)
                     for (float y = 0; y + thing.y <= window.y; y += 60)
-                        for (const Side side : {Side::below, Side::right}) {
+                        for (const Side side : {Side::below, Side::right, Side::left}) {
                             const Rect clear = rect_at({x, y}, thing);
                             const Rect words = rect_at(
                                 tooltip_place(clear, clear.center(), size, window, side, scale),
@@ -34,6 +34,14 @@ TEST(TooltipPlace, IsInsideTheWindowAndNotOnTheThing)
                             ASSERT_LE(words.hi.x, window.x);
                             ASSERT_LE(words.hi.y, window.y);
                         }
+}
+
+TEST(TooltipPlace, IsLeftOfAPanelAtTheRowWhereThereIsRoom)
+{
+    const Rect row = {{700, 200}, {1024, 228}};
+    const glm::vec2 at = tooltip_place(row, {900, 214}, {260, 60}, {1024, 700}, Side::left, 1);
+    EXPECT_LE(at.x + 260, 700);
+    EXPECT_EQ(at.y, 200);
 }
 
 // Two buttons beside each other, each with a tooltip.

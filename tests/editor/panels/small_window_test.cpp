@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a small window must still show, and what lies over what.
+#include "editor/panels/menu_bar.h"
+#include "tests/editor/rig.h"
+
+#include <imgui_internal.h>
+#include <set>
+
+namespace trivar {
+namespace {
+
+using testing::Rig;
+
+constexpr glm::ivec2 low_window{1024, 700};
+const ui::ThemeOptions twice_the_scale{.scale = 2};
+
+// The menu of that name, which hangs from the menu bar.
+const ImGuiWindow& opened(Rig& rig, const std::string& name)
+{
+    rig.editor.memory.of<MenuBar>().next = name;
+    rig.frames(4);
+    EXPECT_EQ(rig.editor.memory.of<MenuBar>().open, name);
+    return *GImGui->OpenPopupStack.front().Window;
+}
+
+TEST(SmallWindow, NoMenuCoversTheMenuBarOrScrolls)
+{
+    Rig rig(low_window);
+    rig.two_objects();
+    for (const char* name :
+         {"File", "Edit", "Select", "Add", "View", "Animate", "Tools", "Help"}) {
+        const ImGuiWindow& menu = opened(rig, name);
+        EXPECT_GE(menu.Pos.y, rig.layout().top.lo.y + 20) << name;
+        EXPECT_LE(menu.Pos.y + menu.Size.y, static_cast<float>(low_window.y)) << name;
+        EXPECT_EQ(menu.ScrollMax.y, 0) << name;
+        rig.key({ui::key_escape});
+    }
+}
+
+TEST(SmallWindow, AtTwiceTheScaleNoButtonLiesOnAMenu)
+{
+    Rig rig({1280, 800}, twice_the_scale);
+    rig.two_objects();
+    const ImGuiWindow& help = opened(rig, "Help");
+    const float left = help.Pos.x, y = rig.layout().top.center().y;
+    rig.key({ui::key_escape});
+    const float width = ImGui::CalcTextSize("Help").x;
+    for (const float share : {0.1f, 0.5f, 0.9f}) {
+        rig.click({left + share * width, y});
+        EXPECT_EQ(rig.editor.memory.of<MenuBar>().open, "Help") << share;
+        rig.key({ui::key_escape});
+    }
+    EXPECT_EQ(rig.steps(), 2u);
+}
+
+TEST(SmallWindow, AtTwiceTheScaleEveryPageOfThePreferencesIsReached)
+{
+    Rig rig({1280, 800}, twice_the_scale);
+    rig.editor.preferences_dialog.open = true;
+    rig.frames();
+    const ImGuiWindow* dialog = ImGui::FindWindowByName("preferences");
+    ASSERT_TRUE(dialog);
+    const float foot = dialog->Pos.y + dialog->Size.y - 2 * 60;
+    std::set<int> pages;
+    for (float y = dialog->Pos.y + 2 * 60; y < foot; y += 8) {
+        rig.click({dialog->Pos.x + 2 * 60, y});
+        pages.insert(rig.editor.preferences_dialog.page);
+    }
+    EXPECT_EQ(pages.size(), static_cast<std::size_t>(PreferencesDialog::page_count));
+}
+
+TEST(SmallWindow, AtTwiceTheScaleTheClosedTimelineStillGoesToAnyFrame)
+{
+    Rig rig({1280, 800}, twice_the_scale);
+    rig.two_objects();
+    rig.editor.preferences.timeline_open = false;
+    rig.frames();
+    const ui::Rect timeline = rig.layout().timeline;
+    rig.click({timeline.hi.x - 40, timeline.center().y});
+    EXPECT_GT(rig.editor.session.frame(), 100);
+    rig.click({timeline.hi.x - 2 * 120, timeline.center().y});
+    EXPECT_LT(rig.editor.session.frame(), 100);
+}
+
+TEST(SmallWindow, NoticesLieOnNoButtonOfADialog)
+{
+    Rig rig(low_window);
+    rig.two_objects();
+    rig.editor.preferences_dialog.open = true;
+    rig.frames();
+    rig.editor.session.notices.say(ui::NoticeKind::error, "It was not written", "The disk is full.");
+    rig.frames();
+    const ImGuiWindow *notice = ImGui::FindWindowByName("notice 0"),
+                      *dialog = ImGui::FindWindowByName("preferences");
+    ASSERT_TRUE(notice && dialog);
+    const float foot = dialog->Pos.y + dialog->Size.y - 60;
+    EXPECT_LT(notice->Pos.y + notice->Size.y, foot);
+    rig.key({ui::key_escape});
+    rig.frames();
+    EXPECT_GT(notice->Pos.y, rig.layout().view.center().y); // where notices are elsewhere
+}
+
+TEST(SmallWindow, ATipOfARowOfTheInspectorLeavesTheRowsBelowInSight)
+{
+    Rig rig(low_window);
+    rig.two_objects();
+    const ui::Rect inspector = rig.layout().inspector;
+    bool any = false;
+    for (float y = inspector.lo.y + 8; y < inspector.hi.y - 8; y += 24) {
+        rig.screen.input().push(ui::move_to({inspector.lo.x + 30, y}));
+        rig.screen.settle(rig.body(), 60);
+        if (!ui::tooltips().shown()) continue;
+        any = true;
+        const ImGuiWindow* tip = ImGui::FindWindowByName("tooltip");
+        ASSERT_TRUE(tip);
+        EXPECT_LE(tip->Pos.x + tip->Size.x, inspector.lo.x) << ui::tooltips().shown()->name;
+    }
+    EXPECT_TRUE(any);
+}
+
+} // namespace
+} // namespace trivar
