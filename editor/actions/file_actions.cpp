@@ -15,15 +15,21 @@ void keep_frames_of(const Time& time, int& first, int& last)
     last = std::clamp(last, first, time.last_frame);
 }
 
+// As recordings have it: one picture is one of their frames.
+glm::ivec2 picture_size(Editor& e)
+{
+    const RecordPlan& plan = e.memory.of<RecordDialog>().plan;
+    return {plan.width_px, plan.height_px};
+}
+
 void render_picture(Editor& e)
 {
-    constexpr int width_px = 1920;
     if (e.session.scene().path().empty())
         e.session.notices.say(ui::NoticeKind::warning, "The scene has no file yet",
                               "Pictures are written beside it: save it first.", "picture",
                               {{"Save as...", [&e] { e.files.ask_save_as(); }}});
     else if (!e.picture_to_file.running())
-        e.picture_to_file.begin(e.session, width_px);
+        e.picture_to_file.begin(e.session, picture_size(e));
 }
 
 } // namespace

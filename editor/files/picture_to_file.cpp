@@ -4,6 +4,8 @@
 #include "core/base/rejected.h"
 #include "core/files/copies.h"
 #include "core/files/image.h"
+#include "editor/files/files.h"
+#include "editor/session/session_facts.h"
 #include "editor/words/file_words.h"
 #include "ui/camera_control.h"
 
@@ -30,35 +32,31 @@ void tell_failed(Session& session, const std::string& path, const std::string& w
 
 } // namespace
 
-void PictureToFile::begin(const Session& session, int width_px)
+void PictureToFile::begin(const Session& session, glm::ivec2 size_px)
 {
     path_ = free_path(session);
-    wanted_px_ = width_px_ = width_px;
+    wanted_px_ = size_px_ = size_px;
 }
 
 void PictureToFile::forget_gpu()
 {
-    if (still_) wanted_px_ = width_px_;
+    if (still_) wanted_px_ = size_px_;
     still_.reset();
 }
 
 void PictureToFile::stop()
 {
     still_.reset();
-    wanted_px_ = 0;
+    wanted_px_.reset();
 }
 
 void PictureToFile::draw(const Session& session, const Ref<gpu::ShaderTexts>& shaders)
 {
     path_ = free_path(session); // something may have been written meanwhile
-    const int width_px = std::exchange(wanted_px_, 0);
-    const glm::dvec2 view = session.view.camera.size_px;
-    const glm::ivec2 size_px(
-        width_px,
-        std::max(1, static_cast<int>(std::lround(width_px * view.y / std::max(1.0, view.x)))));
+    const glm::ivec2 size_px = *std::exchange(wanted_px_, std::nullopt);
     still_ = std::make_unique<Still>();
     still_->begin(session.evaluated(), session.document(),
-                  ui::reshaped(session.view.camera, glm::dvec2(size_px)),
+                  ui::reshaped(camera_for_pictures(session), glm::dvec2(size_px)),
                   {.size_px = size_px, .level = gpu::Level::high, .shaders = shaders});
 }
 
@@ -66,7 +64,7 @@ bool PictureToFile::is_whole(const Session& session, ui::Frame& frame,
                              const Ref<gpu::ShaderTexts>& shaders)
 {
     constexpr double budget_ms = 40; // as for the window's own picture
-    if (wanted_px_ > 0) {
+    if (wanted_px_) {
         frame.again_in(0.05);
         if (!session.up_to_date() || session.jobs().status()) return false;
         draw(session, shaders);

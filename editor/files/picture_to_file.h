@@ -5,7 +5,9 @@
 #include "editor/session/session.h"
 #include "ui/frame.h"
 
+#include <glm/glm.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace trivar {
@@ -15,11 +17,11 @@ namespace trivar {
 // stays responsive.
 class PictureToFile {
 public:
-    bool running() const { return wanted_px_ > 0 || still_; }
+    bool running() const { return wanted_px_ || still_; }
     const std::string& path() const { return path_; }
-    // Begins a picture `width_px` wide, in the shape of the viewport, as soon as the scene is
-    // evaluated and nothing else is read or written. The scene must have a file, for its folder.
-    void begin(const Session& session, int width_px);
+    // Begins a picture of that size as soon as the scene is evaluated and nothing else is read or
+    // written. The scene must have a file, for its folder.
+    void begin(const Session& session, glm::ivec2 size_px);
     // Once a frame, in the window's context.
     void advance(Session& session, ui::Frame& frame, const Ref<gpu::ShaderTexts>& shaders = {});
     void stop();
@@ -31,8 +33,8 @@ private:
 
     std::unique_ptr<Still> still_;
     std::string path_;
-    int width_px_ = 0;
-    int wanted_px_ = 0; // till it begins
+    glm::ivec2 size_px_{0};
+    std::optional<glm::ivec2> wanted_px_; // until it begins
 };
 
 } // namespace trivar

@@ -4,9 +4,11 @@
 #include "core/base/memory.h"
 #include "core/base/text.h"
 #include "editor/actions/start_card.h"
+#include "editor/panels/camera_frame.h"
 #include "editor/panels/foot_cards.h"
 #include "editor/picture/captions.h"
 #include "editor/picture/volume_picture.h"
+#include "editor/record/record_plan.h"
 #include "editor/session/scene_facts.h"
 #include "editor/words/file_words.h"
 #include "ui/icons.h"
@@ -232,6 +234,8 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
                    ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
                        ImGuiButtonFlags_MouseButtonRight);
     show_tutorial(editor, frame);
+    const RecordPlan& plan = editor.memory.of<RecordDialog>().plan;
+    session.view.picture_px = {plan.width_px, plan.height_px};
     Tool& tool = editor.active_tool();
     const ViewportInput input = editor.viewport.take_input(session, frame, view, tool);
     if (!editor.files.asking()) tool.use(session, input);
@@ -272,6 +276,7 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
     if (texture != 0)
         ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(name), lo, hi, {0, 1},
                                              {1, 0});
+    draw_camera_frame(editor, over, view);
     if (session.shown().render->captions) { // they count the triangles of the document
         std::vector<Id> hidden_here = refined.split(session.evaluated());
         hidden_here.insert(hidden_here.end(), session.hidden_here.begin(),

@@ -6,7 +6,7 @@
 namespace trivar {
 
 Camera followed(std::optional<FollowedView>& view, const Document& document, Camera camera,
-                glm::dvec2 size_px)
+                glm::dvec2 size_px, glm::dvec2 picture_px)
 {
     camera.size_px = glm::max(size_px, 1.0);
     if (!view) return camera;
@@ -16,7 +16,9 @@ Camera followed(std::optional<FollowedView>& view, const Document& document, Cam
         view.reset();
         return camera;
     }
-    view->shown = ui::reshaped(kept->second, size_px);
+    const bool renders = view->name == "picture" && picture_px.x > 0 && picture_px.y > 0;
+    const Camera whole = renders ? ui::reshaped(kept->second, picture_px) : kept->second;
+    view->shown = ui::reshaped(whole, size_px);
     return *view->shown;
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What keys change of the window's picture alone.
+#include "core/files/image.h"
 #include "editor/actions/actions.h"
 #include "editor/actions/palette_entries.h"
+#include "editor/record/record_plan.h"
 #include "tests/editor/boxes.h"
 #include "tests/support/fixtures.h"
 
@@ -161,11 +163,27 @@ TEST(RenderPicture, IsWrittenBesideTheSceneUnderAFreeNumber)
     EXPECT_EQ(rig.editor.session.notices.all().back().title, "The scene has no file yet");
     rig.editor.session.save_as(disk.file("a.trivar"));
     rig.wait();
-    rig.editor.picture_to_file.begin(rig.editor.session, 64);
+    rig.editor.picture_to_file.begin(rig.editor.session, {64, 36});
     for (int i = 0; i < 1000 && rig.editor.picture_to_file.running(); ++i) rig.frames(1);
     rig.wait();
     EXPECT_TRUE(std::filesystem::exists(disk.file("a_001.png")));
     EXPECT_EQ(rig.editor.session.notices.all().back().title, "a_001.png was written");
+}
+
+TEST(RenderPicture, HasTheSizeThatRecordingsHaveWhateverTheWindowIs)
+{
+    const TemporaryFolder disk;
+    Boxes rig;
+    rig.editor.session.save_as(disk.file("a.trivar"));
+    rig.wait();
+    auto& plan = rig.editor.memory.of<RecordDialog>().plan;
+    plan.width_px = 96;
+    plan.height_px = 54;
+    rig.key({ui::key_f1 + 11});
+    for (int i = 0; i < 1000 && rig.editor.picture_to_file.running(); ++i) rig.frames(1);
+    rig.wait();
+    const Image image = read_image(disk.file("a_001.png"));
+    EXPECT_EQ(image.size_px, glm::ivec2(96, 54));
 }
 
 TEST(RenderPicture, IsDrawnAnewWhereTheGraphicsCardIsResetMeanwhile)
@@ -174,7 +192,7 @@ TEST(RenderPicture, IsDrawnAnewWhereTheGraphicsCardIsResetMeanwhile)
     Boxes rig;
     rig.editor.session.save_as(disk.file("a.trivar"));
     rig.wait();
-    rig.editor.picture_to_file.begin(rig.editor.session, 64);
+    rig.editor.picture_to_file.begin(rig.editor.session, {64, 36});
     for (int i = 0; i < 3; ++i) rig.frames(1);
     rig.screen.lose_context([&] { rig.editor.lose_context(); });
     for (int i = 0; i < 1000 && rig.editor.picture_to_file.running(); ++i) rig.frames(1);
