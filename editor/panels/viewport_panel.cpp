@@ -42,33 +42,43 @@ void add_lattices(std::vector<gpu::Line>& lines, const Session& session, const u
     }
 }
 
+// Where the picture shows volumes it shows those of lattices too.
+bool picture_shows_volumes(const Session& session)
+{
+    return session.document().render->volumes || session.shown().render->volumes;
+}
+
+// The selected object whose volume is drawn over the scene; null: there is none.
+const EvaluatedObject* with_shown_volume(const Editor& editor)
+{
+    const Session& session = editor.session;
+    const auto found = session.evaluated().objects.find(session.selected);
+    if (found == session.evaluated().objects.end() || !found->second->placement ||
+        !editor.active_tool().shows_volume() || picture_shows_volumes(session) ||
+        std::ranges::binary_search(session.hidden_here, found->first))
+        return nullptr;
+    return found->second.get();
+}
+
 // What goes with the selection, and with the tool at work.
 Helpers helpers_of(Editor& editor, const ui::Theme& theme)
 {
     const Tool& tool = editor.active_tool();
     Helpers helpers{tool.lines(editor.session, theme), tool.veils(editor.session, theme)};
-    const auto& objects = editor.session.evaluated().objects;
-    // Where the picture shows volumes it shows those of lattices too.
-    const bool shown_already =
-        editor.session.document().render->volumes || editor.session.shown().render->volumes;
-    if (!shown_already) add_lattices(helpers.lines, editor.session, theme);
-    const auto found = objects.find(editor.session.selected);
-    if (found == objects.end() || !found->second->placement || !tool.shows_volume() ||
-        shown_already || std::ranges::binary_search(editor.session.hidden_here, found->first))
-        return helpers;
-    const Placement& placement = *found->second->placement;
-    if (is_lattice(editor.session.document(), found->first)) {
-        helpers.veils.push_back(shell_veil(*found->second->seen_cage(), theme.color));
+    if (!picture_shows_volumes(editor.session)) add_lattices(helpers.lines, editor.session, theme);
+    const EvaluatedObject* const found = with_shown_volume(editor);
+    if (!found) return helpers;
+    const Placement& placement = *found->placement;
+    if (is_lattice(editor.session.document(), found->id)) {
+        helpers.veils.push_back(shell_veil(*found->seen_cage(), theme.color));
     } else {
         std::ranges::move(placement_lines(placement, theme.color, theme.line(1)),
                           std::back_inserter(helpers.lines));
         helpers.veils.push_back(placement_veil(placement, theme.color));
     }
-    for (const gpu::Translucent& veil :
-         editor.viewport.volume_facts().folds(*found->second, theme.color))
+    for (const gpu::Translucent& veil : editor.viewport.volume_facts().folds(*found, theme.color))
         helpers.veils.push_back(veil);
-    for (gpu::Translucent& veil :
-         editor.viewport.volume_facts().meeting(*found->second, theme.color))
+    for (gpu::Translucent& veil : editor.viewport.volume_facts().meeting(*found, theme.color))
         helpers.veils.push_back(std::move(veil));
     return helpers;
 }
@@ -123,6 +133,11 @@ void labels(Editor& editor, const ui::Theme& theme, ui::Frame& frame, const ui::
         at.y += theme.px(28);
     }
     Viewport& shown = editor.viewport;
+    if (const EvaluatedObject* volume = with_shown_volume(editor))
+        for (const FoldMark& mark : shown.volume_facts().fold_marks(*volume, theme.color)) {
+            ui::paint_chip(theme, at, {ui::elided(theme.font.small, mark.words, room), mark.color});
+            at.y += theme.px(28);
+        }
     if (shown.drafts().count() == 0) return;
     if (!editor.preferences.show_timing && !editor.timing.open) return;
     ui::TimingSources sources{shown.drafts(), session.timings(), shown.full_timings()};

@@ -27,13 +27,27 @@ VolumeFacts::Deviations deviations_of(const Lattice& volume)
     return out;
 }
 
+// The cells of one kind, their colour, how much of it covers the picture, and what it means.
+struct FoldLayer {
+    const VolumeSurface* surface;
+    ui::Color color;
+    float cover;
+    const char* words;
+};
+std::vector<FoldLayer> layers_of(const FoldSurfaces& surfaces, const ui::Palette& color)
+{
+    std::vector<FoldLayer> out{{&surfaces.bad, color.fold, 0.3f, "The volume folds here"},
+                               {&surfaces.unknown, color.warn, 0.3f, "May fold here: not proven"},
+                               {&surfaces.allowed, color.accent, 0.2f, "Folds are allowed here"}};
+    std::erase_if(out, [](const FoldLayer& each) { return each.surface->triangles.empty(); });
+    return out;
+}
+
 std::vector<gpu::Translucent> veils_of(const FoldSurfaces& surfaces, const ui::Palette& color)
 {
     std::vector<gpu::Translucent> veils;
-    for (const auto& [surface, shade] : {std::pair(&surfaces.bad, ui::faded(color.fold, 0.3f)),
-                                         {&surfaces.unknown, ui::faded(color.warn, 0.3f)},
-                                         {&surfaces.allowed, ui::faded(color.accent, 0.2f)}})
-        if (!surface->triangles.empty()) veils.push_back(veil_of(*surface, shade));
+    for (const FoldLayer& each : layers_of(surfaces, color))
+        veils.push_back(veil_of(*each.surface, ui::faded(each.color, each.cover)));
     return veils;
 }
 
@@ -124,6 +138,17 @@ const std::vector<gpu::Translucent>& VolumeFacts::folds(const EvaluatedObject& p
     drawn_in_ = colors;
     veils_ = veils_of(*facts_.surfaces, color);
     return veils_;
+}
+
+std::vector<FoldMark> VolumeFacts::fold_marks(const EvaluatedObject& placed,
+                                              const ui::Palette& color)
+{
+    look_at(placed);
+    std::vector<FoldMark> out;
+    if (!facts_.surfaces.ready()) return out;
+    for (const FoldLayer& each : layers_of(*facts_.surfaces, color))
+        out.push_back({each.color, each.words});
+    return out;
 }
 
 const CellVerdicts* VolumeFacts::verdicts(const EvaluatedObject& placed)

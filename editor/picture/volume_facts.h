@@ -23,6 +23,12 @@ Lazy<CellVerdicts> verdicts_of(const EvaluatedObject& placed);
 // Empty where every cell is proven good.
 std::vector<gpu::Translucent> fold_veils(const EvaluatedObject& placed, const ui::Palette& color);
 
+// A FoldMark says what one colour of the veils over a volume means.
+struct FoldMark {
+    ui::Color color;
+    std::string words;
+};
+
 // VolumeFacts is what is known of the volume that is looked at. What takes longer than a frame is
 // computed on a thread of its own. Frame thread only.
 class VolumeFacts {
@@ -35,6 +41,8 @@ public:
     // As fold_veils(); those of the previous volume while the new ones are unknown.
     const std::vector<gpu::Translucent>& folds(const EvaluatedObject& placed,
                                                const ui::Palette& color);
+    // What the colours of those veils mean, one mark per colour that is seen.
+    std::vector<FoldMark> fold_marks(const EvaluatedObject& placed, const ui::Palette& color);
     // The largest movement in a volume if an axis keeps only fewer_points(); empty: the axis
     // cannot.
     using Deviations = std::array<std::optional<double>, 3>;

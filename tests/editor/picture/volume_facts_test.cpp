@@ -55,6 +55,19 @@ TEST(VolumeFacts, ShowTheFoldsOfSmallVolumesAndOfLargeOnes)
     }
 }
 
+TEST(VolumeFacts, SayWhatTheColoursOfTheFoldsMean)
+{
+    VolumeFacts facts;
+    const ui::Palette color = ui::dark_palette();
+    EXPECT_TRUE(facts.fold_marks(box_of(20, false), color).empty());
+    const EvaluatedObject folded = box_of(20, true);
+    const std::vector<FoldMark> marks = facts.fold_marks(folded, color);
+    ASSERT_EQ(marks.size(), folds(facts, folded).size());
+    ASSERT_FALSE(marks.empty());
+    EXPECT_EQ(marks.front().color, color.fold);
+    EXPECT_EQ(marks.front().words, "The volume folds here");
+}
+
 TEST(VolumeFacts, LookForOverlapOnlyWhereThatIsAskedFor)
 {
     VolumeFacts facts;
