@@ -57,6 +57,9 @@ void LatticePointsTool::paint_points(const Session& session, const ui::Theme& th
             share_of(shown_.points[i]) = shown_.weights[i];
     const double reach_px = all_are_shown(volume) ? std::numeric_limits<double>::infinity()
                                                   : shown_reach_px * input.scale;
+    constexpr std::size_t many = 300; // more are a cloud that hides the model
+    constexpr double near_px = 90;    // where they are handles all the same
+    const double handles_px = shares.size() > many ? near_px * input.scale : reach_px;
     std::size_t shown = 0;
     each_point(volume, session.view.camera, [&](const glm::ivec3& p, glm::dvec2 at) {
         const auto share = static_cast<float>(share_of(p));
@@ -66,6 +69,9 @@ void LatticePointsTool::paint_points(const Session& session, const ui::Theme& th
         const glm::vec2 at_window = input.rect.lo + glm::vec2(at);
         if (lit || share >= 1)
             return paint_point(theme, at_window, lit ? 5.5f : 4.5f, theme.color.selected);
+        if (share <= 0 && glm::distance(at, input.mouse) > handles_px)
+            return ui::paint_dot(at_window, 1.5f * theme.scale,
+                                 ui::faded(theme.color.lattice, 0.6f), 0, 0);
         paint_point(theme, at_window, 3 + share,
                     on_shell(volume, p) || share > 0 ? theme.color.lattice
                                                      : ui::faded(theme.color.lattice, 0.45f));
