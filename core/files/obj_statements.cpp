@@ -78,7 +78,8 @@ public:
             plain_used = plain_used || std::ranges::any_of(*materials, unset);
             std::ranges::replace(*materials, none, plain);
         }
-        if (plain_used) model_.materials.emplace_back();
+        if (plain_used) // colours of vertices are its colours as they are
+            model_.materials.push_back(mesh_.colors.empty() ? unpainted() : Material());
         auto& groups = mesh_.face_group;
         if (mesh_.group_names.empty()) {
             groups.clear();
@@ -171,7 +172,8 @@ private:
         const auto [at, added] = materials_.emplace(name, next);
         if (added) {
             undefined_.add(name);
-            model_.materials.emplace_back().name = name;
+            model_.materials.push_back(unpainted());
+            model_.materials.back().name = name;
         }
         return at->second;
     }

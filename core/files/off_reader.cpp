@@ -44,7 +44,9 @@ public:
             throw Rejected(file_.name + ": " + no_whole_face(first, vertices));
         // Seams and vertices written twice look alike here, and both are closed.
         mesh_.points = points_by_position(mesh_.positions);
-        Model model = single_mesh_model("", std::move(mesh_));
+        // Colours of vertices are its colours as they are.
+        std::vector<Material> materials{mesh_.colors.empty() ? unpainted() : Material()};
+        Model model = single_mesh_model("", std::move(mesh_), std::move(materials));
         if (left_out_ > 0)
             model.notices.push_back(file_.name + ": " + faces_left_out(left_out_, first, vertices));
         if (face_colors_)

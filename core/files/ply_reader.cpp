@@ -71,7 +71,9 @@ public:
         // The format has no other way to say a seam than two vertices at one place.
         mesh_.points = points_by_position(mesh_.positions);
         say_what_was_left_out();
-        Model model = single_mesh_model("", std::move(mesh_));
+        // Colours of vertices are its colours as they are.
+        std::vector<Material> materials{mesh_.colors.empty() ? unpainted() : Material()};
+        Model model = single_mesh_model("", std::move(mesh_), std::move(materials));
         model.notices = std::move(notices_);
         if (curves.line_count() == 0) return model;
         model.curves = {make_ref(curves)};

@@ -143,7 +143,11 @@ Model read_model_bytes(std::string_view bytes, const std::string& name, const st
                                         : ": there are no faces and no lines in it"));
     for (const std::string& sentence : sentences(repairs))
         model.notices.push_back(fmt::format("{}: {}", file.name, sentence));
-    if (model.materials.empty()) model.materials.emplace_back();
+    if (model.materials.empty()) { // colours of vertices are its colours as they are
+        const bool colored = std::ranges::any_of(
+            model.meshes, [](const Ref<Mesh>& mesh) { return !mesh->colors.empty(); });
+        model.materials.push_back(colored ? Material() : unpainted());
+    }
     for (Node& node : model.nodes) {
         if (node.parent < 0 && gltf) {
             node.to_parent = matrix * node.to_parent;

@@ -116,7 +116,7 @@ Model read_stl(const FileText& file, const Progress& progress)
     mesh.corners = points;
     for (std::size_t c = 3; c <= corners.size(); c += 3)
         mesh.face_begin.push_back(static_cast<std::uint32_t>(c));
-    return single_mesh_model("", std::move(mesh));
+    return single_mesh_model("", std::move(mesh), {unpainted()});
 }
 
 } // namespace trivar

@@ -49,6 +49,16 @@ struct Material {
     bool operator==(const Material&) const = default;
 };
 
+// The material of a model whose file describes none: a middle grey, whose relief is seen in bright
+// light, where white would be all white.
+inline Material unpainted()
+{
+    Material grey;
+    grey.base_color = {0.3f, 0.285f, 0.26f, 1};
+    grey.roughness = 0.75f;
+    return grey;
+}
+
 struct Node {
     std::string name;
     int parent = -1; // index into Model::nodes, always smaller than the node's own
