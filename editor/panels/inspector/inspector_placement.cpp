@@ -5,6 +5,7 @@
 #include "editor/panels/inspector/inspect.h"
 #include "editor/panels/inspector/profile_rows.h"
 #include "editor/panels/panels.h"
+#include "editor/words/share_words.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -17,14 +18,6 @@ using PlacementRows = FieldRows<PlacementParameters>;
 std::string percent(double share)
 {
     return fmt::format("{:.0f} %", share * 100);
-}
-
-// Of shares that may be tiny or more than the whole: two digits at least, and no powers of ten.
-std::string share_words(double share)
-{
-    const double percents = share * 100;
-    if (percents < 0.01) return "under 0.01 %";
-    return percents < 10 ? fmt::format("{:.2g} %", percents) : fmt::format("{:.0f} %", percents);
 }
 
 void report_rows(const ui::Theme& theme, const PlacementReport& r)

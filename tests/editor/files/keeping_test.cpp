@@ -209,6 +209,29 @@ TEST(Keeping, AFileThatCannotBeSavedLeavesTheDialogWithItsPath)
     EXPECT_NE(rig.editor.session.scene().path(), "");
 }
 
+TEST(Keeping, TheSaveDialogBeginsWhereScenesAreAndNotWhereTheLastModelCameFrom)
+{
+    const testing::TemporaryFolder scenes, models;
+    testing::write_file(models.file("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    Rig rig;
+    rig.editor.preferences.scenes_folder = scenes.path().string();
+    rig.frames();
+    rig.editor.files.ask_import();
+    rig.frames();
+    rig.key({.key = 'A', .ctrl = true});
+    rig.type(models.file("a.obj"));
+    rig.key({ui::key_enter});
+    rig.wait();
+    ASSERT_EQ(rig.editor.session.document().objects.size(), 1u);
+    rig.editor.files.ask_save_as();
+    rig.frames();
+    rig.key({.key = 'A', .ctrl = true});
+    rig.type("mine");
+    rig.key({ui::key_enter});
+    rig.wait();
+    EXPECT_EQ(rig.editor.session.scene().path(), scenes.file("mine.trivar"));
+}
+
 TEST(Keeping, WhatIsDroppedWaitsForTheAnswerToADialog)
 {
     const testing::TemporaryFolder folder;

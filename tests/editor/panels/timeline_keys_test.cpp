@@ -259,6 +259,17 @@ struct Curved : Keyed {
     }
 };
 
+TEST(Curves, TheirTabLeavesTheTimelineAsHighAsItWas)
+{
+    Keyed rig;
+    const ui::Rect before = rig.layout().timeline;
+    for (float x = before.lo.x + 12; x < before.lo.x + 300 && !rig.view().curves; x += 12)
+        rig.click({x, before.lo.y + 40 + 12});
+    ASSERT_TRUE(rig.view().curves);
+    EXPECT_EQ(rig.layout().timeline.lo.y, before.lo.y);
+    EXPECT_EQ(rig.layout().timeline.hi.y, before.hi.y);
+}
+
 TEST(Curves, AKeyIsDraggedInFrameAndValue)
 {
     Curved rig;

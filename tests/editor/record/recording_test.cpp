@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/rejected.h"
 #include "core/base/text.h"
 #include "editor/actions/file_actions.h"
 #include "editor/command_line/command_line.h"

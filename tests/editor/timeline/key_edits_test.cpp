@@ -3,6 +3,7 @@
 
 #include "core/commands/number_words.h"
 #include "editor/timeline/rows.h"
+#include "tests/editor/scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -160,6 +161,19 @@ TEST(TimelineRows, AreOneAnObjectAndOneATrackWhereItIsUnfolded)
     EXPECT_EQ(name_of_row(document, rows[2]), "Position Z");
     EXPECT_EQ(keys_of_row(document, rows[1]).size(), 3u);
     EXPECT_EQ(key_frames(document, {1, 2}), (std::set<double>{1, 11, 21}));
+}
+
+TEST(TimelineRows, ShowATravelThatHasKeysAlsoWhileItsRowIsFolded)
+{
+    const Document document = after(testing::typical_scene().document(),
+                                    Animate{{{2, {{"placement.width", {{1, 0.2}}}}}}});
+    const std::vector<TimelineRow> folded = timeline_rows(document, {});
+    ASSERT_EQ(folded.size(), 1u);
+    EXPECT_TRUE(folded[0].travels);
+    const std::vector<TimelineRow> open = timeline_rows(document, {2});
+    ASSERT_EQ(open.size(), 3u); // the object, its travel and the track
+    EXPECT_FALSE(open[0].travels);
+    EXPECT_TRUE(open[1].travels);
 }
 
 TEST(NumberWords, SayWhatANameMeans)

@@ -7,6 +7,7 @@
 #include "editor/session/scene_names.h"
 #include "editor/tools/place.h"
 #include "tests/editor/rig.h"
+#include "tests/editor/scenes.h"
 #include "tests/support/fixtures.h"
 #include "ui/camera_control.h"
 
@@ -114,6 +115,33 @@ TEST(EditorWindow, AClickOrAStrokeBesideTheSceneSaysWhatToDoAndChangesNothing)
     rig.wait();
     EXPECT_EQ(rig.steps(), 2u);
     EXPECT_FALSE(rig.editor.session.notices.all().empty());
+}
+
+TEST(EditorWindow, AChangeOfWhatLiesIsCalledAChangeAndNoneIsNoStep)
+{
+    Rig rig;
+    rig.two_objects();
+    AddPlane narrow; // beside which the stroke meets nothing
+    narrow.shape.size = {1, 1};
+    Session& session = rig.editor.session;
+    ASSERT_TRUE(session.run(narrow));
+    ASSERT_TRUE(session.run(testing::placed(2, 3)));
+    rig.wait();
+    session.notices.clear();
+    session.selected = 0; // else the inspector says it
+    PlacementParameters wider = object(session.committed(), 2).placement->parameters;
+    wider.width = 0.3;
+    const std::size_t steps = rig.steps();
+    ASSERT_TRUE(session.propose(EditPlacement{2, wider, {}, {}}));
+    session.commit_if_placed(2);
+    rig.wait();
+    EXPECT_EQ(rig.steps(), steps + 1);
+    ASSERT_FALSE(session.notices.all().empty());
+    EXPECT_EQ(session.notices.all().back().title, "Box was changed");
+    ASSERT_TRUE(session.propose(EditPlacement{2, wider, {}, {}}));
+    session.commit_if_placed(2);
+    rig.wait();
+    EXPECT_EQ(rig.steps(), steps + 1);
 }
 
 // The first number field down the inspector, found by the cursor that it shows.
