@@ -248,7 +248,7 @@ TEST(Repairs, AreSaid)
     EXPECT_THAT(notices(quad + "f 1 2 3 4\nf 3 6 5 2\nf 2 5 6 3\n", "a.obj").size(), 0u)
         << "edges of three faces decide nothing";
     EXPECT_THAT(notices(quad + "f 1 2 3\nf 1 3 4\nf 3 6 5 2\n", "a.obj").at(0),
-                HasSubstr("turned round"));
+                HasSubstr("1 flipped face was corrected"));
     EXPECT_THAT(notices(quad + "f 1 2 3 4\nusemtl none\nf 2 5 6 3\n", "a.obj").at(0),
                 HasSubstr("not defined"));
     EXPECT_THAT(notices("OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n5 5 5\n3 0 1 2\n", "a.off").at(0),

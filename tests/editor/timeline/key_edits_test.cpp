@@ -184,11 +184,11 @@ TEST(NumberWords, SayWhatANameMeans)
     EXPECT_EQ(label("placement.width_profile.2.y"), "Width profile 3 Y");
     EXPECT_EQ(label("material.base_color.x"), "Colour red");
     EXPECT_EQ(label("shaping.0.shift.by.z"), "Step 1 shift move Z");
-    EXPECT_EQ(label("camera.picture.eye.x"), "Picture from X");
+    EXPECT_EQ(label("camera.picture.eye.x"), "Picture eye X");
     EXPECT_EQ(label("placement.grid.y"), "Density V");
     EXPECT_EQ(label("render.color_by"), "Colour by");
     EXPECT_EQ(label("hidden"), "Hidden");
-    EXPECT_EQ(label("camera.99999999999999999999.eye.x"), "99999999999999999999 from X");
+    EXPECT_EQ(label("camera.99999999999999999999.eye.x"), "99999999999999999999 eye X");
     EXPECT_EQ(words_of_number("transform.rotation_deg.z").unit, "deg");
     EXPECT_NEAR(words_of_number("render.sun_azimuth").factor, 57.29578, 1e-5);
 }
