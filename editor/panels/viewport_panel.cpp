@@ -48,13 +48,13 @@ bool picture_shows_volumes(const Session& session)
     return session.document().render->volumes || session.shown().render->volumes;
 }
 
-// The selected object whose volume is drawn over the scene; null: there is none.
+// The selected object whose volume is seen; null: there is none.
 const EvaluatedObject* with_shown_volume(const Editor& editor)
 {
     const Session& session = editor.session;
     const auto found = session.evaluated().objects.find(session.selected);
     if (found == session.evaluated().objects.end() || !found->second->placement ||
-        !editor.active_tool().shows_volume() || picture_shows_volumes(session) ||
+        !editor.active_tool().shows_volume() ||
         std::ranges::binary_search(session.hidden_here, found->first))
         return nullptr;
     return found->second.get();
@@ -67,7 +67,7 @@ Helpers helpers_of(Editor& editor, const ui::Theme& theme)
     Helpers helpers{tool.lines(editor.session, theme), tool.veils(editor.session, theme)};
     if (!picture_shows_volumes(editor.session)) add_lattices(helpers.lines, editor.session, theme);
     const EvaluatedObject* const found = with_shown_volume(editor);
-    if (!found) return helpers;
+    if (!found || picture_shows_volumes(editor.session)) return helpers;
     const Placement& placement = *found->placement;
     if (is_lattice(editor.session.document(), found->id)) {
         helpers.veils.push_back(shell_veil(*found->seen_cage(), theme.color));
