@@ -4,7 +4,6 @@
 #include "core/base/rejected.h"
 #include "core/files/copies.h"
 #include "core/files/image.h"
-#include "editor/files/files.h"
 #include "editor/session/session_facts.h"
 #include "editor/words/file_words.h"
 #include "ui/camera_control.h"
