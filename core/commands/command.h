@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/commands/animate.h"
+#include "core/commands/apply_shape.h"
 #include "core/commands/arrange.h"
 #include "core/commands/group.h"
 #include "core/commands/import.h"
@@ -42,7 +43,7 @@ using AnyCommand =
                  PlayClip, Animate, Refine, ClearRefine, PressVolume, MovePoints, InsertKnots,
                  CoarsenVolume, MendVolume, AllowFolds, Unshape, Paste, KeepView, ForgetView,
                  SetRender, SetTime, AddLattice, SetLattice, WarpVolume, KeepShape, Simplify,
-                 ClearSimplify, SetWarp, Attach, SetParent>;
+                 ClearSimplify, SetWarp, Attach, SetParent, ApplyShape>;
 
 // A Command is everything that a person can do to a document, by value. It is a variant and is
 // visited as one; copying and comparing it is compiled once, and not wherever a command is copied.

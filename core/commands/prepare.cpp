@@ -60,6 +60,8 @@ Command prepare(Command command, const AssetStore& assets, const Progress& progr
         edit->file = prepared(std::move(edit->file), assets, progress);
     } else if (auto* kept = std::get_if<KeepShape>(&command)) {
         for (ImportedFile& file : kept->files) file = prepared(std::move(file), assets, progress);
+    } else if (auto* final_shape = std::get_if<ApplyShape>(&command)) {
+        final_shape->file = prepared(std::move(final_shape->file), assets, progress);
     } else if (auto* text = std::get_if<AddText>(&command)) {
         prepare_font(text->shape, assets);
     } else if (auto* letters = std::get_if<SetText>(&command)) {

@@ -21,6 +21,7 @@ template <class C> auto files_of(C& command)
         for (auto& file : relink->files) files.push_back(&file);
     if (auto* kept = std::get_if<KeepShape>(&command))
         for (auto& file : kept->files) files.push_back(&file);
+    if (auto* final_shape = std::get_if<ApplyShape>(&command)) files.push_back(&final_shape->file);
     if (auto* paste = std::get_if<Paste>(&command))
         for (auto& copy : paste->copies)
             if (copy.file) files.push_back(&*copy.file);

@@ -8,6 +8,7 @@
 #include "editor/actions/key_actions.h"
 #include "editor/actions/lattice_actions.h"
 #include "editor/actions/model_actions.h"
+#include "editor/actions/placement_actions.h"
 #include "editor/actions/reset_actions.h"
 #include "editor/actions/selection_actions.h"
 #include "editor/actions/time_actions.h"
@@ -45,6 +46,7 @@ std::vector<Action> all_actions()
     std::vector<Action> a;
     add_file_actions(a);
     add_edit_actions(a);
+    add_placement_actions(a);
     add_selection_actions(a);
     add_reset_actions(a);
     a.push_back({"Add", add_action_name, {{.key = 'A', .shift = true}}, [](Editor& e) {

@@ -23,13 +23,17 @@ std::string as_file_name(std::string name)
     return name;
 }
 
-// In the space of what is its parent then.
-Model model_then(const EvaluatedObject& object, const Document& then)
+} // namespace
+
+std::string kept_file(const Session& session, const std::string& name)
+{
+    const std::filesystem::path folder = session.assets()->folder();
+    return numbered_name((folder / (as_file_name(name) + ".glb")).string());
+}
+
+Model kept_model(const EvaluatedObject& object, const Document& then, const glm::dmat4& from_world)
 {
     EvaluatedObject there = object;
-    const Id parent = then.objects.at(object.id)->parent;
-    const glm::dmat4 from_world =
-        parent == 0 ? glm::dmat4(1) : glm::inverse(to_world(then, parent));
     for (Part& part : there.parts) {
         part = {.rest = make_ref(transformed(*part.mesh(), from_world * part.to_world)),
                 .key = part.key};
@@ -44,6 +48,8 @@ Model model_then(const EvaluatedObject& object, const Document& then)
     one.objects.emplace(object.id, make_ref(std::move(there)));
     return model_of(one, then);
 }
+
+namespace {
 
 // The file at that path or the next number of it that holds the model; it is written where none
 // does.
@@ -71,7 +77,11 @@ Command kept_shapes(Session& session, Id lattice)
         const std::filesystem::path file =
             folder / (as_file_name(name_of(document, id) + " kept") + ".glb");
         keep.members.push_back(id);
-        keep.files.emplace_back().path = file_with(model_then(*each, then), file.string());
+        const Id parent = then.objects.at(id)->parent;
+        const glm::dmat4 from_world =
+            parent == 0 ? glm::dmat4(1) : glm::inverse(to_world(then, parent));
+        keep.files.emplace_back().path =
+            file_with(kept_model(*each, then, from_world), file.string());
     }
     if (keep.members.empty()) return Ungroup{lattice};
     return prepare(std::move(keep), *session.assets());

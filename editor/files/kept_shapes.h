@@ -6,6 +6,11 @@
 
 namespace trivar {
 
+// A free file in the scene's folder for the shape of something of that name.
+std::string kept_file(const Session& session, const std::string& name);
+// What an object shows as a model of its own, in the space to which the matrix takes the world.
+Model kept_model(const EvaluatedObject& object, const Document& then, const glm::dmat4& from_world);
+
 // The command that deletes a lattice and keeps its contents in their present shape. It names one
 // .glb per object, in the scene's folder for them, and writes those that are not there already,
 // under free names. Throws Rejected where a file cannot be written.

@@ -2,6 +2,7 @@
 #include "editor/panels/panels.h"
 
 #include "editor/actions/lattice_actions.h"
+#include "editor/actions/placement_actions.h"
 
 #include <imgui.h>
 #include <string_view>
@@ -38,6 +39,7 @@ const std::vector<std::string_view> with_objects{"Frame selection",
 // Where they can be done.
 const std::vector<std::string_view> with_lattices{add_to_lattice_action, take_out_of_lattice_action,
                                                   back_to_rest_action, keep_shape_action};
+const std::vector<std::string_view> with_laid{plain_copy_action, apply_shape_action};
 const std::vector<std::string_view> with_nothing{
     "Frame all", "Select all", "Show all", rule, "Paste", add_action_name, "Import model..."};
 
@@ -87,13 +89,15 @@ void draw_object_menu(Editor& editor, const ui::Theme& theme, const char* name)
             entries.push_back(&action(editor, std::string(entry)));
             menu_item(editor, *entries.back());
         }
-        bool first = true;
-        for (const std::string_view entry : with_lattices) {
-            const Action& each = action(editor, std::string(entry));
-            if (!is_enabled(editor, each)) continue;
-            if (std::exchange(first, false)) ImGui::Separator();
-            entries.push_back(&each);
-            menu_item(editor, each);
+        for (const auto& some : {with_lattices, with_laid}) {
+            bool first = true;
+            for (const std::string_view entry : some) {
+                const Action& each = action(editor, std::string(entry));
+                if (!is_enabled(editor, each)) continue;
+                if (std::exchange(first, false)) ImGui::Separator();
+                entries.push_back(&each);
+                menu_item(editor, each);
+            }
         }
         take_letter(editor, entries);
         ImGui::EndPopup();

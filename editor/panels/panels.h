@@ -44,6 +44,7 @@ void draw_filling(Editor& editor, const ui::Theme& theme); // of a command's val
 void draw_preferences(Editor& editor, const ui::Theme& theme);
 void draw_record_dialog(Editor& editor, const ui::Theme& theme);
 void draw_export_dialog(Editor& editor, const ui::Theme& theme);
+void draw_plain_mesh_dialog(Editor& editor, const ui::Theme& theme);
 void draw_not_certified(Editor& editor, const ui::Theme& theme); // where it is read
 void draw_record_button(Editor& editor, const ui::Theme& theme, glm::vec2 at);
 // The lines between the panels; before the panels, so that they lie over them.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the transform tools show: handles, the axis at work, the amount, settings and hints.
+#include "core/commands/field_words.h"
 #include "editor/tools/hand_motion.h"
 #include "editor/tools/transform.h"
 #include "ui/option_bar.h"

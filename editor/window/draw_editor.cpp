@@ -213,6 +213,7 @@ void draw_editor(Editor& editor, ui::Frame& frame)
     draw_preferences(editor, theme);
     draw_record_dialog(editor, theme);
     draw_export_dialog(editor, theme);
+    draw_plain_mesh_dialog(editor, theme);
     draw_not_certified(editor, theme);
     draw_command_palette(editor, theme);
     // Panels drawn before the change still show what was there.

@@ -156,7 +156,8 @@ std::vector<Command> fitting_commands()
             ClearSimplify{{1}},
             SetWarp{.object = 7, .step = 1, .warp = {.twist_deg = 60}},
             Attach{.object = 3, .attach = Attachment{{attached_host(1, glm::dmat4(1), true)}}},
-            SetParent{.objects = {2}, .parent = 1}};
+            SetParent{.objects = {2}, .parent = 1},
+            ApplyShape{.object = 3, .file = import_of("pot.glb").file, .tolerance = 0.002}};
 }
 
 Command random_command(std::mt19937& random)

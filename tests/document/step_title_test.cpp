@@ -79,6 +79,7 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Twist and taper of Lattice",
         "Attach Pot to Table",
         "Let Ball go with Table",
+        "Make the shape of Pot final 0.002 m",
     };
     const std::vector<Command> commands = testing::fitting_commands();
     ASSERT_EQ(commands.size(), expected.size());

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/actions/placement_actions.h"
+
+#include "editor/editor.h"
+#include "editor/files/plain_mesh.h"
+
+namespace trivar {
+namespace {
+
+Action asks_for_plain_mesh(const char* name, bool in_place)
+{
+    return {"Edit",
+            name,
+            {},
+            [in_place](Editor& e) {
+                e.memory.of<PlainMeshDialog>() = {true, usual_plain_mesh(e.session, in_place)};
+            },
+            {[](const Editor& e) {
+                 return laid_shape(e.session) != 0 && !e.session.scene().path().empty();
+             },
+             "select a placed object first, in a scene that was saved"}};
+}
+
+} // namespace
+
+void add_placement_actions(std::vector<Action>& actions)
+{
+    actions.push_back(asks_for_plain_mesh(plain_copy_action, false));
+    actions.push_back(asks_for_plain_mesh(apply_shape_action, true));
+}
+
+} // namespace trivar

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "editor/action.h"
+
+#include <vector>
+
+namespace trivar {
+
+inline constexpr const char* plain_copy_action = "Make a copy as a plain mesh...";
+inline constexpr const char* apply_shape_action = "Apply the shape...";
+
+// Makes what was laid final.
+void add_placement_actions(std::vector<Action>& actions);
+
+} // namespace trivar
