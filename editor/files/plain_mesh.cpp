@@ -10,7 +10,6 @@
 #include "core/files/write_model.h"
 #include "editor/files/kept_shapes.h"
 #include "editor/session/scene_facts.h"
-#include "editor/tools/placement_handles.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -135,9 +134,15 @@ void take(Session& session, const Asked& asked, const Made& made)
 
 Id laid_shape(const Session& session)
 {
-    const EvaluatedObject* laid = selected_placement(session);
-    if (!laid || laid->shows_nothing()) return 0;
-    return holds_others(object(session.document(), laid->id).source) ? 0 : laid->id;
+    const Document& document = session.document();
+    const Id id = session.selected;
+    if (session.selected.size() != 1 || locked(document, id)) return 0;
+    const auto shown = session.evaluated().objects.find(id);
+    const auto there = document.objects.find(id);
+    if (shown == session.evaluated().objects.end() || there == document.objects.end()) return 0;
+    const bool laid = there->second->placement && shown->second->placement;
+    if (!laid || shown->second->shows_nothing() || holds_others(there->second->source)) return 0;
+    return id;
 }
 
 PlainMeshWish usual_plain_mesh(const Session& session, bool in_place)
