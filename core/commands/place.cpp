@@ -2,6 +2,7 @@
 #include "core/commands/place.h"
 
 #include "core/base/rejected.h"
+#include "core/commands/arrange.h"
 #include "core/commands/changes.h"
 #include "core/commands/edits.h"
 #include "core/commands/field_words.h"
@@ -167,6 +168,13 @@ std::vector<Id> possible_bases(const Document& document, Id id)
 
 Document applied(Document document, const Place& command)
 {
+    if (command.copy) {
+        Place laid = command;
+        laid.object = document.next_id;
+        laid.copy = false;
+        document = applied(std::move(document), Duplicate{{command.object}, glm::dvec3(0)});
+        return applied(std::move(document), laid);
+    }
     check_can_be_laid(document, command.object);
     check_sketch(command.sketch);
     check_parameters(command.parameters);
@@ -187,6 +195,10 @@ StepTitle title(const Place& c, const StepDocuments& step)
 {
     const Object* object = step.was(c.object);
     const bool again = object && object->placement;
+    if (c.copy)
+        return {"Place a copy of " + name_in(step.before, c.object) +
+                    words_of_support(step, step.before.next_id),
+                c.parameters.width > 0 ? in_metres(c.parameters.width) : std::string()};
     return {"Place " + name_in(step.before, c.object) + (again ? " again" : "") +
                 words_of_support(step, c.object),
             c.parameters.width > 0 ? in_metres(c.parameters.width) : std::string()};

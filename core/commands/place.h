@@ -17,6 +17,7 @@ struct Place {
     PlacementParameters parameters;
     std::vector<Id> onto;
     std::optional<Attachment> attach = {};
+    bool copy = false; // a copy of the object is laid, under the next id
     bool operator==(const Place&) const = default;
     static void fields(auto& c, auto&& field)
     {
@@ -28,6 +29,7 @@ struct Place {
         field("onto", c.onto,
               "ids it lies on; empty: every visible object that does not lie on it");
         field("attach", c.attach, "which of them carry it; left out: it stays in the world");
+        field("copy", c.copy, "lay a copy of the object, which itself stays as it is");
     }
 };
 Document applied(Document document, const Place& command);

@@ -11,7 +11,6 @@
 #include "editor/session/topics.h"
 #include "editor/tools/strip_paint.h"
 #include "ui/icons.h"
-#include "ui/option_bar.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -24,13 +23,6 @@ namespace {
 
 constexpr double near_line_px = 7; // of the old stroke, at scale 1: a new one redraws it
 constexpr double rejoin_px = 16;   // in the old stroke's picture: a piece that ends so near rejoins
-
-bool can_be_placed(const Document& document, Id id)
-{
-    const auto found = document.objects.find(id);
-    return found != document.objects.end() &&
-           !std::holds_alternative<GroupShape>(found->second->source);
-}
 
 const Placement* placement_of(const Session& session, Id id)
 {
@@ -110,6 +102,13 @@ void paint_no(const ui::Theme& theme, glm::vec2 at)
 
 } // namespace
 
+bool can_be_placed(const Document& document, Id id)
+{
+    const auto found = document.objects.find(id);
+    return found != document.objects.end() &&
+           !std::holds_alternative<GroupShape>(found->second->source);
+}
+
 std::vector<Id> bases_for_stroke(const Session& session, Id model)
 {
     if (session.hidden_here.empty()) return {};
@@ -150,6 +149,19 @@ const char* PlaceTool::icon() const
     return ui::icon::place;
 }
 
+bool PlaceTool::copies(const Session& session) const
+{
+    const auto& objects = session.committed().objects;
+    const auto model = objects.find(drawing_ ? model_ : model_to_place(session, chosen_));
+    if (redrawing_ || model == objects.end() || !model->second->placement) return false;
+    return (new_stroke_ == NewStroke::copies) != other_;
+}
+
+Id PlaceTool::laid(const Session& session) const
+{
+    return copies(session) ? session.committed().next_id : model_;
+}
+
 Command PlaceTool::command(const Session& session) const
 {
     const Object& model = object(session.committed(), model_);
@@ -167,11 +179,13 @@ Command PlaceTool::command(const Session& session) const
     const auto laid = session.evaluated().objects.find(model_);
     const bool lies = laid != session.evaluated().objects.end() && laid->second->lies_on;
     if (!redrawing_) {
+        const bool copy = copies(session);
         edit.parameters = carried(std::move(edit.parameters), start_.to_world);
         if (width_ > 0) edit.parameters.width = width_;
         if (brush_ != Brush::even)
             edit.parameters.width_profile = brush_profile(drawn.samples, brush_);
         edit.parameters.on_ground = on_ground_;
+        if (copy) return Place{model_, drawn, edit.parameters, *edit.onto, {}, copy};
         return edit;
     }
     edit.onto.reset();
@@ -203,6 +217,7 @@ void PlaceTool::begin(Session& session, const ViewportInput& input)
         start_ = {stroke_now(*laid->second, *step), stroke_to_world(*laid->second),
                   hosts_now(*laid->second, *step)};
     drawing_ = true;
+    other_ = false;
     stands_ = bounds_of(session, model_);
     width_ = 0;
     typed_ = {};
@@ -235,10 +250,12 @@ void PlaceTool::use(Session& session, const ViewportInput& input)
     }
     if (!drawing_) return;
     const ImGuiIO& io = ImGui::GetIO();
+    retyped_ = retyped_ || other_ != io.KeyAlt;
+    other_ = io.KeyAlt;
     if (input.wheel != 0 && brush_ == Brush::pressure)
         pressure_ = std::clamp(pressure_ * std::pow(1.15, input.wheel), 0.05, 1.0);
     else if (input.wheel != 0)
-        if (const Placement* now = placement_of(session, model_))
+        if (const Placement* now = placement_of(session, laid(session)))
             width_ = rounded(
                 (width_ > 0 ? width_ : now->report.width_world) * std::pow(1.1, input.wheel), 3);
     if (input.wheel != 0) typed_ = {};
@@ -267,18 +284,23 @@ void PlaceTool::take_keys(Session& session)
 
 void PlaceTool::finish(Session& session)
 {
-    drawing_ = false;
+    const Id laying = laid(session); // before it is there
     if (stroke_.is_click()) {
+        drawing_ = false;
         session.cancel();
         session.notices.say(ui::NoticeKind::warning, "Nothing was placed",
                             "Draw a line across the scene before you let go.", of_a_step);
         return;
     }
-    if (session.propose(command(session)))
-        session.commit_if_placed(model_);
+    const Command done = command(session);
+    drawing_ = other_ = false;
+    if (session.propose(done))
+        session.commit_if_placed(laying);
     else
         session.cancel();
-    if (object(session.document(), model_).placement) session.selected = model_;
+    const auto& objects = session.document().objects;
+    if (const auto it = objects.find(laying); it != objects.end() && it->second->placement)
+        session.selected = laying;
 }
 
 void PlaceTool::cancel(Session& session)
@@ -291,7 +313,7 @@ void PlaceTool::cancel(Session& session)
 
 std::vector<gpu::Line> PlaceTool::lines(const Session& session, const ui::Theme& theme) const
 {
-    const Placement* placement = drawing_ ? placement_of(session, model_) : nullptr;
+    const Placement* placement = drawing_ ? placement_of(session, laid(session)) : nullptr;
     if (!placement) return {};
     std::vector<gpu::Line> lines;
     for (const std::vector<glm::dvec3>& curve : placement->strip) {
@@ -306,9 +328,9 @@ std::vector<gpu::Line> PlaceTool::lines(const Session& session, const ui::Theme&
 
 std::vector<gpu::Translucent> PlaceTool::veils(const Session& session, const ui::Theme& theme) const
 {
-    const EvaluatedObject* laid = handles_.shown(session) ? selected_placement(session) : nullptr;
-    const Placement* placement = drawing_ ? placement_of(session, model_)
-                                 : laid   ? laid->stroke_placement().get()
+    const EvaluatedObject* held = handles_.shown(session) ? selected_placement(session) : nullptr;
+    const Placement* placement = drawing_ ? placement_of(session, laid(session))
+                                 : held   ? held->stroke_placement().get()
                                           : nullptr;
     if (!placement) return {};
     return {strip_veil(*placement, theme)};
@@ -337,7 +359,7 @@ void PlaceTool::paint_stroke(const Session& session, const ui::Theme& theme,
                              const ViewportInput& input) const
 {
     const glm::vec2 mouse = input.rect.lo + glm::vec2(input.mouse);
-    const Placement* placement = placement_of(session, model_);
+    const Placement* placement = placement_of(session, laid(session));
     std::vector<glm::vec2> path;
     for (const StrokeSample& sample : stroke_.sketch().samples)
         path.push_back(input.rect.lo + glm::vec2(sample.p_px));
@@ -365,84 +387,6 @@ void PlaceTool::paint_stroke(const Session& session, const ui::Theme& theme,
     if (stroke_.is_ring())
         ui::paint_dot(path.front(), theme.px(9), 0, theme.color.free_node, 2 * theme.scale);
     measure_chips(theme, mouse, placement);
-}
-
-void PlaceTool::options(Session& session, const ui::Theme& theme, float width)
-{
-    std::vector<std::string> names{"Automatic"};
-    std::vector<Id> ids{0};
-    for (const auto& [id, each] : session.document().objects)
-        if (can_be_placed(session.document(), id)) {
-            names.push_back(each->name);
-            ids.push_back(id);
-        }
-    const Id model = model_to_place(session, chosen_);
-    if (chosen_ == 0 && model != 0) names[0] = "Automatic: " + name_of(session.document(), model);
-    auto at = std::find(ids.begin(), ids.end(), chosen_);
-    int index = at == ids.end() ? 0 : static_cast<int>(at - ids.begin());
-    const ui::NumberStyle size{.lo = 0, .hi = 1e6, .unit = "m", .zero = "auto"};
-    std::vector<ui::Option> options;
-    options.push_back({"Model", 208,
-                       [&](float field) {
-                           if (ui::choice(theme, "model", index, names, field) == ui::Edit::changed)
-                               chosen_ = ids[static_cast<std::size_t>(index)];
-                       },
-                       "The model that is laid along the stroke."});
-    options.push_back(
-        {"Width", 88,
-         [&](float field) { ui::number_field(theme, "width", parameters_.width, size, field); },
-         "Width across the stroke. Auto: in proportion to the model."});
-    options.push_back(
-        {"Height", 88,
-         [&](float field) { ui::number_field(theme, "height", parameters_.height, size, field); },
-         "Height above the surface. Auto: in proportion to the model."});
-    options.push_back({"Brush", 192,
-                       [&](float field) {
-                           int brush = static_cast<int>(brush_);
-                           ui::segments(theme, "brush", brush, {"Even", "Speed", "Wheel"}, field);
-                           brush_ = static_cast<Brush>(brush);
-                       },
-                       "What makes the stroke wider and narrower: nothing, the hand's speed, or "
-                       "the wheel."});
-    options.push_back({"Gaps", 144,
-                       [&](float field) {
-                           int gaps = parameters_.springs ? 0 : 1;
-                           ui::segments(theme, "gaps", gaps, {"Bridge", "Follow"}, field);
-                           parameters_.springs = gaps == 0;
-                       },
-                       "Bridge: springs hold the model over gaps. Follow: it drops into them."});
-    if (const auto handles = handles_.option(session, theme)) options.push_back(*handles);
-    ui::option_bar(theme, options, width);
-}
-
-std::vector<Hint> PlaceTool::hints(const Session& session) const
-{
-    if (handles_.busy() || handles_.hovers()) return handles_.hints();
-    if (drawing_) {
-        std::vector<Hint> hints;
-        if (typed_.open())
-            hints.push_back(
-                {{}, "Width " + typed_.words(0, " m", ui::short_number(width_) + " m")});
-        const std::vector<Hint> usual{
-            {{"left"}, redrawing_ ? "Let go to redraw" : "Let go to place"},
-            {{"wheel"}, "Width"},
-            {{"Shift"}, "Straight"}};
-        hints.insert(hints.end(), usual.begin(), usual.end());
-        if (!typed_.open()) hints.push_back({{"0", "-", "9"}, "Type the width"});
-        if (!redrawing_) hints.push_back({{"Ctrl"}, "Close the ring"});
-        hints.push_back({{"Esc", "/", "right"}, "Cancel"});
-        return hints;
-    }
-    const std::string name = name_of(session.document(), model_to_place(session, chosen_));
-    const Hint draw{{"left"},
-                    on_line_       ? "Drag to redraw from here"
-                    : name.empty() ? "Drag to draw"
-                                   : "Drag to lay " + name};
-    return {why_not_.empty() ? draw : Hint{{}, why_not_},
-            {{"middle"}, "Orbit"},
-            {{"Shift", "middle"}, "Pan"},
-            {{"wheel"}, "Zoom"},
-            {{"Esc"}, "Select"}};
 }
 
 } // namespace trivar

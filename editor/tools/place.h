@@ -6,12 +6,17 @@
 #include "editor/tools/stroke_drawing.h"
 #include "editor/tools/tool.h"
 #include "editor/tools/typed_amounts.h"
+#include "ui/option_bar.h"
 
 namespace trivar {
 
+// What a new stroke does with a model that lies on one already.
+enum class NewStroke { moves, copies };
+
 // Draw one stroke across the scene and a model lies along it. While the mouse is held every new
 // piece of the stroke is proposed, so what is seen is the real result; letting go commits it. A
-// stroke that begins on that of the selected object draws that part of it anew.
+// stroke that begins on that of the selected object draws that part of it anew. Any other one moves
+// the model, or lays a copy of it, as the options bar says; Alt does the other of the two.
 class PlaceTool : public Tool {
 public:
     explicit PlaceTool(std::shared_ptr<HandleChoice> choice) : handles_(std::move(choice)) {}
@@ -42,6 +47,11 @@ private:
     void begin(Session& session, const ViewportInput& input);
     void finish(Session& session);
     Command command(const Session& session) const;
+    // Whether a stroke lays a copy of the model now.
+    bool copies(const Session& session) const;
+    Id laid(const Session& session) const; // the object that the present stroke lays
+    void options_of_model(Session& session, const ui::Theme& theme,
+                          std::vector<ui::Option>& options);
     void paint_stroke(const Session& session, const ui::Theme& theme,
                       const ViewportInput& input) const;
 
@@ -49,7 +59,9 @@ private:
     Id model_ = 0;  // of the stroke that is being drawn
     Box stands_;    // it, before it
     bool drawing_ = false, redrawing_ = false;
-    struct Start { // how the stroke lay that is drawn anew
+    NewStroke new_stroke_ = NewStroke::moves; // of a model that is placed already
+    bool other_ = false;                      // Alt is held: the other one
+    struct Start {                            // how the stroke lay that is drawn anew
         Sketch sketch;
         glm::dmat4 to_world{1};
         std::optional<Attachment> hosts = {};
@@ -67,6 +79,9 @@ private:
     PlacementParameters parameters_; // for the next new placement
     PlacementHandles handles_;
 };
+
+// Whether a stroke can lay the object: groups cannot be laid.
+bool can_be_placed(const Document& document, Id id);
 
 // What a stroke would lay down: the chosen object, else the selected one unless it is the oldest,
 // else the newest one that is not placed yet; 0 where there is none. Groups cannot be laid.

@@ -149,6 +149,9 @@ TEST(StepTitle, TellsAStrokeDrawnAgainAndOneThatWasReshaped)
     other.samples.back().p_px.y += 9;
     EXPECT_EQ(said(Place{.object = 3, .sketch = other, .parameters = {}, .onto = {1}}),
               "Place Pot again on Table");
+    EXPECT_EQ(
+        said(Place{.object = 3, .sketch = other, .parameters = {}, .onto = {1}, .copy = true}),
+        "Place a copy of Pot on Table");
     EXPECT_EQ(said(EditPlacement{.object = 3, .parameters = {}, .sketch = other, .onto = {}}),
               "Stroke of Pot");
     Sketch moved = testing::small_sketch();

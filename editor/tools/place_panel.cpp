@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The settings and hints of the Place tool.
+#include "editor/session/scene_facts.h"
+#include "editor/tools/place.h"
+#include "ui/option_bar.h"
+#include "ui/widgets.h"
+
+#include <algorithm>
+
+namespace trivar {
+
+void PlaceTool::options_of_model(Session& session, const ui::Theme& theme,
+                                 std::vector<ui::Option>& options)
+{
+    std::vector<std::string> names{"Automatic"};
+    std::vector<Id> ids{0};
+    for (const auto& [id, each] : session.document().objects)
+        if (can_be_placed(session.document(), id)) {
+            names.push_back(each->name);
+            ids.push_back(id);
+        }
+    const Id model = model_to_place(session, chosen_);
+    if (chosen_ == 0 && model != 0) names[0] = "Automatic: " + name_of(session.document(), model);
+    auto at = std::find(ids.begin(), ids.end(), chosen_);
+    const int chosen = at == ids.end() ? 0 : static_cast<int>(at - ids.begin());
+    options.push_back({"Model", 208,
+                       [this, &theme, names, ids, index = chosen](float field) mutable {
+                           if (ui::choice(theme, "model", index, names, field) == ui::Edit::changed)
+                               chosen_ = ids[static_cast<std::size_t>(index)];
+                       },
+                       "What is laid along the stroke."});
+    if (model == 0 || !object(session.document(), model).placement) return;
+    options.push_back(
+        {"New stroke", 152,
+         [this, &theme](float field) {
+             int stroke = static_cast<int>(new_stroke_);
+             ui::segments(theme, "new stroke", stroke, {"Moves it", "Lays a copy"}, field);
+             new_stroke_ = static_cast<NewStroke>(stroke);
+         },
+         "What a stroke does with a model that lies on one already. Hold Alt while you draw for "
+         "the other."});
+}
+
+void PlaceTool::options(Session& session, const ui::Theme& theme, float width)
+{
+    const ui::NumberStyle size{.lo = 0, .hi = 1e6, .unit = "m", .zero = "auto"};
+    std::vector<ui::Option> options;
+    options_of_model(session, theme, options);
+    options.push_back(
+        {"Width", 88,
+         [&](float field) { ui::number_field(theme, "width", parameters_.width, size, field); },
+         "Of the strip, across the stroke. Auto: in proportion to the model."});
+    options.push_back(
+        {"Height", 88,
+         [&](float field) { ui::number_field(theme, "height", parameters_.height, size, field); },
+         "Of the model, away from the scene. Auto: in proportion to it."});
+    options.push_back({"Brush", 192,
+                       [&](float field) {
+                           int brush = static_cast<int>(brush_);
+                           ui::segments(theme, "brush", brush, {"Even", "Speed", "Wheel"}, field);
+                           brush_ = static_cast<Brush>(brush);
+                       },
+                       "What makes the stroke wider and narrower: nothing, the hand's speed, or "
+                       "the wheel."});
+    options.push_back({"Gaps", 144,
+                       [&](float field) {
+                           int gaps = parameters_.springs ? 0 : 1;
+                           ui::segments(theme, "gaps", gaps, {"Bridge", "Follow"}, field);
+                           parameters_.springs = gaps == 0;
+                       },
+                       "Bridge: springs hold the model over gaps. Follow: it drops into them."});
+    if (const auto handles = handles_.option(session, theme)) options.push_back(*handles);
+    ui::option_bar(theme, options, width);
+}
+
+std::vector<Hint> PlaceTool::hints(const Session& session) const
+{
+    if (handles_.busy() || handles_.hovers()) return handles_.hints();
+    if (drawing_) {
+        std::vector<Hint> hints;
+        if (typed_.open())
+            hints.push_back(
+                {{}, "Width " + typed_.words(0, " m", ui::short_number(width_) + " m")});
+        const bool copy = copies(session);
+        const std::vector<Hint> usual{{{"left"},
+                                       redrawing_ ? "Let go to redraw"
+                                       : copy     ? "Let go to lay a copy"
+                                                  : "Let go to place"},
+                                      {{"wheel"}, "Width"},
+                                      {{"Shift"}, "Straight"}};
+        hints.insert(hints.end(), usual.begin(), usual.end());
+        if (!typed_.open()) hints.push_back({{"0", "-", "9"}, "Type the width"});
+        if (!redrawing_) hints.push_back({{"Ctrl"}, "Close the ring"});
+        if (!redrawing_ && object(session.committed(), model_).placement)
+            hints.push_back({{"Alt"}, copy ? "Move it instead" : "Lay a copy instead"});
+        hints.push_back({{"Esc", "/", "right"}, "Cancel"});
+        return hints;
+    }
+    const std::string name = name_of(session.document(), model_to_place(session, chosen_));
+    const Hint draw{{"left"},
+                    on_line_          ? "Drag to redraw from here"
+                    : name.empty()    ? "Drag to draw"
+                    : copies(session) ? "Drag to lay a copy of " + name
+                                      : "Drag to lay " + name};
+    return {why_not_.empty() ? draw : Hint{{}, why_not_},
+            {{"middle"}, "Orbit"},
+            {{"Shift", "middle"}, "Pan"},
+            {{"wheel"}, "Zoom"},
+            {{"Esc"}, "Select"}};
+}
+
+} // namespace trivar
