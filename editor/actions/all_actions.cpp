@@ -46,7 +46,6 @@ std::vector<Action> all_actions()
     std::vector<Action> a;
     add_file_actions(a);
     add_edit_actions(a);
-    add_placement_actions(a);
     add_selection_actions(a);
     add_reset_actions(a);
     a.push_back({"Add", add_action_name, {{.key = 'A', .shift = true}}, [](Editor& e) {
@@ -61,6 +60,7 @@ std::vector<Action> all_actions()
     a.push_back(add_action<AddTeapot>("Teapot"));
     a.push_back(add_action<AddText>("Text"));
     add_lattice_actions(a);
+    add_placement_actions(a);
     add_model_actions(a);
     add_view_actions(a);
     add_window_actions(a);

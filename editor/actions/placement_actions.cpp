@@ -3,6 +3,7 @@
 
 #include "editor/editor.h"
 #include "editor/files/plain_mesh.h"
+#include "editor/tools/place_round.h"
 
 namespace trivar {
 namespace {
@@ -25,6 +26,16 @@ Action asks_for_plain_mesh(const char* name, bool in_place)
 
 void add_placement_actions(std::vector<Action>& actions)
 {
+    actions.push_back(
+        {"Add",
+         place_round_action,
+         {},
+         [](Editor& e) { lay_round(e.session, *round_wish(e.session)); },
+         {[](const Editor& e) {
+              return !e.session.committing() && round_wish(e.session).has_value();
+          },
+          "select a model, and then the cylinder, sphere, torus or Moebius band it goes round"},
+         true});
     actions.push_back(asks_for_plain_mesh(plain_copy_action, false));
     actions.push_back(asks_for_plain_mesh(apply_shape_action, true));
 }

@@ -10,7 +10,9 @@ namespace trivar {
 inline constexpr const char* plain_copy_action = "Make a copy as a plain mesh...";
 inline constexpr const char* apply_shape_action = "Apply the shape...";
 
-// Makes what was laid final.
+inline constexpr const char* place_round_action = "Place round";
+
+// Lays what is selected round a body, and makes what was laid final.
 void add_placement_actions(std::vector<Action>& actions);
 
 } // namespace trivar

@@ -2,6 +2,7 @@
 // The settings and hints of the Place tool.
 #include "editor/session/scene_facts.h"
 #include "editor/tools/place.h"
+#include "editor/tools/place_round.h"
 #include "ui/option_bar.h"
 #include "ui/widgets.h"
 
@@ -29,6 +30,20 @@ void PlaceTool::options_of_model(Session& session, const ui::Theme& theme,
                                chosen_ = ids[static_cast<std::size_t>(index)];
                        },
                        "What is laid along the stroke."});
+    if (const std::vector<Id> bodies = bodies_to_go_round(session, model);
+        model != 0 && !bodies.empty()) {
+        std::vector<std::string> round{"Lay it round..."};
+        for (const Id id : bodies) round.push_back(name_of(session.document(), id));
+        options.push_back(
+            {"Round", 136,
+             [&session, &theme, round, bodies, model](float field) {
+                 int body = 0;
+                 if (ui::choice(theme, "round", body, round, field) == ui::Edit::changed &&
+                     body > 0 && !session.committing())
+                     lay_round(session, {model, bodies[static_cast<std::size_t>(body) - 1]});
+             },
+             "Lays the model all round a body, on a way that closes; no stroke is needed."});
+    }
     if (model == 0 || !object(session.document(), model).placement) return;
     options.push_back(
         {"New stroke", 152,
