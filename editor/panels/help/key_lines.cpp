@@ -41,7 +41,14 @@ std::vector<KeyLine> key_lines(const Editor& editor)
         {"In the plane across it", "Shift+X, Shift+Y, Shift+Z"},
         {"An exact amount, then the next", "type it, Tab"},
         {"Snap", "hold Ctrl"},
-        {"Done", "left, or Enter"}};
+        {"Done", "left, or Enter"},
+        {"While moving or scaling what lies on a stroke", ""},
+        {"Along the stroke, across it, off the surface", "X, Y, Z"},
+        {"While a stroke is drawn", ""},
+        {"Straight on from here", "hold Shift"},
+        {"Close the ring near its start", "hold Ctrl"},
+        {"Lay a copy, or move the model: the other one", "hold Alt"},
+        {"The width", "wheel, or type it"}};
     lines.insert(lines.end(), mouse.begin(), mouse.end());
     std::string menu;
     for (const Action& each : editor.actions) {
