@@ -125,7 +125,7 @@ TEST(PaletteSearch, FindsWhatArtistsCallByAnotherWordAtOnce)
 TEST(PaletteSearch, PutsNamesBeforeWordsOfDescriptionsAndTakesNoLettersFromThese)
 {
     EXPECT_EQ(found_in_palette("export").front(), "Export...");
-    EXPECT_EQ(found_in_palette("svc").front(), "Save compact...");
+    EXPECT_EQ(found_in_palette("svc").front(), "Save camera");
     EXPECT_THAT(found_in_palette("xqzj"), IsEmpty());
     const std::vector<std::string> names = found_in_palette("back");
     EXPECT_EQ(names.front(), "Back");
