@@ -80,14 +80,14 @@ std::optional<LaidStand> laid_stand(const Session& session)
     out.step.sketch = stroke_now(*laid, out.step);
     out.to_world = stroke_to_world(*laid);
     const glm::dmat4 from_world = glm::inverse(out.to_world);
-    const PlacementReport& report = laid->placement->report;
+    const PlacementReport& report = laid->stroke_placement()->report;
     const double scale = scale_of(from_world);
     out.width = report.width_world * scale;
     out.height = report.height_world * scale;
     out.reach = std::max(1e-9, std::min(out.width, report.length_world * scale) / 2);
     const PlacementParameters& p = out.step.parameters;
     const SurfaceJet<glm::dvec3> middle =
-        evaluate(laid->placement->contact, {p.start + p.fill / 2, 0.5}, 1);
+        evaluate(laid->stroke_placement()->contact, {p.start + p.fill / 2, 0.5}, 1);
     const glm::dmat3 turn = glm::dmat3(from_world) / scale;
     const glm::dvec3 normal = turn * glm::cross(middle.u, middle.v);
     if (!(glm::length(normal) > 0)) return {};

@@ -37,7 +37,7 @@ void step_caption(const ui::Theme& theme, const std::string& words)
 void draw_other_numbers(Editor& editor, const ui::Theme& theme, Id id)
 {
     constexpr std::size_t most = 60; // rows
-    if (!ui::section(theme, "Other animatable properties", false)) return;
+    if (!ui::section(theme, number_rows_title, false)) return;
     const Document& document = editor.session.document();
     const Ref<Object> each = document.objects.at(id); // edits replace it while we read
     const KeyGutter keys(editor, {id});

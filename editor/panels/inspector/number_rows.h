@@ -8,6 +8,9 @@
 
 namespace trivar {
 
+// The section of the inspector that shows them.
+inline constexpr const char* number_rows_title = "Other animatable properties";
+
 // A NumberRow is a number of an object that no command sets alone, but keys do, as a row of the
 // inspector.
 struct NumberRow {

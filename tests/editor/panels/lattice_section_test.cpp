@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/inspector/field_cells.h"
 #include "editor/session/done_titles.h"
-#include "tests/editor/rig.h"
+#include "tests/editor/panels/lattice_rig.h"
 
 #include <algorithm>
 #include <imgui.h>
@@ -9,21 +9,8 @@
 namespace trivar {
 namespace {
 
-// A ball in a lattice of 4 x 4 x 4 points (object 2), and its inspector.
-struct LatticeSection : testing::Rig {
-    explicit LatticeSection(int height_px = 1500) : Rig({1100, height_px})
-    {
-        EXPECT_TRUE(editor.session.run(AddSphere{.shape = {.radius = 0.4}}));
-        EXPECT_TRUE(editor.session.run(AddLattice{.objects = {1}}));
-        editor.session.selected = 2;
-        editor.preferences.timeline_open = false;
-        wait();
-    }
-    const Object& lattice() const { return object(editor.session.document(), 2); }
-    bool is_over(const std::string& name) const
-    {
-        return std::ranges::count(editor.keys_under_mouse.names, name) > 0;
-    }
+struct LatticeSection : testing::LatticeRig {
+    explicit LatticeSection(int height_px = 1500) : LatticeRig(height_px) {}
     // In the first field of the row whose numbers have that name; y is in the middle of it.
     glm::vec2 field_of(const std::string& name)
     {

@@ -2,7 +2,7 @@
 // The inspector's section for numbers that only keys change.
 #include "core/commands/keying.h"
 #include "editor/panels/inspector/number_rows.h"
-#include "tests/editor/rig.h"
+#include "tests/editor/panels/lattice_rig.h"
 
 #include <algorithm>
 #include <functional>
@@ -15,22 +15,13 @@ namespace {
 using ::testing::ElementsAre;
 
 // A ball in a lattice (object 2) that was bent and of which a point was moved.
-struct BentLattice : testing::Rig {
-    BentLattice() : Rig({1100, 640})
+struct BentLattice : testing::LatticeRig {
+    BentLattice() : LatticeRig(640)
     {
-        EXPECT_TRUE(editor.session.run(AddSphere{.shape = {.radius = 0.4}}));
-        EXPECT_TRUE(editor.session.run(AddLattice{.objects = {1}}));
         EXPECT_TRUE(editor.session.run(WarpVolume{2, {.twist_deg = 20}}));
         EXPECT_TRUE(editor.session.run(
             MovePoints{2, {.points = {{1, 1, 3}, {2, 2, 3}}, .by = {0, 0, 0.1}}}));
-        editor.session.selected = 2;
-        editor.preferences.timeline_open = false;
         wait();
-    }
-    const Object& lattice() const { return object(editor.session.document(), 2); }
-    bool is_over(const std::string& name) const
-    {
-        return std::ranges::count(editor.keys_under_mouse.names, name) > 0;
     }
     // A place in the inspector, `from_right` pixels from its right side, where that is so with the
     // mouse there. Scrolls from the top.
@@ -60,7 +51,7 @@ struct BentLattice : testing::Rig {
     {
         const int selected = editor.session.selected;
         const ImGuiID title = ImHashStr(
-            "More with keys", 0,
+            number_rows_title, 0,
             ImHashData(&selected, sizeof selected, ImGui::FindWindowByName("inspector")->ID));
         click(place_where(60, [&] { return ImGui::GetHoveredID() == title; }));
     }

@@ -27,8 +27,7 @@ TEST(SmallWindow, NoMenuCoversTheMenuBarOrScrolls)
 {
     Rig rig(low_window);
     rig.two_objects();
-    for (const char* name :
-         {"File", "Edit", "Select", "Add", "View", "Animate", "Tools", "Help"}) {
+    for (const char* name : {"File", "Edit", "Select", "Add", "View", "Animate", "Tools", "Help"}) {
         const ImGuiWindow& menu = opened(rig, name);
         EXPECT_GE(menu.Pos.y, rig.layout().top.lo.y + 20) << name;
         EXPECT_LE(menu.Pos.y + menu.Size.y, static_cast<float>(low_window.y)) << name;
@@ -88,7 +87,8 @@ TEST(SmallWindow, NoticesLieOnNoButtonOfADialog)
     rig.two_objects();
     rig.editor.preferences_dialog.open = true;
     rig.frames();
-    rig.editor.session.notices.say(ui::NoticeKind::error, "It was not written", "The disk is full.");
+    rig.editor.session.notices.say(ui::NoticeKind::error, "It was not written",
+                                   "The disk is full.");
     rig.frames();
     const ImGuiWindow *notice = ImGui::FindWindowByName("notice 0"),
                       *dialog = ImGui::FindWindowByName("preferences");

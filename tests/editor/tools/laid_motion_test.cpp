@@ -37,6 +37,33 @@ TEST(LaidMotion, GSlidesItOverTheSurfaceUnderTheMouseInOneStep)
     EXPECT_EQ(rig.middle(), was);
 }
 
+TEST(LaidMotion, SlidesALatticeThatLiesOnAStroke)
+{
+    testing::Rig rig({720, 520});
+    rig.two_objects();
+    ASSERT_TRUE(rig.editor.session.run(
+        AddLattice{.objects = {2}, .shape = {.size = {1.2, 0.3, 0.3}}, .transform = {{0, 0, 1}}}));
+    rig.editor.session.selected = 3;
+    rig.wait();
+    rig.key({'D'});
+    rig.draw(rig.stroke());
+    rig.wait();
+    rig.key({'Q'});
+    rig.wait();
+    const auto middle = [&] {
+        const Ref<EvaluatedObject> lattice = rig.editor.session.evaluated().objects.at(3);
+        EXPECT_TRUE(lattice->stroke);
+        return evaluate(lattice->stroke_placement()->contact, {0.5, 0.5}).value;
+    };
+    const glm::dvec3 was = middle();
+    rig.key({'G'});
+    rig.type("0.5");
+    rig.key({ui::key_enter});
+    rig.wait();
+    EXPECT_NEAR(glm::distance(middle(), was), 0.5, 1e-3);
+    EXPECT_NEAR(middle().z, 0, 1e-6);
+}
+
 TEST(LaidMotion, NumbersGoAlongAcrossAndOffTheSurface)
 {
     LaidRig rig;

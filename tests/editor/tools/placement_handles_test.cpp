@@ -4,7 +4,7 @@
 #include "core/placement/profile.h"
 #include "core/placement/redraw.h"
 #include "editor/tools/placement_handles.h"
-#include "tests/editor/rig.h"
+#include "tests/editor/laid.h"
 
 #include <gmock/gmock.h>
 
@@ -14,19 +14,8 @@ namespace {
 using ::testing::ElementsAre, ::testing::IsEmpty;
 using testing::Rig;
 
-// The box laid on the plane, from the left to the right.
-struct PlacedRig : Rig {
-    explicit PlacedRig(glm::ivec2 size = {720, 520}) : Rig(size)
-    {
-        two_objects();
-        key({'D'});
-        draw(stroke());
-        wait();
-        key({'Q'});
-        wait();
-    }
-    const PlacementStep& step() const { return *object(editor.session.document(), 2).placement; }
-    const Placement& laid() const { return *editor.session.evaluated().objects.at(2)->placement; }
+struct PlacedRig : testing::LaidRig {
+    using LaidRig::LaidRig;
     HoldPoint hold(HoldKind kind, int index = 0) const
     {
         for (const HoldPoint& point : hold_points(step(), laid()))
