@@ -161,7 +161,7 @@ double off_chord(const Track& track, double from_frame, double to_frame, double 
 
 bool KeyedVolume::is_of_it(const Object& object, const Track& track)
 {
-    if (!object.placement || object.travel.speed != 0 || object.travel.followers != 0) return false;
+    if (!object.stroke || object.travel.speed != 0 || object.travel.followers != 0) return false;
     if (object.shaping.empty() || !object.shaping.back()->shift) return false;
     const std::string by = "shaping." + std::to_string(object.shaping.size() - 1) + ".shift.by.";
     return track.parameter.starts_with(by);

@@ -27,12 +27,12 @@ std::string why_not_still(const Document& document, Id id, bool itself, std::set
         if (itself || !object(document, lattice).tracks.empty())
             return itself ? "a lattice bends it" : "a lattice round what it lies on has keys";
     if (!itself && !o.playing.clip.empty()) return "what it lies on plays a clip";
-    if (!itself && o.travel.speed != 0 && o.placement) return "what it lies on travels";
-    if (o.parent != 0 && !o.placement)
+    if (!itself && o.travel.speed != 0 && o.stroke) return "what it lies on travels";
+    if (o.parent != 0 && !o.stroke)
         if (std::string why = why_not_still(document, o.parent, itself, seen); !why.empty())
             return itself ? "its group has keys" : why;
-    if (o.placement)
-        for (const Id lower : o.placement->onto)
+    if (o.stroke)
+        for (const Id lower : o.stroke->onto)
             if (document.objects.contains(lower))
                 if (std::string why = why_not_still(document, lower, false, seen); !why.empty())
                     return why;
@@ -132,7 +132,7 @@ double MotionBound::operator()(const EvaluatedObject& from, const Part& a, doubl
     double off = reached->seam;
     if (reached->clamped) {
         // The scene's volume ends somewhere behind the model's box, and what is further flat there.
-        const PlacementParameters& p = object_.placement->parameters;
+        const PlacementParameters& p = object_.stroke->parameters;
         const double moved = dev->x - m.uneven_u; // by the clip
         off += slopes.x * std::max({0.0, p.start - (along.lo.x - moved),
                                     along.hi.x + moved - (p.start + p.fill)});

@@ -14,9 +14,9 @@ namespace {
 
 bool carried_by(const Object& rider, Id host)
 {
-    return rider.placement && rider.placement->attach &&
-           std::ranges::find(rider.placement->attach->hosts, host, &AttachedHost::object) !=
-               rider.placement->attach->hosts.end();
+    return rider.stroke && rider.stroke->attach &&
+           std::ranges::find(rider.stroke->attach->hosts, host, &AttachedHost::object) !=
+               rider.stroke->attach->hosts.end();
 }
 
 void check_riders(const Document& document, const ApplyShape& command)
@@ -53,11 +53,11 @@ Document applied(Document document, const ApplyShape& command)
             others.push_back(id);
     for (const Id id : others)
         document =
-            with_changed(std::move(document), id, [](Object& o) { o.placement->attach.reset(); });
+            with_changed(std::move(document), id, [](Object& o) { o.stroke->attach.reset(); });
     for (std::size_t i = 0; i < command.riders.size(); ++i)
         document = applied(std::move(document),
                            EditPlacement{command.riders[i],
-                                         object(document, command.riders[i]).placement->parameters,
+                                         object(document, command.riders[i]).stroke->parameters,
                                          command.strokes[i],
                                          {},
                                          command.attach[i]});
@@ -69,7 +69,7 @@ Document applied(Document document, const ApplyShape& command)
              .parent = o.parent,
              .hidden = o.hidden,
              .locked = o.locked,
-             .placement = {}};
+             .stroke = {}};
     });
 }
 

@@ -189,9 +189,9 @@ Document applied(Document document, const Delete& command)
     const auto is_gone = [&](Id id) { return gone.contains(id); };
     const ObjectMap rest = document.objects;
     for (const auto& [id, ref] : rest)
-        if (ref->placement && std::ranges::any_of(ref->placement->onto, is_gone))
+        if (ref->stroke && std::ranges::any_of(ref->stroke->onto, is_gone))
             document = with_changed(std::move(document), id,
-                                    [&](Object& o) { lies_without(*o.placement, is_gone); });
+                                    [&](Object& o) { lies_without(*o.stroke, is_gone); });
     return document;
 }
 
@@ -221,10 +221,10 @@ Document applied(Document document, const Duplicate& command)
             copy.name = numbering.next(copy.name);
             copy.transform.translation += command.offset;
         }
-        if (copy.placement)
-            std::ranges::transform(copy.placement->onto, copy.placement->onto.begin(), renumbered);
-        if (copy.placement && copy.placement->attach)
-            for (AttachedHost& host : copy.placement->attach->hosts)
+        if (copy.stroke)
+            std::ranges::transform(copy.stroke->onto, copy.stroke->onto.begin(), renumbered);
+        if (copy.stroke && copy.stroke->attach)
+            for (AttachedHost& host : copy.stroke->attach->hosts)
                 host.object = renumbered(host.object);
         document = with_added(std::move(document), std::move(copy));
     }

@@ -51,8 +51,8 @@ std::set<Id> depending_on(const Document& document, const std::set<Id>& ids)
 {
     std::map<Id, std::vector<Id>> above;
     for (const auto& [other, ref] : document.objects) {
-        if (ref->placement)
-            for (const Id lower : ref->placement->onto) above[lower].push_back(other);
+        if (ref->stroke)
+            for (const Id lower : ref->stroke->onto) above[lower].push_back(other);
         for (const Id lattice : lattices_round(document, other)) above[lattice].push_back(other);
     }
     std::set<Id> result(ids);
@@ -68,7 +68,7 @@ std::set<Id> depending_on(const Document& document, const std::set<Id>& ids)
 
 void check_has_volume(const Object& o, Id id)
 {
-    if (!o.placement && !std::holds_alternative<LatticeShape>(o.source))
+    if (!o.stroke && !std::holds_alternative<LatticeShape>(o.source))
         throw Rejected(fmt::format("object {} ({}) has no volume; place it on a stroke, or put a "
                                    "lattice round it",
                                    id, o.name));
@@ -76,7 +76,7 @@ void check_has_volume(const Object& o, Id id)
 
 void check_bent(const Document& document, Id id)
 {
-    if (!object(document, id).placement && lattices_round(document, id).empty())
+    if (!object(document, id).stroke && lattices_round(document, id).empty())
         throw Rejected(named(document, id) +
                        " is not placed and stands in no lattice; nothing bends "
                        "it");
@@ -84,7 +84,7 @@ void check_bent(const Document& document, Id id)
 
 void check_placed(const Object& o, Id id)
 {
-    if (!o.placement) throw Rejected(named(id, o) + " is not placed; use place first");
+    if (!o.stroke) throw Rejected(named(id, o) + " is not placed; use place first");
 }
 
 void check_transform(const Transform& transform)

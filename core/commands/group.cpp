@@ -71,7 +71,7 @@ Document with_parent(Document document, Id id, Id parent)
     const glm::dmat4 from = parent_to_world(document, object(document, id).parent);
     const glm::dmat4 to = parent_to_world(document, parent);
     return with_changed(std::move(document), id, [&](Object& o) {
-        if (from != to && !o.placement)
+        if (from != to && !o.stroke)
             o.transform = decomposed(glm::inverse(to) * from * o.transform.matrix());
         o.parent = parent;
     });
@@ -109,7 +109,7 @@ Document applied(Document document, const Group& command)
                            .source = GroupShape{},
                            .transform = {},
                            .surfacing = {},
-                           .placement = {}});
+                           .stroke = {}});
 }
 
 StepTitle title(const Group& c, const StepDocuments& step)
@@ -142,7 +142,7 @@ Document applied(Document document, const SetParent& command)
 {
     const std::vector<Id> members = outermost(document, command.objects);
     if (command.parent != 0) {
-        if (object(document, command.parent).placement && !is_lattice(document, command.parent))
+        if (object(document, command.parent).stroke && !is_lattice(document, command.parent))
             throw Rejected(fmt::format("{} lies on a stroke, where its transform does not count; "
                                        "lay the other object on it, or attach it",
                                        named(document, command.parent)));

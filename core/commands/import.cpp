@@ -31,7 +31,7 @@ Document applied(Document document, const ImportModel& command)
                                             .source = command.file,
                                             .transform = command.transform,
                                             .surfacing = {},
-                                            .placement = {}});
+                                            .stroke = {}});
 }
 
 StepTitle title(const ImportModel& c, const StepDocuments& step)

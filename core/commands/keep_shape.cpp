@@ -37,7 +37,7 @@ Document applied(Document document, const KeepShape& command)
                  .parent = o.parent,
                  .hidden = o.hidden,
                  .locked = o.locked,
-                 .placement = {}};
+                 .stroke = {}};
         });
     return document;
 }

@@ -49,7 +49,7 @@ Document applied(Document document, const AddLattice& command)
                                .source = command.shape,
                                .transform = command.transform,
                                .surfacing = {},
-                               .placement = {}});
+                               .stroke = {}});
     if (!command.in_place) return document;
     return with_row_before(std::move(document), lattice, command.objects);
 }

@@ -121,7 +121,7 @@ std::vector<Id> bases_of(const CopiedPlacement& placement, const Document& befor
     if (placement.round)
         std::erase_if(bases, [&](Id id) {
             const Object& base = object(document, id);
-            return base.placement || !band_round(base.source, 0, glm::dmat4(1));
+            return base.stroke || !band_round(base.source, 0, glm::dmat4(1));
         });
     return bases;
 }
@@ -174,21 +174,20 @@ CopiedObject copy_of(const Document& document, Id id, bool inside, const std::st
     if (copy.file)
         copy.file->path =
             (std::filesystem::path(folder) / copy.file->path).lexically_normal().string();
-    copy.transform = inside || each.parent == 0 || each.placement
-                         ? each.transform
-                         : decomposed(to_world(document, id));
+    copy.transform = inside || each.parent == 0 || each.stroke ? each.transform
+                                                               : decomposed(to_world(document, id));
     copy.parent = inside ? each.parent : 0;
     if (copy.file && each.playing != Playing{}) copy.playing = each.playing;
     copy.tracks = each.tracks;
     for (const Ref<VolumeEdit>& edit : each.shaping) copy.shaping.push_back(*edit);
-    if (!each.placement) return copy;
-    copy.placement = {each.placement->sketch,
-                      each.placement->parameters,
+    if (!each.stroke) return copy;
+    copy.placement = {each.stroke->sketch,
+                      each.stroke->parameters,
                       {},
-                      each.placement->round.has_value(),
-                      each.placement->round ? each.placement->round->level : 0,
-                      each.placement->attach};
-    for (const Id base : each.placement->onto)
+                      each.stroke->round.has_value(),
+                      each.stroke->round ? each.stroke->round->level : 0,
+                      each.stroke->attach};
+    for (const Id base : each.stroke->onto)
         copy.placement->onto.push_back({base, object(document, base).name});
     if (each.travel != Travel{}) copy.travel = each.travel;
     return copy;
@@ -220,7 +219,7 @@ Document applied(Document document, const Paste& command)
         }
     for (const auto& [copied_id, id] : made)
         if (const Object& o = object(document, id);
-            o.refining && !o.placement && lattices_round(document, id).empty())
+            o.refining && !o.stroke && lattices_round(document, id).empty())
             document = with_changed(std::move(document), id,
                                     [](Object& changed) { changed.refining.reset(); });
     for (const CopiedObject& copy : command.copies)

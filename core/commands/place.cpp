@@ -134,7 +134,7 @@ Attachment attached_to_all(const Document& document, const PlacementStep& step)
 {
     Attachment out;
     for (const Id id : step.onto) {
-        if (object(document, id).placement)
+        if (object(document, id).stroke)
             throw Rejected(
                 fmt::format("field \"attach\" is missing: {} lies on a stroke itself, so "
                             "it has to be said where it is met",
@@ -148,10 +148,10 @@ Attachment attached_to_all(const Document& document, const PlacementStep& step)
 std::string words_of_support(const StepDocuments& step, Id id)
 {
     const Object* laid = step.is(id);
-    if (!laid || !laid->placement) return {};
-    const bool ground = laid->placement->parameters.on_ground;
-    if (laid->placement->onto.empty()) return ground ? " on the ground" : "";
-    return " on " + names_in(step.after, laid->placement->onto) + (ground ? " and the ground" : "");
+    if (!laid || !laid->stroke) return {};
+    const bool ground = laid->stroke->parameters.on_ground;
+    if (laid->stroke->onto.empty()) return ground ? " on the ground" : "";
+    return " on " + names_in(step.after, laid->stroke->onto) + (ground ? " and the ground" : "");
 }
 
 } // namespace
@@ -186,7 +186,7 @@ Document applied(Document document, const Place& command)
         command.attach};
     if (step.attach) check_attached(*step.attach, step);
     return with_changed(std::move(document), command.object, [&](Object& o) {
-        o.placement = std::move(step);
+        o.stroke = std::move(step);
         forget_shaping(o);
     });
 }
@@ -194,7 +194,7 @@ Document applied(Document document, const Place& command)
 StepTitle title(const Place& c, const StepDocuments& step)
 {
     const Object* object = step.was(c.object);
-    const bool again = object && object->placement;
+    const bool again = object && object->stroke;
     if (c.copy)
         return {"Place a copy of " + name_in(step.before, c.object) +
                     words_of_support(step, step.before.next_id),
@@ -212,7 +212,7 @@ Document applied(Document document, const PlaceRound& command)
         throw Rejected(fmt::format("field \"around\": {} is no cylinder, sphere, torus or Moebius "
                                    "band",
                                    named(document, command.around)));
-    if (base.placement)
+    if (base.stroke)
         throw Rejected(fmt::format("field \"around\": {} is itself placed; unplace it first",
                                    named(document, command.around)));
     check_parameters(command.parameters);
@@ -221,7 +221,7 @@ Document applied(Document document, const PlaceRound& command)
                        supports(document, command.object, {command.around}),
                        RoundWay{command.level}};
     return with_changed(std::move(document), command.object, [&](Object& o) {
-        o.placement = std::move(step);
+        o.stroke = std::move(step);
         forget_shaping(o);
     });
 }
@@ -237,7 +237,7 @@ Document applied(Document document, const EditPlacement& command)
     const Object& placed = object(document, command.object);
     check_placed(placed, command.object);
     check_parameters(command.parameters);
-    PlacementStep step = *placed.placement;
+    PlacementStep step = *placed.stroke;
     step.parameters = command.parameters;
     if (command.sketch) {
         check_sketch(*command.sketch);
@@ -251,7 +251,7 @@ Document applied(Document document, const EditPlacement& command)
                                    placed.name, step.onto.empty() ? 0 : step.onto.front()));
     if (command.onto)
         step.onto = supports(document, command.object, *command.onto, step.parameters.on_ground);
-    const PlacementStep& before = *placed.placement;
+    const PlacementStep& before = *placed.stroke;
     if (step.onto.empty() && before.parameters.on_ground && !step.parameters.on_ground)
         throw Rejected(fmt::format("{} lies on the ground alone; add or show another object and "
                                    "name it in \"onto\"",
@@ -264,16 +264,16 @@ Document applied(Document document, const EditPlacement& command)
             return id;
         });
     return with_changed(std::move(document), command.object,
-                        [&](Object& o) { o.placement = std::move(step); });
+                        [&](Object& o) { o.stroke = std::move(step); });
 }
 
 StepTitle title(const EditPlacement& c, const StepDocuments& step)
 {
     const std::string name = name_in(step.before, c.object);
     const Object *a = step.was(c.object), *b = step.is(c.object);
-    if (!a || !b || !a->placement || !b->placement) return {"Placement of " + name, {}};
-    const Changes found = changes(a->placement->parameters, b->placement->parameters);
-    const Sketch &then = a->placement->sketch, &now = b->placement->sketch;
+    if (!a || !b || !a->stroke || !b->stroke) return {"Placement of " + name, {}};
+    const Changes found = changes(a->stroke->parameters, b->stroke->parameters);
+    const Sketch &then = a->stroke->sketch, &now = b->stroke->sketch;
     if (then != now && then.samples == now.samples) { // it moved as a whole, with its camera
         const auto away = [](const Camera& camera) {
             return glm::distance(camera.eye, camera.target);
@@ -283,7 +283,7 @@ StepTitle title(const EditPlacement& c, const StepDocuments& step)
         return {"Scale " + name + " on the surface", "× " + brief_number(factor)};
     }
     if (then != now) return {"Stroke of " + name, {}};
-    if (found.empty() && a->placement->onto != b->placement->onto)
+    if (found.empty() && a->stroke->onto != b->stroke->onto)
         return {"Lay " + name + words_of_support(step, c.object), {}};
     return title_of_changes(found, "Placement", name);
 }
@@ -292,18 +292,18 @@ Document applied(Document document, const Attach& command)
 {
     const Object& placed = object(document, command.object);
     check_placed(placed, command.object);
-    PlacementStep step = *placed.placement;
+    PlacementStep step = *placed.stroke;
     step.attach = command.attach ? command.attach : attached_to_all(document, step);
     check_attached(*step.attach, step);
     return with_changed(std::move(document), command.object,
-                        [&](Object& o) { o.placement = std::move(step); });
+                        [&](Object& o) { o.stroke = std::move(step); });
 }
 
 StepTitle title(const Attach& c, const StepDocuments& step)
 {
     std::vector<Id> hosts;
-    if (const Object* o = step.is(c.object); o && o->placement && o->placement->attach)
-        for (const AttachedHost& host : o->placement->attach->hosts)
+    if (const Object* o = step.is(c.object); o && o->stroke && o->stroke->attach)
+        for (const AttachedHost& host : o->stroke->attach->hosts)
             if (host.touched) hosts.push_back(host.object);
     return {"Attach " + name_in(step.before, c.object) +
                 (hosts.empty() ? std::string() : " to " + names_in(step.after, hosts)),
@@ -314,7 +314,7 @@ Document applied(Document document, const Unplace& command)
 {
     check_placed(object(document, command.object), command.object);
     return with_changed(std::move(document), command.object, [](Object& o) {
-        o.placement.reset();
+        o.stroke.reset();
         forget_shaping(o);
         o.travel = {};
         o.refining.reset();

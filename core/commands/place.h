@@ -83,8 +83,8 @@ struct EditPlacement {
     // The command that changes nothing of the object; none: it has nothing of the kind.
     static std::optional<EditPlacement> as_it_is(const Object& object, Id id)
     {
-        if (!object.placement) return std::nullopt;
-        return EditPlacement{id, object.placement->parameters, {}, {}};
+        if (!object.stroke) return std::nullopt;
+        return EditPlacement{id, object.stroke->parameters, {}, {}};
     }
 };
 Document applied(Document document, const EditPlacement& command);

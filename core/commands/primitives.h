@@ -50,7 +50,7 @@ template <class Shape> Document applied(Document document, const AddShape<Shape>
                                             .source = command.shape,
                                             .transform = command.transform,
                                             .surfacing = command.material,
-                                            .placement = {}});
+                                            .stroke = {}});
 }
 template <class Shape> StepTitle title(const AddShape<Shape>& c, const StepDocuments& step)
 {

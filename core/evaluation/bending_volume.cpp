@@ -44,7 +44,8 @@ std::vector<BendingVolume> volumes_round(const Document& document, Id id,
         if (found == done.end() || !found->second->placement) continue;
         const Ref<Placement>& box = found->second->placement;
         out.push_back({{box, &box->volume}, {box->embedding.to_uvw, glm::dmat4(1)}});
-        if (found->second->stroke) out.push_back(bending_volume(*found->second->stroke));
+        if (found->second->lattice_stroke)
+            out.push_back(bending_volume(*found->second->lattice_stroke));
     }
     return out;
 }

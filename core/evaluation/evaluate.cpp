@@ -18,8 +18,8 @@ namespace {
 std::vector<Id> comes_from(const Document& document, Id id)
 {
     std::vector<Id> out = lattices_round(document, id);
-    if (const Object& o = object(document, id); o.placement)
-        out.insert(out.end(), o.placement->onto.begin(), o.placement->onto.end());
+    if (const Object& o = object(document, id); o.stroke)
+        out.insert(out.end(), o.stroke->onto.begin(), o.stroke->onto.end());
     return out;
 }
 

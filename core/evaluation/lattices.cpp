@@ -55,10 +55,10 @@ Ref<Stage> LatticeVolume::operator()(const Ref<Stage>& before, const StepInput& 
         if (before->placement) {
             const glm::dmat4 to_model = glm::dmat4(glm::dmat3(input.object.transform.matrix())) *
                                         glm::inverse(to_world(input.document, input.id));
-            stage.stroke = make_ref(
+            stage.lattice_stroke = make_ref(
                 LatticeStroke{before->placement, embedded(before->placement->embedding, to_model)});
             stage.bent_cage = bent_cage({volume->placement, &volume->placement->volume},
-                                        {bending_volume(*stage.stroke)});
+                                        {bending_volume(*stage.lattice_stroke)});
         }
         stage.placement = volume->placement;
         stage.shaped = volume;
@@ -75,7 +75,8 @@ Ref<Stage> InLattices::operator()(const Ref<Stage>& before, const StepInput& inp
         Stage stage = *before;
         if (stage.placement) {
             std::vector<BendingVolume> all = volumes;
-            if (stage.stroke) all.insert(all.begin(), bending_volume(*stage.stroke));
+            if (stage.lattice_stroke)
+                all.insert(all.begin(), bending_volume(*stage.lattice_stroke));
             stage.bent_cage =
                 bent_cage({stage.placement, &stage.placement->volume}, std::move(all));
         }

@@ -30,7 +30,7 @@ std::optional<Band> band_of(const Document& document, const PlacementStep& step)
 {
     if (!step.round || step.onto.empty()) return {};
     const Object& base = object(document, step.onto.front());
-    if (base.placement) return {};
+    if (base.stroke) return {};
     return band_round(base.source, step.round->level, to_world(document, step.onto.front()));
 }
 
@@ -100,24 +100,24 @@ bool travels_through(const Supports& supports, const Stage& without, const Camer
 Ref<Stage> Laying::operator()(const Ref<Stage>& before, const StepInput& input)
 {
     const Object& o = input.object;
-    if (!o.placement) return before;
+    if (!o.stroke) return before;
     const glm::dmat3 turned(o.transform.matrix());
     std::optional<glm::dvec3> lattice;
     if (const auto* shape = std::get_if<LatticeShape>(&o.source)) lattice = shape->size;
     if (const Ref<Carriage> carriage = (*carriages_)(input)) {
-        PlacementStep step = *o.placement;
+        PlacementStep step = *o.stroke;
         step.sketch = carriage->sketch;
         step.attach.reset(); // what carries it changes nothing about how it lies
         return laid_on({before, turned, lattice, std::move(step), carriage->supports}, input);
     }
-    const Supports supports = supports_of(*o.placement, input.done, ground_);
+    const Supports supports = supports_of(*o.stroke, input.done, ground_);
     const auto laid = [&](const std::vector<Support>& on) {
-        return laid_on({before, turned, lattice, *o.placement, on}, input);
+        return laid_on({before, turned, lattice, *o.stroke, on}, input);
     };
     if (supports.travelling.empty() || supports.still.empty()) return laid(supports.all);
     const Ref<Stage> without = laid(supports.still);
-    return travels_through(supports, *without, o.placement->sketch.camera) ? laid(supports.all)
-                                                                           : without;
+    return travels_through(supports, *without, o.stroke->sketch.camera) ? laid(supports.all)
+                                                                        : without;
 }
 
 Ref<Stage> Laying::laid_on(Stroke stroke, const StepInput& input)

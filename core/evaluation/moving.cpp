@@ -101,7 +101,7 @@ Ref<Stage> Moving::operator()(const Ref<Stage>& before, const StepInput& input)
     const Ref<Shape> posed =
         posing_(before->shape, o.playing, input.seconds_since(o.playing.start_frame));
     if (before->placement) return gone(before, posed, input);
-    const bool feet_on_nothing = !o.placement && o.playing.foot_lock && !o.playing.clip.empty();
+    const bool feet_on_nothing = !o.stroke && o.playing.foot_lock && !o.playing.clip.empty();
     const FreeKey key{before, posed, to_world(input.document, input.id), feet_on_nothing};
     return free_(key, [&] {
         Stage stage = *before;
@@ -134,7 +134,7 @@ Ref<Journey> Moving::journey(const Ref<Stage>& laid, const Object& object)
     const Travel& travel = object.travel;
     if (travel.speed == 0 && travel.followers == 0) return nullptr;
     return journeys_({laid, travel}, [&] {
-        return std::make_shared<const Journey>(travel, object.placement->parameters,
+        return std::make_shared<const Journey>(travel, object.stroke->parameters,
                                                laid->placement->contact);
     });
 }
@@ -142,7 +142,7 @@ Ref<Journey> Moving::journey(const Ref<Stage>& laid, const Object& object)
 Ref<Stage> Moving::gone(const Ref<Stage>& before, const Ref<Shape>& posed, const StepInput& input)
 {
     const Object& o = input.object;
-    const PlacementParameters& parameters = o.placement->parameters;
+    const PlacementParameters& parameters = o.stroke->parameters;
     const glm::dmat3 turned(o.transform.matrix());
     const Ref<Shape>& shape = before->shape;
     const double playing_s = input.seconds_since(o.playing.start_frame);

@@ -32,8 +32,8 @@ struct LatticeStroke {
     Embedding embedding;
     bool operator==(const LatticeStroke&) const = default;
 };
-struct LatticeEffects {        // of what has a volume
-    Ref<LatticeStroke> stroke; // null: no lattice, or one that lies on no stroke
+struct LatticeEffects {                // of what has a volume
+    Ref<LatticeStroke> lattice_stroke; // null: no lattice, or one that lies on no stroke
     // The object's volume as its stroke, if it is a lattice, and the lattices round it bend it;
     // null: nothing does.
     Ref<Lazy<Ref<Lattice>>> bent_cage;
@@ -74,7 +74,7 @@ struct Stage : SimplifyingEffects,
     // How it lies on its stroke, where it does: beside `placement`, which is the box of a lattice.
     const Ref<Placement>& stroke_placement() const
     {
-        return stroke ? stroke->placement : placement;
+        return lattice_stroke ? lattice_stroke->placement : placement;
     }
     // Its volume with the control points where they are seen. It must have one.
     Ref<Lattice> seen_cage() const

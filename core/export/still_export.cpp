@@ -25,7 +25,7 @@ std::string why_not_laid(const EvaluatedObject& object)
 // A lattice shows nothing of its own.
 bool lies_on_its_stroke(const EvaluatedObject& object)
 {
-    return object.stroke ||
+    return object.lattice_stroke ||
            std::ranges::any_of(with_points(object.parts, object.curves),
                                [](const Part& part) { return part.bent != nullptr; });
 }
@@ -40,7 +40,7 @@ Certificate certificate_of(const Document& document, const Document& shown,
     int mesh = 0; // model_of() makes one a part, in this order
     for (const auto& [id, ref] : evaluated.objects) {
         const Object& source = object(shown, id);
-        if (source.placement && !lies_on_its_stroke(*ref))
+        if (source.stroke && !lies_on_its_stroke(*ref))
             out.not_laid.push_back({id, source.name, why_not_laid(*ref)});
         for (std::size_t p = 0; p < ref->parts.size(); ++p, ++mesh) {
             if (!ref->parts[p].bent) continue;
@@ -78,7 +78,7 @@ Document refined_to(Document document, double tolerance)
 {
     std::vector<Id> bent;
     for (const auto& [id, object] : document.objects)
-        if (object->placement || !lattices_round(document, id).empty()) bent.push_back(id);
+        if (object->stroke || !lattices_round(document, id).empty()) bent.push_back(id);
     for (const Id id : bent) {
         Object changed = object(document, id);
         Refining refining = changed.refining.value_or(Refining{});

@@ -45,7 +45,7 @@ std::vector<Id> laid(const Editor& e, bool attached)
 {
     std::vector<Id> out;
     for (const Id id : e.session.selected.ids()) {
-        const auto& step = object(e.session.document(), id).placement;
+        const auto& step = object(e.session.document(), id).stroke;
         const auto shown = e.session.evaluated().objects.find(id);
         if (step && !step->round && step->attach.has_value() == attached &&
             shown != e.session.evaluated().objects.end() && shown->second->placement)
@@ -57,7 +57,7 @@ std::vector<Id> laid(const Editor& e, bool attached)
 void attach_selected(Editor& e)
 {
     for (const Id id : laid(e, false)) {
-        const PlacementStep step = *object(e.session.document(), id).placement;
+        const PlacementStep step = *object(e.session.document(), id).stroke;
         const auto attachment = attachment_of(*e.session.evaluated().objects.at(id), step.sketch,
                                               step.parameters.skip_back_faces);
         if (attachment && !e.session.run(Attach{id, attachment})) return;
@@ -68,7 +68,7 @@ void attach_selected(Editor& e)
 void detach_selected(Editor& e)
 {
     for (const Id id : laid(e, true)) {
-        const PlacementStep step = *object(e.session.document(), id).placement;
+        const PlacementStep step = *object(e.session.document(), id).stroke;
         const Ref<EvaluatedObject> shown = e.session.evaluated().objects.at(id);
         const glm::dmat4 to_world = stroke_to_world(*shown);
         Sketch sketch = stroke_now(*shown, step);
@@ -210,7 +210,7 @@ void add_edit_actions(std::vector<Action>& a)
                  {[](const Editor& e) {
                       const auto& objects = e.session.document().objects;
                       const auto found = objects.find(e.session.selected);
-                      return found != objects.end() && found->second->placement.has_value();
+                      return found != objects.end() && found->second->stroke.has_value();
                   },
                   "select a placed object first"}});
     a.push_back({"Edit",

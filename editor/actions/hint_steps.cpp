@@ -53,8 +53,8 @@ bool widens(const Command& command, const Document& before)
     const auto* edit = std::get_if<EditPlacement>(&command);
     if (!edit) return false;
     const auto found = before.objects.find(edit->object);
-    if (found == before.objects.end() || !found->second->placement) return false;
-    const PlacementParameters& was = found->second->placement->parameters;
+    if (found == before.objects.end() || !found->second->stroke) return false;
+    const PlacementParameters& was = found->second->stroke->parameters;
     return edit->parameters.width != was.width ||
            edit->parameters.width_profile != was.width_profile;
 }
@@ -79,15 +79,15 @@ std::optional<HintCard> hint_card(const Editor& editor)
     for (const auto& [id, each] : session.document().objects) {
         shapes += holds_others(each->source) ? 0 : 1;
         texts += std::holds_alternative<TextShape>(each->source) ? 1 : 0;
-        placed += each->placement ? 1 : 0;
+        placed += each->stroke ? 1 : 0;
         lattices += std::holds_alternative<LatticeShape>(each->source) ? 1 : 0;
     }
     // Who bends things without a stroke is not told of strokes.
     if (placed == 0 && lattices == 0 && !closed(editor, draw_hint))
         return card_before_a_stroke(editor, shapes, texts);
     const auto selected = session.document().objects.find(session.selected);
-    const bool handles = selected != session.document().objects.end() &&
-                         selected->second->placement && !selected->second->placement->round;
+    const bool handles = selected != session.document().objects.end() && selected->second->stroke &&
+                         !selected->second->stroke->round;
     if (!handles || closed(editor, widen_hint) || !closed(editor, let_go_hint)) return {};
     return HintCard{widen_hint, 3, "Drag a white point to widen it",
                     "The blue one lifts its back, the amber ones pull the stroke."};

@@ -90,7 +90,7 @@ std::vector<KeyTarget> targets(const Editor& e)
     for (const Id id : ids) {
         KeyTarget one{{id}, {}};
         for (const Track& track : tracks_of(document, id)) one.names.push_back(track.parameter);
-        if (one.names.empty() && !object(document, id).placement)
+        if (one.names.empty() && !object(document, id).stroke)
             for (const char* part : {"translation", "rotation_deg", "scale"})
                 for (const char axis : {'x', 'y', 'z'})
                     one.names.push_back(std::string("transform.") + part + "." + axis);

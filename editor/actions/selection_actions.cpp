@@ -55,7 +55,7 @@ std::vector<Id> of_the_same_type(const Editor& e)
     return objects_that(e, [&](Id id) {
         const Object& each = object(document, id);
         return in_reach(e.session, id) && each.source.index() == active.source.index() &&
-               each.placement.has_value() == active.placement.has_value();
+               each.stroke.has_value() == active.stroke.has_value();
     });
 }
 

@@ -52,7 +52,7 @@ bool same_shape(Source a, Source b, const std::string& folder)
 std::vector<Id> hidden_in(const Document& document, Id first, const std::string& folder)
 {
     const auto stands = [](const Object& each) {
-        return !each.placement && !holds_others(each.source);
+        return !each.stroke && !holds_others(each.source);
     };
     std::vector<std::pair<glm::dmat4, const Source*>> added;
     for (const auto& [id, each] : document.objects)
@@ -97,12 +97,12 @@ std::string placed_words(const Document& before, const Document& document, const
     for (std::size_t i = 0; i < paste.copies.size(); ++i) {
         const auto& placement = paste.copies[i].placement;
         if (!placement) continue;
-        const auto& laid = object(document, before.next_id + static_cast<Id>(i)).placement;
+        const auto& laid = object(document, before.next_id + static_cast<Id>(i)).stroke;
         const auto known = [&](const KnownObject& base) {
             return std::ranges::find(laid->onto, base.object) != laid->onto.end() &&
                    name_of(before, base.object) == base.name;
         };
-        const auto on_it = [&](const auto& entry) { return entry.second->placement == laid; };
+        const auto on_it = [&](const auto& entry) { return entry.second->stroke == laid; };
         if (!laid)
             ++straight;
         else if (std::ranges::any_of(placement->onto, known))

@@ -81,8 +81,8 @@ void keep_riders(const Session& session, ApplyShape& command)
     const glm::dmat4 stands = parent_to_world(document, wish) * command.transform.matrix();
     for (const auto& [id, laid] : session.evaluated().objects) {
         const auto there = document.objects.find(id);
-        if (there == document.objects.end() || !there->second->placement) continue;
-        const PlacementStep& step = *there->second->placement;
+        if (there == document.objects.end() || !there->second->stroke) continue;
+        const PlacementStep& step = *there->second->stroke;
         auto hosts = hosts_now(*laid, step);
         if (!hosts) continue;
         const auto host = std::ranges::find(hosts->hosts, command.object, &AttachedHost::object);
@@ -140,7 +140,7 @@ Id laid_shape(const Session& session)
     const auto shown = session.evaluated().objects.find(id);
     const auto there = document.objects.find(id);
     if (shown == session.evaluated().objects.end() || there == document.objects.end()) return 0;
-    const bool laid = there->second->placement && shown->second->placement;
+    const bool laid = there->second->stroke && shown->second->placement;
     if (!laid || shown->second->shows_nothing() || holds_others(there->second->source)) return 0;
     return id;
 }
@@ -172,8 +172,7 @@ void make_plain_mesh(Session& session, const PlainMeshWish& wish)
                  const auto found = now.find(asked->wish.object);
                  if (session.scenes() != scene) return;
                  if (found == now.end() ||
-                     found->second->placement !=
-                         object(asked->document, asked->wish.object).placement)
+                     found->second->stroke != object(asked->document, asked->wish.object).stroke)
                      return lost("it was changed meanwhile; try again");
                  try {
                      take(session, *asked, result);

@@ -75,7 +75,7 @@ std::optional<double> shown_tolerance(const Document& document)
 {
     std::optional<double> common;
     for (const auto& [id, object] : document.objects) {
-        if (!object->placement || !visible(document, id)) continue;
+        if (!object->stroke || !visible(document, id)) continue;
         const double its = object->refining.value_or(Refining{}).tolerance;
         if (common && *common != its) return std::nullopt;
         common = its;

@@ -21,7 +21,7 @@ std::vector<Id> travelling(const Document& document)
     std::vector<Id> ids = in_row_order(document);
     std::erase_if(ids, [&](Id id) {
         const Object& each = object(document, id);
-        return !each.placement || each.travel.speed == 0;
+        return !each.stroke || each.travel.speed == 0;
     });
     return ids;
 }

@@ -74,7 +74,7 @@ std::optional<LaidStand> laid_stand(const Session& session)
 {
     const EvaluatedObject* laid = selected_placement(session);
     if (!laid || !laid->lies_on) return {};
-    LaidStand out{laid->id, *object(session.document(), laid->id).placement, laid->lies_on};
+    LaidStand out{laid->id, *object(session.document(), laid->id).stroke, laid->lies_on};
     if (out.step.round) return {};
     out.hosts = hosts_now(*laid, out.step);
     out.step.sketch = stroke_now(*laid, out.step);

@@ -97,7 +97,7 @@ std::vector<Stand> stands_of(const Document& document, const std::vector<Id>& id
     std::vector<Stand> stands;
     for (const Id id : topmost(document, ids)) {
         const Object& each = object(document, id);
-        if (each.placement || locked(document, id)) continue;
+        if (each.stroke || locked(document, id)) continue;
         stands.push_back({id, each.transform,
                           each.parent == 0 ? glm::dmat4(1) : to_world(document, each.parent)});
     }

@@ -129,8 +129,8 @@ Id model_to_place(const Session& session, Id chosen)
         if (!can_be_placed(document, id) || each->hidden || locked(document, id)) continue;
         if (oldest == 0) oldest = id;
         newest = id;
-        if (each->placement) newest_laid = id;
-        if (id == oldest || each->placement) continue;
+        if (each->stroke) newest_laid = id;
+        if (id == oldest || each->stroke) continue;
         const auto shown = session.evaluated().objects.find(id);
         if (shown != session.evaluated().objects.end() &&
             carries(*shown->second, session.evaluated()))
@@ -153,7 +153,7 @@ bool PlaceTool::copies(const Session& session) const
 {
     const auto& objects = session.committed().objects;
     const auto model = objects.find(drawing_ ? model_ : model_to_place(session, chosen_));
-    if (redrawing_ || model == objects.end() || !model->second->placement) return false;
+    if (redrawing_ || model == objects.end() || !model->second->stroke) return false;
     return (new_stroke_ == NewStroke::copies) != other_;
 }
 
@@ -166,7 +166,7 @@ Command PlaceTool::command(const Session& session) const
 {
     const Object& model = object(session.committed(), model_);
     const Sketch& drawn = stroke_.sketch();
-    if (!model.placement) {
+    if (!model.stroke) {
         PlacementParameters parameters = lengthwise(parameters_, stands_);
         if (width_ > 0) parameters.width = width_;
         parameters.width_profile = brush_profile(drawn.samples, brush_);
@@ -174,8 +174,7 @@ Command PlaceTool::command(const Session& session) const
         return Place{model_, drawn, std::move(parameters), bases_for_stroke(session, model_)};
     }
     // A new stroke for what was placed before keeps how it lies.
-    EditPlacement edit{model_, model.placement->parameters, drawn,
-                       bases_for_stroke(session, model_)};
+    EditPlacement edit{model_, model.stroke->parameters, drawn, bases_for_stroke(session, model_)};
     const auto laid = session.evaluated().objects.find(model_);
     const bool lies = laid != session.evaluated().objects.end() && laid->second->lies_on;
     if (!redrawing_) {
@@ -212,7 +211,7 @@ void PlaceTool::begin(Session& session, const ViewportInput& input)
     }
     start_ = {};
     const auto laid = session.evaluated().objects.find(model_);
-    if (const auto& step = object(session.document(), model_).placement;
+    if (const auto& step = object(session.document(), model_).stroke;
         step && laid != session.evaluated().objects.end())
         start_ = {stroke_now(*laid->second, *step), stroke_to_world(*laid->second),
                   hosts_now(*laid->second, *step)};
@@ -299,7 +298,7 @@ void PlaceTool::finish(Session& session)
     else
         session.cancel();
     const auto& objects = session.document().objects;
-    if (const auto it = objects.find(laying); it != objects.end() && it->second->placement)
+    if (const auto it = objects.find(laying); it != objects.end() && it->second->stroke)
         session.selected = laying;
 }
 

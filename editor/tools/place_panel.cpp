@@ -44,7 +44,7 @@ void PlaceTool::options_of_model(Session& session, const ui::Theme& theme,
              },
              "Lays the model all round a body, on a way that closes; no stroke is needed."});
     }
-    if (model == 0 || !object(session.document(), model).placement) return;
+    if (model == 0 || !object(session.document(), model).stroke) return;
     options.push_back(
         {"New stroke", 152,
          [this, &theme](float field) {
@@ -106,7 +106,7 @@ std::vector<Hint> PlaceTool::hints(const Session& session) const
         hints.insert(hints.end(), usual.begin(), usual.end());
         if (!typed_.open()) hints.push_back({{"0", "-", "9"}, "Type the width"});
         if (!redrawing_) hints.push_back({{"Ctrl"}, "Close the ring"});
-        if (!redrawing_ && object(session.committed(), model_).placement)
+        if (!redrawing_ && object(session.committed(), model_).stroke)
             hints.push_back({{"Alt"}, copy ? "Move it instead" : "Lay a copy instead"});
         hints.push_back({{"Esc", "/", "right"}, "Cancel"});
         return hints;

@@ -15,7 +15,7 @@ namespace {
 bool goes_round(const Document& document, Id id)
 {
     const Object& body = object(document, id);
-    return !body.placement && visible(document, id) &&
+    return !body.stroke && visible(document, id) &&
            band_round(body.source, 0, glm::dmat4(1)).has_value();
 }
 
@@ -52,9 +52,9 @@ void lay_round(Session& session, const RoundWish& wish)
 {
     const Object& model = object(session.committed(), wish.model);
     PlaceRound command{wish.model, wish.around, 0, {}};
-    if (model.placement) {
-        command.parameters = model.placement->parameters;
-        if (model.placement->round) command.level = model.placement->round->level;
+    if (model.stroke) {
+        command.parameters = model.stroke->parameters;
+        if (model.stroke->round) command.level = model.stroke->round->level;
     } else
         command.parameters = lengthwise({}, bounds_of(session, wish.model));
     if (!session.propose(command)) return session.cancel();

@@ -78,13 +78,13 @@ const EvaluatedObject* selected_volume(const Session& session)
     const auto there = session.document().objects.find(session.selected);
     if (there == session.document().objects.end()) return nullptr;
     const bool lattice = std::holds_alternative<LatticeShape>(there->second->source);
-    return lattice || there->second->placement ? &*found->second : nullptr;
+    return lattice || there->second->stroke ? &*found->second : nullptr;
 }
 
 const EvaluatedObject* selected_placement(const Session& session)
 {
     const EvaluatedObject* found = selected_volume(session);
-    return found && object(session.document(), found->id).placement ? found : nullptr;
+    return found && object(session.document(), found->id).stroke ? found : nullptr;
 }
 
 bool PlacementHandles::shown(const Session& session) const
@@ -96,8 +96,8 @@ std::vector<HoldPoint> PlacementHandles::points(const Session& session) const
 {
     const EvaluatedObject* shown = selected_placement(session);
     if (!shown) return {};
-    std::vector<HoldPoint> out = hold_points(
-        *object(session.document(), session.selected).placement, *shown->stroke_placement());
+    std::vector<HoldPoint> out = hold_points(*object(session.document(), session.selected).stroke,
+                                             *shown->stroke_placement());
     std::erase_if(out, [&](const HoldPoint& p) { return !wanted(*choice_, p.hold.kind); });
     return out;
 }
@@ -114,7 +114,7 @@ bool PlacementHandles::use(Session& session, const ViewportInput& input)
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
         if (!input.pressed) return true;
         const EvaluatedObject* laid = selected_placement(session);
-        PlacementStep step = *object(session.document(), session.selected).placement;
+        PlacementStep step = *object(session.document(), session.selected).stroke;
         const auto hosts = hosts_now(*laid, step);
         step.sketch = stroke_now(*laid, step);
         drag_ = HoldDrag{session.selected,
@@ -191,7 +191,7 @@ void PlacementHandles::overlay(const Session& session, const ui::Theme& theme,
     }
     if (lit.kind == HoldKind::none) return;
     const PlacementParameters& now =
-        object(session.document(), session.selected).placement->parameters;
+        object(session.document(), session.selected).stroke->parameters;
     const glm::vec2 mouse = input.rect.lo + glm::vec2(at_px_);
     const std::string words = words_of(lit, now, laid->stroke_placement()->report);
     ui::paint_chip(theme, mouse + glm::vec2(theme.px(18), -theme.px(30)), {words});

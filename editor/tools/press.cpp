@@ -85,7 +85,7 @@ std::vector<VolumePart> parts_of(const Press& press, const Lattice& volume)
 Id lattice_of_member(const Session& session, Id member)
 {
     const Document& document = session.document();
-    if (member == 0 || object(document, member).placement) return 0;
+    if (member == 0 || object(document, member).stroke) return 0;
     const std::vector<Id> all = lattices_round(document, member);
     if (all.empty() || locked(document, all.front()) || session.selected == all.front()) return 0;
     return session.evaluated().objects.contains(all.front()) ? all.front() : 0;

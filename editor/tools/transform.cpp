@@ -94,7 +94,7 @@ void TransformTool::refuse(Session& session)
                             "Select one of them: each moves over its own surface.", "on a stroke");
         return;
     }
-    const auto& step = object(session.document(), lies).placement;
+    const auto& step = object(session.document(), lies).stroke;
     const bool round = step && step->round;
     session.notices.say(
         ui::NoticeKind::warning,

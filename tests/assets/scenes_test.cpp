@@ -45,7 +45,7 @@ TEST_P(EveryScene, BendsSomethingAndSaysWhereItsPictureIsTakenFrom)
     const trivar::Document document = history().document();
     EXPECT_TRUE(document.kept_views.contains("picture"));
     EXPECT_TRUE(std::ranges::any_of(document.objects, [](const auto& entry) {
-        return entry.second->placement ||
+        return entry.second->stroke ||
                std::holds_alternative<trivar::LatticeShape>(entry.second->source);
     }));
 }
@@ -83,9 +83,9 @@ TEST(Stacked, PlacesSnakesOnWhatWasPlacedBefore)
     for (const trivar::LogLine& line : log.lines) trivar::apply(history, line, log.name);
     const auto& objects = history.document().objects;
     EXPECT_TRUE(std::ranges::any_of(objects, [&](const auto& entry) {
-        const auto& placed = entry.second->placement;
+        const auto& placed = entry.second->stroke;
         return placed && std::ranges::any_of(placed->onto, [&](trivar::Id below) {
-                   return objects.at(below)->placement.has_value();
+                   return objects.at(below)->stroke.has_value();
                });
     }));
 }

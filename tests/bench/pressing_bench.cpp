@@ -51,7 +51,7 @@ void press_drag(benchmark::State& state, bool deformed_here)
     Document document = scene.document();
     const Id id = 2;
     document = after(document, Unshape{id, {}});
-    PlacementParameters dense = object(document, id).placement->parameters;
+    PlacementParameters dense = object(document, id).stroke->parameters;
     dense.grid = {50, 20, 10};
     document = after(document, EditPlacement{id, dense, {}, {}});
     Evaluator evaluator(std::make_shared<AssetStore>(folder));

@@ -18,7 +18,7 @@ Document ants(int count)
     Document document = SceneFile::copy_of(scene).document();
     Travel travel = object(document, 2).travel;
     travel.followers = count - 1;
-    PlacementParameters p = object(document, 2).placement->parameters;
+    PlacementParameters p = object(document, 2).stroke->parameters;
     p.fill = std::min(p.fill, 0.9 / count); // none stands in another
     document = after(document, EditPlacement{2, p, {}, {}});
     return after(document, SetTravel{{2}, travel});

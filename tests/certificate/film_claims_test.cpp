@@ -26,7 +26,7 @@ TEST_F(FilmClaims, AreProvenOnAStrokeThatIsProlongedAtBothEnds)
     for (const double speed : {1.5, -1.5})
         for (const double start : {0.0, 0.3}) {
             Document document = laid();
-            PlacementParameters p = object(document, 5).placement->parameters;
+            PlacementParameters p = object(document, 5).stroke->parameters;
             p.start = start;
             document = travelling(after(document, EditPlacement{5, p, {}, {}}),
                                   {.speed = speed, .ends = Ends::run_on, .followers = 1});

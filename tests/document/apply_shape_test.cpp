@@ -37,7 +37,7 @@ TEST(ApplyShape, LeavesNothingOfTheStrokeAndWhatBelongsToTheObject)
     EXPECT_EQ(now.parent, before.parent);
     EXPECT_EQ(now.surfacing, before.surfacing);
     EXPECT_EQ(now.transform, stands);
-    EXPECT_FALSE(now.placement || now.refining || now.simplifying);
+    EXPECT_FALSE(now.stroke || now.refining || now.simplifying);
     EXPECT_TRUE(now.shaping.empty() && now.tracks.empty());
     for (const auto& [id, each] : document.objects)
         if (id != 3) {
@@ -55,8 +55,8 @@ TEST(ApplyShape, WhatItCarriesIsCarriedAsSaidAndElseStaysInTheWorld)
     document = after(document, Place{rider, sketch, {}, {3}, by_pot});
     const Document left =
         after(document, ApplyShape{.object = 3, .file = pot_file, .transform = {}});
-    EXPECT_FALSE(object(left, rider).placement->attach);
-    EXPECT_EQ(object(left, rider).placement->sketch, sketch);
+    EXPECT_FALSE(object(left, rider).stroke->attach);
+    EXPECT_EQ(object(left, rider).stroke->sketch, sketch);
     glm::dmat4 stands(1);
     stands[3] = {1, 2, 3, 1};
     const Attachment renewed{{attached_host(3, stands, true)}};
@@ -67,8 +67,8 @@ TEST(ApplyShape, WhatItCarriesIsCarriedAsSaidAndElseStaysInTheWorld)
                                                      .riders = {rider},
                                                      .strokes = {sketch},
                                                      .attach = {renewed}});
-    EXPECT_EQ(object(kept, rider).placement->attach, renewed);
-    EXPECT_EQ(object(kept, rider).placement->sketch, sketch);
+    EXPECT_EQ(object(kept, rider).stroke->attach, renewed);
+    EXPECT_EQ(object(kept, rider).stroke->sketch, sketch);
 }
 
 TEST(ApplyShape, RefusesWhatMakesNoSense)

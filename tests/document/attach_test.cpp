@@ -47,7 +47,7 @@ Document attached(const Document& document, Id id, double frame = 1)
 {
     Evaluator evaluate(std::make_shared<const AssetStore>("/"));
     const Evaluation result = evaluate(document, frame);
-    const PlacementStep& step = *object(document, id).placement;
+    const PlacementStep& step = *object(document, id).stroke;
     const auto attachment =
         attachment_of(*result.objects.at(id), step.sketch, step.parameters.skip_back_faces);
     EXPECT_TRUE(attachment) << result.objects.at(id)->rejected;
@@ -215,7 +215,7 @@ TEST(Attaching, BridgesWhereHostsMoveApartAndSaysSo)
                                           .transform = {.translation = {x, 0, 0}}});
     document = after(document, AddTeapot{});
     document = attached(after(document, Place{3, small_sketch(), {}, {1, 2}}), 3);
-    const Attachment& attachment = *object(document, 3).placement->attach;
+    const Attachment& attachment = *object(document, 3).stroke->attach;
     EXPECT_EQ(attachment.hosts.size(), 2u);
     Evaluator evaluate = new_evaluator();
     EXPECT_THAT(evaluate(document).objects.at(3)->notices,
@@ -237,11 +237,11 @@ TEST(Attaching, LeavesAloneWhatMerelyStandsBeside)
 {
     Document document =
         after(pot_on_table(), AddSphere{.shape = {}, .transform = {.translation = {0, 9, 0}}});
-    PlacementStep step = *object(document, laid_id).placement;
+    PlacementStep step = *object(document, laid_id).stroke;
     document =
         after(document, EditPlacement{laid_id, step.parameters, {}, std::vector<Id>{host_id, 3}});
     document = attached(document, laid_id);
-    const Attachment& attachment = *object(document, laid_id).placement->attach;
+    const Attachment& attachment = *object(document, laid_id).stroke->attach;
     EXPECT_EQ(main_host(attachment), 0u);
     EXPECT_FALSE(attachment.hosts.at(1).touched);
     const Transform t{.translation = {0, 0, 2}};
@@ -256,24 +256,24 @@ TEST(Attaching, LastsThroughCopiesAndDeletions)
     const Document document = attached(pot_on_table(), laid_id);
     const Transform t{.translation = {0, 0, 2}};
     Document both = after(document, Duplicate{{host_id, laid_id}, {0, 5, 0}}); // 3 and 4
-    EXPECT_EQ(object(both, 4).placement->attach->hosts.front().object, 3);
+    EXPECT_EQ(object(both, 4).stroke->attach->hosts.front().object, 3);
     Evaluator evaluate = new_evaluator();
     EXPECT_LT(farthest(points_of(evaluate(both), laid_id), points_of(evaluate(both), 4),
                        glm::translate(glm::dmat4(1), {0, 5, 0})),
               exact);
     Document pasted = after(document, copied(document, {host_id, laid_id}, "/"));
-    EXPECT_EQ(object(pasted, 4).placement->attach->hosts.front().object, 3);
+    EXPECT_EQ(object(pasted, 4).stroke->attach->hosts.front().object, 3);
     const Document moved = after(pasted, SetTransform{3, t});
     EXPECT_LT(
         farthest(points_of(evaluate(moved), laid_id), points_of(evaluate(moved), 4), t.matrix()),
         exact);
     const Document gone = after(both, Delete{{host_id}});
-    EXPECT_FALSE(object(gone, laid_id).placement->attach);
-    EXPECT_TRUE(object(gone, 4).placement->attach);
+    EXPECT_FALSE(object(gone, laid_id).stroke->attach);
+    EXPECT_TRUE(object(gone, 4).stroke->attach);
     EXPECT_FALSE(evaluate(gone).objects.at(laid_id)->rejected.empty());
     // A new stroke is in the world.
     const Document drawn = after(document, EditPlacement{laid_id, {}, small_sketch(), {}});
-    EXPECT_FALSE(object(drawn, laid_id).placement->attach);
+    EXPECT_FALSE(object(drawn, laid_id).stroke->attach);
 }
 
 TEST(Attaching, WithoutAnchorsTakesAllThatStandsByItself)
@@ -287,7 +287,7 @@ TEST(Attaching, WithoutAnchorsTakesAllThatStandsByItself)
 TEST(Attaching, ReadsBackAsItWasWrittenAndCountsInTheDigest)
 {
     const Document document = attached(pot_on_table(), laid_id);
-    const Command command = Attach{laid_id, object(document, laid_id).placement->attach};
+    const Command command = Attach{laid_id, object(document, laid_id).stroke->attach};
     EXPECT_EQ(command_from_json_line(to_json_line(command)), command);
     EXPECT_NE(digest(document), digest(pot_on_table()));
     const Document again = after(pot_on_table(), command_from_json_line(to_json_line(command)));
@@ -307,7 +307,7 @@ void expect_refused(const Document& document, const Command& command, const std:
 TEST(Attaching, RefusesWhatCannotBe)
 {
     const Document document = attached(pot_on_table(), laid_id);
-    Attachment attachment = *object(document, laid_id).placement->attach;
+    Attachment attachment = *object(document, laid_id).stroke->attach;
     expect_refused(document, Attach{host_id, {}}, "is not placed");
     Attachment other = attachment;
     other.hosts.front().object = 7;

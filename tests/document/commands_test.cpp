@@ -130,9 +130,9 @@ TEST(Commands, NameTheFieldThatIsWrong)
 TEST(Place, FallsOnEveryVisibleObjectThatDoesNotLieOnIt)
 {
     Document d = small_document();
-    EXPECT_THAT(object(d, 3).placement->onto, ElementsAre(1, 2));
+    EXPECT_THAT(object(d, 3).stroke->onto, ElementsAre(1, 2));
     d = with(d, {AddBox{}, Hide{{1}}, Place{2, small_sketch(), {}, {}}});
-    EXPECT_THAT(object(d, 2).placement->onto, ElementsAre(5)); // not the pot, which lies on 2
+    EXPECT_THAT(object(d, 2).stroke->onto, ElementsAre(5)); // not the pot, which lies on 2
 }
 
 TEST(Place, RefusesToLieOnWhatLiesOnIt)
@@ -151,7 +151,7 @@ TEST(Place, RefusesToLieOnWhatLiesOnIt)
 TEST(Place, OpensUpGroupsAndSaysWhenThereIsNothingToLieOn)
 {
     const Document d = with(small_document(), {Place{2, small_sketch(), {}, {4}}});
-    EXPECT_THAT(object(d, 2).placement->onto, ElementsAre(1));
+    EXPECT_THAT(object(d, 2).stroke->onto, ElementsAre(1));
     EXPECT_THAT(rejection(with({}, {AddBox{}}), Place{1, small_sketch(), {}, {}}),
                 HasSubstr("nothing visible"));
 }
@@ -210,7 +210,7 @@ TEST(Place, SaysWhatIsWrongWithAClickAndWithParametersThatDoNotFit)
 TEST(EditPlacement, TellsHeightMapsApart)
 {
     const Document before = small_document();
-    PlacementParameters p = object(before, 3).placement->parameters;
+    PlacementParameters p = object(before, 3).stroke->parameters;
     std::set<std::string> digests{digest(before)};
     for (const auto& map : std::vector<std::vector<std::vector<double>>>{
              {{1, 1}, {1, 1}}, {{1, 1}, {1, 2}}, {{1, 2}, {1, 1}}, {{1, 1, 1}, {1, 1, 1}}}) {
@@ -228,11 +228,11 @@ TEST(EditPlacement, KeepsTheStrokeAndTheSupportsUnlessTheyAreGiven)
     PlacementParameters flat;
     flat.offset = 1;
     const Document d = after(before, EditPlacement{3, flat, {}, {}});
-    EXPECT_EQ(object(d, 3).placement->sketch, object(before, 3).placement->sketch);
-    EXPECT_EQ(object(d, 3).placement->onto, object(before, 3).placement->onto);
-    EXPECT_EQ(object(d, 3).placement->parameters, flat);
+    EXPECT_EQ(object(d, 3).stroke->sketch, object(before, 3).stroke->sketch);
+    EXPECT_EQ(object(d, 3).stroke->onto, object(before, 3).stroke->onto);
+    EXPECT_EQ(object(d, 3).stroke->parameters, flat);
     EXPECT_THAT(
-        object(after(before, EditPlacement{3, flat, {}, std::vector<Id>{2}}), 3).placement->onto,
+        object(after(before, EditPlacement{3, flat, {}, std::vector<Id>{2}}), 3).stroke->onto,
         ElementsAre(2));
     EXPECT_THAT(rejection(before, EditPlacement{1, flat, {}, {}}), HasSubstr("not placed"));
 }
@@ -242,7 +242,7 @@ TEST(Delete, TakesGroupsWithTheirContentsAndLeavesWhatLayOnThemOnTheRest)
     const Document d = after(small_document(), Delete{{4}});
     EXPECT_FALSE(d.objects.contains(1));
     EXPECT_FALSE(d.objects.contains(4));
-    EXPECT_THAT(object(d, 3).placement->onto, ElementsAre(2));
+    EXPECT_THAT(object(d, 3).stroke->onto, ElementsAre(2));
 }
 
 TEST(Duplicate, KeepsPlacementsAndLetsCopiesLieOnCopies)
@@ -250,7 +250,7 @@ TEST(Duplicate, KeepsPlacementsAndLetsCopiesLieOnCopies)
     const Document d = after(small_document(), Duplicate{{3, 2}, {0, 0, 1}});
     EXPECT_EQ(object(d, 5).name, "Pot 2");
     EXPECT_EQ(object(d, 6).name, "Ball 2");
-    EXPECT_THAT(object(d, 5).placement->onto, ElementsAre(1, 6));
+    EXPECT_THAT(object(d, 5).stroke->onto, ElementsAre(1, 6));
     EXPECT_EQ(object(d, 6).transform.translation, glm::dvec3(0, 0, 1));
     EXPECT_EQ(object(after(d, Duplicate{{5}, {}}), 7).name, "Pot 3");
 }

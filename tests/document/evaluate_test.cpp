@@ -81,7 +81,7 @@ TEST(Evaluator, LaysTheUpperOneAgainWhenTheLowerOneChanges)
     const Document document = stacked_document();
     const Evaluation first = evaluate(document);
     ASSERT_THAT(first.objects.at(5)->rejected, IsEmpty());
-    PlacementParameters flatter = object(document, 3).placement->parameters;
+    PlacementParameters flatter = object(document, 3).stroke->parameters;
     flatter.height = 0.4;
     const Evaluation result = evaluate(after(document, EditPlacement{3, flatter, {}, {}}));
     ASSERT_THAT(result.objects.at(5)->rejected, IsEmpty());
@@ -94,7 +94,7 @@ TEST(Evaluator, DoesNotTouchWhatLiesBelowWhenTheUpperOneChanges)
     Evaluator evaluate = new_evaluator();
     const Document document = stacked_document();
     const Evaluation first = evaluate(document);
-    PlacementParameters other = object(document, 5).placement->parameters;
+    PlacementParameters other = object(document, 5).stroke->parameters;
     other.height = 0.3;
     const Evaluation result = evaluate(after(document, EditPlacement{5, other, {}, {}}));
     EXPECT_EQ(result.objects.at(3), first.objects.at(3));

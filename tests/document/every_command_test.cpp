@@ -126,8 +126,8 @@ TEST(EveryCommand, AppliedAtRandomNeverBreaksWhatTheDocumentPromises)
             const bool in_group =
                 ref->parent != 0 && holds_others(object(document, ref->parent).source);
             ASSERT_TRUE(ref->parent == 0 || in_group);
-            if (!ref->placement) continue;
-            for (const Id lower : ref->placement->onto) {
+            if (!ref->stroke) continue;
+            for (const Id lower : ref->stroke->onto) {
                 ASSERT_NE(lower, id);
                 ASSERT_TRUE(document.objects.contains(lower));
             }

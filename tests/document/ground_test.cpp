@@ -55,7 +55,7 @@ TEST(Ground, IsMetByRaysThatComeDownFromAboveIt)
 TEST(Ground, CarriesWhatLiesOnNothingElse)
 {
     const Document document = after(pot_alone(), on_ground(1));
-    EXPECT_TRUE(object(document, 1).placement->onto.empty());
+    EXPECT_TRUE(object(document, 1).stroke->onto.empty());
     const Evaluation evaluated = new_evaluator()(document);
     const Placement& placement = laid(evaluated, 1);
     EXPECT_EQ(placement.report.missed_share, 0);

@@ -84,7 +84,7 @@ TEST(LaidLattices, BendTheirContentsByTheBoxFirstAndThenByTheStroke)
     const Document document = after(laid(), lift_roof(-0.3));
     const Evaluation all = evaluated(document);
     const EvaluatedObject& round = *all.objects.at(lattice_id);
-    ASSERT_TRUE(round.stroke);
+    ASSERT_TRUE(round.lattice_stroke);
     const Part part = all.objects.at(box_id)->parts.at(0);
     const Ref<Mesh>& at_rest = innermost(part).rest;
     const Ref<Mesh> drawn = part.mesh();
@@ -92,8 +92,8 @@ TEST(LaidLattices, BendTheirContentsByTheBoxFirstAndThenByTheStroke)
         const glm::dvec3 uvw = glm::dvec3(at_rest->positions[v]) + 0.5;
         const glm::dvec3 inner = evaluate(round.placement->volume, uvw).value;
         const glm::dvec3 outer =
-            evaluate(round.stroke->placement->volume,
-                     glm::dvec3(round.stroke->embedding.to_uvw * glm::dvec4(inner, 1)))
+            evaluate(round.lattice_stroke->placement->volume,
+                     glm::dvec3(round.lattice_stroke->embedding.to_uvw * glm::dvec4(inner, 1)))
                 .value;
         ASSERT_LT(glm::distance(outer, glm::dvec3(drawn->positions[v])), 1e-5);
     }
@@ -103,7 +103,7 @@ TEST(LaidLattices, LetTheirContentsRiseAboveTheVolumeOfTheStroke)
 {
     const std::vector<glm::vec3> before = world_points(laid());
     const double height =
-        evaluated(laid()).objects.at(lattice_id)->stroke->placement->report.height_world;
+        evaluated(laid()).objects.at(lattice_id)->lattice_stroke->placement->report.height_world;
     for (const double by : {0.25, 1.0}) {
         const std::vector<glm::vec3> now = world_points(after(laid(), lift_roof(by)));
         EXPECT_NEAR(most_apart(now, before), by * height, 0.02 * by * height);
@@ -197,7 +197,7 @@ TEST(LaidLattices, StandWhereTheyAreWhereTheStrokeFindsNothing)
     const Document document = after(laid(), SetTransform{ground_id, {.translation = {0, 0, -500}}});
     const Ref<EvaluatedObject> round = evaluated(document).objects.at(lattice_id);
     if (!round->rejected.empty()) {
-        EXPECT_FALSE(round->stroke);
+        EXPECT_FALSE(round->lattice_stroke);
         EXPECT_LT(most_apart(world_points(document), world_points(box_in_lattice())), 1e-6);
     }
     const Document gone = after(laid(), Delete{{ground_id}});

@@ -31,24 +31,24 @@ TEST(Paste, LaysACopyOnWhatItLiesOnWhereTheSceneHasItOrItWasCopiedToo)
 {
     const Document before = small_document(); // 3 lies on 1, in group 4, and on 2
     const Document alone = after(before, copies(before, {3}));
-    EXPECT_THAT(object(alone, before.next_id).placement->onto, ElementsAre(1, 2));
+    EXPECT_THAT(object(alone, before.next_id).stroke->onto, ElementsAre(1, 2));
     const Document both = after(before, copies(before, {3, 2}));
     const Id ball = before.next_id, pot = before.next_id + 1;
-    EXPECT_THAT(object(both, pot).placement->onto, ElementsAre(1, ball));
+    EXPECT_THAT(object(both, pot).stroke->onto, ElementsAre(1, ball));
     const Document cut = after(after(before, Delete{{3}}), copies(before, {3}));
     EXPECT_EQ(object(cut, before.next_id).name, "Pot");
-    EXPECT_THAT(object(cut, before.next_id).placement->onto, ElementsAre(1, 2));
+    EXPECT_THAT(object(cut, before.next_id).stroke->onto, ElementsAre(1, 2));
 }
 
 TEST(Paste, LaysACopyOverAllThereIsInAnotherSceneOrLeavesItStraight)
 {
     const Document from = small_document();
     const Document nothing = after(Document{}, copies(from, {3}));
-    EXPECT_FALSE(object(nothing, 1).placement);
+    EXPECT_FALSE(object(nothing, 1).stroke);
     Document other = after(Document{}, AddTorus{}); // of the same number, not of that name
     other = after(other, copies(from, {3}));
-    EXPECT_THAT(object(other, 2).placement->onto, ElementsAre(1));
-    EXPECT_EQ(object(other, 2).placement->sketch, object(from, 3).placement->sketch);
+    EXPECT_THAT(object(other, 2).stroke->onto, ElementsAre(1));
+    EXPECT_EQ(object(other, 2).stroke->sketch, object(from, 3).stroke->sketch);
 }
 
 TEST(Paste, TakesTravelsAndWhatGoesRoundAlong)
@@ -58,10 +58,10 @@ TEST(Paste, TakesTravelsAndWhatGoesRoundAlong)
     from = after(from, PlaceRound{.object = 2, .around = 5, .level = 0.1, .parameters = {}});
     from = after(from, SetTravel{{2}, {.speed = 2}});
     const Document there = after(from, copies(from, {2}));
-    EXPECT_EQ(object(there, 6).placement, object(from, 2).placement);
+    EXPECT_EQ(object(there, 6).stroke, object(from, 2).stroke);
     EXPECT_EQ(object(there, 6).travel.speed, 2);
     const Document elsewhere = after(after(Document{}, AddBox{}), copies(from, {2}));
-    EXPECT_FALSE(object(elsewhere, 2).placement); // there is no way round
+    EXPECT_FALSE(object(elsewhere, 2).stroke); // there is no way round
 }
 
 TEST(Paste, KeepsWhatIsInAGroupAndPutsTheRestWhereItStood)

@@ -37,7 +37,7 @@ TEST_F(VolumeShape, ChangesTheModelAndComesBackByUndo)
 
 TEST_F(VolumeShape, FollowsTheStrokeWhereverThatGoes)
 {
-    PlacementParameters wide = object(small_document(), 3).placement->parameters;
+    PlacementParameters wide = object(small_document(), 3).stroke->parameters;
     wide.width = 0.5;
     const Document moved = after(pressed(), EditPlacement{3, wide, {}, {}});
     EXPECT_EQ(object(moved, 3).shaping.size(), 1u);
@@ -50,7 +50,7 @@ TEST_F(VolumeShape, FollowsTheStrokeWhereverThatGoes)
 TEST_F(VolumeShape, GoesWithTheVolumeThatItWasOf)
 {
     EXPECT_TRUE(object(after(pressed(), Unplace{3}), 3).shaping.empty());
-    const PlacementStep step = *object(small_document(), 3).placement;
+    const PlacementStep step = *object(small_document(), 3).stroke;
     EXPECT_TRUE(
         object(after(pressed(), Place{3, step.sketch, step.parameters, {}}), 3).shaping.empty());
 }

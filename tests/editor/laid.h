@@ -24,7 +24,7 @@ struct LaidRig : Rig {
     }
     const PlacementStep& step(Id id = 2) const
     {
-        return *object(editor.session.document(), id).placement;
+        return *object(editor.session.document(), id).stroke;
     }
     const Placement& laid(Id id = 2) const
     {

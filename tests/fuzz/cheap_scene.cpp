@@ -34,7 +34,7 @@ double control_points(const PlacementParameters& p)
 double work_of(const Object& object)
 {
     double work = std::visit(VerticesOf{}, object.source) * (1.0 + object.travel.followers);
-    if (object.placement) work += 10 * control_points(object.placement->parameters);
+    if (object.stroke) work += 10 * control_points(object.stroke->parameters);
     if (object.refining) work = too_much;
     return work + 100.0 * static_cast<double>(object.shaping.size());
 }

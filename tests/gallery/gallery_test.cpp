@@ -103,7 +103,7 @@ TEST_P(Gallery, LaysNothingIntoWhatItLiesOn)
     int rays = 0, seen = 0;
     for (const auto& [id, o] : scene.evaluated.objects) {
         if (!o->placement || !o->lies_on || o->shaped) continue;
-        const PlacementStep& step = *object(scene.document, id).placement;
+        const PlacementStep& step = *object(scene.document, id).stroke;
         if (step.parameters.contact_level > 0) continue; // what hangs below it reaches in
         const View view(step.sketch.camera);
         const double slack = 1e-2 * o->placement->report.height_world;

@@ -107,7 +107,7 @@ Image place()
     window.select("Snake");
     const Id snake = window.editor.session.selected;
     EditPlacement edit{
-        snake, object(window.editor.session.document(), snake).placement->parameters, {}, {}};
+        snake, object(window.editor.session.document(), snake).stroke->parameters, {}, {}};
     edit.parameters.offset = 0; // so that it folds nowhere
     edit.parameters.width_profile = {{0, 0.5}, {0.5, 1.3}, {1, 0.5}};
     window.run(edit);
@@ -131,8 +131,7 @@ Image profiles()
     without_volumes(window);
     window.select("Bulldozer, between");
     const Id id = window.editor.session.selected;
-    EditPlacement edit{
-        id, object(window.editor.session.document(), id).placement->parameters, {}, {}};
+    EditPlacement edit{id, object(window.editor.session.document(), id).stroke->parameters, {}, {}};
     edit.parameters.height_across = {{0, 0.8}, {0.5, 1.25}, {1, 0.8}};
     edit.parameters.rise_profile = {{0, 0}, {0.5, 0.38}, {1, 1}};
     window.run(edit);
@@ -189,8 +188,7 @@ Image heights()
     window.open("cube_refined");
     window.select("By curvature");
     const Id id = window.editor.session.selected;
-    EditPlacement edit{
-        id, object(window.editor.session.document(), id).placement->parameters, {}, {}};
+    EditPlacement edit{id, object(window.editor.session.document(), id).stroke->parameters, {}, {}};
     edit.parameters.height_map = {
         {0.7, 0.7, 0.7}, {0.7, 1.6, 0.7}, {0.7, 2.2, 0.7}, {0.7, 1.6, 0.7}, {0.7, 0.7, 0.7}};
     window.run(edit);

@@ -57,10 +57,10 @@ template <> struct FieldsOf<Object> {
         field("hidden", o.hidden, "it is left out of the picture");
         field("locked", o.locked, "no hand takes it",
               any_value.counts(Counting::marked).without_keys());
-        field("placement", o.placement, "how it lies on a stroke");
+        field("placement", o.stroke, "how it lies on a stroke");
         field("shaping", o.shaping, "what was done to its volume after that",
               any_value.counts(Counting::marked).called("Step"));
-        if (o.placement || o.travel != Travel{}) // what lies nowhere has nowhere to go
+        if (o.stroke || o.travel != Travel{}) // what lies nowhere has nowhere to go
             field("travel", o.travel, "how it goes along its stroke", later);
         field("playing", o.playing, "how it moves by a clip of its file", later);
         field("refining", o.refining, "how finely its triangles are split",

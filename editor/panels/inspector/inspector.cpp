@@ -202,12 +202,12 @@ void finish_edit(Editor& editor)
 void draw_transform(Editor& editor, const ui::Theme& theme, Id id)
 {
     const Object& each = object(editor.session.document(), id);
-    if (!ui::section(theme, "Transform", !each.placement)) return;
+    if (!ui::section(theme, "Transform", !each.stroke)) return;
     Transform t = each.transform;
     const KeyGutter keys(editor, {id});
     ValueRows rows{theme, &keys};
     FieldRows<Transform> fields(rows, t, "transform");
-    if (!each.placement) { // the stroke says where a placed object is
+    if (!each.stroke) { // the stroke says where a placed object is
         fields(&Transform::translation);
         fields(&Transform::rotation_deg);
     }

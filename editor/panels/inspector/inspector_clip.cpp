@@ -81,7 +81,7 @@ void draw_clip(Editor& editor, const ui::Theme& theme, const std::vector<Id>& id
     if (taken) p.clip = *taken;
     if (!p.clip.empty()) {
         const bool laid = std::ranges::all_of(
-            ids, [&](Id id) { return object(document, id).placement.has_value(); });
+            ids, [&](Id id) { return object(document, id).stroke.has_value(); });
         if (laid || p.foot_lock) fields(&Playing::foot_lock);
         const Ref<Walk> walk =
             ids.size() == 1 ? walk_of(editor.session.evaluated(), ids.back()) : nullptr;

@@ -129,12 +129,12 @@ void contact_rows(PlacementRows& fields)
 void draw_placement(Editor& editor, const ui::Theme& theme, Id id)
 {
     const Object& each = object(editor.session.document(), id);
-    PlacementParameters p = each.placement->parameters;
+    PlacementParameters p = each.stroke->parameters;
     const auto effects = editor.session.evaluated().objects.find(id);
     const Placement* placement = effects == editor.session.evaluated().objects.end()
                                      ? nullptr
                                      : effects->second->stroke_placement().get();
-    const bool round = each.placement->round.has_value();
+    const bool round = each.stroke->round.has_value();
     const KeyGutter keys(editor, {id});
     ValueRows rows{theme, &keys};
     PlacementRows fields(rows, p, "placement");

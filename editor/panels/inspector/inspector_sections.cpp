@@ -14,7 +14,7 @@ template <class Shape> bool is_made_of(const Document& document, Id id)
 
 bool is_placed(const Document& document, Id id)
 {
-    return object(document, id).placement.has_value();
+    return object(document, id).stroke.has_value();
 }
 
 bool has_a_volume(const Document& document, Id id)

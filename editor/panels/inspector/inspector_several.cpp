@@ -20,7 +20,7 @@ std::vector<Id> movable(const Session& session)
     const Document& document = session.document();
     std::vector<Id> out;
     for (const Id id : topmost(document, session.selected.ids()))
-        if (!object(document, id).placement && !locked(document, id)) out.push_back(id);
+        if (!object(document, id).stroke && !locked(document, id)) out.push_back(id);
     return out;
 }
 
@@ -109,7 +109,7 @@ void draw_several(Editor& editor, const ui::Theme& theme)
     ui::gap(theme, 4);
     const std::string placed = [&] {
         std::size_t count = 0;
-        for (const Id id : session.selected.ids()) count += object(document, id).placement ? 1 : 0;
+        for (const Id id : session.selected.ids()) count += object(document, id).stroke ? 1 : 0;
         return count == 0 ? std::string()
                           : fmt::format("{} on {}", count, count == 1 ? "a stroke" : "strokes");
     }();
@@ -119,7 +119,7 @@ void draw_several(Editor& editor, const ui::Theme& theme)
     transforms(editor, theme);
     std::vector<Id> placed_ids;
     for (const Id id : session.selected.ids())
-        if (object(session.document(), id).placement) placed_ids.push_back(id);
+        if (object(session.document(), id).stroke) placed_ids.push_back(id);
     if (!placed_ids.empty()) {
         draw_travel(editor, theme, placed_ids);
         draw_refinement(editor, theme, placed_ids);

@@ -34,7 +34,7 @@ TEST(Hints, LeadThroughAFirstStrokeAndDoNotComeBack)
     EXPECT_EQ(number(rig), 3);
     EXPECT_EQ(hint_card(rig.editor)->title, "Drag a white point to widen it");
     auto parameters =
-        object(rig.editor.session.document(), rig.editor.session.selected).placement->parameters;
+        object(rig.editor.session.document(), rig.editor.session.selected).stroke->parameters;
     parameters.width = 0.5;
     ASSERT_TRUE(
         rig.editor.session.run(EditPlacement{rig.editor.session.selected, parameters, {}, {}}));

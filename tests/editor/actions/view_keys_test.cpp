@@ -143,8 +143,8 @@ TEST(Isolate, LeavesWhatIsNotShownOutOfStrokes)
     rig.key({'D'});
     rig.draw(rig.stroke());
     rig.wait();
-    ASSERT_TRUE(object(rig.editor.session.document(), 2).placement);
-    EXPECT_THAT(object(rig.editor.session.document(), 2).placement->onto, ElementsAre(1));
+    ASSERT_TRUE(object(rig.editor.session.document(), 2).stroke);
+    EXPECT_THAT(object(rig.editor.session.document(), 2).stroke->onto, ElementsAre(1));
 }
 
 TEST(DeleteKey, IsNotTheAxisOfAMoveThatWasRefused)

@@ -99,7 +99,7 @@ TEST(Clipboard, HoldsALineThatAnotherSceneAndAnyFileTake)
     to.key(paste_key);
     to.wait();
     const Object& alone = object(to.editor.session.document(), 1);
-    EXPECT_FALSE(alone.placement);
+    EXPECT_FALSE(alone.stroke);
     EXPECT_THAT(said_last(to).body, HasSubstr("stands straight"));
     EXPECT_NO_THROW(replay(read_log(log_header() + text, "a file")));
 }
@@ -114,8 +114,8 @@ TEST(Clipboard, SaysHowACopyOfWhatLiesOnAStrokeLies)
     rig.key(paste_key);
     rig.wait();
     const Id made = rig.editor.session.selected;
-    EXPECT_EQ(object(rig.editor.session.document(), made).placement,
-              object(rig.editor.session.document(), 2).placement);
+    EXPECT_EQ(object(rig.editor.session.document(), made).stroke,
+              object(rig.editor.session.document(), 2).stroke);
     EXPECT_THAT(said_last(rig).body, HasSubstr("same stroke"));
 }
 

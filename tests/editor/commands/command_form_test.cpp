@@ -216,13 +216,13 @@ TEST(FillingValues, LaysAModelAlongAStrokeThatIsTyped)
              std::to_string(int(c.y)) + ", " + std::to_string(int(c.x) + 150) + " " +
              std::to_string(int(c.y)));
     EXPECT_TRUE(rig.editor.session.proposing());
-    EXPECT_TRUE(object(rig.editor.session.document(), 2).placement) << "shown before it is done";
+    EXPECT_TRUE(object(rig.editor.session.document(), 2).stroke) << "shown before it is done";
     rig.key({.key = ui::key_enter});
     EXPECT_FALSE(rig.editor.palette.open);
     rig.wait();
     EXPECT_EQ(rig.steps(), before + 1);
-    ASSERT_TRUE(object(rig.editor.session.committed(), 2).placement);
-    EXPECT_EQ(object(rig.editor.session.committed(), 2).placement->sketch.samples.size(), 3u);
+    ASSERT_TRUE(object(rig.editor.session.committed(), 2).stroke);
+    EXPECT_EQ(object(rig.editor.session.committed(), 2).stroke->sketch.samples.size(), 3u);
     EXPECT_EQ(rig.editor.session.selected.ids(), std::vector<Id>{2});
 }
 

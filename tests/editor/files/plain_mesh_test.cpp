@@ -62,7 +62,7 @@ TEST(PlainMesh, ApplyPutsTheCertifiedShapeInItsPlaceInOneStep)
     rig.ask(apply_shape_action, 2e-3);
     EXPECT_EQ(rig.steps(), steps + 1);
     const Object& now = object(rig.editor.session.document(), 2);
-    EXPECT_FALSE(now.placement);
+    EXPECT_FALSE(now.stroke);
     ASSERT_TRUE(std::holds_alternative<ImportedFile>(now.source));
     EXPECT_EQ(std::get<ImportedFile>(now.source).path, "Box plain_001.glb");
     expect_alike(rig.bounds(2), before, 4e-3);

@@ -144,7 +144,7 @@ TEST(KeyGutter, AnAutomaticSizeGetsAKeyOfWhatIsShown)
     rig.wait();
     ASSERT_TRUE(session.evaluated().objects.at(2)->placement);
     const PlacementReport report = session.evaluated().objects.at(2)->placement->report;
-    ASSERT_EQ(object(session.document(), 2).placement->parameters.width, 0);
+    ASSERT_EQ(object(session.document(), 2).stroke->parameters.width, 0);
     ASSERT_TRUE(insert_keys(session, {{2}, {"placement.width", "placement.height"}}));
     ASSERT_TRUE(track_of(session.document(), 2, "placement.width"));
     EXPECT_EQ(track_of(session.document(), 2, "placement.width")->keys[0].value,

@@ -9,7 +9,7 @@ using testing::Rig;
 
 const PlacementStep& step_of(const Rig& rig, Id id)
 {
-    return *object(rig.editor.session.committed(), id).placement;
+    return *object(rig.editor.session.committed(), id).stroke;
 }
 
 // A box, alone or beside a small plane, seen from the front and above.

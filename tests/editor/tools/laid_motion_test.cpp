@@ -52,7 +52,7 @@ TEST(LaidMotion, SlidesALatticeThatLiesOnAStroke)
     rig.wait();
     const auto middle = [&] {
         const Ref<EvaluatedObject> lattice = rig.editor.session.evaluated().objects.at(3);
-        EXPECT_TRUE(lattice->stroke);
+        EXPECT_TRUE(lattice->lattice_stroke);
         return evaluate(lattice->stroke_placement()->contact, {0.5, 0.5}).value;
     };
     const glm::dvec3 was = middle();

@@ -16,7 +16,7 @@ struct LatticeRig : Rig {
         key({'D'});
         draw(stroke());
         wait();
-        PlacementParameters p = object(editor.session.document(), 2).placement->parameters;
+        PlacementParameters p = object(editor.session.document(), 2).stroke->parameters;
         p.grid = {9, 4, 3};
         EXPECT_TRUE(editor.session.run(EditPlacement{2, p, {}, {}}));
         editor.session.view.camera.eye = {0.5, -4, 1.4};

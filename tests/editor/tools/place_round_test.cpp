@@ -20,7 +20,7 @@ struct RoundRig : testing::Rig {
     }
     const std::optional<PlacementStep>& step(Id id) const
     {
-        return object(editor.session.document(), id).placement;
+        return object(editor.session.document(), id).stroke;
     }
     bool can() { return is_enabled(editor, action(editor, place_round_action)); }
     void run()

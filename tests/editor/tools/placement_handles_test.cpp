@@ -295,7 +295,7 @@ TEST(PlaceTool, TheWheelSetsTheWidthWhileAStrokeIsDrawn)
     rig.screen.input().push(ui::press(ui::Button::left, false));
     rig.wait();
     EXPECT_EQ(rig.editor.session.view.camera, before);
-    EXPECT_NEAR(object(rig.editor.session.document(), 2).placement->parameters.width, 1.21 * width,
+    EXPECT_NEAR(object(rig.editor.session.document(), 2).stroke->parameters.width, 1.21 * width,
                 0.01 * width);
 }
 

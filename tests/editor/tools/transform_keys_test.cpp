@@ -163,7 +163,7 @@ TEST(TransformByKey, WhatGoesRoundABodyOffersToBeTakenOff)
     ASSERT_TRUE(rig.editor.session.run(AddCylinder{}));
     ASSERT_TRUE(rig.editor.session.run(PlaceRound{2, 3, 0, {}}));
     rig.wait();
-    ASSERT_TRUE(object(rig.editor.session.document(), 2).placement);
+    ASSERT_TRUE(object(rig.editor.session.document(), 2).stroke);
     EXPECT_EQ(stands_of(rig.editor.session.document(), {1, 2}).size(), 1u);
     rig.editor.session.selected = 2;
     const std::size_t said = rig.editor.session.notices.all().size();
@@ -178,7 +178,7 @@ TEST(TransformByKey, WhatGoesRoundABodyOffersToBeTakenOff)
     const auto take_off = notice.actions[0].act; // it may outlive its notice
     take_off();
     EXPECT_EQ(rig.steps(), 5u);
-    EXPECT_FALSE(object(rig.editor.session.document(), 2).placement);
+    EXPECT_FALSE(object(rig.editor.session.document(), 2).stroke);
     EXPECT_EQ(rig.editor.session.selected, 2);
     rig.key({'G'});
     EXPECT_TRUE(rig.editor.active_tool().busy());

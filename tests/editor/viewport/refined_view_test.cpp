@@ -69,7 +69,7 @@ TEST_F(RefinedViews, FollowEditsAndTheCamera)
 {
     run("Triangles within 1 px");
     const auto first = view().seen().objects.at(2);
-    PlacementParameters p = object(session().document(), 2).placement->parameters;
+    PlacementParameters p = object(session().document(), 2).stroke->parameters;
     p.fill *= 0.8;
     ASSERT_TRUE(session().run(EditPlacement{2, p, {}, {}}));
     settle();

@@ -88,11 +88,11 @@ TEST(EditorWindow, AWidthTypedWhileTheButtonIsHeldIsThatOfTheStroke)
     rig.wait();
     rig.frames(4);
     ASSERT_TRUE(rig.editor.session.proposing());
-    EXPECT_EQ(object(rig.editor.session.document(), 2).placement->parameters.width, 0.25);
+    EXPECT_EQ(object(rig.editor.session.document(), 2).stroke->parameters.width, 0.25);
     rig.screen.input().push(ui::press(ui::Button::left, false));
     rig.wait();
     ASSERT_EQ(rig.steps(), 3u);
-    EXPECT_EQ(object(rig.editor.session.committed(), 2).placement->parameters.width, 0.25);
+    EXPECT_EQ(object(rig.editor.session.committed(), 2).stroke->parameters.width, 0.25);
     EXPECT_LE(rig.editor.session.notices.all().size(), 1u) << "one stroke, one notice";
 }
 
@@ -129,7 +129,7 @@ TEST(EditorWindow, AChangeOfWhatLiesIsCalledAChangeAndNoneIsNoStep)
     rig.wait();
     session.notices.clear();
     session.selected = 0; // else the inspector says it
-    PlacementParameters wider = object(session.committed(), 2).placement->parameters;
+    PlacementParameters wider = object(session.committed(), 2).stroke->parameters;
     wider.width = 0.3;
     const std::size_t steps = rig.steps();
     ASSERT_TRUE(session.propose(EditPlacement{2, wider, {}, {}}));
