@@ -143,6 +143,10 @@ INSTANTIATE_TEST_SUITE_P(SampleModels, Walks,
                                             ::testing::Values(Way::straight, Way::curved,
                                                               Way::round)));
 
+INSTANTIATE_TEST_SUITE_P(TheHorse, Walks,
+                         ::testing::Combine(::testing::Values("horse"),
+                                            ::testing::Values(Way::straight)));
+
 TEST(Walking, SaysThatFeetAreLockedToNothingWhereItLiesOnNoStroke)
 {
     const std::string path = std::string(TRIVAR_BINARY_DIR) + "/assets/models/ant.glb";
@@ -177,13 +181,19 @@ TEST(Walking, SaysThatAModelWhoseFrontIsElsewhereWalksBackwards)
 
 TEST(Walking, KnowsTheStrideThatTheModelsAreMadeWith)
 {
-    for (const auto& [name, stride] : {std::pair{"ant", 0.17 / 0.55}, {"robot", 0.23 / 0.6}}) {
+    struct Known {
+        const char* name;
+        double stride;
+        std::size_t feet;
+    };
+    for (const auto& [name, stride, feet] :
+         {Known{"ant", 0.17 / 0.55, 6}, {"robot", 0.23 / 0.6, 2}, {"horse", 0.28 / 0.64, 4}}) {
         const std::string path = std::string(TRIVAR_BINARY_DIR) + "/assets/models/" + name + ".glb";
         ASSERT_TRUE(std::filesystem::exists(path));
         const Model model = read_model(path);
         const Gait gait = gait_of(model, model.clips.at(0));
         EXPECT_NEAR(gait.stride, stride, 0.005 * stride);
-        EXPECT_EQ(gait.feet.size(), name == std::string("ant") ? 6u : 2u);
+        EXPECT_EQ(gait.feet.size(), feet) << name;
         EXPECT_LT(glm::distance(gait.forward, {1, 0, 0}), 0.005);
     }
 }

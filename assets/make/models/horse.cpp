@@ -41,7 +41,9 @@ Model horse()
               {.052f, .470f, 0, .043f}, {.047f, .340f, 0, .038f}, {.055f, .225f, 0, .012f}};
     z.mane = {{.855f, .985f, 0, .020f}, {.815f, .985f, 0, .030f}, {.765f, .925f, 0, .034f},
               {.700f, .830f, 0, .036f}, {.640f, .755f, 0, .030f}, {.600f, .705f, 0, .012f}};
-    return quadruped(z);
+    Model m = quadruped(z);
+    walk(m, Limb(z.fore), Limb(z.hind));
+    return m;
 }
 
 } // namespace make

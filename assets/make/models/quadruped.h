@@ -16,4 +16,8 @@ struct Steed {
 };
 Model quadruped(const Steed& steed);
 
+// A skin for the root's mesh of a horse and the clip "walk": four beats, and its back goes with
+// them. The limbs of the side z > 0, as they are in the mesh.
+void walk(Model& model, const Limb& fore, const Limb& hind);
+
 } // namespace make
