@@ -6,13 +6,13 @@
 #include "core/commands/changes.h"
 #include "core/commands/edits.h"
 #include "core/commands/field_words.h"
+#include "core/commands/stroke_title.h"
 #include "core/commands/travel.h"
 #include "core/document/band.h"
 #include "core/document/check_view.h"
 #include "core/placement/height_map.h"
 #include "core/placement/profile.h"
 
-#include <cmath>
 #include <fmt/format.h>
 
 namespace trivar {
@@ -273,16 +273,8 @@ StepTitle title(const EditPlacement& c, const StepDocuments& step)
     const Object *a = step.was(c.object), *b = step.is(c.object);
     if (!a || !b || !a->stroke || !b->stroke) return {"Placement of " + name, {}};
     const Changes found = changes(a->stroke->parameters, b->stroke->parameters);
-    const Sketch &then = a->stroke->sketch, &now = b->stroke->sketch;
-    if (then != now && then.samples == now.samples) { // it moved as a whole, with its camera
-        const auto away = [](const Camera& camera) {
-            return glm::distance(camera.eye, camera.target);
-        };
-        const double factor = away(now.camera) / away(then.camera);
-        if (std::abs(factor - 1) < 1e-9) return {"Move " + name + " over the surface", {}};
-        return {"Scale " + name + " on the surface", "× " + brief_number(factor)};
-    }
-    if (then != now) return {"Stroke of " + name, {}};
+    if (auto moved = stroke_title(*a->stroke, *b->stroke, name)) return *moved;
+    if (a->stroke->sketch != b->stroke->sketch) return {"Stroke of " + name, {}};
     if (found.empty() && a->stroke->onto != b->stroke->onto)
         return {"Lay " + name + words_of_support(step, c.object), {}};
     return title_of_changes(found, "Placement", name);

@@ -31,6 +31,24 @@ EditPlacement with_stroke(const LaidStand& laid, const glm::dmat4& by, const Gro
     return edit;
 }
 
+// What is kept between scene and contact surface is measured toward the eye of the stroke: a lift
+// along the normal takes more of that where the eye looks aslant, and goes aside by so much.
+struct Lift {
+    double clearance = 0;
+    glm::dvec3 aside{0}; // in the plane of the ground
+};
+Lift lifted_by(const LaidStand& laid, double distance)
+{
+    constexpr double least_cosine = 0.05; // where the eye hardly sees the ground
+    const double was = laid.step.parameters.clearance;
+    if (distance == 0) return {was};
+    const glm::dvec3 up = -View(laid.step.sketch.camera).ray_to(laid.ground.p).direction;
+    const double cosine = std::max(least_cosine, glm::dot(up, laid.ground.normal));
+    const double clearance = std::max(0.0, was + distance / cosine);
+    const glm::dvec3 aside = up - laid.ground.normal * glm::dot(up, laid.ground.normal);
+    return {clearance, aside * (clearance - was)};
+}
+
 EditPlacement slid_to(const LaidStand& laid, const Ground& to)
 {
     return with_stroke(laid, slid(laid.ground, to), to);
@@ -110,14 +128,14 @@ std::optional<EditPlacement> moved(const LaidStand& laid, const Motion& motion,
     const MotionFrame own = laid.frame();
     const glm::dvec3 by =
         glm::transpose(own.axes) * (of.axes * motion.offset) / scale_of(laid.to_world);
-    const double distance = glm::length(glm::dvec2(by));
+    const glm::dvec3 left = glm::cross(laid.ground.normal, laid.along);
+    const Lift lift = lifted_by(laid, by.z);
+    const glm::dvec3 way = laid.along * by.x + left * by.y - lift.aside;
+    const double distance = glm::length(way);
     EditPlacement edit{laid.object, laid.step.parameters, {}, {}};
-    if (distance > 0) {
-        const glm::dvec3 left = glm::cross(laid.ground.normal, laid.along);
-        edit = slid_to(laid, walked(*laid.scene, laid.ground, laid.along * by.x + left * by.y,
-                                    distance, laid.reach));
-    }
-    edit.parameters.clearance = std::max(0.0, edit.parameters.clearance + by.z);
+    if (distance > 0)
+        edit = slid_to(laid, walked(*laid.scene, laid.ground, way, distance, laid.reach));
+    edit.parameters.clearance = lift.clearance;
     return edit;
 }
 

@@ -4,6 +4,8 @@
 #include "core/base/rejected.h"
 #include "tests/document/commands.h"
 
+#include <fmt/format.h>
+#include <glm/gtc/matrix_transform.hpp>
 #include <gmock/gmock.h>
 
 namespace trivar {
@@ -166,6 +168,47 @@ TEST(StepTitle, TellsAStrokeDrawnAgainAndOneThatWasReshaped)
     EXPECT_EQ(said(EditPlacement{
                   .object = 3, .parameters = {}, .sketch = {}, .onto = std::vector<Id>{2}}),
               "Lay Pot on Ball");
+}
+
+// Samples in a row along X about (1, 2, 0), on a face that looks upward.
+Attachment met_in_a_row(std::size_t count, const glm::dmat4& by = glm::dmat4(1))
+{
+    Attachment out{{attached_host(1, glm::dmat4(1), true)}};
+    for (std::size_t i = 0; i < count; ++i) {
+        const double along = static_cast<double>(i) / static_cast<double>(count - 1) - 0.5;
+        const glm::dvec3 p(by * glm::dvec4(1 + along, 2, 0, 1));
+        out.samples.push_back({.host = 0, .drawn = p, .normal = {0, 0, 1}});
+    }
+    return out;
+}
+
+TEST(StepTitle, TellsATurnOnTheSurfaceFromAMoveOverIt)
+{
+    const Sketch sketch = testing::small_sketch();
+    Document before = small_document();
+    before = after(before, EditPlacement{3, {}, sketch, {}, met_in_a_row(sketch.samples.size())});
+    const auto said_of = [&](const glm::dmat4& by) {
+        Sketch now = sketch;
+        now.camera = carried(now.camera, by);
+        return said(before, EditPlacement{3, {}, now, {}, {}});
+    };
+    const auto turn_about = [](const glm::dvec3& p, double angle_deg) {
+        const glm::dmat4 turn = Transform{.rotation_deg = {0, 0, angle_deg}}.matrix();
+        return glm::translate(glm::dmat4(1), p) * turn * glm::translate(glm::dmat4(1), -p);
+    };
+    for (const double angle : {-120, -1, 5, 90, 179})
+        EXPECT_EQ(said_of(turn_about({1, 2, 0}, angle)),
+                  fmt::format("Turn Pot on the surface {}°", angle));
+    // About a middle that is not quite that of the stroke, and far from it: along a bend.
+    EXPECT_EQ(said_of(turn_about({1.2, 2, 0}, 45)), "Turn Pot on the surface 45°");
+    EXPECT_EQ(said_of(turn_about({1, -6, 0}, 10)), "Move Pot over the surface");
+    // What stood in the way gave it another camera: where it met what it lies on tells.
+    Sketch seen_anew = sketch;
+    seen_anew.camera.perspective = !sketch.camera.perspective;
+    for (StrokeSample& each : seen_anew.samples) each.p_px *= 0.5;
+    const Attachment turned = met_in_a_row(sketch.samples.size(), turn_about({1, 2, 0}, 30));
+    EXPECT_EQ(said(before, EditPlacement{3, {}, seen_anew, {}, turned}),
+              "Turn Pot on the surface 30°");
 }
 
 TEST(StepTitle, TellsWhatGoesWithWhat)

@@ -2,6 +2,8 @@
 #include "core/evaluation/attaching.h"
 #include "tests/editor/laid.h"
 
+#include <gmock/gmock.h>
+
 namespace trivar {
 namespace {
 
@@ -85,14 +87,17 @@ TEST(LaidMotion, NumbersGoAlongAcrossAndOffTheSurface)
     rig.type("0.1");
     rig.key({ui::key_enter});
     rig.wait();
-    EXPECT_NEAR(rig.step().parameters.clearance, 0.1, 1e-12);
-    EXPECT_GT(rig.middle().z, 0.05) << "a tenth of a metre on the ray toward the eye";
+    const glm::dvec3 there = was + 0.5 * ahead - 0.3 * left;
+    EXPECT_LT(glm::distance(rig.middle(), there + glm::dvec3(0, 0, 0.1)), 1e-3)
+        << "straight off the surface, however the stroke looks at it";
+    EXPECT_GT(rig.step().parameters.clearance, 0.11) << "which is measured along its rays";
     rig.key({'G'});
     rig.key({'Z'});
     rig.type("-5");
     rig.key({ui::key_enter});
     rig.wait();
     EXPECT_EQ(rig.step().parameters.clearance, 0) << "nothing goes under the surface";
+    EXPECT_LT(glm::distance(rig.middle(), there), 1e-3) << "and back straight down";
 }
 
 TEST(LaidMotion, RTurnsItAboutItsContactAndXIsNoCommandMeanwhile)
@@ -116,6 +121,32 @@ TEST(LaidMotion, RTurnsItAboutItsContactAndXIsNoCommandMeanwhile)
     rig.wait();
     EXPECT_EQ(rig.steps(), before + 2);
     EXPECT_LT(glm::dot(rig.ahead(), ahead), -0.8) << "it went a quarter further with the mouse";
+}
+
+TEST(LaidMotion, HistorySaysMoveTurnScaleAndLift)
+{
+    LaidRig rig;
+    const auto title = [&] {
+        const History& history = rig.editor.session.scene().history();
+        const std::size_t n = history.position();
+        return step_title(history.steps()[n - 1].command, history.steps()[n - 2].result,
+                          history.steps()[n - 1].result)
+            .text();
+    };
+    const auto by = [&](std::initializer_list<int> keys, const char* amount) {
+        for (const int key : keys) rig.key({key});
+        rig.type(amount);
+        rig.key({ui::key_enter});
+        rig.wait();
+        return title();
+    };
+    EXPECT_EQ(by({'G'}, "0.4"), "Move Box over the surface");
+    EXPECT_EQ(by({'R'}, "90"), "Turn Box on the surface 90°");
+    EXPECT_EQ(by({'R'}, "-30"), "Turn Box on the surface -30°");
+    EXPECT_EQ(by({'G', 'Y'}, "-0.2"), "Move Box over the surface");
+    EXPECT_EQ(by({'S'}, "0.5"), "Scale Box on the surface × 0.5");
+    EXPECT_THAT(by({'G', 'Z'}, "0.1"), ::testing::StartsWith("Lift Box clearance 0.1"));
+    EXPECT_EQ(by({'G', 'Z'}, "-1"), "Lower Box clearance 0 m");
 }
 
 TEST(LaidMotion, SScalesLengthWidthAndHeightTogetherAndAnAxisOneOfThem)
