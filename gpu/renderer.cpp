@@ -28,9 +28,9 @@ void check_size(glm::ivec2 size_px)
 {
     const int largest = largest_texture_px();
     if (size_px.x < 1 || size_px.y < 1 || size_px.x > largest || size_px.y > largest)
-        throw Rejected(fmt::format("A picture of {} x {} pixels cannot be drawn: each side takes "
-                                   "1 to {}.",
-                                   size_px.x, size_px.y, largest));
+        throw Rejected(
+            fmt::format("A picture of {} x {} pixels cannot be drawn: each side must have 1 to {}.",
+                        size_px.x, size_px.y, largest));
 }
 
 } // namespace

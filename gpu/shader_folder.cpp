@@ -16,7 +16,7 @@ ShaderFolder::ShaderFolder(const std::string& checkout)
     std::error_code ignored;
     for (const fs::path& folder : folders_)
         if (!fs::is_directory(folder, ignored))
-            throw Rejected(fmt::format("{}: this is no checkout of Trivar, it has no folder {}.",
+            throw Rejected(fmt::format("{}: this is not a checkout of Trivar: it has no folder {}.",
                                        checkout, folder.lexically_relative(checkout).string()));
     look();
 }

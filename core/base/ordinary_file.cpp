@@ -27,7 +27,7 @@ std::string unusual_kind(mode_t mode)
 void check_ordinary(const std::string& path, mode_t mode)
 {
     if (const std::string kind = unusual_kind(mode); !kind.empty())
-        throw Rejected(fmt::format("{}: this is a {}, no ordinary file", path, kind));
+        throw Rejected(fmt::format("{}: this is a {}, not an ordinary file", path, kind));
 }
 
 [[noreturn]] void not_opened(const std::string& path, int reason)
@@ -70,7 +70,7 @@ std::size_t OrdinaryFile::read(std::span<char> bytes)
     while (done < wanted) {
         const ssize_t got = ::read(descriptor_, bytes.data() + done, wanted - done);
         if (got < 0 && errno == EINTR) continue;
-        if (got <= 0) throw Rejected(path_ + ": cannot be read to its end");
+        if (got <= 0) throw Rejected(path_ + ": cannot be read completely");
         done += static_cast<std::size_t>(got);
     }
     left_ -= done;
@@ -93,8 +93,8 @@ void check_replaceable(const std::string& path)
     struct stat status {};
     if (::stat(path.c_str(), &status) != 0) return;
     if (const std::string kind = unusual_kind(status.st_mode); !kind.empty())
-        throw Rejected(
-            fmt::format("{}: this is a {}, no ordinary file, and is not replaced", path, kind));
+        throw Rejected(fmt::format("{}: this is a {}, not an ordinary file, so it is not replaced",
+                                   path, kind));
 }
 
 } // namespace trivar

@@ -35,7 +35,7 @@ template <class Whole> Whole whole_number(const auto& json)
         json.is_number_unsigned()
             ? std::in_range<Whole>(json.template get<std::uint64_t>())
             : json.is_number_integer() && std::in_range<Whole>(json.template get<std::int64_t>());
-    if (!fits) throw Rejected("it has a number that is not whole, or too large");
+    if (!fits) throw Rejected("it has a number that is not whole or is too large");
     return json.template get<Whole>();
 }
 

@@ -121,7 +121,7 @@ Certificate certificate_from_json(const std::string& text)
     try {
         const CertificateJson all = CertificateJson::parse(text).at("trivar_certificate");
         if (all.at("version") != certificate_version)
-            throw Rejected("its certificate is of another version of Trivar");
+            throw Rejected("its certificate was written by another version of Trivar");
         Certificate out;
         out.tolerance = all.at("tolerance_m").get<double>();
         out.bound = or_infinite(all.at("bound_m"));
@@ -130,7 +130,7 @@ Certificate certificate_from_json(const std::string& text)
         out.lines =
             all.contains("lines") ? whole_number<int>(all.at("lines")) : 0; // not in the first ones
         if (out.lines < 0 || !(out.tolerance >= 0))
-            throw Rejected("its certificate has a number below 0 that cannot be");
+            throw Rejected("its certificate has a number below 0 where only 0 or more is possible");
         out.scene = all.at("scene").get<std::string>();
         out.result = all.at("result").get<std::string>();
         for (const CertificateJson& p : all.at("parts"))

@@ -28,7 +28,7 @@ std::size_t others(const Evaluation& now, const Evaluation* before)
 void check_kept(std::size_t kept, std::size_t moments)
 {
     if (kept > most_kept)
-        throw Rejected(fmt::format("{} moments of this scene are more than {} parts in memory; "
+        throw Rejected(fmt::format("{} moments of this scene need more than {} parts in memory; "
                                    "export fewer frames at once",
                                    moments, most_kept));
 }
@@ -45,8 +45,8 @@ FilmStrip& piece_of(std::vector<FilmStrip>& pieces, const Part& part, double fra
     FilmStrip next = pieces.front();
     constexpr std::size_t most_pieces = 1000;
     if (pieces.size() >= most_pieces)
-        throw Rejected(fmt::format("{}: its triangles change more than {} times, and each time it "
-                                   "would be another mesh; take keys of what changes them away",
+        throw Rejected(fmt::format("{}: its triangles change more than {} times, and every change "
+                                   "makes another mesh; remove the keys that change them",
                                    printable(next.name), most_pieces));
     next.piece = static_cast<int>(pieces.size());
     next.name += fmt::format(" from frame {}", shortest(frame));
@@ -71,7 +71,8 @@ FrameRange frame_range(const std::string& text, const Time& time)
         throw Rejected(fmt::format("--frames {}: must be A:B, such as 1:240", text));
     const FrameRange out{n.front(), n.back()};
     if (out.last < out.first)
-        throw Rejected(fmt::format("--frames {}: must go up, such as 1:240", text));
+        throw Rejected(fmt::format(
+            "--frames {}: the last frame comes before the first; write A:B, such as 1:240", text));
     if (out.first < time.first_frame || out.last > time.last_frame)
         throw Rejected(fmt::format("--frames {}: the scene's frames are {} to {}", text,
                                    time.first_frame, time.last_frame));

@@ -106,7 +106,7 @@ FilmCertificate film_certificate_from_json(const std::string& text)
     try {
         const FilmJson all = FilmJson::parse(text).at("trivar_animation");
         if (all.at("version") != film_certificate_version)
-            throw Rejected("its certificate is of another version of Trivar");
+            throw Rejected("its certificate was written by another version of Trivar");
         FilmCertificate out;
         out.tolerance = all.at("tolerance_m").get<double>();
         out.bound = film_number(all.at("bound_m"));
@@ -118,8 +118,8 @@ FilmCertificate film_certificate_from_json(const std::string& text)
         if (!(out.tolerance > 0) || !(out.frames_per_second > 0))
             throw Rejected("its certificate has a number that is not above 0");
         if (!(out.tolerance <= most_tolerance))
-            throw Rejected(fmt::format("its certificate has a tolerance of {:.3g} m, which says "
-                                       "nothing; {} m is the most",
+            throw Rejected(fmt::format("the tolerance of its certificate is {:.3g} m, which proves "
+                                       "nothing; at most {} m is allowed",
                                        out.tolerance, most_tolerance));
         for (const FilmJson& p : all.at("parts"))
             out.parts.push_back(

@@ -20,7 +20,7 @@ void check_keys(const Track& track, const Parameter& parameter)
     for (std::size_t i = 0; i < track.keys.size(); ++i) {
         const Key& key = track.keys[i];
         if (i > 0 && !(track.keys[i - 1].frame < key.frame))
-            throw Rejected(fmt::format("the keys of {} do not ascend: frame {} comes after {}",
+            throw Rejected(fmt::format("the keys of {} are not in order: frame {} comes after {}",
                                        track.parameter, key.frame, track.keys[i - 1].frame));
         if (!(key.value >= parameter.lo && key.value <= parameter.hi))
             throw Rejected(fmt::format("the key of {} in frame {} is {} but must lie between {} "
@@ -36,7 +36,7 @@ void check_keys(const Track& track, const Parameter& parameter)
 std::vector<Track> merged(std::vector<Track> tracks, const std::vector<Track>& more,
                           const std::vector<Parameter>& known, const std::string& whose)
 {
-    if (more.empty()) throw Rejected("field \"tracks\" is empty: say which parameter");
+    if (more.empty()) throw Rejected("field \"tracks\" is empty; name a parameter");
     for (const Track& track : more) {
         auto had = std::ranges::lower_bound(tracks, track.parameter, {}, &Track::parameter);
         const bool has = had != tracks.end() && had->parameter == track.parameter;
@@ -55,9 +55,9 @@ std::vector<Track> merged(std::vector<Track> tracks, const std::vector<Track>& m
     std::size_t keys = 0;
     for (const Track& track : tracks) keys += track.keys.size();
     if (tracks.size() > most_tracks || keys > most_keys)
-        throw Rejected(fmt::format("{} would have {} animated parameters with {} keys but at most "
-                                   "{} and {} are taken",
-                                   whose, tracks.size(), keys, most_tracks, most_keys));
+        throw Rejected(fmt::format(
+            "{} would have {} animated parameters with {} keys but at most {} and {} are allowed",
+            whose, tracks.size(), keys, most_tracks, most_keys));
     return tracks;
 }
 
@@ -65,7 +65,7 @@ std::vector<Track> merged(std::vector<Track> tracks, const std::vector<Track>& m
 
 Document applied(Document document, const Animate& command)
 {
-    if (command.of.empty()) throw Rejected("field \"of\" is empty: say of which object");
+    if (command.of.empty()) throw Rejected("field \"of\" is empty; name an object");
     std::set<Id> seen;
     for (const ObjectTracks& each : command.of) {
         const Id id = each.object;

@@ -26,12 +26,12 @@ void check_riders(const Document& document, const ApplyShape& command)
     if (command.strokes.size() != command.riders.size() ||
         command.attach.size() != command.riders.size())
         throw Rejected(fmt::format("fields \"strokes\" and \"attach\" have {} and {} entries for "
-                                   "{} riders; give one of each for each",
+                                   "{} riders; give one of each per rider",
                                    command.strokes.size(), command.attach.size(),
                                    command.riders.size()));
     for (const Id id : command.riders)
         if (!carried_by(object(document, id), command.object))
-            throw Rejected(fmt::format("field \"riders\": {} is not carried by {}",
+            throw Rejected(fmt::format("field \"riders\": {} is not attached to {}",
                                        named(document, id), named(document, command.object)));
 }
 

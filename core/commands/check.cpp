@@ -27,12 +27,12 @@ void check_number(std::string_view name, double value, const Rule& rule)
 void check_text(std::string_view name, std::string_view text, const Rule& rule)
 {
     if (text.size() > longest_text)
-        throw Rejected(fmt::format("field \"{}\" has {} bytes but at most {} are taken", name,
+        throw Rejected(fmt::format("field \"{}\" has {} bytes but at most {} are allowed", name,
                                    text.size(), longest_text));
     if (!is_utf8(text)) throw Rejected(fmt::format("field \"{}\" is not UTF-8 text", name));
     if (text.find('\0') != text.npos)
         throw Rejected(fmt::format(
-            "field \"{}\" holds the control character U+0000, which no text can", name));
+            "field \"{}\" holds the control character U+0000, which is not allowed in text", name));
     if (rule.choices.empty()) return;
     const std::string all = "|" + std::string(rule.choices) + "|";
     if (text.find('|') != text.npos || all.find("|" + std::string(text) + "|") == all.npos)
@@ -53,7 +53,7 @@ template <class T> void check_value(const std::string& name, const T& value, con
         check_number(name, static_cast<double>(value), rule);
     else if constexpr (std::is_enum_v<T>) {
         if (static_cast<std::size_t>(value) >= choice_names<T>.size())
-            throw Rejected(fmt::format("field \"{}\" is none of its choices", name));
+            throw Rejected(fmt::format("field \"{}\" is not one of its choices", name));
     } else if constexpr (std::is_same_v<T, std::string>)
         check_text(name, value, rule);
     else if constexpr (std::is_same_v<T, StrokeSample>) {
@@ -64,8 +64,8 @@ template <class T> void check_value(const std::string& name, const T& value, con
         if (value) check_value(name, *value, rule);
     } else if constexpr (is_list<T>) {
         if (value.size() > longest_list)
-            throw Rejected(fmt::format("field \"{}\" has {} entries but at most {} are taken", name,
-                                       value.size(), longest_list));
+            throw Rejected(fmt::format("field \"{}\" has {} entries but at most {} are allowed",
+                                       name, value.size(), longest_list));
         for (std::size_t i = 0; i < value.size(); ++i)
             check_value(fmt::format("{}[{}]", name, i), value[i], rule);
     } else

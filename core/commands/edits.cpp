@@ -78,8 +78,7 @@ void check_bent(const Document& document, Id id)
 {
     if (!object(document, id).stroke && lattices_round(document, id).empty())
         throw Rejected(named(document, id) +
-                       " is not placed and stands in no lattice; nothing bends "
-                       "it");
+                       " is neither placed on a stroke nor in a lattice, so nothing bends it");
 }
 
 void check_placed(const Object& o, Id id)

@@ -121,7 +121,7 @@ Document applied(Document document, const Ungroup& command)
 {
     const Object& group = object(document, command.object);
     if (!holds_others(group.source))
-        throw Rejected(named(document, command.object) + " is no group");
+        throw Rejected(named(document, command.object) + " is not a group");
     const Id parent = group.parent;
     std::vector<Id> members;
     for (const auto& [id, ref] : document.objects)
@@ -143,9 +143,9 @@ Document applied(Document document, const SetParent& command)
     const std::vector<Id> members = outermost(document, command.objects);
     if (command.parent != 0) {
         if (object(document, command.parent).stroke && !is_lattice(document, command.parent))
-            throw Rejected(fmt::format("{} lies on a stroke, where its transform does not count; "
-                                       "lay the other object on it, or attach it",
-                                       named(document, command.parent)));
+            throw Rejected(fmt::format(
+                "{} lies on a stroke and cannot be a parent; place the other object on it instead",
+                named(document, command.parent)));
         check_no_ring(document, members, command.parent);
     }
     for (const Id id : members) document = with_parent(std::move(document), id, command.parent);
@@ -167,7 +167,8 @@ Document applied(Document document, const Reorder& command)
     const Id parent = command.parent, before = command.before;
     if (parent != 0) {
         const Object& group = object(document, parent);
-        if (!holds_others(group.source)) throw Rejected(named(document, parent) + " is no group");
+        if (!holds_others(group.source))
+            throw Rejected(named(document, parent) + " is not a group");
         check_no_ring(document, members, parent);
     }
     if (before != 0 && (object(document, before).parent != parent || moves(before)))

@@ -14,7 +14,7 @@ Document with_file(Document document, Id id, std::string_view field, const Impor
 {
     if (file.path.empty()) throw Rejected("field \"path\" names no file");
     if (!std::holds_alternative<ImportedFile>(object(document, id).source))
-        throw Rejected(fmt::format("field \"{}\": {} comes from no file", field, id));
+        throw Rejected(fmt::format("field \"{}\": {} was not imported from a file", field, id));
     return with_changed(std::move(document), id, [&](Object& o) { o.source = file; });
 }
 

@@ -12,7 +12,8 @@ namespace trivar {
 Document applied(Document document, const KeepShape& command)
 {
     if (!is_lattice(document, command.object))
-        throw Rejected("field \"object\": " + named(document, command.object) + " is no lattice");
+        throw Rejected("field \"object\": " + named(document, command.object) +
+                       " is not a lattice");
     distinct(document, command.members);
     if (command.members.size() != command.files.size())
         throw Rejected(fmt::format("field \"files\" names {} files for {} members; give one each",

@@ -64,8 +64,8 @@ Document applied(Document document, const SetLattice& command)
 {
     const Object& lattice = object(document, command.object);
     if (!std::holds_alternative<LatticeShape>(lattice.source))
-        throw Rejected(
-            fmt::format("field \"object\": {} ({}) is no lattice", command.object, lattice.name));
+        throw Rejected(fmt::format("field \"object\": {} ({}) is not a lattice", command.object,
+                                   lattice.name));
     check(command.shape);
     return with_changed(std::move(document), command.object,
                         [&](Object& o) { o.source = command.shape; });

@@ -76,8 +76,9 @@ Source source_of(const CopiedObject& copy)
 std::vector<Ref<VolumeEdit>> as_refs(const CopiedObject& copy)
 {
     if (copy.shaping.size() > most_shaping_steps)
-        throw Rejected(fmt::format("field \"shaping\": {} is shaped in {} steps; {} are the most",
-                                   copy.name, copy.shaping.size(), most_shaping_steps));
+        throw Rejected(
+            fmt::format("field \"shaping\": {} is shaped in {} steps; at most {} are allowed",
+                        copy.name, copy.shaping.size(), most_shaping_steps));
     std::vector<Ref<VolumeEdit>> out;
     for (const VolumeEdit& edit : copy.shaping) {
         check(edit);

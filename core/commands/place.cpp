@@ -43,7 +43,7 @@ constexpr std::size_t most_supports = 4096;
 void check_count(const std::vector<Id>& supports)
 {
     if (supports.size() > most_supports)
-        throw Rejected(fmt::format("field \"onto\" comes to {} objects but at most {} are taken; "
+        throw Rejected(fmt::format("field \"onto\" comes to {} objects but at most {} are allowed; "
                                    "name those that the stroke meets",
                                    supports.size(), most_supports));
 }
@@ -92,7 +92,7 @@ void check_sketch(const Sketch& sketch)
 {
     check_view(sketch.camera);
     if (sketch.samples.size() < 2)
-        throw Rejected("field \"samples\" has less than two points; press, draw a line over the "
+        throw Rejected("field \"samples\" has fewer than two points; press, draw a line over the "
                        "scene, and let go");
 }
 
@@ -122,7 +122,8 @@ void check_attached(const Attachment& attachment, const PlacementStep& step)
 {
     check(attachment, step.sketch.samples.size());
     if (step.round)
-        throw Rejected("field \"attach\": what goes round an object goes with it as it is");
+        throw Rejected(
+            "field \"attach\" is not needed: what goes round an object moves with it anyway");
     for (const AttachedHost& host : attachment.hosts)
         if (std::ranges::find(step.onto, host.object) == step.onto.end())
             throw Rejected(fmt::format("field \"attach\" names object {}, which it does not lie on",
@@ -135,10 +136,9 @@ Attachment attached_to_all(const Document& document, const PlacementStep& step)
     Attachment out;
     for (const Id id : step.onto) {
         if (object(document, id).stroke)
-            throw Rejected(
-                fmt::format("field \"attach\" is missing: {} lies on a stroke itself, so "
-                            "it has to be said where it is met",
-                            named(document, id)));
+            throw Rejected(fmt::format("field \"attach\" is missing: {} lies on a stroke itself, "
+                                       "so the command must say where it is met",
+                                       named(document, id)));
         out.hosts.push_back(attached_host(id, to_world(document, id), true));
     }
     return out;
@@ -209,10 +209,10 @@ Document applied(Document document, const PlaceRound& command)
     check_can_be_laid(document, command.object);
     const Object& base = object(document, command.around);
     if (!band_round(base.source, 0, glm::dmat4(1)))
-        throw Rejected(fmt::format("field \"around\": {} is no cylinder, sphere, torus or Moebius "
-                                   "band",
-                                   named(document, command.around)));
-    if (base.stroke)
+        throw Rejected(
+            fmt::format("field \"around\": {} is not a cylinder, sphere, torus or Moebius band",
+                        named(document, command.around)));
+    if (base.placement)
         throw Rejected(fmt::format("field \"around\": {} is itself placed; unplace it first",
                                    named(document, command.around)));
     check_parameters(command.parameters);
@@ -246,16 +246,17 @@ Document applied(Document document, const EditPlacement& command)
         step.attach.reset();
     }
     if (command.onto && step.round)
-        throw Rejected(fmt::format("field \"onto\": {} goes round object {}; use place_round for "
-                                   "another one",
-                                   placed.name, step.onto.empty() ? 0 : step.onto.front()));
+        throw Rejected(fmt::format(
+            "field \"onto\": {} goes round object {}; use place_round for another object",
+            placed.name, step.onto.empty() ? 0 : step.onto.front()));
     if (command.onto)
         step.onto = supports(document, command.object, *command.onto, step.parameters.on_ground);
     const PlacementStep& before = *placed.stroke;
     if (step.onto.empty() && before.parameters.on_ground && !step.parameters.on_ground)
-        throw Rejected(fmt::format("{} lies on the ground alone; add or show another object and "
-                                   "name it in \"onto\"",
-                                   named(document, command.object)));
+        throw Rejected(
+            fmt::format("{} lies on nothing but the ground; add or show another object and "
+                        "name it in \"onto\"",
+                        named(document, command.object)));
     if (command.attach) step.attach = command.attach;
     if (command.attach) check_attached(*step.attach, step);
     if (step.attach && command.onto)
@@ -323,8 +324,9 @@ Document applied(Document document, const SetTravel& command)
     for (const Id id : distinct(document, command.objects)) {
         check_placed(object(document, id), id);
         if (is_lattice(document, id))
-            throw Rejected(named(document, id) + " is a lattice, which does not travel; give keys "
-                                                 "to the start of its stroke instead");
+            throw Rejected(
+                named(document, id) +
+                " is a lattice, which does not travel; animate the start of its stroke instead");
     }
     if (command.travels.empty())
         return with_all_changed(std::move(document), command.objects,

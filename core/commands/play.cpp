@@ -13,7 +13,7 @@ Document applied(Document document, const PlayClip& command)
 {
     for (const Id id : distinct(document, command.objects))
         if (!std::holds_alternative<ImportedFile>(object(document, id).source))
-            throw Rejected(named(document, id) + " is no imported model and has no clips");
+            throw Rejected(named(document, id) + " is not an imported model, so it has no clips");
     const std::vector<Playing>& each = command.playings;
     if (!each.empty() && each.size() != command.objects.size())
         throw Rejected(fmt::format("field \"playings\" has {} entries for {} objects", each.size(),

@@ -12,8 +12,8 @@ namespace trivar {
 void check(const Refining& refining)
 {
     if (refining.method == BoundMethod::thesis_circumradius)
-        throw Rejected("field \"method\": thesis_circumradius is false and bounds nothing; "
-                       "circumradius is the same formula put right");
+        throw Rejected("field \"method\": thesis_circumradius is wrong and bounds nothing; use "
+                       "circumradius, its corrected formula");
 }
 
 Document applied(Document document, const Refine& command)

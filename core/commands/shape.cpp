@@ -27,8 +27,9 @@ Document with_step(Document document, Id id, VolumeEdit edit)
     const Object& o = object(document, id);
     check_has_volume(o, id);
     if (o.shaping.size() >= most_shaping_steps)
-        throw Rejected(fmt::format("{} is shaped in {} steps already; take some back", named(id, o),
-                                   most_shaping_steps));
+        throw Rejected(
+            fmt::format("{} is shaped in {} steps already, which is the most; remove some first",
+                        named(id, o), most_shaping_steps));
     return with_changed(std::move(document), id, [&](Object& changed) {
         changed.shaping.push_back(make_ref(std::move(edit)));
     });
@@ -40,7 +41,7 @@ void check(const VolumeEdit& edit)
                       int{edit.insertion.has_value()} + int{edit.coarsening.has_value()} +
                       int{edit.mending.has_value()} + int{edit.allowance.has_value()} +
                       int{edit.warp.has_value()};
-    if (kinds != 1) throw Rejected("a step of shaping is one of its seven kinds, not more or less");
+    if (kinds != 1) throw Rejected("a step of shaping must be exactly one of the seven kinds");
     if (edit.press) check(*edit.press);
     if (edit.shift && edit.shift->points.empty())
         throw Rejected("field \"points\" is empty; name the control points that move");
@@ -171,8 +172,9 @@ Document applied(Document document, const Unshape& command)
     std::vector<Ref<VolumeEdit>> left;
     for (const int step : command.steps)
         if (static_cast<std::size_t>(step) > o.shaping.size())
-            throw Rejected(fmt::format("field \"steps\": {} is shaped in {} steps; there is no {}",
-                                       o.name, o.shaping.size(), step));
+            throw Rejected(
+                fmt::format("field \"steps\": {} is shaped in {} steps; there is no step {}",
+                            o.name, o.shaping.size(), step));
     const std::set<int> gone(command.steps.begin(), command.steps.end());
     for (std::size_t i = 0; i < o.shaping.size(); ++i)
         if (!gone.empty() && !gone.contains(static_cast<int>(i) + 1)) left.push_back(o.shaping[i]);

@@ -21,7 +21,7 @@ std::string size_words(const TextShape& s)
 Document applied(Document document, const SetText& command)
 {
     if (!std::holds_alternative<TextShape>(object(document, command.object).source))
-        throw Rejected(fmt::format("field \"object\": {} is no text", command.object));
+        throw Rejected(fmt::format("field \"object\": {} is not a text", command.object));
     check(command.shape);
     return with_changed(std::move(document), command.object,
                         [&](Object& o) { o.source = command.shape; });

@@ -28,7 +28,7 @@ StepTitle title(const KeepView& c, const StepDocuments& step)
 Document applied(Document document, const ForgetView& command)
 {
     if (document.kept_views.erase(command.name) == 0)
-        throw Rejected("there is no point of view named \"" + excerpt(command.name) + "\"");
+        throw Rejected("there is no bookmark named \"" + excerpt(command.name) + "\"");
     return document;
 }
 

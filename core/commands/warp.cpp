@@ -14,8 +14,8 @@ namespace {
 void check_lattice(const Document& document, Id id)
 {
     if (!is_lattice(document, id))
-        throw Rejected(
-            fmt::format("field \"object\": {} ({}) is no lattice", id, object(document, id).name));
+        throw Rejected(fmt::format("field \"object\": {} ({}) is not a lattice", id,
+                                   object(document, id).name));
 }
 
 // The warp that was that step; null: there is no such step, or it is another kind.
@@ -47,7 +47,7 @@ Document applied(Document document, const SetWarp& command)
     check_lattice(document, command.object);
     const Object& o = object(document, command.object);
     if (!warp_of(o, command.step))
-        throw Rejected(fmt::format("field \"step\": step {} of {} is no warp", command.step,
+        throw Rejected(fmt::format("field \"step\": step {} of {} is not a warp", command.step,
                                    named(command.object, o)));
     return with_changed(std::move(document), command.object, [&](Object& changed) {
         changed.shaping[static_cast<std::size_t>(command.step) - 1] =

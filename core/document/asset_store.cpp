@@ -101,9 +101,8 @@ AssetStore::LoadedModel AssetStore::load(const ImportedFile& file, const Progres
         }
     LoadedModel result = entry->second;
     if (result.model && !file.hash.empty() && file.hash != result.hash)
-        result.notices.push_back(fmt::format(
-            "{}: its content is not the one this scene was made with (it has changed since)",
-            file.path));
+        result.notices.push_back(
+            fmt::format("{}: the file has changed since this scene was made", file.path));
     // What is missing may come back, say when a disk is plugged in.
     if (result.hash.empty()) state_->loaded.erase(entry);
     return result;

@@ -33,7 +33,7 @@ Carriage carriage_of(const PlacementStep& step, StrokeHosts stroke,
     out.sketch = step.sketch;
     if (!stroke.main_host().object) {
         out.shown = false;
-        out.notices.emplace_back("what carries it is not shown in this frame");
+        out.notices.emplace_back("its host is not visible in this frame");
         return out;
     }
     const HostMotion motion = motion_of(stroke);

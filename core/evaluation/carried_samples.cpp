@@ -70,8 +70,8 @@ void tell_gaps(Carriage& carriage, const StrokeHosts& stroke, const std::vector<
     }
     constexpr double much = 0.1; // of the stroke
     if (widest > much * length)
-        carriage.notices.push_back(fmt::format(
-            "the objects that carry it have moved apart by {:.3g} m; it bridges the gap", widest));
+        carriage.notices.push_back(
+            fmt::format("its hosts have moved {:.3g} m apart; it spans the gap", widest));
 }
 
 } // namespace

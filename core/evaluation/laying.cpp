@@ -149,13 +149,15 @@ Laying::Landing Laying::fall(const Stroke& stroke, const StepInput& input)
     const Shape& shape = *stroke.before->shape;
     const PlacementStep& step = stroke.step;
     try {
-        if (shape.empty() && !stroke.lattice) throw Rejected("there is no shape to lay down");
+        if (shape.empty() && !stroke.lattice)
+            throw Rejected("the object is empty, so there is nothing to place");
         if (stroke.supports.empty() && !step.parameters.on_ground)
-            throw Rejected("everything this object lay on is gone; place it anew or unplace it");
+            throw Rejected("everything this object lay on is gone; place it again or remove it "
+                           "from its stroke");
         const std::optional<Band> band = band_of(input.document, step);
         if (step.round && !band)
-            throw Rejected("what it goes round is no cylinder, sphere, torus or Moebius band that "
-                           "stands free any more; place it anew or unplace it");
+            throw Rejected("what it goes round is no longer a free-standing cylinder, sphere, "
+                           "torus or Moebius band; place it again or remove it from its stroke");
         const Box box = box_of(shape, stroke.turned, stroke.lattice);
         if (step.round)
             return {make_ref(timed(input.timings, "volume",

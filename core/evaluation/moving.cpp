@@ -29,7 +29,7 @@ void tell_of_travel(Stage& stage)
     if (stage.walk && !stage.walk->remark.empty()) stage.notices.push_back(stage.walk->remark);
     if (stage.journey && stage.journey->travel().speed != 0 && !stage.journey->has_room())
         stage.notices.emplace_back(
-            "it fills its whole stroke and has no room to travel; make its fill smaller");
+            "it fills its whole stroke and has no room to travel; reduce its fill");
 }
 
 // The box further along its volume.
@@ -123,7 +123,7 @@ Ref<Stage> Moving::operator()(const Ref<Stage>& before, const StepInput& input)
         tell_of_pose(stage, *posed);
         if (feet_on_nothing)
             stage.notices.emplace_back(
-                "its feet are locked to its travel, and it lies on no stroke");
+                "foot lock has no effect without a stroke; place the object on one");
         if (!stage.rejected.empty()) stage.notices.push_back(stage.rejected);
         return make_ref(std::move(stage));
     });

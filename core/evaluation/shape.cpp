@@ -116,7 +116,7 @@ void subdivide(Shape& shape, int levels, const Progress& progress)
     leave_out_what_is_too_large(shape);
     if (bends)
         shape.notices.emplace_back(
-            "what is subdivided stands as it came: skins and morph targets do not move it");
+            "a subdivided model stays in its rest pose: skins and morph targets do not move it");
 }
 
 } // namespace trivar

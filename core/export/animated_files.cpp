@@ -32,7 +32,7 @@ const std::vector<std::string>& animated_extensions()
 void check_animated_name(const std::string& path)
 {
     if (std::ranges::find(animated_extensions(), extension_of(path)) == animated_extensions().end())
-        throw Rejected(path + ": what moves is written as .glb, .usda, .pc2 and .mdd");
+        throw Rejected(path + ": animations are written as .glb, .usda, .pc2 and .mdd");
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
     std::error_code ignored;
     if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))

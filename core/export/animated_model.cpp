@@ -202,8 +202,8 @@ void measure_nodes(const AnimatedScene& scene, AnimatedExport& out, const Progre
     for (std::size_t p = 0; p < claims.size(); ++p)
         if (const double least = 0x1p-21 * far[p];
             claims[p].bound > 0 && !(scene.tolerance > least) && !out.common[p].mesh)
-            throw Rejected(fmt::format("a tolerance of {:.3g} m is finer than single precision "
-                                       "tells places apart here; it has to be above {:.3g} m",
+            throw Rejected(fmt::format("a tolerance of {:.3g} m is finer than the precision of the "
+                                       "coordinates here; use more than {:.3g} m",
                                        scene.tolerance, least));
 }
 
@@ -213,8 +213,8 @@ AnimatedExport animated_export(const AnimatedScene& scene, const Ref<AssetStore>
                                const Progress& progress)
 {
     if (!(scene.tolerance > 0 && scene.tolerance <= most_tolerance))
-        throw Rejected(fmt::format("a tolerance has to be a length above 0 m and at most {} m",
-                                   most_tolerance));
+        throw Rejected(
+            fmt::format("the tolerance must be above 0 m and at most {} m", most_tolerance));
     FilmPlan plan = planned(scene, assets, part_of(progress, 0, 0.3));
     AnimatedExport out;
     out.film = std::move(plan.film); // strips keep their places

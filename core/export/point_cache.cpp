@@ -40,8 +40,8 @@ std::vector<CachedObject> objects_of(const Film& film)
     Id last = 0;
     for (const FilmStrip& strip : film.strips) {
         if (strip.piece > 0)
-            throw Rejected(fmt::format("{}: its triangles are others than before, and a cache has "
-                                       "one mesh; .glb and .usda have one after the other",
+            throw Rejected(fmt::format("{}: its triangles change, and a point cache holds one mesh "
+                                       "only; export it as .glb or .usda",
                                        printable(strip.name)));
         if (strip.object != last) {
             std::string name;

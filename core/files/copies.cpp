@@ -49,8 +49,8 @@ void Copies::make_folder(const fs::path& folder)
     if (folder.empty() || fs::is_directory(folder, error)) return;
     make_folder(folder.parent_path());
     if (!fs::create_directory(folder, error))
-        throw Rejected(fmt::format("{}: the folder cannot be made ({})", folder.string(),
-                                   error ? error.message() : "something is in its place"));
+        throw Rejected(fmt::format("{}: the folder cannot be created ({})", folder.string(),
+                                   error ? error.message() : "a file of that name exists"));
     made_.push_back(folder);
 }
 

@@ -36,16 +36,16 @@ GlbViews glb_views(std::string_view bytes)
 {
     constexpr std::size_t head = 12, chunk_head = 8, json = 0x4e4f534a, binary = 0x004e4942;
     if (bytes.substr(0, 4) != "glTF")
-        throw Rejected("this is no GLB file: it does not begin with the letters glTF");
+        throw Rejected("this is not a GLB file: it does not begin with the letters glTF");
     if (bytes.size() < head + chunk_head) throw Rejected("the file is cut off in its first bytes");
     if (glb_word(bytes, 4) != 2)
         throw Rejected(
-            fmt::format("this is glTF {}, and only glTF 2 can be read", glb_word(bytes, 4)));
+            fmt::format("this is glTF {}, but only glTF 2 can be read", glb_word(bytes, 4)));
     const std::size_t length = glb_word(bytes, 8);
     if (length > bytes.size() || length < head + chunk_head)
         throw Rejected(
-            fmt::format("the file is cut off or damaged: it says that it has {} bytes, and has {}",
-                        length, bytes.size()));
+            fmt::format("the file is cut off or damaged: it declares {} bytes but has {}", length,
+                        bytes.size()));
     bytes = bytes.substr(0, length);
     GlbViews out;
     for (std::size_t at = head; bytes.size() - at >= chunk_head;) {
@@ -53,7 +53,7 @@ GlbViews glb_views(std::string_view bytes)
         const std::size_t left = bytes.size() - at - chunk_head;
         if (at == head && kind != json) throw Rejected("its first chunk is not its JSON");
         if (size > left)
-            throw Rejected(fmt::format("{} is cut off: it says that it has {} bytes, and has {}",
+            throw Rejected(fmt::format("{} is cut off: it declares {} bytes but has {}",
                                        at == head       ? "its JSON"
                                        : kind == binary ? "its binary chunk"
                                                         : "one of its chunks",
@@ -79,7 +79,7 @@ std::string glb_container(const GlbChunks& chunks)
     const std::size_t json_size = up_to_four(text.size()), data_size = up_to_four(binary.size());
     const std::size_t size = 20 + json_size + (binary.empty() ? 0 : 8 + data_size);
     if (size > std::numeric_limits<std::uint32_t>::max())
-        throw Rejected("a GLB file can have up to 4 GB, this model needs more");
+        throw Rejected("a GLB file holds at most 4 GB; this model needs more");
     std::string out;
     out.reserve(size);
     out += "glTF";

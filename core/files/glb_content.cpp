@@ -59,7 +59,8 @@ glm::dmat4 matrix_of(const GlbJson& node)
 {
     glm::dmat4 out(1);
     for (const char* other : {"translation", "rotation", "scale"})
-        if (node.contains(other)) GlbParts::fail("a node is moved otherwise than by a matrix");
+        if (node.contains(other))
+            GlbParts::fail("a node is moved by something other than a matrix");
     if (!node.contains("matrix")) return out;
     for (int i = 0; i < 16; ++i)
         out[i / 4][i % 4] = node.at("matrix").at(static_cast<std::size_t>(i)).get<double>();
@@ -102,7 +103,7 @@ std::string glb_extras(const std::string& bytes, const std::string& name)
     } catch (const Rejected& error) {
         throw Rejected(name + ": " + error.what());
     } catch (const GlbJson::exception&) {
-        throw Rejected(name + ": this is no GLB file as Trivar writes them");
+        throw Rejected(name + ": this is not a GLB file as Trivar writes them");
     }
 }
 
@@ -125,7 +126,7 @@ GlbContent glb_content_of(const std::string& bytes, const std::string& name)
     } catch (const Rejected& error) {
         throw Rejected(name + ": " + error.what());
     } catch (const GlbJson::exception&) {
-        throw Rejected(name + ": this is no GLB file as Trivar writes them");
+        throw Rejected(name + ": this is not a GLB file as Trivar writes them");
     }
 }
 

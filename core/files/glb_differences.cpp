@@ -198,7 +198,7 @@ std::vector<std::string> glb_differences(const std::string& found, const std::st
     try {
         return Differences(found, expected).sentences;
     } catch (const FoundJson::exception&) {
-        throw Rejected("this is no GLB file as Trivar writes them");
+        throw Rejected("this is not a GLB file as Trivar writes them");
     }
 }
 

@@ -85,10 +85,10 @@ GltfAccessors::Layout GltfAccessors::layout(const GltfEntry& accessor) const
     const Layout out{accessor.needed_size("count"), components_of(accessor.needed_text("type")),
                      accessor.needed_size("componentType")};
     if (out.components == 0)
-        accessor.fail(fmt::format("'type' is '{}', and must be SCALAR, VEC2, VEC3, VEC4 or MAT4",
+        accessor.fail(fmt::format("'type' is '{}', but must be SCALAR, VEC2, VEC3, VEC4 or MAT4",
                                   printable(accessor.text("type").substr(0, 20))));
     if (bytes_of(out.component_type) == 0)
-        accessor.fail(fmt::format("'componentType' is {}, and must be 5120, 5121, 5122, 5123, 5125 "
+        accessor.fail(fmt::format("'componentType' is {}, but must be 5120, 5121, 5122, 5123, 5125 "
                                   "or 5126",
                                   out.component_type));
     return out;
@@ -103,7 +103,7 @@ void GltfAccessors::each_in_view(const GltfEntry& place, const Layout& layout, c
     const std::size_t element = component * layout.components;
     const std::size_t stride = view.size("byteStride", element), offset = place.size("byteOffset");
     if (stride < element)
-        view.fail(fmt::format("'byteStride' is {}, and one element has {} bytes", stride, element));
+        view.fail(fmt::format("'byteStride' is {}, but one element has {} bytes", stride, element));
     // Written so that no product can overflow.
     if (offset > bytes.size() || bytes.size() - offset < element ||
         layout.count - 1 > (bytes.size() - offset - element) / stride)
@@ -125,7 +125,7 @@ void GltfAccessors::each(const GltfEntry& accessor, const Layout& layout, const 
     const std::size_t count = sparse->needed_size("count");
     if (count > layout.count)
         sparse->fail(
-            fmt::format("'count' is {}, and its accessor has {} elements", count, layout.count));
+            fmt::format("'count' is {}, but its accessor has {} elements", count, layout.count));
     const GltfEntry indices = sparse->needed_part("indices"),
                     values = sparse->needed_part("values");
     const Layout of_indices{count, 1, indices.needed_size("componentType")};
@@ -135,7 +135,7 @@ void GltfAccessors::each(const GltfEntry& accessor, const Layout& layout, const 
     each_in_view(indices, of_indices, [&](std::size_t i, std::size_t, double value) {
         if (!(value >= 0 && value < static_cast<double>(layout.count)))
             indices.fail(
-                fmt::format("one is {}, and its accessor has {} elements", value, layout.count));
+                fmt::format("one is {}, but its accessor has {} elements", value, layout.count));
         at[i] = static_cast<std::size_t>(value);
     });
     each_in_view(values, {count, layout.components, layout.component_type},
@@ -177,14 +177,14 @@ std::vector<std::uint32_t> GltfAccessors::indices(const GltfEntry& owner, const 
     const GltfEntry entry = accessor(owner, name);
     const Layout from = layout(entry);
     if (from.components != 1 || from.component_type == single_float)
-        entry.fail("it gives the numbers of vertices, and must hold whole numbers, one by one");
+        entry.fail("it lists vertices, so it must hold single whole numbers");
     file_.account(entry, from.count, "elements", sizeof(std::uint32_t));
     std::vector<std::uint32_t> result(from.count, 0);
-    if (from.count > 0 && limit == 0) entry.fail("it asks for vertices, and there are none");
+    if (from.count > 0 && limit == 0) entry.fail("it asks for vertices, but there are none");
     each(entry, from, [&](std::size_t i, std::size_t, double value) {
         if (!(value >= 0 && value < static_cast<double>(limit)))
             entry.fail(
-                fmt::format("it asks for vertex {:.0f}, and the last is {}", value, limit - 1));
+                fmt::format("it asks for vertex {:.0f}, but the last is {}", value, limit - 1));
         result[i] = static_cast<std::uint32_t>(value);
     });
     return result;

@@ -75,7 +75,7 @@ GltfEntry::GltfEntry(const Json& root, const std::string& file_name)
       file_name_(&file_name)
 {
     if (!root.is_object())
-        fail(fmt::format("its JSON is damaged: it is {}, and must be an object", words_for(root)));
+        fail(fmt::format("its JSON is damaged: it is {}, but must be an object", words_for(root)));
 }
 
 GltfEntry::GltfEntry(const Json& value, const GltfEntry& owner, const char* called,
@@ -87,7 +87,7 @@ GltfEntry::GltfEntry(const Json& value, const GltfEntry& owner, const char* call
       number_(number)
 {
     if (!value.is_object())
-        fail(fmt::format("this is {}, and must be an object", words_for(value)));
+        fail(fmt::format("this is {}, but must be an object", words_for(value)));
 }
 
 std::string GltfEntry::place() const
@@ -115,8 +115,8 @@ void GltfEntry::fail(const std::string& what) const
 void GltfEntry::refuse(const char* name, const std::string& wanted) const
 {
     const Json* found = find(name);
-    fail(found ? fmt::format("'{}' is {}, and must be {}", name, words_for(*found), wanted)
-               : fmt::format("'{}' is missing, and must be {}", name, wanted));
+    fail(found ? fmt::format("'{}' is {}, but must be {}", name, words_for(*found), wanted)
+               : fmt::format("'{}' is missing and must be {}", name, wanted));
 }
 
 const EntryJson* GltfEntry::find(const char* name) const
@@ -154,7 +154,7 @@ std::vector<Value> GltfEntry::read_list(const char* name, const char* wanted,
     for (const Json& each : *found) {
         const std::optional<Value> read = value(each);
         if (!read)
-            fail(fmt::format("'{}' has {} at number {}, and all in it must be {}", name,
+            fail(fmt::format("'{}' has {} at number {}, but all in it must be {}", name,
                              words_for(each), out.size(), wanted));
         out.push_back(*read);
     }

@@ -53,7 +53,7 @@ void check_version(const GltfEntry& root)
     if (version.empty())
         root.fail("it does not say that it is glTF 2: its 'asset' must have the 'version' \"2.0\"");
     if (version != "2" && !version.starts_with("2."))
-        root.fail(fmt::format("this is glTF {}, and only glTF 2 can be read",
+        root.fail(fmt::format("this is glTF {}, but only glTF 2 can be read",
                               printable(version.substr(0, 20))));
 }
 
@@ -71,9 +71,9 @@ void check_extensions(const GltfEntry& root, CountedNotices& notices)
 {
     const std::vector<std::string> needed = unsupported_extensions(root, "extensionsRequired");
     if (!needed.empty())
-        root.fail(fmt::format("it needs the extension {}, which is not supported: export it "
-                              "without",
-                              needed.front()));
+        root.fail(fmt::format(
+            "it needs the extension {}, which Trivar does not support; export it without",
+            needed.front()));
     std::vector<std::string> used = unsupported_extensions(root, "extensionsUsed");
     constexpr std::size_t most_listed = 6;
     const std::size_t all = used.size();
@@ -119,8 +119,8 @@ void GltfFile::account(const GltfEntry& owner, std::size_t count, const char* ca
                        std::size_t bytes_each)
 {
     if (count > bytes_left_ / bytes_each)
-        owner.fail(fmt::format("it has {} {}, and with what was read before that is more than a "
-                               "file of {} bytes accounts for",
+        owner.fail(fmt::format("it has {} {}; together with what was read before, that is more "
+                               "than a file of {} bytes can hold",
                                count, called, byte_count_));
     bytes_left_ -= count * bytes_each;
 }

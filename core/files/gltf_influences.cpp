@@ -63,9 +63,9 @@ void GltfMeshes::add_influences(Mesh& mesh, const GltfEntry& attributes, VertexR
             for (std::size_t c = 0; c < 4; ++c) {
                 const double joint = double(joints[set].values[4 * v + c]);
                 if (!(joint >= 0 && joint < joint_numbers))
-                    attributes.fail(fmt::format("'JOINTS_{}' names joint {}, and joints are "
-                                                "counted from 0 to {}",
-                                                set, joint, joint_numbers - 1));
+                    attributes.fail(fmt::format(
+                        "'JOINTS_{}' names joint {}, but joints are counted from 0 to {}", set,
+                        joint, joint_numbers - 1));
                 all.emplace_back(weights[set].values[4 * v + c], static_cast<std::uint16_t>(joint));
             }
         if (std::ranges::any_of(all, [](const auto& each) { return each.first < 0; })) ++negative;

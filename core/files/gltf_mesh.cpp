@@ -71,7 +71,7 @@ GltfMeshes::Shapes GltfMeshes::read(const GltfEntry& from)
     from.each("primitives", "primitive", [&](const GltfEntry& primitive) {
         const std::size_t mode = primitive.size("mode", triangle_list);
         if (mode > triangle_fan)
-            primitive.fail(fmt::format("'mode' is {}, and must be from 0 to 6", mode));
+            primitive.fail(fmt::format("'mode' is {}, but must be from 0 to 6", mode));
         if (mode == point_list)
             return notices_.add("one part of a mesh is points and was left out",
                                 "{0} parts of meshes are points and were left out");
@@ -82,8 +82,8 @@ GltfMeshes::Shapes GltfMeshes::read(const GltfEntry& from)
         const auto extensions = primitive.part("extensions");
         if (extensions && extensions->has("KHR_draco_mesh_compression") &&
             accessors_.zeros(attributes, "POSITION"))
-            primitive.fail("it is compressed by KHR_draco_mesh_compression, which is not "
-                           "supported: export it without");
+            primitive.fail("it is compressed by KHR_draco_mesh_compression, which Trivar does not "
+                           "support; export it without");
         // Primitives that differ in their material only share their vertices, but where a material
         // moves texture coordinates.
         if (mode < triangle_list) {
@@ -109,11 +109,11 @@ GltfAccessors::Table GltfMeshes::table(const GltfEntry& owner, const char* name,
 {
     GltfAccessors::Table out = accessors_.floats(owner, name);
     if (out.components < least || out.components > most)
-        owner.fail(fmt::format("'{}' has {} numbers a vertex, and must have {}", name,
+        owner.fail(fmt::format("'{}' has {} numbers per vertex, but must have {}", name,
                                out.components, least));
     if (out.count != count)
         owner.fail(
-            fmt::format("'{}' is for {} vertices, and there are {}", name, out.count, count));
+            fmt::format("'{}' is for {} vertices, but there are {}", name, out.count, count));
     return out;
 }
 
@@ -133,7 +133,7 @@ void GltfMeshes::append(std::vector<T>& values, const GltfEntry& owner, const ch
         for (std::size_t c = 0; c < read.components; ++c)
             values[added.first + i][static_cast<int>(c)] = read.values[i * read.components + c];
     notices_.add("one number of its vertices is infinite or none, and was read as 0",
-                 "{0} numbers of its vertices are infinite or none, and were read as 0",
+                 "{0} values of its vertices are not finite numbers and were read as 0",
                  read.not_finite);
 }
 
@@ -141,7 +141,7 @@ std::size_t GltfMeshes::position_count(const GltfEntry& attributes)
 {
     const GltfAccessors::Table positions = accessors_.floats(attributes, "POSITION");
     if (positions.not_finite > 0)
-        attributes.fail(fmt::format("'POSITION' has numbers that are infinite or none, {} in all",
+        attributes.fail(fmt::format("'POSITION' has values that are not finite numbers, {} in all",
                                     positions.not_finite));
     return positions.count;
 }
@@ -150,8 +150,7 @@ GltfMeshes::VertexRange GltfMeshes::add_vertices(Mesh& mesh, const GltfEntry& pr
 {
     const GltfEntry attributes = primitive.needed_part("attributes");
     const VertexRange added{mesh.vertex_count(), position_count(attributes)};
-    if (added.end() > 0xfffffff0u)
-        primitive.fail("with it, the mesh has more vertices than can be counted");
+    if (added.end() > 0xfffffff0u) primitive.fail("with it the mesh has too many vertices");
     accessors_.file().account(primitive, added.count, "vertices", vertex_bytes);
     append(mesh.positions, attributes, "POSITION", added, glm::vec3(0));
     append(mesh.normals, attributes, "NORMAL", added, glm::vec3(0));
@@ -208,7 +207,8 @@ void GltfMeshes::add_targets(Mesh& mesh, const GltfEntry& primitive, VertexRange
 {
     const std::size_t count = primitive.count("targets");
     if (count > max_targets)
-        primitive.fail(fmt::format("it has {} morph targets, and may have {}", count, max_targets));
+        primitive.fail(
+            fmt::format("it has {} morph targets, but may have at most {}", count, max_targets));
     mesh.morph_targets.resize(std::max(mesh.morph_targets.size(), count));
     const auto add = [&](std::vector<glm::vec3>& values, const GltfEntry& target,
                          const char* name) {

@@ -13,9 +13,8 @@ void check_range(const GltfEntry& node, const char* name, const std::vector<doub
 {
     for (const double value : values)
         if (!(std::abs(value) <= most_coordinate))
-            node.fail(
-                fmt::format("'{}' has the number {}, and numbers up to {:g} can be worked with",
-                            name, value, most_coordinate));
+            node.fail(fmt::format("'{}' has the number {}, but numbers up to {:g} are allowed",
+                                  name, value, most_coordinate));
 }
 
 glm::dmat4 affine_matrix(const GltfEntry& node, const std::vector<double>& values)
@@ -167,7 +166,7 @@ private:
             const auto index = static_cast<std::size_t>(visit.node);
             const GltfEntry from = root_.item("nodes", "node", index);
             if (out.node_of[index] >= 0)
-                from.fail("it has two parents or is its own ancestor, and nodes must form trees");
+                from.fail("it has two parents or is its own ancestor, but nodes must form trees");
             const int self = static_cast<int>(out.nodes.size());
             out.node_of[index] = self;
             out.nodes.push_back(node_of(from, visit.parent));

@@ -56,7 +56,7 @@ Ref<Image> GltfPictures::read(const GltfEntry& image, std::size_t number)
         const auto [known, fresh] = by_uri_.try_emplace(uri);
         if (!fresh) return known->second;
         const std::optional<std::string> bytes = file_.uri_bytes(uri);
-        if (!bytes && is_data_uri(uri)) throw Rejected(name + ": its data uri is no base64");
+        if (!bytes && is_data_uri(uri)) throw Rejected(name + ": its data uri is not base64");
         if (bytes)
             known->second = decoded(*bytes, name);
         else

@@ -94,12 +94,11 @@ void check_gltf_reach(Model& model, const std::string& file_name, CountedNotices
         }
         const double far = reaches.of(n);
         throw Rejected(fmt::format(
-            "{}: {} reaches {} from the origin, and places up to {:g} m can be worked with: is its "
-            "unit or a scale wrong?",
+            "{}: {} reaches {} from the origin, but coordinates up to {:g} m are allowed; check "
+            "its unit and its scale",
             file_name,
             node.name.empty() ? "a mesh" : fmt::format("the mesh of node '{}'", excerpt(node.name)),
-            far < beyond_all ? fmt::format("{:.3g} m", far) : "further than numbers go",
-            most_coordinate));
+            far < beyond_all ? fmt::format("{:.3g} m", far) : "infinitely far", most_coordinate));
     }
 }
 

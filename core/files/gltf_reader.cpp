@@ -65,7 +65,7 @@ void check_for_faces(const Model& model, const GltfFile& file, const std::vector
     std::string why;
     for (const std::string& notice : said)
         why += (why.empty() ? ": " : "; ") + notice.substr(file.name().size() + 2);
-    throw Rejected(fmt::format("{}: there are no faces and no lines in it{}", file.name(), why));
+    throw Rejected(fmt::format("{}: it has no faces and no lines{}", file.name(), why));
 }
 
 } // namespace

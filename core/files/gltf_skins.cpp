@@ -21,7 +21,8 @@ ReadSkin read_skin(const GltfEntry& from, GltfAccessors& accessors, const std::v
     ReadSkin out;
     const std::vector<int> joints = from.indices("joints");
     if (joints.size() > max_joints)
-        from.fail(fmt::format("it has {} joints, and may have {}", joints.size(), max_joints));
+        from.fail(
+            fmt::format("it has {} joints, but may have at most {}", joints.size(), max_joints));
     constexpr std::size_t joint_bytes = 200; // with its matrix, here and in a pose
     accessors.file().account(from, joints.size(), "joints", joint_bytes);
     for (const int joint : joints) {
@@ -86,7 +87,7 @@ void add_gltf_skins(Model& model, GltfAccessors& accessors, const std::vector<in
         const auto [last, fresh] = last_joints.try_emplace(node.mesh);
         if (fresh) last->second = last_joint(mesh);
         if (const std::size_t count = model.skins[number].joints.size(); last->second >= count)
-            from.fail(fmt::format("a vertex of its mesh goes with joint {}, and its skin has {} "
+            from.fail(fmt::format("a vertex of its mesh is bound to joint {}, but its skin has {} "
                                   "joints, counted from 0",
                                   last->second, count));
         node.skin = from.index("skin");

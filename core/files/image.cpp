@@ -33,7 +33,7 @@ const Codec& codec_for(const std::string& name, const std::string& extension)
 try {
     const Codec& codec = picture_codec();
     if (codec.writes(extension)) return codec;
-    throw Rejected(fmt::format("cannot be written as '{}', png, jpg and exr can", extension));
+    throw Rejected(fmt::format("cannot be written as '{}'; use png, jpg or exr", extension));
 } catch (const Rejected& rejected) {
     throw Rejected(
         fmt::format("{}: pictures {}", name.empty() ? "picture" : name, rejected.what()));

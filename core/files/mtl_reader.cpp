@@ -120,8 +120,8 @@ private:
             const glm::dvec2 size_px(picture_size(bytes, file.name));
             pixels_ += size_px.x * size_px.y;
             if (pixels_ > static_cast<double>(max_pixels_per_model))
-                throw Rejected(fmt::format("{}: it was left out: with the pictures before it, it "
-                                           "has more pixels than a model may have",
+                throw Rejected(fmt::format("{}: it was left out, because the pictures of the model "
+                                           "have too many pixels in all",
                                            file.name));
             at->second = make_ref(pictures_.read_bytes(bytes, file.name));
         } catch (const Rejected& rejected) {

@@ -151,7 +151,7 @@ private:
                                         "7/8/9 should be",
                                         shown(word.word())));
             if (read->v == ObjCorner::absent)
-                return fail("a face names vertex 0; vertices count from 1");
+                return fail("a face names vertex 0, but vertices are counted from 1");
             block_.corners.push_back(*read);
         }
         block_.face_end.push_back(static_cast<std::uint32_t>(block_.corners.size()));

@@ -31,8 +31,9 @@ public:
         if (!one_line || !at_line_end()) count("number of edges");
         // A number and a blank are two bytes, so this many cannot be there.
         if (vertices * 6 + faces * 2 > file_.bytes.size() + 2)
-            fail(fmt::format("{} vertices and {} faces are declared, more than {} bytes can hold",
-                             vertices, faces, file_.bytes.size()));
+            fail(fmt::format(
+                "{} vertices and {} faces are declared, which is more than {} bytes can hold",
+                vertices, faces, file_.bytes.size()));
         read_vertices(vertices);
         for (std::size_t f = 0; f < faces; ++f) {
             if (f % (1 << 16) == 0)
@@ -62,10 +63,10 @@ private:
         if (keyword.starts_with("ST")) uvs_ = true, keyword.remove_prefix(2);
         if (keyword.starts_with("C")) colors_ = true, keyword.remove_prefix(1);
         if (keyword.starts_with("N")) normals_ = true, keyword.remove_prefix(1);
-        if (keyword != "OFF") fail("the file should begin with OFF, COFF, NOFF, CNOFF or STOFF");
+        if (keyword != "OFF") fail("the file must begin with OFF, COFF, NOFF, CNOFF or STOFF");
         scan_.skip_blanks();
         TextScan ahead = scan_;
-        if (ahead.word() == "BINARY") fail("binary OFF cannot be read, save it as text");
+        if (ahead.word() == "BINARY") fail("binary OFF cannot be read; save it as text");
         if (uvs_) mesh_.uvs.emplace_back();
     }
 
@@ -135,8 +136,8 @@ private:
         if (value && *value >= 0 && (at_line_end() || is_blank(scan_.at[-1])))
             return static_cast<std::size_t>(*value);
         const std::string_view there = word.word();
-        if (there.empty()) fail(fmt::format("the {} is missing, the file ends here", what));
-        fail(fmt::format("the {} is '{}'; it should be a whole number from 0 to 999999999", what,
+        if (there.empty()) fail(fmt::format("the {} is missing because the file ends here", what));
+        fail(fmt::format("the {} is '{}' but must be a whole number from 0 to 999999999", what,
                          shown(there)));
     }
 

@@ -34,7 +34,7 @@ void refuse_wide_text(std::string_view bytes, const std::string& name)
     const bool marked =
         std::ranges::any_of(wide_marks, [&](auto mark) { return bytes.starts_with(mark); });
     if (marked || two_bytes_each(bytes))
-        throw Rejected(name + ": its text is in UTF-16 or UTF-32; save it in UTF-8");
+        throw Rejected(name + ": its text is UTF-16 or UTF-32; save it as UTF-8");
 }
 
 std::string_view without_mark(std::string_view bytes)

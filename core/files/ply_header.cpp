@@ -84,8 +84,8 @@ PlyHeader read_ply_header(std::string_view bytes, const std::string& name)
             else if (format == "binary_big_endian")
                 header.format = Format::big_endian;
             else
-                fail(fmt::format("'{}' is no PLY format; ascii, binary_little_endian and "
-                                 "binary_big_endian are",
+                fail(fmt::format("'{}' is not a PLY format; use ascii, binary_little_endian or "
+                                 "binary_big_endian",
                                  shown(format)));
             format_said = true;
         } else if (keyword == "element") {
@@ -94,8 +94,9 @@ PlyHeader read_ply_header(std::string_view bytes, const std::string& name)
             words.skip_blanks();
             const auto count = words.integer();
             if (!count || *count < 0)
-                fail(fmt::format("the number of the element {} is none from 0 to 999999999",
-                                 shown(element.name)));
+                fail(fmt::format(
+                    "the number of elements {} must be a whole number from 0 to 999999999",
+                    shown(element.name)));
             element.count = static_cast<std::size_t>(*count);
             header.elements.push_back(std::move(element));
         } else if (keyword == "property") {
@@ -105,15 +106,15 @@ PlyHeader read_ply_header(std::string_view bytes, const std::string& name)
             if (type == "list") {
                 const auto count_type = type_named(words.word());
                 if (!count_type || *count_type == PlyType::f32 || *count_type == PlyType::f64)
-                    fail("the length of a list should be a whole number, such as uchar or int");
+                    fail("the length of a list must be a whole number, such as uchar or int");
                 property.list = true;
                 property.count_type = *count_type;
                 type = words.word();
             }
             const auto known = type_named(type);
             if (!known)
-                fail(fmt::format("'{}' is no PLY type; char, uchar, short, ushort, int, uint, "
-                                 "float and double are",
+                fail(fmt::format("'{}' is not a PLY type; use char, uchar, short, ushort, int, "
+                                 "uint, float or double",
                                  shown(type)));
             property.type = *known;
             property.name = words.word();

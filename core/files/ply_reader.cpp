@@ -146,7 +146,7 @@ private:
         const double value = values_.value(property.type);
         if (std::abs(value) <= std::numeric_limits<float>::max()) return value;
         if (needed)
-            values_.fail(fmt::format("its {} is '{}', which is no number from -3.4e38 to 3.4e38",
+            values_.fail(fmt::format("its {} is '{}', which is not a number from -3.4e38 to 3.4e38",
                                      shown(property.name), values_.last()));
         ++bad_values_;
         return 0;
@@ -198,7 +198,7 @@ private:
         const double index = values_.value(type);
         if (!(std::abs(index) <= 4294967295.0) || index != std::floor(index))
             values_.fail(
-                fmt::format("it has '{}' where the number of a vertex should be", values_.last()));
+                fmt::format("it has '{}' in place of the number of a vertex", values_.last()));
         if (index < 0 || index == 4294967295.0) return {};
         return static_cast<std::uint32_t>(index);
     }

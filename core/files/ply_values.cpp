@@ -80,8 +80,8 @@ std::size_t PlyValues::list_length(const PlyProperty& property)
     const std::size_t least = ascii_ ? 2 : size_of(property.type);
     if (!(length >= 0) || length != std::floor(length) ||
         length * static_cast<double>(least) > static_cast<double>(left() + 1))
-        fail(fmt::format("a list's length is {}, more than the rest of the file holds, or no "
-                         "whole number",
+        fail(fmt::format("the length of a list is {}, which is more than the rest of the file "
+                         "holds or not a whole number",
                          last()));
     return static_cast<std::size_t>(length);
 }

@@ -71,8 +71,8 @@ void check_size(const std::vector<glm::vec3>& positions, const FileText& file,
                 const ReadOptions& options)
 {
     if (!std::ranges::all_of(positions, [](const auto& p) { return finite(p); }))
-        throw Rejected(fmt::format("{}: with the scale {} its size is beyond 3.4e38, the largest "
-                                   "number there is",
+        throw Rejected(fmt::format("{}: the scale {} makes it larger than numbers can say "
+                                   "(3.4e38); choose a smaller scale",
                                    file.name, options.scale));
 }
 
@@ -140,7 +140,7 @@ Model read_model_bytes(std::string_view bytes, const std::string& name, const st
     if (faces == 0 && lines == 0)
         throw Rejected(file.name + (repairs.dropped > 0
                                         ? ": none of its faces has three different corners"
-                                        : ": there are no faces and no lines in it"));
+                                        : ": it has no faces and no lines"));
     for (const std::string& sentence : sentences(repairs))
         model.notices.push_back(fmt::format("{}: {}", file.name, sentence));
     if (model.materials.empty()) { // colours of vertices are its colours as they are

@@ -81,7 +81,7 @@ private:
 glm::dmat4 tiny_matrix_of(const tinygltf::Node& node)
 {
     if (!node.translation.empty() || !node.rotation.empty() || !node.scale.empty())
-        TinyParts::fail("a node is moved otherwise than by a matrix");
+        TinyParts::fail("a node is moved by something other than a matrix");
     glm::dmat4 out(1);
     if (node.matrix.empty()) return out;
     if (node.matrix.size() != 16) TinyParts::fail("a node's matrix has not 16 numbers");

@@ -29,9 +29,9 @@ void SourceFiles::check(const std::string& written) const
     if (known_.empty()) return;
     const auto identity = identity_of(written);
     if (!identity || !known_.contains(*identity)) return;
-    throw Rejected(fmt::format("{}: the scene is made from this file, which would be lost; take "
-                               "another name{}{}",
-                               written, or_else_.empty() ? "" : ", ", or_else_));
+    throw Rejected(fmt::format(
+        "{}: the scene uses this file, which would be overwritten; choose another name{}{}",
+        written, or_else_.empty() ? "" : ", ", or_else_));
 }
 
 } // namespace trivar

@@ -25,10 +25,9 @@ std::vector<glm::vec3> read_binary(const FileText& file, std::uint32_t count)
         for (std::size_t c = 0; c < 3; ++c) {
             const glm::vec3 p(values[3 * c], values[3 * c + 1], values[3 * c + 2]);
             if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-                throw Rejected(
-                    fmt::format("{}: triangle {} of {}, counted from 0: a coordinate is no "
-                                "finite number",
-                                file.name, t, count));
+                throw Rejected(fmt::format(
+                    "{}: triangle {} of {}, counted from 0: a coordinate is not a finite number",
+                    file.name, t, count));
             corners[3 * t + c] = p;
         }
     }
@@ -68,7 +67,7 @@ std::vector<glm::vec3> read_text(const FileText& file)
         const std::string_view keyword = scan.word();
         if (is_keyword(keyword, "facet")) in_facet = 0;
         if (is_keyword(keyword, "endfacet") && in_facet != 3)
-            fail(fmt::format("a facet has {} corners, it should have 3", in_facet));
+            fail(fmt::format("a facet has {} corners instead of 3", in_facet));
         if (is_keyword(keyword, "vertex")) {
             glm::vec3 p;
             for (int i = 0; i < 3; ++i) {
@@ -99,13 +98,12 @@ Model read_stl(const FileText& file, const Progress& progress)
     if (!exact && !text) refuse_wide_text(file.bytes, file.name);
     if (!exact && !text && (file.bytes.size() < header_bytes || file.bytes.size() < expected))
         throw Rejected(fmt::format(
-            "{}: it is no text, which begins with 'solid', and no whole binary file: its {} bytes "
-            "are fewer than {}",
+            "{}: this is not an STL file, or it is cut off: it does not begin with 'solid', and a "
+            "binary file needs more than its {} bytes: {}",
             file.name, file.bytes.size(),
             file.bytes.size() < header_bytes
-                ? fmt::format("the {} that such a file begins with", header_bytes)
-                : fmt::format("the {} that the {} triangles take which it declares", expected,
-                              count)));
+                ? fmt::format("{} for its header", header_bytes)
+                : fmt::format("{} for the {} triangles that it declares", expected, count)));
     const std::vector<glm::vec3> corners = text ? read_text(file) : read_binary(file, count);
 
     report(progress, 0.6, "Joining vertices");

@@ -19,7 +19,7 @@ void validate(const Curves& curves, const std::string& name)
                  (curves.material.empty() || curves.material.size() == curves.line_count());
     for (std::size_t l = 0; l < curves.line_count(); ++l)
         whole = whole && curves.begin[l] + 2 <= curves.begin[l + 1];
-    if (!whole) throw Rejected(name + ": a line of its curves does not have two points");
+    if (!whole) throw Rejected(name + ": one of its curves has fewer than two points");
 }
 
 } // namespace trivar

@@ -37,7 +37,7 @@ void check_indices(const std::vector<std::uint32_t>& indices, std::size_t expect
         throw Rejected(fmt::format("{}: {} {}, expected {}", name, indices.size(), what, expected));
     for (const std::uint32_t index : indices)
         if (index >= limit)
-            throw Rejected(fmt::format("{}: one of the {} is {}, there are only {}", name, what,
+            throw Rejected(fmt::format("{}: one of the {} is {}, but there are only {}", name, what,
                                        index, limit));
 }
 
@@ -249,7 +249,9 @@ void validate(const Mesh& mesh, const std::string& name)
     check_indices(mesh.face_group, faces, mesh.group_names.size(), "face groups", name);
     for (const Mesh::Crease& crease : mesh.creases)
         if (crease.a >= vertices || crease.b >= vertices || !(crease.sharpness >= 0))
-            throw Rejected(name + ": a crease names a vertex that is not there or is below 0");
+            throw Rejected(
+                name +
+                ": a crease names a vertex that does not exist, or its sharpness is below 0");
 }
 
 } // namespace trivar

@@ -288,8 +288,8 @@ Mesh subdivide(const Mesh& cage, int levels, const Progress& progress)
     // The first level makes a quad of every corner, each further one four of every quad.
     const double faces = static_cast<double>(cage.corners.size()) * std::pow(4.0, levels - 1);
     if (faces > max_faces)
-        throw Rejected(fmt::format("{} levels would make {:.0f} faces, more than {:.0f}", levels,
-                                   faces, max_faces));
+        throw Rejected(fmt::format("{} levels would make {:.0f} faces; at most {:.0f} are allowed",
+                                   levels, faces, max_faces));
     const Mesh clean = with_every_point_used(repaired(cage).mesh);
 
     report(progress, 0, "Subdividing");

@@ -15,7 +15,7 @@ void in_range(double value, double lo, double hi, const char* name)
 {
     if (!(value >= lo && value <= hi))
         throw Rejected(
-            fmt::format("{} is {:.6g} and should be from {:.6g} to {:.6g}", name, value, lo, hi));
+            fmt::format("{} is {:.6g} but must be from {:.6g} to {:.6g}", name, value, lo, hi));
 }
 
 } // namespace

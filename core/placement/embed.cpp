@@ -93,7 +93,7 @@ ModelFrame model_frame(const PlacementParameters& parameters, const Box& model)
 {
     for (int axis = 0; axis < 3; ++axis)
         if (!std::isfinite(model.size()[axis]) || !std::isfinite(model.lo[axis]))
-            throw Rejected("the model has corners that are not numbers");
+            throw Rejected("the model has vertices whose coordinates are not finite numbers");
     if (model.empty() || model.size() == glm::dvec3(0))
         throw Rejected("the model is empty or a single point; choose another one");
 

@@ -77,19 +77,20 @@ void check_height_map(const HeightGrid& grid, const std::string& name)
     if (grid.empty()) return;
     const auto counted = [&](std::size_t count, const char* way) {
         if (count < least_map_points || count > most_map_points)
-            throw Rejected(fmt::format("{} has {} values {} the stroke, which should be {} to {}",
+            throw Rejected(fmt::format("{} has {} values {} the stroke, but must have {} to {}",
                                        name, count, way, least_map_points, most_map_points));
     };
     counted(grid.size(), "along");
     counted(grid.front().size(), "across");
     for (const std::vector<double>& row : grid) {
         if (row.size() != grid.front().size())
-            throw Rejected(fmt::format("{} has rows of {} and of {} values, but all need as many",
-                                       name, grid.front().size(), row.size()));
+            throw Rejected(
+                fmt::format("{} has rows of {} and of {} values, but all must be equally long",
+                            name, grid.front().size(), row.size()));
         for (const double value : row)
             if (!(value >= least_profile && value <= most_profile))
                 throw Rejected(
-                    fmt::format("{} has the factor {:.6g}, which should be from {} to {}", name,
+                    fmt::format("{} has the factor {:.6g}, but factors must be from {} to {}", name,
                                 value, least_profile, most_profile));
     }
 }

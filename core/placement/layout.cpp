@@ -184,12 +184,12 @@ private:
                     length_share(static_cast<double>(i) / static_cast<double>(profile_steps - 1)));
             const double picture = glm::length(camera_.size_px);
             if (!(*std::max_element(half_px_.begin(), half_px_.end()) < picture))
-                throw Rejected(fmt::format("a strip {:.3g} m wide is wider than the picture; "
-                                           "choose a smaller width or zoom out",
+                throw Rejected(fmt::format("a width of {:.3g} m is more than the picture shows; "
+                                           "reduce the width or zoom out",
                                            out.width));
             if (sharpest_turn(curve, half_px_) > sharpest)
-                throw Rejected("the stroke turns tighter than the strip is wide; draw a wider turn "
-                               "or choose a smaller width");
+                throw Rejected(
+                    "the turn is too tight for this width; draw a wider turn or reduce the width");
             for (std::size_t i = 0; i < profile_steps; ++i) half_px_[i] *= scale_[i];
             out.strip = strip_round(curve, half_px_);
             out.grid = shoot(out.strip, a_, v_, camera_, scene_, parameters_.skip_back_faces);
@@ -211,8 +211,8 @@ private:
     void check_misses(const StripLayout&) const
     {
         if (missed_ > most_missed)
-            throw Rejected(fmt::format("{:.0f} % of the strip meets nothing; draw the stroke over "
-                                       "an object or choose a smaller width",
+            throw Rejected(fmt::format("{:.0f} % of the model would have no surface beneath it; "
+                                       "draw the stroke over an object or reduce the width",
                                        100 * missed_));
     }
 

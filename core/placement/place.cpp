@@ -24,8 +24,8 @@ void check_reach(const Surface<glm::dvec3>& contact, const View& view, double he
     if (!view.perspective()) return;
     for (const glm::dvec3& p : contact.points)
         if (height > 0.9 * view.project(p).depth_world)
-            throw Rejected(fmt::format("a volume {:.3g} m high would reach the camera; step back "
-                                       "or choose a smaller height",
+            throw Rejected(fmt::format("a volume {:.3g} m high would reach the camera; move the "
+                                       "camera back or reduce the height",
                                        height));
 }
 
@@ -194,7 +194,8 @@ Placement place(const Sketch& sketch, const PlacementParameters& parameters, con
     Placement rounded = place(sketch, round, model, scene, timings);
     if (!stands(rounded.report) && rounded.report.smallest_jacobian < out.report.smallest_jacobian)
         return out;
-    rounded.report.notices.emplace_back("the edges under it are too sharp for it and are rounded");
+    rounded.report.notices.emplace_back(
+        "the edges beneath it are too sharp to follow, so they are rounded");
     return rounded;
 }
 

@@ -226,8 +226,7 @@ double Pressing::farthest() const
 
 void check(const Press& press)
 {
-    if (!(press.radius > 0))
-        throw Rejected("field \"radius\" must be above 0; the ball reaches nothing without");
+    if (!(press.radius > 0)) throw Rejected("field \"radius\" must be above 0");
     if (press.samples.empty())
         throw Rejected("field \"samples\" is empty; say where the ball presses");
     for (const glm::dvec4& s : press.samples)

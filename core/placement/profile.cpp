@@ -157,8 +157,8 @@ void check_places(const std::vector<glm::dvec2>& points, const std::string& name
 {
     if (points.size() == 1) throw Rejected(name + " has one point but needs two or none");
     if (points.size() > most_profile_points)
-        throw Rejected(fmt::format("{} has {} points but at most {} are taken", name, points.size(),
-                                   most_profile_points));
+        throw Rejected(fmt::format("{} has {} points but at most {} are allowed", name,
+                                   points.size(), most_profile_points));
     if (points.front().x != 0 || points.back().x != 1)
         throw Rejected(name + " must begin at 0 and end at 1");
     for (std::size_t i = 1; i < points.size(); ++i)
@@ -174,8 +174,9 @@ void check_profile(const std::vector<glm::dvec2>& points, const std::string& nam
     check_places(points, name);
     for (const glm::dvec2& p : points)
         if (!(p.y >= least_profile && p.y <= most_profile))
-            throw Rejected(fmt::format("{} has the factor {:.6g}, which should be from {} to {}",
-                                       name, p.y, least_profile, most_profile));
+            throw Rejected(
+                fmt::format("{} has the factor {:.6g}, but factors must be from {} to {}", name,
+                            p.y, least_profile, most_profile));
 }
 
 void check_rise(const std::vector<glm::dvec2>& points, const std::string& name)
@@ -183,7 +184,7 @@ void check_rise(const std::vector<glm::dvec2>& points, const std::string& name)
     if (points.empty()) return;
     check_places(points, name);
     if (points.front().y != 0 || points.back().y != 1)
-        throw Rejected(name + " must rise from 0 at the floor to 1 at the roof");
+        throw Rejected(name + " must rise from 0 at the bottom to 1 at the top");
     for (std::size_t i = 1; i < points.size(); ++i)
         if (!(points[i].y - points[i - 1].y >= least_rise))
             throw Rejected(fmt::format("{} goes from {:.6g} to {:.6g} at its point {}, but must "

@@ -142,19 +142,20 @@ glm::dvec3 Band::normal(double angle, double across) const
 Placement place_round(const Band& band, const PlacementParameters& p, const Box& model)
 {
     const double det = glm::determinant(glm::dmat3(band.to_world));
-    if (!(det > 0)) throw Rejected("what it goes round is mirrored; turn it instead");
+    if (!(det > 0))
+        throw Rejected(
+            "the object it goes round is mirrored by a negative scale; rotate that object instead");
     if (band.twisted() &&
         !(p.height_across.empty() && p.height_map.empty() && p.rise_profile.empty()))
-        throw Rejected("after one round of a Moebius band left is right and the roof is the floor; "
-                       "take the height across, the height map and the rise away");
+        throw Rejected("one round of a Moebius band swaps left and right, top and bottom; remove "
+                       "the height across, the height map and the height distribution");
     const ModelFrame frame = model_frame(p, model);
     const double length = length_round(band);
     const double width = strip_width(frame, p, length), height = volume_height(frame, p, length);
     const double scale = std::cbrt(det);
     if (width * Profile(p.width_profile).largest() / scale > 2 * reach_across(band))
-        throw Rejected(fmt::format("a strip {:.3g} m wide goes round on itself; choose a smaller "
-                                   "width, or let the model fill less of the way",
-                                   width));
+        throw Rejected(fmt::format(
+            "a model {:.3g} m wide would overlap itself; reduce its width or its fill", width));
     const std::array<Knots, 3> axes{
         Knots::periodic(p.orders.x, p.grid.x, 0, 1,
                         band.twisted() ? Closure::twisted : Closure::periodic),

@@ -37,9 +37,9 @@ void check_knots(const Lattice& volume, const AxisKnots& inserted)
             const int known = axes[a].multiplicity(all[i]);
             const auto further = static_cast<int>(next - i) - (known > 0 ? 1 : 0);
             if (further > 0 && known + further >= axes[a].order())
-                throw Rejected("so many knots in one place would tear the volume there");
+                throw Rejected("so many knots in one place would tear the volume");
             if (next < all.size() && all[next] - all[i] < least_span)
-                throw Rejected("two knots would be nearer to each other than a millionth");
+                throw Rejected("two knots would be less than a millionth apart");
         }
     }
 }
@@ -86,8 +86,8 @@ LaidVolume mended(const LaidVolume& v, Shaping& what, const Progress& progress)
         ++options.ground_layer;
     const UnfoldedLattice out = unfolded(*v.volume, options, progress);
     if (!out.certified)
-        throw Rejected("the volume folds, and no change was found after which it does not; take "
-                       "the last steps back, or place it anew");
+        throw Rejected("no way to repair the folds was found; undo the last edits of the volume, "
+                       "or place the model again");
     what.asked = what.done = out.taken.moved_most;
     what.words = out.moves.empty() ? "nothing folded" : words_of(out.taken.way);
     return with_volume(v, out.lattice);
@@ -99,7 +99,7 @@ LaidVolume allowing(LaidVolume v, const std::vector<VolumePart>& boxes)
     if (boxes.empty()) all.clear();
     all.insert(all.end(), boxes.begin(), boxes.end());
     if (constexpr std::size_t most = 256; all.size() > most) // each cell is compared with each
-        throw Rejected(fmt::format("the volume may fold in {} parts at most", most));
+        throw Rejected(fmt::format("folds can be allowed in at most {} parts of a volume", most));
     return allowing_folds(std::move(v), std::move(all));
 }
 

@@ -36,15 +36,15 @@ const glm::dvec3& direction(const VolumeDirections& at, int axis)
 void check_points(const PointShift& shift, const glm::ivec3& n)
 {
     if (shift.of != glm::ivec3(0) && shift.of != n)
-        throw Rejected(fmt::format("it moves control points of a volume of {} x {} x {}, and there "
-                                   "are {} x {} x {} now",
+        throw Rejected(fmt::format("it moves control points of a volume of {} x {} x {}, but the "
+                                   "volume has {} x {} x {} now",
                                    shift.of.x, shift.of.y, shift.of.z, n.x, n.y, n.z));
     for (const glm::ivec3& p : shift.points)
         for (int a = 0; a < 3; ++a)
             if (p[a] < 0 || p[a] >= n[a])
-                throw Rejected(fmt::format("there is no control point {}, {}, {} any more; the "
-                                           "volume has {} x {} x {}",
-                                           p.x, p.y, p.z, n.x, n.y, n.z));
+                throw Rejected(fmt::format(
+                    "the control point {}, {}, {} no longer exists; the volume has {} x {} x {}",
+                    p.x, p.y, p.z, n.x, n.y, n.z));
 }
 
 // One shift of one volume.

@@ -23,8 +23,8 @@ void check(const Camera& c)
     const bool sizes = c.size_px.x > 0 && c.size_px.y > 0 && c.eye != c.target &&
                        (c.perspective ? c.fov_y > 0 && c.fov_y < 3.1 : c.height_world > 0);
     if (!numbers || !sizes)
-        throw Rejected("the camera of the stroke is not a camera: its eye and target must differ "
-                       "and its angle and picture be positive");
+        throw Rejected("the camera of the stroke is not valid: its eye and target must differ, and "
+                       "its angle and picture size must be above 0");
 }
 
 double length_of(const std::vector<glm::dvec2>& points)

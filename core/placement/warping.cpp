@@ -86,7 +86,7 @@ WarpedVolume warped(const LaidVolume& volume, const Warp& warp)
 {
     if (!was_a_box(volume))
         throw Rejected("only a lattice that is a box can be twisted, bent, tapered, sheared or "
-                       "bulged; a volume on a stroke has profiles");
+                       "bulged; use the profiles of a volume on a stroke");
     const auto at = [&](double share) { return warped(*volume.volume, part_of(warp, share)); };
     if (!warp.guard || !volume.verdicts->good()) {
         Lattice after = at(1);

@@ -124,8 +124,8 @@ void Refinement::measure_rounding(const std::vector<RefinePart>& parts)
     }
     shortest_ = std::max(1e-6 * glm::length(box.size()), 16 * finest);
     if (const double least = misplaced + finest * stretch_; !(options_.tolerance_world > least))
-        throw Rejected(fmt::format("a tolerance of {:.3g} m is finer than single precision tells "
-                                   "places apart here; it has to be above {:.3g} m",
+        throw Rejected(fmt::format("a tolerance of {:.3g} m is finer than the precision of the "
+                                   "coordinates here; use more than {:.3g} m",
                                    options_.tolerance_world, least));
 }
 
@@ -368,7 +368,7 @@ RefinementResult refine(const std::vector<RefinePart>& parts, const Lattice& lat
                         const std::vector<NextVolume>& next)
 {
     if (!(options.tolerance_world > 0) || !std::isfinite(options.tolerance_world))
-        throw Rejected("a tolerance has to be a length above 0 m");
+        throw Rejected("the tolerance must be above 0 m");
     Refinement refinement(parts, lattice, options, progress, next);
     refinement.split();
     return refinement.result();

@@ -121,7 +121,7 @@ LockedFile::LockedFile(const std::string& path, std::string_view text)
         ::unlink(beside.c_str());
         ::close(descriptor_);
         descriptor_ = -1;
-        fail(path, "cannot be saved; what was there is unchanged", error);
+        fail(path, "cannot be saved; the file there is unchanged", error);
     }
     flush_folder(target.string());
 }

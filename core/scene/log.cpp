@@ -20,13 +20,14 @@ constexpr std::size_t longest_line = std::size_t{16} << 20;
 void check_header(const json& header)
 {
     if (!header.contains("trivar"))
-        throw Rejected("this is no Trivar scene: its first line has no field \"trivar\"");
+        throw Rejected("this is not a Trivar scene: its first line has no field \"trivar\"");
     const json& version = header["trivar"];
     if (!version.is_number_integer() || version < 1)
-        throw Rejected("field \"trivar\", the format's version, must be a whole number from 1 up");
+        throw Rejected(
+            "field \"trivar\", the version of the format, must be a whole number of at least 1");
     if (version > log_version)
         throw Rejected(fmt::format("the file has format version {}, newer than this program's {}; "
-                                   "a newer Trivar opens it",
+                                   "open it with a newer Trivar",
                                    version.dump(), log_version));
     for (const auto& [name, value] : header.items())
         if (name == "units" && value != "m")
@@ -127,7 +128,8 @@ Log read_log(std::string_view text, const std::string& name)
         log.good_bytes = begin;
         log.ends_with_break = whole;
     }
-    if (!header_seen) throw Rejected(fmt::format("{}:1: the file is empty, no Trivar scene", name));
+    if (!header_seen)
+        throw Rejected(fmt::format("{}:1: the file is empty, so it is not a Trivar scene", name));
     return log;
 }
 

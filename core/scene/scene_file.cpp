@@ -85,12 +85,12 @@ SceneFile::SceneFile(const std::string& path) : state_(std::make_unique<State>()
     if (file.access() == LockedFile::Access::in_use) {
         state_->in_use = true;
         state_->notices.push_back(fmt::format(
-            "{}: is open in another Trivar; this is a copy, save it under another name", path));
+            "{}: is open in another Trivar; this is a copy, so save it under another name", path));
         return;
     }
     if (file.access() == LockedFile::Access::read_only) {
         state_->notices.push_back(
-            fmt::format("{}: may not be written; save changes under another name", path));
+            fmt::format("{}: is read-only; save changes under another name", path));
         return;
     }
     state_->path = state_->file_path = path;
@@ -153,7 +153,7 @@ bool SceneFile::follow()
 void SceneFile::check_may_change() const
 {
     if (!state_->look_only) return;
-    throw Rejected(fmt::format("{} is only looked at here; save it under another name to change it",
+    throw Rejected(fmt::format("{} is open read-only here; save it under another name to change it",
                                std::filesystem::path(state_->original).filename().string()));
 }
 
@@ -281,7 +281,7 @@ void SceneFile::save_copy(const std::string& path) const
 {
     const State& s = *state_;
     if (std::filesystem::exists(path))
-        throw Rejected(path + ": is there already and is not replaced");
+        throw Rejected(path + ": exists already and is not replaced");
     Copies copies;
     const std::optional<History> other =
         moved_with_shapes(s.history, s.folder, absolute_folder(path), copies);

@@ -47,8 +47,8 @@ NodePlaces by_node(const Fans& fans, const VertexPlaces& places)
 void check(const Mesh& mesh, const SimplifyOptions& options)
 {
     if (options.error && !(*options.error >= 0 && std::isfinite(*options.error)))
-        throw Rejected(fmt::format("the error to simplify to must be a number from 0 up, not {}",
-                                   *options.error));
+        throw Rejected(
+            fmt::format("the error of a simplification must be 0 or more, not {}", *options.error));
     for (const auto& pose : options.poses)
         if (pose.size() != mesh.vertex_count())
             throw Rejected(fmt::format("a pose to simplify for has {} vertices, the mesh has {}",

@@ -117,7 +117,7 @@ Knots Knots::closed(int order, const std::vector<double>& one_period, double end
     const int count = static_cast<int>(one_period.size());
     check_size(order, count);
     const double period = end - one_period.front();
-    if (!(one_period.back() < end)) throw Rejected("a knot lies behind the end of the period");
+    if (!(one_period.back() < end)) throw Rejected("a knot lies beyond the end of the period");
     // order - 1 knots of the period before, one period, order of the period behind.
     std::vector<double> t;
     for (int i = 1 - order; i < count + order; ++i) {

@@ -38,7 +38,7 @@ void check_shape(std::span<const Knots> axes, std::size_t points)
         for (std::size_t other = 0; other < axes.size(); ++other)
             if (other != twisted && !can_be_mirrored(axes[other]))
                 throw Rejected("a twisted axis needs the other axes open and their knots "
-                               "symmetric, for it mirrors them");
+                               "symmetric, because it mirrors them");
     }
 }
 

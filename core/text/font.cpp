@@ -89,9 +89,9 @@ Font::Font(std::string bytes, int face, const std::string& name)
     if (FT_Init_FreeType(&s.library) != 0 ||
         FT_New_Memory_Face(s.library, reinterpret_cast<const FT_Byte*>(s.bytes.data()),
                            static_cast<FT_Long>(s.bytes.size()), face, &s.face) != 0)
-        throw Rejected(name + ": this is no font file that can be read");
+        throw Rejected(name + ": this is not a font file that Trivar can read");
     if (!FT_IS_SCALABLE(s.face) || !FT_IS_SFNT(s.face) || s.face->units_per_EM == 0)
-        throw Rejected(name + ": the font is no TrueType or OpenType font with outlines");
+        throw Rejected(name + ": the font is not a TrueType or OpenType font with outlines");
     hb_blob_t* blob = hb_blob_create(s.bytes.data(), static_cast<unsigned>(s.bytes.size()),
                                      HB_MEMORY_MODE_READONLY, nullptr, nullptr);
     hb_face_t* tables = hb_face_create(blob, static_cast<unsigned>(face) & 0xFFFFu);

@@ -62,7 +62,7 @@ Font font_of_file(const std::string& path, int face)
     try {
         file->read(bytes);
     } catch (const Rejected&) {
-        throw Rejected("the font " + printable(path) + " cannot be read to its end");
+        throw Rejected("the font " + printable(path) + " cannot be read completely");
     }
     return {std::move(bytes), face, printable(path)};
 }
@@ -128,9 +128,9 @@ FoundFont find_font(const std::string& name)
     const bool found = font != nullptr;
     if (!font) font = named_font(fonts, stand_in);
     if (!font && !fonts.empty()) font = &fonts.front();
-    if (!font) throw Rejected(trouble + ", and no other one is");
+    if (!font) throw Rejected(trouble + ", and there is no other");
     FoundFont result{font_of_file(font->path, font->face), {}};
-    if (!found) result.notices.push_back(trouble + ": " + result.font.title() + " stands in");
+    if (!found) result.notices.push_back(trouble + ": " + result.font.title() + " is used instead");
     return result;
 }
 

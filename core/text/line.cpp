@@ -27,7 +27,7 @@ std::vector<FriBidiLevel> levels_of(std::u32string_view letters)
     FriBidiParType direction = FRIBIDI_PAR_ON; // that of the first letter that has one
     if (fribidi_get_par_embedding_levels_ex(types.data(), brackets.data(), count, &direction,
                                             levels.data()) == 0)
-        throw Rejected("there is not enough memory to order the text");
+        throw Rejected("there is not enough memory to lay out the text");
     return levels;
 }
 

@@ -149,12 +149,12 @@ void check(const TextShape& shape)
     const std::u32string letters = letters_of(shape.text);
     if (std::ranges::all_of(letters, is_blank)) throw Rejected("the text has no letters");
     if (letters.size() > most_letters)
-        throw Rejected(fmt::format("the text has {} letters but at most {} are taken",
+        throw Rejected(fmt::format("the text has {} letters but at most {} are allowed",
                                    letters.size(), most_letters));
     for (const char32_t letter : letters)
         if (is_control(letter) && !is_blank(letter))
-            throw Rejected(fmt::format("the text holds the control character U+{:04X}; of these "
-                                       "only line breaks and tabs are taken",
+            throw Rejected(fmt::format("the text holds the control character U+{:04X}; only line "
+                                       "breaks and tabs are allowed",
                                        static_cast<unsigned>(letter)));
     if (!(shape.depth <= 20 * shape.size))
         throw Rejected("the depth of a text is at most 20 times its size");
@@ -181,8 +181,8 @@ TextBody text_body(const TextShape& shape, const Font& font)
             const Mesh* letter = glyphs(put.glyph);
             if (!letter) continue;
             if (body.mesh.face_count() + letter->face_count() > most_faces)
-                throw Rejected(fmt::format("the text would have more than {} faces; longer edges "
-                                           "or a larger tolerance make fewer",
+                throw Rejected(fmt::format("the text would have more than {} faces; use longer "
+                                           "edges or a larger tolerance",
                                            most_faces));
             append(body.mesh, *letter, glm::dvec2(put.at) / double(em_units) + glm::dvec2(x, y),
                    shape.size, points);
@@ -192,11 +192,12 @@ TextBody text_body(const TextShape& shape, const Font& font)
     if (!missing.empty()) body.notices.push_back(lacking(missing, font.title()));
     if (glyphs.damaged())
         body.notices.push_back("a letter of " + font.title() +
-                               " has no outline that can be read; a box stands for it");
-    if (body.mesh.face_count() == 0) body.notices.emplace_back("the text shows nothing");
+                               " has no outline that can be read; a box is shown instead");
+    if (body.mesh.face_count() == 0) body.notices.emplace_back("the text has no visible letters");
     if (!shape.font_digest.empty() && shape.font_digest != font.digest())
-        body.notices.push_back("the font " + font.title() +
-                               " is not the file that was meant; letters may differ");
+        body.notices.push_back(
+            "the font " + font.title() +
+            " is another version than the scene was made with; letters may differ");
     return body;
 }
 

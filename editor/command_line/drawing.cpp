@@ -53,8 +53,8 @@ Ref<gpu::ShaderTexts> shaders_of(const DrawingOptions& options)
 void check_camera(const DrawingOptions& options, const Document& document)
 {
     if (!options.camera.empty() && !document.kept_views.contains(options.camera))
-        throw Rejected(fmt::format("--camera {}: the scene has no point of view of that name",
-                                   options.camera));
+        throw Rejected(
+            fmt::format("--camera {}: the scene has no bookmark of that name", options.camera));
 }
 
 Drawing::Drawing(const DrawingOptions& options, const Streams& streams)

@@ -98,9 +98,9 @@ public:
         }
         clear_progress(streams_);
         if (const int gone = sequence_.gone(share_); gone > 0)
-            throw Rejected(fmt::format("{}: {} of {} frames were taken away while the others were "
-                                       "drawn; --resume draws them",
-                                       options_.out, gone, share_.size()));
+            throw Rejected(fmt::format(
+                "{}: {} of {} frames were deleted while the others were drawn; --resume draws them",
+                options_.out, gone, share_.size()));
         streams_.talk << fmt::format("trivar: {} frame{}, {} drawn\n", share_.size(),
                                      share_.size() == 1 ? "" : "s", drawn);
         return Status::done;

@@ -72,8 +72,8 @@ private:
                                     claims_.log},
                                    assets, shown_progress(streams_));
         } catch (const Rejected& error) {
-            throw Rejected(fmt::format("{}: what it claims cannot be exported: {}", options_.file,
-                                       error.what()));
+            throw Rejected(fmt::format("{}: the result that it claims cannot be exported: {}",
+                                       options_.file, error.what()));
         }
     }
 

@@ -81,10 +81,10 @@ void set_kind(ExportPlan& plan, int kind)
 ExportWish wish_of(const ExportPlan& plan, const Session& session)
 {
     const std::string path = with_long_home(plan.file);
-    if (fs::path(path).stem().empty()) throw Rejected("say a file for the frames");
+    if (fs::path(path).stem().empty()) throw Rejected("choose a file for the frames");
     check_animated_name(path);
     if (is_model_of(path, session))
-        throw Rejected(file_name(path) + " is a model of this scene: say another name");
+        throw Rejected(file_name(path) + " is a model of this scene; choose another name");
     if (plan.last < plan.first) throw Rejected("the last frame comes before the first");
     const SceneFile& scene = session.scene();
     const Document& document = session.committed();

@@ -59,7 +59,7 @@ Made made(const Asked& asked, const Progress& progress)
     if (found == all.objects.end()) throw Rejected("it is hidden; show it first");
     const EvaluatedObject& shown = *found->second;
     if (!shown.placement || shown.shows_nothing())
-        throw Rejected(shown.rejected.empty() ? "it shows nothing" : shown.rejected);
+        throw Rejected(shown.rejected.empty() ? "it is empty" : shown.rejected);
     const Document document = document_at(finer, asked.frame);
     const glm::dmat4 from_world = glm::inverse(parent_to_world(document, wish));
     Made out{standing_at(*shown.bounds, from_world)};

@@ -59,7 +59,7 @@ std::string video_of(const RecordPlan& plan, const Session& session)
 RecordingWish wish_of(const RecordPlan& plan, const Session& session)
 {
     RecordingWish wish;
-    if (plan.folder.empty()) throw Rejected("say a folder for the frames");
+    if (plan.folder.empty()) throw Rejected("choose a folder for the frames");
     if (plan.width_px < 1 || plan.height_px < 1 || plan.width_px > 16384 || plan.height_px > 16384)
         throw Rejected("pictures are 1 to 16384 pixels wide and high");
     if (plan.last < plan.first) throw Rejected("the last frame comes before the first");

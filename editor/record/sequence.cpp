@@ -55,13 +55,14 @@ FrameNames frame_names(const std::string& text)
     const std::size_t slash = text.rfind('/');
     const std::size_t first = text.find('#', slash == std::string::npos ? 0 : slash);
     if (first == std::string::npos)
-        throw Rejected(text + ": the name lacks #### where the number of the frame is to stand, "
-                              "as in pictures/ants.####.png");
+        throw Rejected(
+            text +
+            ": the name needs #### in place of the frame number, as in pictures/ants.####.png");
     const std::size_t past = std::min(text.find_first_not_of('#', first), text.size());
     const FrameNames names{text.substr(0, first), text.substr(past),
                            static_cast<int>(past - first)};
     if (names.after.find('#') != std::string::npos || names.digits > 9)
-        throw Rejected(text + ": the # of the number must stand together, nine at most");
+        throw Rejected(text + ": the # of the frame number must stand together, nine at most");
     if (names.extension() != ".png" && names.extension() != ".exr")
         throw Rejected(fmt::format("{}: frames are written as .png or .exr, not as '{}'", text,
                                    names.extension()));
@@ -76,7 +77,8 @@ std::vector<int> frames_of(std::string_view text)
             fmt::format("--frames {}: must be A:B or A:B:S, such as 1:240 or 1:240:2", text));
     const long first = n[0], last = n.size() > 1 ? n[1] : first, step = n.size() > 2 ? n[2] : 1;
     if (last < first || step < 1)
-        throw Rejected(fmt::format("--frames {}: must go up, by a step of 1 or more", text));
+        throw Rejected(fmt::format(
+            "--frames {}: the last frame comes before the first, or the step is below 1", text));
     if ((last - first) / step >= most_frames)
         throw Rejected(
             fmt::format("--frames {}: these are more than {} frames", text, most_frames));
@@ -90,7 +92,7 @@ void check_frames(const std::vector<int>& frames, const Time& time)
 {
     for (const int frame : frames)
         if (frame < time.first_frame || frame > time.last_frame)
-            throw Rejected(fmt::format("frame {} is none of the scene's, which are {} to {}", frame,
+            throw Rejected(fmt::format("the scene has no frame {}; its frames are {} to {}", frame,
                                        time.first_frame, time.last_frame));
 }
 
@@ -172,8 +174,8 @@ void make_folder_of(const std::string& file)
     if (std::filesystem::is_directory(folder, error)) return;
     std::filesystem::create_directory(folder, error);
     if (error)
-        throw Rejected(fmt::format("{}: the folder is not there and cannot be made ({})", folder,
-                                   error.message()));
+        throw Rejected(fmt::format("{}: the folder does not exist and cannot be created ({})",
+                                   folder, error.message()));
 }
 
 std::string time_left(int done, int of, double seconds)

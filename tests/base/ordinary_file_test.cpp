@@ -40,10 +40,10 @@ TEST(OrdinaryFile, RefusesAtOnceWhatWouldWaitOrNeverEnd)
                     ThrowsMessage<Rejected>(HasSubstr(path + ": " + words)));
         EXPECT_THAT([&] { read_text_file(path); }, ThrowsMessage<Rejected>(HasSubstr(words)));
     };
-    refuses(folder.file("pipe"), "this is a pipe, no ordinary file");
-    refuses(folder.file("link"), "this is a pipe, no ordinary file");
-    refuses("/dev/zero", "this is a device, no ordinary file");
-    refuses(folder.path().string(), "this is a folder, no ordinary file");
+    refuses(folder.file("pipe"), "this is a pipe, not an ordinary file");
+    refuses(folder.file("link"), "this is a pipe, not an ordinary file");
+    refuses("/dev/zero", "this is a device, not an ordinary file");
+    refuses(folder.path().string(), "this is a folder, not an ordinary file");
     refuses(folder.file("none"), "there is no such file");
 }
 
@@ -54,8 +54,9 @@ TEST(OrdinaryFile, IsAllThatAFileTakesThePlaceOf)
     EXPECT_NO_THROW(check_replaceable(folder.file("a")));
     EXPECT_NO_THROW(check_replaceable(folder.file("none")));
     for (const std::string& path : {folder.path().string(), std::string("/dev/full")})
-        EXPECT_THAT([&] { check_replaceable(path); },
-                    ThrowsMessage<Rejected>(HasSubstr("no ordinary file, and is not replaced")));
+        EXPECT_THAT(
+            [&] { check_replaceable(path); },
+            ThrowsMessage<Rejected>(HasSubstr("not an ordinary file, so it is not replaced")));
 }
 
 } // namespace

@@ -221,7 +221,7 @@ TEST(Animate, RefusesWhatCannotBe)
     refused(3, {{"placement.wdth", {{1, 1}}}}, "no parameter \"placement.wdth\"");
     refused(2, {{"placement.width", {{1, 1}}}}, "no parameter");
     refused(0, {{"transform.scale.x", {{1, 1}}}}, "the scene has no parameter");
-    refused(3, {{"placement.width", {{5, 1}, {5, 2}}}}, "do not ascend");
+    refused(3, {{"placement.width", {{5, 1}, {5, 2}}}}, "are not in order");
     refused(3, {{"placement.fill", {{5, 1.5}}}}, "must lie between 0.001 and 1");
     refused(3, {{"hidden", {{5, 2}}}}, "between 0 and 1");
     refused(3, {{"material.solid", {{5, 3}}}}, "between 0 and 2");

@@ -87,7 +87,7 @@ TEST(ApplyShape, RefusesWhatMakesNoSense)
                      .riders = {2},
                      .strokes = {testing::small_sketch()},
                      .attach = {{{attached_host(3, glm::dmat4(1), true)}}}},
-                    "is not carried by");
+                    "is not attached to");
 }
 
 } // namespace

@@ -223,7 +223,7 @@ TEST(Attaching, BridgesWhereHostsMoveApartAndSaysSo)
     const Document apart = after(document, SetTransform{2, {.translation = {1.5, 0, 0}}});
     const EvaluatedObject now = *evaluate(apart).objects.at(3);
     EXPECT_THAT(now.rejected, IsEmpty());
-    EXPECT_THAT(now.notices, Contains(HasSubstr("have moved apart by 0.")));
+    EXPECT_THAT(now.notices, Contains(HasSubstr("hosts have moved 0.")));
     EXPECT_GT(now.bounds->size().x, evaluate(document).objects.at(3)->bounds->size().x + 0.2);
     // Both together are one motion again.
     const Transform t{.translation = {0, 3, 1}};

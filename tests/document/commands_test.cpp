@@ -107,7 +107,7 @@ TEST(Commands, ReorderIntoAGroupAndOutOfItLeavesObjectsWhereTheyStand)
     EXPECT_THAT(in_row_order(in), ElementsAre(2, 1, 3));
     EXPECT_EQ(object(after(in, Reorder{.objects = {2}}), 2).parent, 0);
     EXPECT_THAT(rejection(in, Reorder{.objects = {3}, .parent = 3}), HasSubstr("in itself"));
-    EXPECT_THAT(rejection(in, Reorder{.objects = {2}, .parent = 1}), HasSubstr("no group"));
+    EXPECT_THAT(rejection(in, Reorder{.objects = {2}, .parent = 1}), HasSubstr("not a group"));
     EXPECT_THAT(rejection(in, Reorder{.objects = {3}, .before = 1}), HasSubstr("\"before\""));
 }
 
@@ -171,8 +171,8 @@ TEST(Place, TakesAsManyControlPointsAsCanBeLaidAndReadsMore)
     for (const int axis : {0, 1, 2}) {
         const int most = axis < 2 ? most_along_or_across : most_layers;
         EXPECT_EQ(laid(axis, most), "");
-        EXPECT_THAT(laid(axis, most + 1), HasSubstr("should be from 3 to " + std::to_string(most)));
-        EXPECT_THAT(laid(axis, 1024), HasSubstr("is 1024 and should be from 3"));
+        EXPECT_THAT(laid(axis, most + 1), HasSubstr("must be from 3 to " + std::to_string(most)));
+        EXPECT_THAT(laid(axis, 1024), HasSubstr("is 1024 but must be from 3"));
     }
 }
 

@@ -80,7 +80,8 @@ TEST(Ground, IsPassedOverByAStrokeThatDoesNotSaySo)
     }
     passing.onto = {2};
     const Evaluation evaluated = new_evaluator()(after(pot_over_box(), passing));
-    EXPECT_THAT(evaluated.objects.at(1)->rejected, HasSubstr("of the strip meets nothing"));
+    EXPECT_THAT(evaluated.objects.at(1)->rejected,
+                HasSubstr("of the model would have no surface beneath it"));
 }
 
 TEST(Ground, LiesUnderTheObjectsThatStandOnIt)

@@ -295,13 +295,13 @@ TEST(Lattices, RefuseWhatCannotBeInASentence)
     refused(AddLattice{.objects = {1}, .shape = {.grid = {300, 300, 300}}},
             "27000000 control points");
     refused(AddLattice{.objects = {1}, .shape = {.size = {1, 1, 0}}}, "above 0");
-    refused(SetLattice{.object = 1}, "is no lattice");
+    refused(SetLattice{.object = 1}, "is not a lattice");
     refused(Reorder{.objects = {2}, .parent = 2}, "cannot be in itself");
-    refused(WarpVolume{1, {.twist_deg = 5}}, "is no lattice");
+    refused(WarpVolume{1, {.twist_deg = 5}}, "is not a lattice");
     refused(SetMaterial{{2}, {}}, "group");
     ImportedFile file;
     file.path = "kept.glb";
-    refused(KeepShape{1, {1}, {file}}, "is no lattice");
+    refused(KeepShape{1, {1}, {file}}, "is not a lattice");
     refused(KeepShape{2, {1}, {}}, "0 files for 1 members");
     refused(KeepShape{2, {2}, {file}}, "is not in object 2");
     refused(MovePoints{2, {.points = {{0, 0, 0}}, .weights = {1, 1}}}, "2 numbers for 1 points");
@@ -309,18 +309,17 @@ TEST(Lattices, RefuseWhatCannotBeInASentence)
     refused(CoarsenVolume{2, {VolumeAxis::up, 4}}, "4 control points along Z; give fewer");
     refused(CoarsenVolume{2, {VolumeAxis::up, 3}}, "order 4 needs at least 4 control points");
     refused(InsertKnots{2, {.up = std::vector<double>(62497, 0.5)}}, "1000016 control points");
-    refused(SetWarp{2, 1, {.twist_deg = 5}}, "step 1 of object 2 (Lattice) is no warp");
-    refused(SetWarp{1, 1, {.twist_deg = 5}}, "is no lattice");
+    refused(SetWarp{2, 1, {.twist_deg = 5}}, "step 1 of object 2 (Lattice) is not a warp");
+    refused(SetWarp{1, 1, {.twist_deg = 5}}, "is not a lattice");
 }
 
 TEST(Lattices, PassOverStepsOfOlderScenesThatTheyCannotTake)
 {
     const Document sound = after(ball_in_box(), lift(2, {1, 1, 3}, 0.05));
-    for (const Command& step :
-         {Command(MovePoints{2, {.points = {{0, 4, 0}}, .by = {0, 0, 0.1}}}),
-          Command(CoarsenVolume{2, {VolumeAxis::up, 4}}),
-          Command(CoarsenVolume{2, {VolumeAxis::up, 3}}),
-          Command(InsertKnots{2, {.up = std::vector<double>(62497, 0.5)}})}) {
+    for (const Command& step : {Command(MovePoints{2, {.points = {{0, 4, 0}}, .by = {0, 0, 0.1}}}),
+                                Command(CoarsenVolume{2, {VolumeAxis::up, 4}}),
+                                Command(CoarsenVolume{2, {VolumeAxis::up, 3}}),
+                                Command(InsertKnots{2, {.up = std::vector<double>(62497, 0.5)}})}) {
         EXPECT_THROW(given(sound, step), Rejected);
         const Document older = after(sound, step);
         EXPECT_EQ(object(older, 2).shaping.size(), 2u);

@@ -116,7 +116,7 @@ TEST(Log, RefusesWhatIsNoSceneAndWhatIsNewer)
 {
     EXPECT_THAT(rejection(""), HasSubstr("empty"));
     EXPECT_THAT(rejection("v 1 2 3\n"), HasSubstr("a.trivar:1: not valid JSON"));
-    EXPECT_THAT(rejection("{\"a\":1}\n"), HasSubstr("no Trivar scene"));
+    EXPECT_THAT(rejection("{\"a\":1}\n"), HasSubstr("not a Trivar scene"));
     EXPECT_THAT(rejection("{\"trivar\":2}\n"), HasSubstr("newer"));
     EXPECT_THAT(rejection("{\"trivar\":1,\"units\":\"ft\"}\n"), HasSubstr("\"units\""));
     EXPECT_THAT(rejection("{\"trivar\":1,\"wings\":2}\n"), HasSubstr("\"wings\""));

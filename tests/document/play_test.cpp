@@ -134,7 +134,7 @@ TEST_F(Play, SaysWhichClipsThereAreAndWhatHasNone)
         after(laid_, PlayClip{{2}, {.clip = "bend"}});
         FAIL();
     } catch (const Rejected& why) {
-        EXPECT_THAT(why.what(), HasSubstr("no imported model"));
+        EXPECT_THAT(why.what(), HasSubstr("not an imported model"));
     }
     EXPECT_THROW(after(laid_, PlayClip{{5}, {}, {{}, {}}}), Rejected);
 }
@@ -167,7 +167,7 @@ TEST_F(Play, WhatIsSubdividedStandsAndSaysSo)
     EditImport edit{5, std::get<ImportedFile>(object(laid_, 5).source)};
     edit.file.subdivisions = 1;
     const Evaluation result = evaluator()(playing(after(laid_, edit), {.clip = "swell"}), 10);
-    EXPECT_THAT(result.objects.at(5)->notices, Contains(HasSubstr("stands as it came")));
+    EXPECT_THAT(result.objects.at(5)->notices, Contains(HasSubstr("stays in its rest pose")));
     EXPECT_EQ(result.objects.at(5)->rejected, "");
 }
 

@@ -69,7 +69,8 @@ TEST(Refining, SaysWhatIsNotCertified)
     EXPECT_THAT(notice({.tolerance = 1e-5, .budget = 700}), HasSubstr("budget of 700"));
     EXPECT_THAT(notice({.tolerance = 1e-3, .rule = RefinementRule::chua_neumann_midpoint}),
                 HasSubstr("certifies nothing"));
-    EXPECT_THAT(notice({.tolerance = 1e-8}), HasSubstr("finer than single precision"));
+    EXPECT_THAT(notice({.tolerance = 1e-8}),
+                HasSubstr("finer than the precision of the coordinates"));
 }
 
 TEST(Refining, IsRefusedInASentence)

@@ -61,10 +61,10 @@ TEST(SceneFile, RefusesToBeGivenAStepAnewThatAnOlderSceneHoldsAndThatDoesNothing
 TEST(SceneFile, GoesBackToABranchThatBeginsWithAStepWithoutEffect)
 {
     const TemporaryFolder folder;
-    write_file(folder.file("a.trivar"),
-               log_header() + command_line(AddBox{}) + command_line(AddLattice{.objects = {1}}) +
-                   command_line(CoarsenVolume{2, {VolumeAxis::up, 4}}) + undo_line() +
-                   command_line(AddSphere{}) + undo_line());
+    write_file(folder.file("a.trivar"), log_header() + command_line(AddBox{}) +
+                                            command_line(AddLattice{.objects = {1}}) +
+                                            command_line(CoarsenVolume{2, {VolumeAxis::up, 4}}) +
+                                            undo_line() + command_line(AddSphere{}) + undo_line());
     SceneFile scene(folder.file("a.trivar"));
     EXPECT_NO_THROW(scene.run(scene.history().branches().front().steps.front().command));
     EXPECT_EQ(object(scene.document(), 2).shaping.size(), 1u);
@@ -143,7 +143,7 @@ TEST(SceneFile, IsAnOrdinaryFile)
     ASSERT_EQ(::mkfifo(folder.file("pipe").c_str(), 0600), 0);
     for (const std::string& path :
          {folder.file("pipe"), std::string("/dev/zero"), folder.path().string()}) {
-        const auto refused = ::testing::ThrowsMessage<Rejected>(HasSubstr("no ordinary file"));
+        const auto refused = ::testing::ThrowsMessage<Rejected>(HasSubstr("not an ordinary file"));
         EXPECT_THAT([&] { SceneFile scene(path); }, refused);
         EXPECT_THAT([&] { SceneFile::copy_of(path); }, refused);
         EXPECT_THAT([&] { SceneFile::looked_at(path); }, refused);

@@ -192,11 +192,11 @@ TEST(PlaceRound, SaysWhatItNeeds)
         return "";
     };
     const Document document = small_document();
-    EXPECT_THAT(why(document, PlaceRound{3, 1, 0, {}}), HasSubstr("no cylinder"));
+    EXPECT_THAT(why(document, PlaceRound{3, 1, 0, {}}), HasSubstr("not a cylinder"));
     EXPECT_THAT(why(document, PlaceRound{2, 2, 0, {}}), HasSubstr("on itself"));
     const Document round = after(document, PlaceRound{3, 2, 0, {}});
     EXPECT_THAT(why(round, EditPlacement{3, {}, {}, std::vector<Id>{1}}), HasSubstr("place_round"));
-    EXPECT_THAT(why(round, PlaceRound{2, 3, 0, {}}), HasSubstr("no cylinder"));
+    EXPECT_THAT(why(round, PlaceRound{2, 3, 0, {}}), HasSubstr("not a cylinder"));
     // The sphere itself laid down carries nothing round it any more; that is a notice.
     const Document laid = after(round, Place{2, small_sketch(), {}, {1}});
     EXPECT_THAT(new_evaluator()(laid).objects.at(3)->rejected, HasSubstr("stands free"));

@@ -154,7 +154,7 @@ TEST(Walking, SaysThatFeetAreLockedToNothingWhereItLiesOnNoStroke)
     const Document document =
         after(laid_out({path, "walk", small_model(LengthAxis::x, false)}), Unplace{2});
     EXPECT_THAT(evaluator_of_files()(document, 1).objects.at(2)->notices,
-                Contains("its feet are locked to its travel, and it lies on no stroke"));
+                Contains("foot lock has no effect without a stroke; place the object on one"));
     const Document free = after(document, PlayClip{{2}, {.clip = "walk"}});
     EXPECT_TRUE(evaluator_of_files()(free, 1).objects.at(2)->notices.empty());
 }

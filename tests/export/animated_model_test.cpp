@@ -70,7 +70,7 @@ TEST_F(AnimatedExports, ClaimOfNodesAndSkinsWhatSinglePrecisionMakesOfThem)
         exported(document, 1e-12);
         FAIL() << "was exported";
     } catch (const Rejected& why) {
-        EXPECT_THAT(why.what(), HasSubstr("finer than single precision tells places apart"));
+        EXPECT_THAT(why.what(), HasSubstr("finer than the precision of the coordinates"));
     }
 }
 

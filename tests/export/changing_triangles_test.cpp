@@ -80,7 +80,7 @@ TEST_F(ChangingTriangles, OfATextAreInvisiblePrimsInAnUsdFileAndNoPointCache)
         write_animated(scene, assets_, folder_.file("a.pc2"));
         FAIL();
     } catch (const Rejected& error) {
-        EXPECT_THAT(error.what(), HasSubstr("a cache has one mesh"));
+        EXPECT_THAT(error.what(), HasSubstr("a point cache holds one mesh"));
     }
 }
 

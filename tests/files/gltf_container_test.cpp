@@ -74,12 +74,11 @@ TEST(GltfContainer, SaysWhatOfItIsCutOff)
     const std::string whole =
         glb(chunk("JSON", binary_triangle().dump()) + chunk(bin, triangle_bytes()));
     EXPECT_EQ(gltf_refusal(whole, "a.glb"), "");
-    EXPECT_THAT(gltf_refusal(whole.substr(0, whole.size() - 1), "a.glb"),
-                HasSubstr("says that it has"));
+    EXPECT_THAT(gltf_refusal(whole.substr(0, whole.size() - 1), "a.glb"), HasSubstr("declares"));
     std::string shorter = whole.substr(0, whole.size() - 4);
     shorter.replace(8, 4, word(shorter.size()));
     EXPECT_THAT(gltf_refusal(shorter, "a.glb"), HasSubstr("its binary chunk is cut off"));
-    EXPECT_THAT(gltf_refusal("PK" + whole, "a.glb"), HasSubstr("this is no GLB file"));
+    EXPECT_THAT(gltf_refusal("PK" + whole, "a.glb"), HasSubstr("this is not a GLB file"));
     EXPECT_THAT(gltf_refusal(whole, "a.gltf"), HasSubstr("name it .glb"));
 }
 

@@ -15,12 +15,11 @@ TEST(GltfSentences, NameThePlaceWhatStandsThereAndWhatShould)
 {
     GltfText text = GltfText::parse(gltf_text(rigged_model()));
     text["animations"][0]["channels"][0].erase("sampler");
-    EXPECT_EQ(gltf_refusal(text),
-              "a.gltf: animation 0 'bend', channel 0: 'sampler' is missing, and "
-              "must be a whole number from 0 up");
+    EXPECT_EQ(gltf_refusal(text), "a.gltf: animation 0 'bend', channel 0: 'sampler' is missing and "
+                                  "must be a whole number from 0 up");
     text["animations"][0]["channels"][0]["sampler"] = "first";
     EXPECT_EQ(gltf_refusal(text), "a.gltf: animation 0 'bend', channel 0: 'sampler' is the text "
-                                  "'first', and must be a whole number from 0 up");
+                                  "'first', but must be a whole number from 0 up");
     text["animations"][0]["channels"][0]["sampler"] = 7;
     EXPECT_THAT(gltf_refusal(text), HasSubstr("channel 0: 'sampler' names sampler 7"));
 }
@@ -78,7 +77,7 @@ TEST(GltfSentences, SayWhyThereAreNoFaces)
 {
     GltfText text = triangle_gltf();
     text["meshes"][0]["primitives"][0]["mode"] = 0;
-    EXPECT_EQ(gltf_refusal(text), "a.gltf: there are no faces and no lines in it: one part of a "
+    EXPECT_EQ(gltf_refusal(text), "a.gltf: it has no faces and no lines: one part of a "
                                   "mesh is points and was left out");
 }
 

@@ -88,7 +88,7 @@ TEST(HostileObj, IsRefusedWithTheLineThatIsWrong)
     EXPECT_THAT(refusal("v 0 0 0\nv nan 0 0\n", "a.obj"), HasSubstr("line 2"));
     EXPECT_THAT(refusal("v 0 0 0\nv 1 0\n", "a.obj"), HasSubstr("line 2"));
     EXPECT_THAT(refusal("v 0 0 0\n\n# x\nf 1 a 1\n", "a.obj"), HasSubstr("line 4"));
-    EXPECT_THAT(refusal("v 0 0 0\nf 0 1 1\n", "a.obj"), HasSubstr("count from 1"));
+    EXPECT_THAT(refusal("v 0 0 0\nf 0 1 1\n", "a.obj"), HasSubstr("counted from 1"));
     EXPECT_THAT(refusal("v 1e999 0 0\n", "a.obj"), HasSubstr("line 1"));
 }
 
@@ -129,7 +129,7 @@ TEST(HostilePly, DeclaresMoreThanItHolds)
     const std::string head =
         "ply\nformat binary_little_endian 1.0\nelement vertex 1\n" + vertices + list;
     EXPECT_THAT(refusal(head + std::string(12, '\0') + "\xff\xff\xff\xff" + "1234", "a.ply"),
-                HasSubstr("list's length"));
+                HasSubstr("length of a list"));
     EXPECT_THAT(refusal("ply\nformat ascii 1.0\nelement vertex 9999999999\n", "a.ply"),
                 HasSubstr("line 3"));
 }

@@ -70,14 +70,14 @@ TEST_P(TextFormats, InUtf16AreRefusedWithWhatToDo)
     for (const bool marked : {false, true})
         for (const bool big_first : {false, true})
             EXPECT_THAT(refusal_of(in_utf16(text, marked, big_first), GetParam()),
-                        HasSubstr("UTF-16 or UTF-32; save it in UTF-8"));
+                        HasSubstr("UTF-16 or UTF-32; save it as UTF-8"));
 }
 INSTANTIATE_TEST_SUITE_P(Formats, TextFormats, ::testing::Values(".obj", ".ply", ".off", ".stl"));
 
 TEST(TextGltf, InUtf16IsRefusedWithWhatToDo)
 {
     EXPECT_THAT(refusal_of(in_utf16(R"({"asset":{}})", true, false), ".gltf"),
-                HasSubstr("save it in UTF-8"));
+                HasSubstr("save it as UTF-8"));
 }
 
 TEST(TextMtl, IsReadWithAnyLineEndAndTheMarkOfUtf8)

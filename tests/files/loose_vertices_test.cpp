@@ -59,8 +59,8 @@ TEST(Scale, ThatLeavesTheNumbersThereAreIsRefused)
         read_model_bytes(text, "a.obj", "", {.scale = 1000});
         ADD_FAILURE();
     } catch (const Rejected& rejected) {
-        EXPECT_EQ(std::string(rejected.what()), "a.obj: with the scale 1000 its size is beyond "
-                                                "3.4e38, the largest number there is");
+        EXPECT_EQ(std::string(rejected.what()), "a.obj: the scale 1000 makes it larger than "
+                                                "numbers can say (3.4e38); choose a smaller scale");
     }
 }
 

@@ -98,7 +98,7 @@ TEST(ObjReader, SaysTheLineAndTheWordThatIsWrong)
               "a.obj: line 7: a face has '3/a/1' where a corner such as 7, 7/8, 7//9 or 7/8/9 "
               "should be");
     EXPECT_EQ(refused(obj_corners + "f 0 1 2\n"),
-              "a.obj: line 5: a face names vertex 0; vertices count from 1");
+              "a.obj: line 5: a face names vertex 0, but vertices are counted from 1");
     EXPECT_EQ(refused(obj_corners + "f 1 2\nf 1 1 3\n"),
               "a.obj: none of its faces has three different corners");
 }

@@ -37,8 +37,9 @@ TEST(OffReader, LeavesOutFacesOfVerticesThatAreNotThere)
 TEST(OffReader, SaysTheLineAndTheWordThatIsWrong)
 {
     const auto refused = [](const std::string& text) { return refusal_of(text, ".off"); };
-    EXPECT_EQ(refused("OFF\n4 x\n"), "a.off: line 2: the number of faces is 'x'; it should be a "
-                                     "whole number from 0 to 999999999");
+    EXPECT_EQ(
+        refused("OFF\n4 x\n"),
+        "a.off: line 2: the number of faces is 'x' but must be a whole number from 0 to 999999999");
     EXPECT_EQ(refused("OFF\n2 0\n0 0 0\n0 1e39 0\n"),
               "a.off: line 4: a number of vertex 1 is '1e39', which is no number from -3.4e38 to "
               "3.4e38");
@@ -47,7 +48,7 @@ TEST(OffReader, SaysTheLineAndTheWordThatIsWrong)
         "a.off: every face names a vertex that is not there (the first: line 4); the file has "
         "1 vertex");
     EXPECT_EQ(refused("X\n"),
-              "a.off: line 1: the file should begin with OFF, COFF, NOFF, CNOFF or STOFF");
+              "a.off: line 1: the file must begin with OFF, COFF, NOFF, CNOFF or STOFF");
 }
 
 } // namespace

@@ -73,8 +73,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, PictureKinds, ::testing::ValuesIn(picture_extens
 
 TEST(Pictures, OfUnknownKindsAreToldTheKnownOnes)
 {
-    EXPECT_THAT(refusal_of_picture("%PDF", "a.png"),
-                HasSubstr("a.png: this is no kind of picture"));
+    EXPECT_THAT(refusal_of_picture("%PDF", "a.png"), HasSubstr("a.png: this is not a picture"));
     EXPECT_THAT(refusal_of_picture("", "a.png"), HasSubstr("PNG, JPEG, WebP"));
 }
 
@@ -96,7 +95,7 @@ TEST(Pictures, WhoseHeadDeclaresMoreThanThereIsAreRefusedForThat)
     EXPECT_THAT(refusal_of_picture(bmp, "a.bmp"),
                 HasSubstr("cannot hold the 16000 x 16000 pixels"));
     bmp.replace(18, 4, little(0x80000000, 4));
-    EXPECT_THAT(refusal_of_picture(bmp, "a.bmp"), HasSubstr("sides may have 1 to 16384"));
+    EXPECT_THAT(refusal_of_picture(bmp, "a.bmp"), HasSubstr("each side must have 1 to 16384"));
 }
 
 // The decoder fails where a table of colours begins beyond the numbers of its pixels.

@@ -140,7 +140,7 @@ TEST(PlyReader, SaysTheElementAndTheWordThatIsWrong)
     EXPECT_EQ(with("3 0 2 3", "3 0 2"), "a.ply: face 1 of 2, counted from 0: the file ends here");
     EXPECT_EQ(
         with("3 0 2 3", "3 0 2.5 3"),
-        "a.ply: face 1 of 2, counted from 0: it has '2.5' where the number of a vertex should be");
+        "a.ply: face 1 of 2, counted from 0: it has '2.5' in place of the number of a vertex");
     EXPECT_EQ(with("end_header", "end"), "a.ply: line 9: 'end' does not belong in a PLY header");
     EXPECT_EQ(with("vertex_indices", "indices"),
               "a.ply: the element face has no list named vertex_indices");

@@ -55,18 +55,18 @@ TEST(StlReader, SaysWhatIsWrongAndWhere)
     EXPECT_EQ(with("1 1 0", "1 1e39 0"),
               "a.stl: line 12: the y of a vertex is '1e39', which is no number from -3.4e38 to "
               "3.4e38");
-    EXPECT_EQ(with("   vertex 0 1 0\n", ""),
-              "a.stl: line 14: a facet has 2 corners, it should have 3");
-    EXPECT_EQ(refusal_of(binary_stl("a", 2, 1), ".stl"),
-              "a.stl: it is no text, which begins with 'solid', and no whole binary file: its 134 "
-              "bytes are fewer than the 184 that the 2 triangles take which it declares");
+    EXPECT_EQ(with("   vertex 0 1 0\n", ""), "a.stl: line 14: a facet has 2 corners instead of 3");
+    EXPECT_EQ(
+        refusal_of(binary_stl("a", 2, 1), ".stl"),
+        "a.stl: this is not an STL file, or it is cut off: it does not begin with 'solid', and a "
+        "binary file needs more than its 134 bytes: 184 for the 2 triangles that it declares");
     EXPECT_EQ(refusal_of("facet", ".stl"),
-              "a.stl: it is no text, which begins with 'solid', and no whole binary file: its 5 "
-              "bytes are fewer than the 84 that such a file begins with");
+              "a.stl: this is not an STL file, or it is cut off: it does not begin with 'solid', "
+              "and a binary file needs more than its 5 bytes: 84 for its header");
     std::string infinite = binary_stl("a", 1, 1);
     std::memset(infinite.data() + 84 + 12, 0xff, 4);
     EXPECT_EQ(refusal_of(infinite, ".stl"),
-              "a.stl: triangle 0 of 1, counted from 0: a coordinate is no finite number");
+              "a.stl: triangle 0 of 1, counted from 0: a coordinate is not a finite number");
 }
 
 } // namespace

@@ -107,8 +107,8 @@ TEST(Rise, AscendsStrictlyAndIsItselfWithoutPoints)
                     ThrowsMessage<Rejected>(HasSubstr(words)));
     };
     refuses({{0, 0}, {0.5, 0.6}, {0.7, 0.6}, {1, 1}}, "rise by at least 0.001");
-    refuses({{0, 0.1}, {1, 1}}, "from 0 at the floor");
-    refuses({{0, 0}, {1, 0.9}}, "to 1 at the roof");
+    refuses({{0, 0.1}, {1, 1}}, "from 0 at the bottom");
+    refuses({{0, 0}, {1, 0.9}}, "to 1 at the top");
 }
 
 TEST(Place, IsTheSameToTheBitWithProfilesThatChangeNothing)

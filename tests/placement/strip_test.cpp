@@ -180,7 +180,8 @@ TEST(BadStroke, IsRejectedWithWhatToDo)
     EXPECT_THAT(placing({{700, 500}, {1600, 500}}), says("leaves the picture"));
     EXPECT_THAT(placing({{50, 50}, {300, 50}}), says("meets nothing"));
     EXPECT_THAT(placing({{700, nan}, {900, 500}}), says("not a number"));
-    EXPECT_THAT(placing({{600, 500}, {900, 500}}, {.width = 100}), says("wider than the picture"));
+    EXPECT_THAT(placing({{600, 500}, {900, 500}}, {.width = 100}),
+                says("more than the picture shows"));
     EXPECT_THAT(placing({{600, 500}, {900, 500}}, {.width = nan}), says("width"));
     EXPECT_THAT(placing({{600, 500}, {900, 500}}, {.height = -1}), says("height"));
     EXPECT_THAT(placing({{600, 500}, {900, 500}}, {.grid = {2, 9, 4}}), says("control points"));
@@ -188,7 +189,7 @@ TEST(BadStroke, IsRejectedWithWhatToDo)
     EXPECT_NO_THROW(placing({{600, 500}, {900, 500}})());
     // There and back again leaves no room for a strip; round a corner there is some.
     EXPECT_THAT(placing(polyline({{600, 500}, {900, 500}, {905, 530}, {600, 540}}), {.width = 0.3}),
-                says("turns tighter"));
+                says("turn is too tight"));
     EXPECT_NO_THROW(placing(polyline({{600, 500}, {800, 500}, {800, 700}}), {.width = 0.3})());
 }
 

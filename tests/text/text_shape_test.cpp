@@ -196,10 +196,9 @@ TEST(Text, SaysInASentenceWhatItRefuses)
     EXPECT_EQ(refusal({.text = "a\xFFz"}), "the text is not UTF-8");
     EXPECT_EQ(refusal({.text = "a\xC0\x80"}), "the text is not UTF-8");
     EXPECT_EQ(refusal({.text = std::string(100000, 'x')}),
-              "the text has 100000 letters but at most 2000 are taken");
+              "the text has 100000 letters but at most 2000 are allowed");
     EXPECT_EQ(refusal({.text = "a\ab"}),
-              "the text holds the control character U+0007; of these only line breaks and tabs "
-              "are taken");
+              "the text holds the control character U+0007; only line breaks and tabs are allowed");
     EXPECT_EQ(refusal({.text = "a", .size = 0.001}),
               "the depth of a text is at most 20 times its size");
     EXPECT_EQ(refusal({.text = "a\tb\r\nc"}), "");
@@ -246,7 +245,7 @@ TEST(Fonts, HaveOneStandInForThoseThatAreNotThere)
 TEST(Fonts, SayWhenTheFileIsAnotherOne)
 {
     EXPECT_THAT(text_body({.text = "a", .font_digest = "0"}, sans()).notices,
-                ElementsAre(HasSubstr("is not the file that was meant")));
+                ElementsAre(HasSubstr("is another version than the scene was made with")));
     EXPECT_THAT(text_body({.text = "a", .font_digest = sans().digest()}, sans()).notices,
                 IsEmpty());
 }

@@ -76,8 +76,8 @@ ApartDecoder::ApartDecoder()
     constexpr const char* file = "trivar-picture";
     const std::string program = part_of(this_program(), file).string();
     if (program.empty())
-        throw Rejected(fmt::format("cannot be read: this part of Trivar, {}, is neither beside the "
-                                   "program nor in lib/trivar; install it again",
+        throw Rejected(fmt::format("cannot be read: {}, a part of Trivar, is neither beside the "
+                                   "program nor in lib/trivar; install Trivar again",
                                    file));
     std::array<int, 2> ends{};
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
@@ -95,7 +95,8 @@ ApartDecoder::ApartDecoder()
         received(sizeof(PictureAnswer), start_ms); // it is ready
     } catch (const HelperEnd&) {
         end();
-        throw Rejected(fmt::format("cannot be read: {} does not start; install it again", program));
+        throw Rejected(
+            fmt::format("cannot be read: {} does not start; install Trivar again", program));
     }
 }
 
@@ -151,13 +152,12 @@ void ApartDecoder::fail(bool silent, const ApartLimits& limits)
 {
     const int status = end();
     if (silent || (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU))
-        throw Rejected(fmt::format("takes more than {} s to decode, so it is damaged or made to "
-                                   "keep programs busy",
-                                   limits.cpu_s));
+        throw Rejected(fmt::format(
+            "takes more than {} s to decode, so it is damaged or meant to do harm", limits.cpu_s));
     if (WIFEXITED(status) && WEXITSTATUS(status) == no_memory_status)
-        throw Rejected(fmt::format("takes more than {} MB to decode, so it is damaged or made to "
-                                   "fill the memory",
-                                   limits.memory_bytes >> 20));
+        throw Rejected(
+            fmt::format("takes more than {} MB to decode, so it is damaged or meant to do harm",
+                        limits.memory_bytes >> 20));
     throw Rejected("is damaged: its decoder fails");
 }
 

@@ -15,7 +15,7 @@ PictureHead bmp_head(const ByteView& file, Look look)
     constexpr std::array<std::uint32_t, 5> lengths{12, 40, 52, 108, 124}, depths{1, 4, 8, 16, 24};
     const std::uint32_t length = file.little(14, 4), begin = file.little(10, 4);
     if (length != 56 && std::ranges::find(lengths, length) == lengths.end())
-        throw Rejected("is damaged: its head has no length that there is");
+        throw Rejected("is damaged: its header has an impossible length");
     const bool small = length == 12;
     const std::int64_t wide = small ? file.little(18, 2) : file.little(18, 4);
     std::int64_t high = small ? file.little(20, 2) : file.little(22, 4);
@@ -23,9 +23,8 @@ PictureHead bmp_head(const ByteView& file, Look look)
     const std::uint32_t bits = small ? file.little(24, 2) : file.little(28, 2);
     const std::uint32_t packing = small ? 0 : file.little(30, 4);
     if (bits != 32 && std::ranges::find(depths, bits) == depths.end())
-        throw Rejected(fmt::format("is damaged: there are no colours of {} bits", bits));
-    if (packing > 3)
-        throw Rejected("is packed in a way that is not known, a plain one would be right");
+        throw Rejected(fmt::format("is damaged: colours of {} bits do not exist", bits));
+    if (packing > 3) throw Rejected("has an unknown compression; save it without compression");
     const PictureHead head{glm::ivec2(std::min<std::int64_t>(wide, 0x7fffffff),
                                       std::min<std::int64_t>(high, 0x7fffffff)),
                            4, 1};

@@ -33,8 +33,7 @@ std::uint32_t block_bytes(const ByteView& file)
         if (number == number_of_8) return 8;
         if (std::ranges::find(numbers_of_16, number) != numbers_of_16.end()) return 16;
     }
-    throw Rejected("is packed in a way that is not known, DXT1, DXT3, DXT5, BC4, BC5, BC6H and "
-                   "BC7 are");
+    throw Rejected("has an unknown compression; use DXT1, DXT3, DXT5, BC4, BC5, BC6H or BC7");
 }
 
 // A decoder shifts by a channel's mask till its first bit, which must be there.
@@ -44,7 +43,7 @@ void check_masks(const ByteView& file, std::uint32_t flags)
     const std::uint32_t bits = file.little(88, 4);
     if ((flags & (colors | gray | alpha_only)) == 0 || bits % 8 != 0 || bits < 8 || bits > 32)
         throw Rejected(
-            fmt::format("is damaged: there are no colours of type {} and {} bits", flags, bits));
+            fmt::format("is damaged: colours of type {} and {} bits do not exist", flags, bits));
     const bool all = (flags & colors) != 0;
     const std::array<bool, 4> wanted{all || (flags & gray) != 0, all, all,
                                      (flags & (with_alpha | alpha_only)) != 0};
@@ -64,9 +63,9 @@ PictureHead dds_head(const ByteView& file, Look look)
     if (look == Look::head_only) return head;
     constexpr std::uint32_t cube = 0xfe00, deep = 0x200000, packed = 4;
     if (file.little(4, 4) != 124 || file.little(76, 4) != 32)
-        throw Rejected("is damaged: its head has no right length");
+        throw Rejected("is damaged: its header has a wrong length");
     if ((file.little(112, 4) & (cube | deep)) != 0)
-        throw Rejected("is a cube or a volume, a flat one would be right");
+        throw Rejected("is a cube or a volume; use a flat picture");
     constexpr std::uint64_t begin = 128, second_head = 20;
     const std::uint32_t flags = file.little(80, 4);
     if ((flags & packed) != 0) {

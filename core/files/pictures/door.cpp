@@ -14,8 +14,8 @@ const Codec& picture_codec()
     constexpr const char* file = "trivar-codec.so";
     const std::filesystem::path path = part_of(this_program(), file);
     if (path.empty())
-        throw Rejected(fmt::format("cannot be read or written: this part of Trivar, {}, is neither "
-                                   "beside the program nor in lib/trivar; install it again",
+        throw Rejected(fmt::format("cannot be read or written: {}, a part of Trivar, is neither "
+                                   "beside the program nor in lib/trivar; install Trivar again",
                                    file));
     // The system opens it once and counts; it is never closed.
     void* const opened = ::dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);

@@ -39,7 +39,7 @@ std::string_view exr_name(const ByteView& file, std::uint64_t at)
     const std::size_t end = text.find('\0');
     if (end == std::string_view::npos) {
         file.part(at, longest + 1); // else it is cut off
-        throw Rejected("is damaged: a name in its head has no end");
+        throw Rejected("is damaged: a name in its header has no end");
     }
     return text.substr(0, end);
 }
@@ -58,9 +58,9 @@ void read_channels(const ByteView& value, ExrPart& part)
         at += exr_name(value, at).size() + 1;
         const std::uint32_t type = value.little(at, 4);
         if (type > 2 || value.little(at + 8, 4) == 0 || value.little(at + 12, 4) == 0)
-            throw Rejected("is damaged: one of its channels is of no kind that there is");
+            throw Rejected("is damaged: one of its channels has an unknown type");
         if (value.little(at + 8, 4) != 1 || value.little(at + 12, 4) != 1)
-            throw Rejected("has channels of fewer pixels than others, equal ones would be right");
+            throw Rejected("has channels of different sizes; save all channels at the same size");
         if (type != 1) part.bytes_a_channel = 4;
         at += 16;
     }
@@ -74,7 +74,7 @@ void read_attribute(std::string_view name, const ByteView& value, ExrPart& part)
     if (name == "displayWindow") part.display = window_at(value);
     if (name == "chunkCount") part.pieces = value.little(0, 4);
     if (name == "type" && value.bytes.starts_with("deep"))
-        throw Rejected("has several depths a pixel, a flat one would be right");
+        throw Rejected("has several depths per pixel; save it flat");
     if (name == "tiles") {
         part.tile_width = value.little(0, 4);
         part.tile_height = value.little(4, 4);
@@ -124,7 +124,7 @@ std::uint64_t tiles_of(const ExrPart& part)
     constexpr std::uint32_t most = 1 << 14;
     if (part.tile_width == 0 || part.tile_height == 0 || part.tile_width > most ||
         part.tile_height > most || part.tile_levels > 2 || part.tile_rounding > 1)
-        throw Rejected("is damaged: its tiles have no right size");
+        throw Rejected("is damaged: its tiles have a wrong size");
     const auto wide = static_cast<std::uint64_t>(part.data->wide());
     const auto high = static_cast<std::uint64_t>(part.data->high());
     const bool up = part.tile_rounding == 1, each_way = part.tile_levels == 2;
@@ -152,15 +152,14 @@ std::uint64_t exr_pieces(const ExrPart& part, bool tiled)
 PictureHead exr_head(const ByteView& file, Look look)
 {
     const std::uint32_t version = file.little(4, 4);
-    if ((version & flag_deep) != 0)
-        throw Rejected("has several depths a pixel, a flat one would be right");
+    if ((version & flag_deep) != 0) throw Rejected("has several depths per pixel; save it flat");
     if ((version & 0xff) != 2 || (version & ~0x1effu) != 0)
-        throw Rejected("is of a version that is not known, version 2 would be right");
+        throw Rejected("has an unknown version; save it as version 2");
     const bool several = (version & flag_parts) != 0;
     ExrPart part;
     std::uint64_t at = read_part(file, 8, part);
     if (!part.data || !part.display || part.channels == 0)
-        throw Rejected("is damaged: its head has no windows or no channels");
+        throw Rejected("is damaged: its header has no windows or no channels");
     const auto side = [](std::int64_t value) {
         return static_cast<int>(std::clamp<std::int64_t>(value, -1, 1 << 30));
     };
@@ -173,11 +172,10 @@ PictureHead exr_head(const ByteView& file, Look look)
     for (const ExrWindow& window : {*part.data, *part.display})
         if (window.wide() < 1 || window.high() < 1 || std::abs(std::int64_t{window.left}) > far ||
             std::abs(std::int64_t{window.top}) > far || window.wide() > far || window.high() > far)
-            throw Rejected("is damaged: its windows have no right size");
-    if (part.packing >= rows_a_piece.size())
-        throw Rejected("is packed in a way that is not known, ZIP would be right");
+            throw Rejected("is damaged: its windows have a wrong size");
+    if (part.packing >= rows_a_piece.size()) throw Rejected("has an unknown compression; use ZIP");
     if (several) {
-        if (!part.pieces) throw Rejected("is damaged: its head does not count its pieces");
+        if (!part.pieces) throw Rejected("is damaged: its header does not count its chunks");
         for (std::uint32_t parts = 1; file.byte(at) != 0; ++parts) { // the others are left alone
             ExrPart other;
             at = read_part(file, at, other);
@@ -187,7 +185,7 @@ PictureHead exr_head(const ByteView& file, Look look)
     const std::uint64_t pieces =
         exr_pieces(part, (version & flag_tiled) != 0 || (several && part.tile_width != 0));
     if (part.pieces && *part.pieces != pieces)
-        throw Rejected("is damaged: its head has no right number of pieces");
+        throw Rejected("is damaged: its header has a wrong number of chunks");
     file.part(at, 8 * pieces);
     for (std::uint64_t piece = 0; piece < pieces; ++piece) {
         const std::uint64_t begin = file.little(at + 8 * piece, 4) |

@@ -35,10 +35,10 @@ PictureHead gif_head(const ByteView& file, Look look)
         if (kind != picture) throw Rejected("is damaged: it has no pixels");
         if (file.little(at + 1, 2) + file.little(at + 5, 2) > file.little(6, 2) ||
             file.little(at + 3, 2) + file.little(at + 7, 2) > file.little(8, 2))
-            throw Rejected("is damaged: its pixels reach beyond its sides");
+            throw Rejected("is damaged: its pixels reach beyond its edges");
         at += 10 + table_bytes(file.byte(at + 9));
         if (file.byte(at) < 1 || file.byte(at) > 8)
-            throw Rejected("is damaged: its pixels have no right number of bits");
+            throw Rejected("is damaged: its pixels have a wrong number of bits");
         behind_blocks(file, at + 1);
         return head;
     }

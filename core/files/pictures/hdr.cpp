@@ -20,7 +20,7 @@ HdrLine line_at(const ByteView& file, std::uint64_t at)
 {
     const std::size_t end = file.part(at, file.size() - at).find('\n');
     if (end == std::string_view::npos || at + end > longest_text)
-        throw Rejected("is damaged: its head has no end");
+        throw Rejected("is damaged: its header has no end");
     return {file.part(at, end), at + end + 1};
 }
 
@@ -28,7 +28,7 @@ HdrLine line_at(const ByteView& file, std::uint64_t at)
 glm::ivec2 size_of(std::string_view line)
 {
     const auto refuse = [] {
-        return Rejected("is damaged: its head has no size such as -Y 4 +X 8");
+        return Rejected("is damaged: its header has no size such as -Y 4 +X 8");
     };
     const auto number = [&](char axis) {
         if (line.size() < 4 || (line[0] != '-' && line[0] != '+') || line[1] != axis ||

@@ -30,18 +30,17 @@ bool begins_frame(std::uint32_t marker)
 PictureHead jpeg_frame(const ByteView& file, std::uint64_t at, std::uint32_t marker)
 {
     if (marker != 0xc0 && marker != 0xc1 && marker != 0xc2 && marker != 0xc9 && marker != 0xca)
-        throw Rejected("is of a kind of JPEG that few programs read, a baseline or progressive one "
-                       "would be right");
+        throw Rejected("is a rare kind of JPEG; save it as a baseline or progressive one");
     if (file.byte(at + 2) != 8)
-        throw Rejected(fmt::format("has {} bits a channel, 8 would be right", file.byte(at + 2)));
+        throw Rejected(fmt::format("has {} bits per channel; use 8", file.byte(at + 2)));
     const std::uint32_t channels = file.byte(at + 7);
     if (channels == 0 || channels > 4 || file.big(at, 2) != 8 + 3 * channels)
-        throw Rejected("is damaged: its frame has no right number of channels");
+        throw Rejected("is damaged: its frame has a wrong number of channels");
     for (std::uint32_t c = 0; c < channels; ++c) {
         const std::uint32_t across = file.byte(at + 9 + 3 * c) >> 4;
         const std::uint32_t down = file.byte(at + 9 + 3 * c) & 15;
         if (across < 1 || across > 4 || down < 1 || down > 4)
-            throw Rejected("is damaged: its channels have no right sizes");
+            throw Rejected("is damaged: its channels have wrong sizes");
     }
     // What is not baseline keeps coefficients of two bytes till its end.
     return {{file.big(at + 5, 2), file.big(at + 3, 2)},
@@ -83,8 +82,7 @@ PictureHead jpeg_head(const ByteView& file, Look look)
     const std::uint64_t pixels =
         static_cast<std::uint64_t>(head.size_px.x) * static_cast<unsigned>(head.size_px.y);
     if (scans * pixels > scanned_anyway + scanned_a_byte * file.size())
-        throw Rejected(
-            fmt::format("goes over its pixels {} times, ten times would be usual", scans));
+        throw Rejected(fmt::format("has {} scans, far more than the usual ten", scans));
     return head;
 }
 

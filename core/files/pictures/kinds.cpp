@@ -52,8 +52,8 @@ const PictureKind& picture_kind(std::string_view bytes, const std::string& name)
     if (bytes.starts_with("RIFF") && bytes.size() >= 12 && bytes.substr(8, 4) == "WEBP")
         return kind_webp;
     if (extension_of(name) == ".tga") return kind_tga;
-    throw Rejected(name + ": this is no kind of picture that can be read, those are PNG, JPEG, "
-                          "WebP, EXR, HDR, TIFF, TGA, BMP, GIF and DDS");
+    throw Rejected(name + ": this is not a picture that Trivar can read; use PNG, JPEG, WebP, EXR, "
+                          "HDR, TIFF, TGA, BMP, GIF or DDS");
 }
 
 PictureHead picture_head(std::string_view bytes, const std::string& name, Look look)
@@ -70,11 +70,11 @@ PictureHead picture_head(std::string_view bytes, const std::string& name, Look l
     }
     const glm::ivec2 size = head.size_px;
     if (size.x < 1 || size.y < 1 || size.x > max_side_px || size.y > max_side_px)
-        throw refuse(fmt::format("declares {} x {} pixels, sides may have 1 to {}", size.x, size.y,
-                                 max_side_px));
+        throw refuse(fmt::format("declares {} x {} pixels; each side must have 1 to {}", size.x,
+                                 size.y, max_side_px));
     if (head.channels < 1 || head.channels > max_channels)
         throw refuse(
-            fmt::format("declares {} channels, it may have 1 to {}", head.channels, max_channels));
+            fmt::format("declares {} channels; it must have 1 to {}", head.channels, max_channels));
     const auto pixels = static_cast<std::uint64_t>(size.x) * static_cast<unsigned>(size.y);
     const int weight = std::max(1, head.channels * head.bytes_a_channel / 4);
     if (pixels * static_cast<unsigned>(weight) > pixels_anyway + pixels_a_byte * bytes.size())

@@ -29,9 +29,9 @@ PictureHead png_head(const ByteView& file, Look look)
     if (channels == 0 || std::ranges::find(depths, bits) == depths.end() ||
         (bits < 8 && channels > 1 && color != 3) || (bits > 8 && color == 3))
         throw Rejected(
-            fmt::format("is damaged: it has no colours of type {} and {} bits", color, bits));
+            fmt::format("is damaged: colours of type {} and {} bits do not exist", color, bits));
     if (file.little(26, 2) != 0 || file.byte(28) > 1)
-        throw Rejected("is damaged: it is packed in no way that there is");
+        throw Rejected("is damaged: its compression does not exist");
     return {{file.side(file.big(16, 4)), file.side(file.big(20, 4))}, channels, bits > 8 ? 2 : 1};
 }
 

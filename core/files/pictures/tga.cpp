@@ -34,9 +34,9 @@ PictureHead tga_head(const ByteView& file, Look look)
     const bool packed = type >= 9;
     if (type % 8 < 1 || type % 8 > 3 || type > 11 || with_table > 1 ||
         (type % 8 == 1 && with_table == 0))
-        throw Rejected("is damaged: its head names no kind of TGA");
+        throw Rejected("is damaged: its header names no kind of TGA");
     if (bits != 8 && bits != 15 && bits != 16 && bits != 24 && bits != 32)
-        throw Rejected(fmt::format("is damaged: there are no colours of {} bits", bits));
+        throw Rejected(fmt::format("is damaged: colours of {} bits do not exist", bits));
     const PictureHead head{{file.little(12, 2), file.little(14, 2)}, 4, 1};
     if (look == Look::head_only) return head;
     const std::uint64_t table =

@@ -98,7 +98,7 @@ void check_pieces(const ByteView& file, const TiffDirectory& directory, const Pi
     // Decoders hold a piece as a whole. Usual are rows of 8 kB, and tiles of 64 to 1024.
     constexpr std::uint64_t most = 1 << 14;
     if (pieces.wide == 0 || pieces.high == 0 || pieces.wide > most || pieces.high > most)
-        throw Rejected("is damaged: its pieces have no right size");
+        throw Rejected("is damaged: its strips or tiles have a wrong size");
     const auto wide = static_cast<std::uint64_t>(head.size_px.x);
     const auto high = static_cast<std::uint64_t>(head.size_px.y);
     const std::uint64_t layers =
@@ -106,7 +106,7 @@ void check_pieces(const ByteView& file, const TiffDirectory& directory, const Pi
     const std::uint64_t count =
         (wide + pieces.wide - 1) / pieces.wide * ((high + pieces.high - 1) / pieces.high) * layers;
     if (pieces.begin.size() < count || pieces.bytes.size() < count)
-        throw Rejected(fmt::format("is damaged: it names {} of its {} pieces",
+        throw Rejected(fmt::format("is damaged: it names {} of its {} strips or tiles",
                                    std::min(pieces.begin.size(), pieces.bytes.size()), count));
     for (std::size_t i = 0; i < count; ++i) file.part(pieces.begin[i], pieces.bytes[i]);
 }
@@ -119,7 +119,7 @@ PictureHead tiff_head(const ByteView& file, Look look)
     const std::vector<std::uint32_t> bits = directory.all(tag_bits);
     const std::uint32_t deepest = bits.empty() ? 1 : *std::ranges::max_element(bits);
     if (deepest < 1 || deepest > 64)
-        throw Rejected(fmt::format("is damaged: there are no colours of {} bits", deepest));
+        throw Rejected(fmt::format("is damaged: colours of {} bits do not exist", deepest));
     const PictureHead head{
         {file.side(directory.one(tag_width, 0)), file.side(directory.one(tag_height, 0))},
         static_cast<int>(std::min(directory.one(tag_channels, 1), 1000u)),
@@ -129,9 +129,7 @@ PictureHead tiff_head(const ByteView& file, Look look)
     constexpr std::array<std::uint32_t, 9> packings{1, 2, 3, 4, 5, 7, 8, 32773, 32946};
     const std::uint32_t packing = directory.one(tag_packing, 1);
     if (std::ranges::find(packings, packing) == packings.end())
-        throw Rejected(fmt::format("is packed in the way {}, which is not known; LZW or Deflate "
-                                   "would be right",
-                                   packing));
+        throw Rejected(fmt::format("has the unknown compression {}; use LZW or Deflate", packing));
     check_pieces(file, directory, head);
     return head;
 }

@@ -12,10 +12,11 @@ namespace {
 PictureHead webp_frame(const ByteView& chunk, std::string_view name)
 {
     if (name == "VP8 ") {
-        if (chunk.part(3, 3) != "\x9d\x01\x2a") throw Rejected("is damaged: its frame has no head");
+        if (chunk.part(3, 3) != "\x9d\x01\x2a")
+            throw Rejected("is damaged: its frame has no header");
         return {{chunk.little(6, 2) & 0x3fff, chunk.little(8, 2) & 0x3fff}, 4, 1};
     }
-    if (chunk.byte(0) != 0x2f) throw Rejected("is damaged: its frame has no head");
+    if (chunk.byte(0) != 0x2f) throw Rejected("is damaged: its frame has no header");
     const std::uint32_t bits = chunk.little(1, 4);
     return {{(bits & 0x3fff) + 1, (bits >> 14 & 0x3fff) + 1}, 4, 1};
 }
@@ -37,7 +38,7 @@ PictureHead webp_head(const ByteView& file, Look look)
             const glm::ivec2 end(2 * file.little(at + 8, 3) + side(at + 14),
                                  2 * file.little(at + 11, 3) + side(at + 17));
             if (end.x > canvas.size_px.x || end.y > canvas.size_px.y)
-                throw Rejected("is damaged: its pixels reach beyond its sides");
+                throw Rejected("is damaged: its pixels reach beyond its edges");
             file.part(at + around, length);
             return canvas;
         }
@@ -47,7 +48,7 @@ PictureHead webp_head(const ByteView& file, Look look)
                                                  "is damaged: its frame ends early"},
                                                 name);
             if (has_canvas && head.size_px != canvas.size_px)
-                throw Rejected("is damaged: its frame has another size than itself");
+                throw Rejected("is damaged: its frame and its header differ in size");
             return head;
         }
         at += around + length + length % 2;

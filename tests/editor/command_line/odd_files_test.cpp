@@ -36,7 +36,7 @@ protected:
         const Status status = run_program(arguments, {out, talk});
         EXPECT_EQ(status, Status::rejected) << arguments[0] << " " << arguments.back();
         EXPECT_THAT(talk.str(),
-                    AnyOf(HasSubstr("no ordinary file"), HasSubstr("cannot be opened: ")));
+                    AnyOf(HasSubstr("not an ordinary file"), HasSubstr("cannot be opened: ")));
     }
 
     testing::TemporaryFolder folder;

@@ -214,7 +214,7 @@ TEST_F(Sequences, RefuseInASentenceWhatMakesNone)
          {"", "a", "1:", ":", "1:2:3:4", "1:2:0", "5:1", "1-5", "1:9:-1", "99999999999", "1 :2"})
         refused(arguments(good, {}, frames), "--frames", Status::usage);
     refused(arguments(good, {}, "-2000000000:2000000000"), "more than", Status::usage);
-    refused(arguments(good, {}, "200:300"), "frame 241 is none of the scene's, which are 1 to 240");
+    refused(arguments(good, {}, "200:300"), "the scene has no frame 241; its frames are 1 to 240");
     refused(arguments(good, {}, "0:3"), "frame 0 is none");
     for (const char* shard : {"0/4", "5/4", "1", "1/0", "-1/4", "1/4/2", "x/y", "1/4x", "/"})
         refused(arguments(good, {"--shard", shard}), "--shard", Status::usage);
@@ -226,11 +226,11 @@ TEST_F(Sequences, RefuseInASentenceWhatMakesNone)
     refused(arguments(folder.file("a.####.exr"), {"--depth", "16"}), "--depth", Status::usage);
     for (const char* sheet : {"3", "0x2", "3x-2", "3x2x1"})
         refused(arguments(folder.file("a.png"), {"--sheet", sheet}), "--sheet", Status::usage);
-    refused(arguments(folder.file("none/none/a.####.png")), "the folder is not there");
-    refused(arguments(scene + "/a.####.png"), "the folder is not there");
+    refused(arguments(folder.file("none/none/a.####.png")), "the folder does not exist");
+    refused(arguments(scene + "/a.####.png"), "the folder does not exist");
     refused(arguments(good, {"--video", folder.file("a.gif")}), ".mp4, .mov or .mkv");
     refused(arguments(folder.file("new/a.####.png"), {"--camera", "nobody"}),
-            "no point of view of that name");
+            "no bookmark of that name");
     EXPECT_THAT(render("a.####.png", {"--depth", "12"}).status, Status::usage);
     EXPECT_THAT(files("."), IsEmpty());
 }

@@ -283,7 +283,7 @@ TEST_F(CertifiedExport, SaysWhatIsWrongWithItsInput)
     EXPECT_FALSE(std::filesystem::exists(folder.file("pot.glb")));
     const Ran fine = exported("1e-9");
     EXPECT_EQ(fine.status, Status::check_failed);
-    EXPECT_THAT(fine.text, HasSubstr("finer than single precision"));
+    EXPECT_THAT(fine.text, HasSubstr("finer than the precision of the coordinates"));
     ASSERT_EQ(
         run_verb({"replay", folder.file("pot.trivar"), "--export", folder.file("pot.glb")}).status,
         Status::done);

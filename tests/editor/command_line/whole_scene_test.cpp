@@ -178,7 +178,7 @@ TEST_F(WholeScene, WritesOverNoneOfItsSources)
     const auto refused = [&](const std::vector<std::string>& words) {
         const Told told = run(words);
         EXPECT_EQ(told.status, Status::rejected) << words[3];
-        EXPECT_THAT(told.text, HasSubstr("the scene is made from this file"));
+        EXPECT_THAT(told.text, HasSubstr("the scene uses this file"));
         EXPECT_THAT(told.text, HasSubstr("--overwrite"));
         EXPECT_EQ(read_text_file(model), before) << words[3];
         EXPECT_EQ(read_text_file(scene), log);
@@ -216,7 +216,7 @@ TEST_F(WholeScene, DrawsOverNoneOfItsPictures)
              {"render", scene, "--frames", "1:2", "--sheet", "1x2", "--out", texture}}) {
         const Told told = run(words);
         EXPECT_EQ(told.status, Status::rejected) << told.text;
-        EXPECT_THAT(told.text, HasSubstr("skin.1.png: the scene is made from this file"));
+        EXPECT_THAT(told.text, HasSubstr("skin.1.png: the scene uses this file"));
         EXPECT_EQ(read_text_file(texture), before);
     }
 }

@@ -133,7 +133,7 @@ TEST(Recordings, SayWhereTheirFolderCannotBeWrittenOrVanishes)
     rig.begin();
     rig.finish();
     EXPECT_EQ(rig.told().title, "The recording has ended");
-    EXPECT_THAT(rig.told().body, HasSubstr("cannot be made"));
+    EXPECT_THAT(rig.told().body, HasSubstr("cannot be created"));
     rig.plan.folder = rig.disk.file("gone");
     rig.begin();
     while (!fs::exists(rig.disk.file("gone/a.0001.png"))) rig.frames(1);

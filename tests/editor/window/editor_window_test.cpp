@@ -282,7 +282,8 @@ TEST(EditorWindow, ASceneThatIsOpenElsewhereCanBeLookedAtAndRefusesChanges)
     ASSERT_TRUE(session.scene().look_only());
     EXPECT_FALSE(session.run(AddTorus{}));
     ASSERT_EQ(session.notices.all().size(), 1u);
-    EXPECT_THAT(session.notices.all().front().title, ::testing::StartsWith("a.trivar is only"));
+    EXPECT_THAT(session.notices.all().front().title,
+                ::testing::StartsWith("a.trivar is open read-only"));
     session.selected = 1;
     other.run(AddSphere{});
     session.follow_file(1e6);
