@@ -113,7 +113,7 @@ std::optional<std::string> FileDialog::take(const std::string& typed, bool repla
     }
     if (request_.saving && there && !replace) {
         problem_ = path.filename().string() +
-                   " is there already. Press Replace or Ctrl Enter, or type another name.";
+                   " exists already. Press Replace or Ctrl Enter, or type another name.";
         return std::nullopt;
     }
     folder_ = path.parent_path(); // the next one begins here

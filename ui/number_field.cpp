@@ -188,7 +188,7 @@ Memory::Dropped dropped(std::optional<double> typed, const NumberStyle& style)
 // Why what was typed was not taken, and what is there instead.
 std::string dropped_words(Memory::Dropped what, double value, const NumberStyle& style)
 {
-    const std::string why = what == Memory::no_number   ? "This is no number."
+    const std::string why = what == Memory::no_number   ? "This is not a number."
                             : what == Memory::too_small ? limit_words(style.lo - 1, style)
                                                         : limit_words(style.hi + 1, style);
     return why + " It stays " + typed_text(value) +
@@ -242,7 +242,7 @@ Edit type_number(const Theme& theme, const Memory& memory, double& value, const 
     const bool untouched = text.c_str() == typed_text(value); // then it is as exact as it was
     const std::string why_not = untouched ? ""
                                 : typed   ? limit_words(*typed, style)
-                                          : "This is no number.";
+                                          : "This is not a number.";
     paint_rim({{lo.x, lo.y}, {hi.x, hi.y}}, why_not.empty() ? theme.color.focus : theme.color.bad,
               theme.size.rounding_small, 1.5f * theme.scale);
     if (!why_not.empty()) say_under(theme, {{lo.x, lo.y}, {hi.x, hi.y}}, why_not);

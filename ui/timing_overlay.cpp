@@ -82,7 +82,7 @@ void draw_ways(const std::vector<TimedWay>& ways, Rows& rows, TimingView& view)
     paint_text(theme.font.strong, head, c.text, "Deformed by");
     ImGui::SetCursorScreenPos({head.hi.x - button_width(theme, "Measure"), head.lo.y});
     if (button(theme, "Measure", ButtonKind::quiet, {0, head.height()})) view.measure_ways = true;
-    tooltip({"Measure", {}, "Times every way of deforming the placed objects."});
+    tooltip({"Measure", {}, "Measures every way of deforming the placed objects."});
     for (const TimedWay& way : ways) {
         const Rect r = rows.next();
         ImGui::SetCursorScreenPos({r.lo.x, r.lo.y});

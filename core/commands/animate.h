@@ -15,8 +15,8 @@ template <> struct FieldsOf<ObjectTracks> {
     static constexpr std::string_view told_as = "[object's tracks](#objects-tracks)";
     static void fields(auto& t, auto&& field)
     {
-        field("object", t.object, "id; 0: the scene, with its picture and kept views");
-        field("tracks", t.tracks, "one a parameter, in place of the one that it had", required);
+        field("object", t.object, "id; 0: the scene, with its picture and bookmarks");
+        field("tracks", t.tracks, "one per parameter, replacing its earlier track", required);
     }
 };
 struct Animate {
@@ -27,7 +27,7 @@ struct Animate {
     bool operator==(const Animate&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("of", c.of, "whose; each object once", required);
+        field("of", c.of, "tracks of objects, each object once", required);
     }
 };
 Document applied(Document document, const Animate& command);

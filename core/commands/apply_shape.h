@@ -9,10 +9,10 @@
 namespace trivar {
 
 struct ApplyShape {
-    static constexpr std::string_view verb = "apply_shape",
-                                      summary = "Make the bent shape of what lies on a stroke "
-                                                "final: it becomes a model from a file that holds "
-                                                "it as it is, and lies on no stroke any more.";
+    static constexpr std::string_view
+        verb = "apply_shape",
+        summary = "Make the bent shape of a placed object final: it becomes a model from a file, "
+                  "which no longer lies on a stroke.";
     static constexpr CommandNature nature{.icon = CommandIcon::import_model,
                                           .asked = Invocation::by_actions};
     Id object = 0;
@@ -27,15 +27,15 @@ struct ApplyShape {
     {
         field("object", c.object, "id of an object on a stroke", required);
         FieldsOf<ImportedFile>::fields(c.file, field);
-        field("transform", c.transform, "where the model of the file stands to its parent");
+        field("transform", c.transform, "transform of the model in its parent");
         field("tolerance", c.tolerance,
-              "metres of the file's triangles from the true surface at most; 0: not certified",
+              "metres that the file's triangles may be from the true surface at most; 0: not "
+              "certified",
               not_negative.in(Unit::metres));
         field("riders", c.riders,
-              "ids of objects that it carries and that go on to go with it; any other one that it "
-              "carries stays in the world");
-        field("strokes", c.strokes, "of these, in the same order, as they are now");
-        field("attach", c.attach, "what carries them from now on, in the same order");
+              "ids of attached objects that stay attached to it; all others stay in the world");
+        field("strokes", c.strokes, "strokes of the riders, in the same order, as they are now");
+        field("attach", c.attach, "hosts of the riders from now on, in the same order");
     }
 };
 Document applied(Document document, const ApplyShape& command);

@@ -38,7 +38,7 @@ struct Arrange {
     static void fields(auto& c, auto&& field)
     {
         field("objects", c.objects, "ids", required);
-        field("transforms", c.transforms, "of the objects, in the same order", required);
+        field("transforms", c.transforms, "transforms of the objects, in the same order", required);
     }
 };
 Document applied(Document document, const Arrange& command);
@@ -79,8 +79,7 @@ struct Show {
     static void fields(auto& c, auto&& field)
     {
         field("objects", c.objects, "ids", required);
-        field("only", c.only,
-              "what is not in them is hidden, and the groups that they are in shown");
+        field("only", c.only, "hides everything else, and shows the groups that they are in");
     }
 };
 Document applied(Document document, const Show& command);

@@ -62,8 +62,7 @@ struct SetParent {
     {
         field("objects", c.objects, "ids", required);
         field("parent", c.parent,
-              "id of what they go with: a group, a lattice or any object that stands by its "
-              "transform; 0: they stand for themselves");
+              "id of the parent: a group, a lattice or any object that lies on no stroke; 0: none");
     }
 };
 Document applied(Document document, const SetParent& command);
@@ -82,7 +81,7 @@ struct Reorder {
         field("objects", c.objects, "ids, in their new order", required);
         field("parent", c.parent, "id of the group they go into; 0: none");
         field("before", c.before,
-              "id of the one in that group that follows them; 0: they are last");
+              "id of the object in that group that follows them; 0: they are last");
     }
 };
 Document applied(Document document, const Reorder& command);

@@ -18,7 +18,7 @@ struct ImportModel {
     {
         FieldsOf<ImportedFile>::fields(c.file, field);
         field("name", c.name, "name in the outliner; empty: the file's");
-        field("transform", c.transform, "where it stands");
+        field("transform", c.transform, "its position, rotation and scale");
     }
 };
 Document applied(Document document, const ImportModel& command);
@@ -57,7 +57,7 @@ struct Relink {
     static void fields(auto& c, auto&& field)
     {
         field("objects", c.objects, "ids of imported models", required);
-        field("files", c.files, "of the objects, in the same order", required);
+        field("files", c.files, "files of the objects, in the same order", required);
     }
 };
 Document applied(Document document, const Relink& command);

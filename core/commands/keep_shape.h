@@ -7,11 +7,10 @@
 namespace trivar {
 
 struct KeepShape {
-    static constexpr std::string_view verb = "keep_shape",
-                                      summary = "Delete a lattice and keep the shape that it gave: "
-                                                "objects in it become models from files that hold "
-                                                "them as they are. What is not named goes back to "
-                                                "rest.";
+    static constexpr std::string_view
+        verb = "keep_shape",
+        summary = "Delete a lattice and keep its bend: objects in it become models from files in "
+                  "their bent shape. Objects that are not named get their original shape back.";
     static constexpr CommandNature nature{.asked = Invocation::by_actions};
     Id object = 0;
     std::vector<Id> members;
@@ -21,11 +20,10 @@ struct KeepShape {
     {
         field("object", c.object, "id of a lattice", required);
         field("members", c.members, "ids of objects in it", required);
-        field(
-            "files", c.files,
-            "of the members, in the same order: their shapes in the space of the group that holds "
-            "them then",
-            required);
+        field("files", c.files,
+              "one per member, in the same order: its shape in the space of the group that it is "
+              "in afterwards",
+              required);
     }
 };
 Document applied(Document document, const KeepShape& command);

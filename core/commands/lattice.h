@@ -24,13 +24,14 @@ struct AddLattice {
     bool operator==(const AddLattice&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("objects", c.objects, "ids of what it bends", required);
+        field("objects", c.objects, "ids of the objects to bend", required);
         field("name", c.name, "name in the outliner");
         FieldsOf<LatticeShape>::fields(c.shape, field);
-        field("transform", c.transform, "where the box stands, in the group that holds them all");
+        field("transform", c.transform,
+              "transform of the box, in the group that holds all objects");
         field("in_place", c.in_place,
-              "its row in the outliner is where the first of them had its own; else it is the "
-              "last one");
+              "whether it takes the row of the first object in the outliner; if not, it is the "
+              "last row");
     }
 };
 Document applied(Document document, const AddLattice& command);

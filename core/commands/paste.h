@@ -70,28 +70,32 @@ template <> struct FieldsOf<KnownObject> {
     static void fields(auto& k, auto&& field)
     {
         field("object", k.object, "its id", required);
-        field("name", k.name, "its name; another object of that id is not taken for it", required);
+        field("name", k.name,
+              "its name, so that another object of the same id is not mistaken for it", required);
     }
 };
 template <> struct FieldsOf<CopiedPlacement> {
     static constexpr std::string_view told_as = "[placement](#placement)";
     static void fields(auto& p, auto&& field)
     {
-        field("sketch", p.sketch, "the stroke; none where it lies round something");
+        field("sketch", p.sketch, "the stroke; none if it lies round an object");
         field("parameters", p.parameters, "how it lies");
-        field("onto", p.onto, "what it lay on: other copies, or objects of the scene");
+        field("onto", p.onto, "its hosts: other copies, or objects of the scene");
         field("round", p.round, "about the only one of onto, in place of a stroke");
-        field("level", p.level, "metres from that one's widest circle");
-        field("attach", p.attach, "which of onto carry it, by the same numbers");
+        field("level", p.level, "metres from the widest circle of that object");
+        field("attach", p.attach,
+              "the hosts among onto that it is attached to, by the same numbers");
     }
 };
 template <> struct FieldsOf<CopiedObject> {
     static constexpr std::string_view told_as = "[object](#object)";
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "its id where it was copied, by which others name it", required);
-        field("name", c.name, "its name; where that is taken it gets a number", required);
-        field("file", c.file, "of an imported model; without file and shape it is a group");
+        field("object", c.object, "its id when it was copied, by which other copies name it",
+              required);
+        field("name", c.name, "its name, with a number if the name is taken", required);
+        field("file", c.file,
+              "file of an imported model; an object without file and shape is a group");
         field("plane", c.plane, "its shape, as of add_plane");
         field("box", c.box, "its shape, as of add_box");
         field("sphere", c.sphere, "its shape, as of add_sphere");
@@ -101,29 +105,28 @@ template <> struct FieldsOf<CopiedObject> {
         field("teapot", c.teapot, "its shape, as of add_teapot");
         field("text", c.text, "its shape, as of add_text");
         field("lattice", c.lattice, "its box of control points, as of add_lattice");
-        field("transform", c.transform, "where it stands, in its group if that is copied too");
+        field("transform", c.transform, "its transform, in its group if that is copied, too");
         field("parent", c.parent,
               "id of the copied group it is in, which comes before it; 0: none");
-        field("hidden", c.hidden, "left out of the picture");
-        field("locked", c.locked, "no hand takes it");
+        field("hidden", c.hidden, "it is not in the picture");
+        field("locked", c.locked, "it cannot be picked, moved or deleted by hand");
         field("material", c.material, "one material over all of it; left out: its own");
         field("placement", c.placement, "how it lies on a stroke");
         field("shaping", c.shaping, "what was done to its volume after that, step by step");
-        field("travel", c.travel, "how it goes along that");
+        field("travel", c.travel, "how it travels along its stroke");
         field("playing", c.playing, "how an imported model moves by a clip of its file");
         field("refining", c.refining, "how finely its triangles are split");
-        field("simplifying", c.simplifying, "how its triangles are made fewer");
-        field("tracks", c.tracks, "how its parameters go from key to key", later);
+        field("simplifying", c.simplifying, "how its triangles are reduced");
+        field("tracks", c.tracks, "its animated parameters with their keys", later);
     }
 };
 
 struct Paste {
-    static constexpr std::string_view verb = "paste",
-                                      summary =
-                                          "Add copies of objects. What lay on something lies on "
-                                          "the copy of that, or on that itself where the scene "
-                                          "has it; else it is laid over all that is there, and "
-                                          "stands straight where nothing is.";
+    static constexpr std::string_view
+        verb = "paste",
+        summary = "Add copies of objects. A placed one lies on the copy of its host, or on the "
+                  "host itself if the scene has it; if not, it lies on all that is there, or is "
+                  "straight if there is nothing.";
     static constexpr CommandNature nature{.asked = Invocation::by_actions};
     std::vector<CopiedObject> copies;
     bool operator==(const Paste&) const = default;

@@ -21,14 +21,15 @@ struct Place {
     bool operator==(const Place&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of the object to lay down", required);
+        field("object", c.object, "id of the object to place", required);
         field("camera", c.sketch.camera, "the view the stroke was drawn in", required);
         field("samples", c.sketch.samples, "the stroke, [x px, y px, seconds, pressure] each",
               required);
         field("parameters", c.parameters, "how it lies");
         field("onto", c.onto,
-              "ids it lies on; empty: every visible object that does not lie on it");
-        field("attach", c.attach, "which of them carry it; left out: it stays in the world");
+              "ids of objects to lie on; empty: every visible object that does not lie on it");
+        field("attach", c.attach,
+              "its hosts, with which it moves; left out: it stays in the world");
         field("copy", c.copy, "lay a copy of the object, which itself stays as it is");
     }
 };
@@ -50,11 +51,11 @@ struct PlaceRound {
     bool operator==(const PlaceRound&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of the object to lay down", required);
-        field("around", c.around, "id of what it goes round, by its Z axis", required);
-        field("level", c.level, "metres across from the widest circle of that");
+        field("object", c.object, "id of the object to place", required);
+        field("around", c.around, "id of the object it goes round, about its Z axis", required);
+        field("level", c.level, "metres across from the widest circle of that object");
         field("parameters", c.parameters,
-              "how it lies; springs, misses and clearance have nothing to do here");
+              "how it lies; springs, misses and clearance have no effect here");
     }
 };
 Document applied(Document document, const PlaceRound& command);
@@ -73,12 +74,13 @@ struct EditPlacement {
     static void fields(auto& c, auto&& field)
     {
         field("object", c.object, "id of a placed object", required);
-        field("parameters", c.parameters, "all of them; what is left out has its default",
+        field("parameters", c.parameters, "all parameters; those left out have their defaults",
               required);
         field("sketch", c.sketch, "a new stroke; left out: as it was");
-        field("onto", c.onto, "ids it lies on; left out: as before; empty: chosen again");
+        field("onto", c.onto, "ids of objects to lie on; left out: as before; empty: chosen again");
         field("attach", c.attach,
-              "which of them carry it; left out: as it was, but none where the stroke is new");
+              "its hosts, with which it moves; left out: as before, but none where the stroke is "
+              "new");
     }
     // The command that changes nothing of the object; none: it has nothing of the kind.
     static std::optional<EditPlacement> as_it_is(const Object& object, Id id)
@@ -103,8 +105,8 @@ struct Attach {
     {
         field("object", c.object, "id of a placed object", required);
         field("attach", c.attach,
-              "what carries it, and where it lies on that; left out: all that it lies on, as long "
-              "as that stands by its transform alone");
+              "its hosts and where it lies on them; left out: all objects that it lies on, if none "
+              "of them lies on a stroke itself");
     }
 };
 Document applied(Document document, const Attach& command);

@@ -22,7 +22,7 @@ template <class Shape> struct AddShape {
     {
         field("name", c.name, "name in the outliner");
         FieldsOf<Shape>::fields(c.shape, field);
-        field("transform", c.transform, "where it stands");
+        field("transform", c.transform, "its position, rotation and scale");
         field("material", c.material, "one material over all of it; left out: nearly white");
     }
 };

@@ -185,7 +185,7 @@ std::string commands_markdown()
             field_table(fields_of(Transform{}));
     text += "## file\n\nAn imported model's file, and how it is read.\n\n" +
             field_table(fields_of(ImportedFile{}));
-    text += "## camera\n\nA point of view. Pixels count from the top left corner of the "
+    text += "## camera\n\nA view of the scene. Pixels count from the top left corner of the "
             "picture.\n\n" +
             field_table(fields_of(Camera{}));
     text += "## parameters\n\nHow an object lies along its stroke.\n\n" +

@@ -20,7 +20,7 @@ struct Refine {
     bool operator==(const Refine&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("objects", c.objects, "ids of objects that lie on strokes or stand in lattices",
+        field("objects", c.objects, "ids of objects that lie on strokes or are in lattices",
               required);
         FieldsOf<Refining>::fields(c.refining, field);
         field("refinings", c.refinings,

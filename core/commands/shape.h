@@ -51,9 +51,9 @@ Document applied(Document document, const MovePoints& command);
 StepTitle title(const MovePoints& c, const StepDocuments& step);
 
 struct InsertKnots {
-    static constexpr std::string_view verb = "insert_knots",
-                                      summary = "Give the volume of a placed object more control "
-                                                "points where they are wanted; it keeps its shape.";
+    static constexpr std::string_view
+        verb = "insert_knots",
+        summary = "Add control points to the volume of a placed object; it keeps its shape.";
     Id object = 0;
     KnotInsertion insertion;
     bool operator==(const InsertKnots&) const = default;
@@ -68,8 +68,8 @@ StepTitle title(const InsertKnots& c, const StepDocuments& step);
 
 struct CoarsenVolume {
     static constexpr std::string_view verb = "coarsen_volume",
-                                      summary = "Leave the volume of a placed object fewer control "
-                                                "points, as near to its shape as they come.";
+                                      summary = "Remove control points of the volume of a placed "
+                                                "object; its shape changes as little as possible.";
     Id object = 0;
     Coarsening coarsening;
     bool operator==(const CoarsenVolume&) const = default;
@@ -83,9 +83,10 @@ Document applied(Document document, const CoarsenVolume& command);
 StepTitle title(const CoarsenVolume& c, const StepDocuments& step);
 
 struct MendVolume {
-    static constexpr std::string_view verb = "mend_volume",
-                                      summary = "Change the volume of a placed object as little as "
-                                                "it takes for nothing to fold.";
+    static constexpr std::string_view
+        verb = "mend_volume",
+        summary =
+            "Repair the folds in the volume of a placed object with as little change as possible.";
     static constexpr CommandNature nature{.asked = Invocation::by_actions};
     Id object = 0;
     bool operator==(const MendVolume&) const = default;
@@ -98,9 +99,10 @@ Document applied(Document document, const MendVolume& command);
 StepTitle title(const MendVolume& c, const StepDocuments& step);
 
 struct AllowFolds {
-    static constexpr std::string_view verb = "allow_folds",
-                                      summary = "Let the volume of a placed object fold in parts "
-                                                "of it, which the guard then leaves alone.";
+    static constexpr std::string_view
+        verb = "allow_folds",
+        summary =
+            "Allow folds in parts of the volume of a placed object, which the guard then ignores.";
     Id object = 0;
     FoldAllowance allowance;
     bool operator==(const AllowFolds&) const = default;
@@ -122,7 +124,7 @@ struct Unshape {
     static void fields(auto& c, auto&& field)
     {
         field("object", c.object, "id of a placed object", required);
-        field("steps", c.steps, "which of them, the first is 1; empty: all", in_range(1, 1e6));
+        field("steps", c.steps, "numbers of the edits, from 1; empty: all", in_range(1, 1e6));
     }
 };
 Document applied(Document document, const Unshape& command);

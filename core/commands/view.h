@@ -16,8 +16,9 @@ struct KeepView {
     bool operator==(const KeepView&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("name", c.name, "name of the kept view; one of that name is replaced", required);
-        field("camera", c.camera, "the point of view", required);
+        field("name", c.name, "name of the bookmark; an earlier one of that name is replaced",
+              required);
+        field("camera", c.camera, "the view to keep", required);
     }
 };
 Document applied(Document document, const KeepView& command);
@@ -30,7 +31,7 @@ struct ForgetView {
     bool operator==(const ForgetView&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("name", c.name, "name of the kept view", required);
+        field("name", c.name, "name of the bookmark", required);
     }
 };
 Document applied(Document document, const ForgetView& command);

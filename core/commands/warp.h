@@ -34,7 +34,7 @@ struct SetWarp {
     static void fields(auto& c, auto&& field)
     {
         field("object", c.object, "id of a lattice", required);
-        field("step", c.step, "which of the steps that shaped it, the first is 1",
+        field("step", c.step, "number of the step that shaped it, from 1",
               required_in_range(1, 1e6));
         FieldsOf<Warp>::fields(c.warp, field);
     }

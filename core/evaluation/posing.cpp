@@ -43,10 +43,10 @@ bool is_still(const Channel& channel)
 std::string stillness(const Clip& clip)
 {
     if (!(clip.end_s > clip.begin_s))
-        return fmt::format("\"{}\" lasts no time: it stands as its only keys have it",
+        return fmt::format("\"{}\" has no length: it shows the pose of its only keys",
                            excerpt(clip.name));
     if (std::ranges::all_of(clip.channels, is_still))
-        return fmt::format("nothing moves in \"{}\": its keys are all alike", excerpt(clip.name));
+        return fmt::format("nothing moves in \"{}\": all its keys are equal", excerpt(clip.name));
     return {};
 }
 

@@ -91,7 +91,7 @@ std::string notice_of(const RefinementResult& refined, const Refining& refining)
         refined.triangles(), refining.tolerance,
         refined.out_of_budget ? fmt::format("the budget of {} triangles is spent", refining.budget)
         : std::isfinite(refined.bound) ? "their edges are too short to be split further"
-                                       : "the bound says nothing of some of them");
+                                       : "some of them have no bound");
 }
 
 bool lies_in_a_volume(const Stage& stage)

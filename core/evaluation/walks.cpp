@@ -155,7 +155,7 @@ Walk walk_of(Tread tread)
     // Its front is where its feet take it, which is not always where its file's format has fronts.
     if (tread.journey->travel().speed > 0 && (stride.x < 0) != looks_back(tread.parameters))
         walk.remark = fmt::format(
-            "in \"{}\" it walks backwards; a negative speed lets it walk the way it looks",
+            "in \"{}\" it walks backwards; use a negative speed to let it walk forwards",
             excerpt(tread.clip));
     walk.correction = largest_correction(gait);
     tread.walk = walk;
@@ -180,7 +180,7 @@ Ref<Walk> Walks::operator()(const Ref<Shape>& shape, const Playing& playing, con
     return walks_({shape, laid, journey, playing}, [&] {
         Walk walk;
         if (!journey || journey->travel().speed == 0) {
-            walk.trouble = "its feet are locked to its travel, and it does not travel";
+            walk.trouble = "foot lock has no effect, because the object does not travel";
             return make_ref(std::move(walk));
         }
         const glm::dmat4 to_uvw = laid->placement->embedding.to_uvw * glm::dmat4(turned);

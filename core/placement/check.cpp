@@ -40,7 +40,7 @@ void check(const PlacementParameters& p)
     check_profile(p.height_profile, "the profile of the height");
     check_profile(p.height_across, "the profile of the height across");
     check_height_map(p.height_map, "the height map");
-    check_rise(p.rise_profile, "the profile of the rise");
+    check_rise(p.rise_profile, "the height distribution");
     in_range(p.contact_level, 0, 1, "the contact level");
     const std::array<const char*, 3> axis{"along", "across", "above"};
     for (int a = 0; a < 3; ++a) {

@@ -194,7 +194,8 @@ Placement place_round(const Band& band, const PlacementParameters& p, const Box&
     r.contact_share = 1;
     r.smallest_jacobian = smallest_jacobian(out.volume, length * width * sizes.height);
     if (!(r.smallest_jacobian > 0))
-        r.folds = "the volume folds; make it lower, narrower or what it goes round larger";
+        r.folds =
+            "the volume folds; make it lower or narrower, or make the object it goes round larger";
     for (int i = 0; i < p.grid.x; ++i)
         for (int j = 0; j < p.grid.y; ++j)
             out.nodes.push_back(

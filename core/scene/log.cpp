@@ -110,9 +110,9 @@ Log read_log(std::string_view text, const std::string& name)
                     object = parse_object(line);
                 } catch (const Rejected&) {
                     if (whole || !header_seen) throw;
-                    log.notice = fmt::format("{}:{}: the last line was torn in the middle, as by a "
-                                             "crash, and is left out",
-                                             name, number);
+                    log.notice = fmt::format(
+                        "{}:{}: the last line is incomplete, as after a crash, and was left out",
+                        name, number);
                     return log;
                 }
                 if (header_seen)

@@ -111,7 +111,7 @@ std::string lacking(const std::u32string& letters, const std::string& title)
     }
     if (letters.size() > named) list += " ...";
     return fmt::format(
-        "{} lacks {} of the text: {}; a box stands for each", title,
+        "{} lacks {} of the text: {}; a box is shown for each", title,
         letters.size() == 1 ? "one letter" : fmt::format("{} letters", letters.size()), list);
 }
 

@@ -120,7 +120,7 @@ void add_edit_actions(std::vector<Action>& a)
                  {ctrl('Z')},
                  [](Editor& e) { e.session.undo(); },
                  {[](const Editor& e) { return e.session.scene().history().position() > 0; },
-                  "nothing was done yet"}});
+                  "there is nothing to undo"}});
     a.push_back({"Edit",
                  "Redo",
                  {ctrl('Z', true), ctrl('Y')},
@@ -129,7 +129,7 @@ void add_edit_actions(std::vector<Action>& a)
                       const History& h = e.session.scene().history();
                       return h.position() < h.steps().size();
                   },
-                  "nothing was undone"}});
+                  "there is nothing to redo"}});
     add_clipboard_actions(a);
     a.push_back({"Edit",
                  "Duplicate",
@@ -176,13 +176,13 @@ void add_edit_actions(std::vector<Action>& a)
                  {},
                  attach_selected,
                  {[](const Editor& e) { return !laid(e, false).empty(); },
-                  "select something that lies on an object and does not go with it"}});
+                  "select a placed object that is not attached first"}});
     a.push_back({"Edit",
                  "Detach",
                  {},
                  detach_selected,
                  {[](const Editor& e) { return !laid(e, true).empty(); },
-                  "select something first that goes with what it lies on"}});
+                  "select an attached object first"}});
     a.push_back({"Edit",
                  "Parent",
                  {ctrl('P')},
@@ -190,9 +190,9 @@ void add_edit_actions(std::vector<Action>& a)
                      e.session.run(SetParent{but_the_last(e), e.session.selected});
                  },
                  {[](const Editor& e) { return e.session.selected.size() > 1; },
-                  "select objects, and last of all what they are to go with"}});
+                  "select the objects first, and their parent last"}});
     a.push_back({"Edit",
-                 "Free from the parent",
+                 "Clear parent",
                  {alt('P')},
                  [](Editor& e) {
                      e.session.run(SetParent{chosen(e), 0});
@@ -202,7 +202,7 @@ void add_edit_actions(std::vector<Action>& a)
                           return object(e.session.document(), id).parent != 0;
                       });
                   },
-                  "select something first that goes with another object"}});
+                  "select an object with a parent first"}});
     a.push_back({"Edit",
                  "Remove from stroke",
                  {},
@@ -268,7 +268,7 @@ void add_edit_actions(std::vector<Action>& a)
                      if (e.session.run(*command)) e.session.select_new(first);
                  },
                  {[](const Editor& e) { return repeated(e.session).has_value(); },
-                  "the last step cannot be repeated on what is selected"}});
+                  "the last step cannot be repeated on the selection"}});
     a.push_back(
         {"Edit",
          "Adjust last",

@@ -25,9 +25,9 @@ glm::ivec2 picture_size(Editor& e)
 void render_picture(Editor& e)
 {
     if (e.session.scene().path().empty())
-        e.session.notices.say(ui::NoticeKind::warning, "The scene has no file yet",
-                              "Pictures are written beside it: save it first.", "picture",
-                              {{"Save as...", [&e] { e.files.ask_save_as(); }}});
+        e.session.notices.say(ui::NoticeKind::warning, "The scene is not saved yet",
+                              "Pictures are saved next to the scene file. Save the scene first.",
+                              "picture", {{"Save as...", [&e] { e.files.ask_save_as(); }}});
     else if (!e.picture_to_file.running())
         e.picture_to_file.begin(e.session, picture_size(e));
 }
@@ -117,9 +117,9 @@ void ask_record(Editor& editor)
         return;
     }
     if (session.scene().path().empty()) {
-        session.notices.say(ui::NoticeKind::warning, "The scene has no file yet",
-                            "Frames are written beside it: save it first.", "picture",
-                            {{"Save as...", [&editor] { editor.files.ask_save_as(); }}});
+        session.notices.say(ui::NoticeKind::warning, "The scene is not saved yet",
+                            "Frames are saved next to the scene file. Save the scene first.",
+                            "picture", {{"Save as...", [&editor] { editor.files.ask_save_as(); }}});
         return;
     }
     if (dialog.of != session.scene().path()) dialog.plan = usual_plan(session);

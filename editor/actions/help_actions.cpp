@@ -66,7 +66,7 @@ void add_help_actions(std::vector<Action>& a)
                  {[](const Editor& e) {
                       return !e.preferences.hints || !e.preferences.closed_hints.empty();
                   },
-                  "they are all shown"}});
+                  "all hints are shown"}});
     a.push_back({"Help", "Keys and mouse", {}, [](Editor& e) { show_manual(e, keys_page); }});
     tutorial_actions(a);
 }

@@ -69,8 +69,7 @@ std::optional<HintCard> hint_card(const Editor& editor)
     if (draws(editor)) {
         if (closed(editor, let_go_hint)) return {};
         return HintCard{let_go_hint, 2, "Keep going, then let go",
-                        "The strip follows the scene. Where its points are white, springs bridge a "
-                        "gap."};
+                        "The strip follows the scene. Where its points are white, it spans a gap."};
     }
     if (editor.tools[editor.tool]->busy()) return {};
     const BackgroundEvaluator::Status work = session.evaluator().status();
@@ -89,8 +88,8 @@ std::optional<HintCard> hint_card(const Editor& editor)
     const bool handles = selected != session.document().objects.end() && selected->second->stroke &&
                          !selected->second->stroke->round;
     if (!handles || closed(editor, widen_hint) || !closed(editor, let_go_hint)) return {};
-    return HintCard{widen_hint, 3, "Drag a white point to widen it",
-                    "The blue one lifts its back, the amber ones pull the stroke."};
+    return HintCard{widen_hint, 3, "Drag a white point to change the width",
+                    "The blue one changes the height, the amber ones bend the stroke."};
 }
 
 void close_hint(Editor& editor, const std::string& name)
@@ -122,7 +121,7 @@ void show_hints_again(Editor& editor)
     editor.preferences.closed_hints.clear();
     if (!hint_card(editor))
         editor.session.notices.say(ui::NoticeKind::good, "Hints are shown again",
-                                   "The next one comes with the next stroke.");
+                                   "The next hint appears with the next stroke.");
 }
 
 } // namespace trivar

@@ -63,14 +63,15 @@ void tell_of_parts(Editor& e)
     const auto numbers = numbers_of_parts(e);
     if (!numbers) return;
     if (numbers->empty())
-        e.session.notices.say(ui::NoticeKind::warning, "The chosen points have no key",
-                              "Keys are of steps: move these points first, and no others with "
-                              "them, then the step's numbers take keys.",
-                              of_a_step);
+        e.session.notices.say(
+            ui::NoticeKind::warning, "The selected points have no key",
+            "Keys belong to steps. Move these points and no others; that step can then have keys.",
+            of_a_step);
     else
         e.session.notices.say(
-            ui::NoticeKind::good, "The chosen points have a key here",
-            fmt::format("of the last step that moved them, in frame {}.", e.session.frame()),
+            ui::NoticeKind::good, "The selected points have a key here",
+            fmt::format("The key is in frame {}, in the last step that moved them.",
+                        e.session.frame()),
             of_a_step);
 }
 
@@ -126,8 +127,7 @@ void change_keys(Editor& e, Change change)
 Condition something_to_key()
 {
     return {[](const Editor& e) { return !targets(e).empty(); },
-            "hold the mouse over a number of the inspector, or select an object that lies on no "
-            "stroke"};
+            "hover over a number in the inspector, or select an object that lies on no stroke"};
 }
 
 bool keys_take(const Editor& e)
@@ -186,7 +186,7 @@ void add_key_actions(std::vector<Action>& a)
                  something_to_key()});
     const Condition keyed{
         [](const Editor& e) { return !animated_ids(e.session.document()).empty(); },
-        "nothing has keys"};
+        "there are no keys"};
     a.push_back(
         {"Animate", next_key_action, {{ui::key_up}}, [](Editor& e) { go_to_key(e, true); }, keyed});
     a.back().keys_in = KeysIn::picture;

@@ -66,7 +66,7 @@ void add_member_actions(std::vector<Action>& actions)
                  e.session.selected = lattice;
          },
          {[](const Editor& e) { return !to_add(e.session, selected_lattice(e.session)).empty(); },
-          "select a lattice and what is to bend with it"}});
+          "select a lattice and the objects that it should bend"}});
     actions.push_back({"Lattice",
                        take_out_of_lattice_action,
                        {},
@@ -106,7 +106,7 @@ void add_member_actions(std::vector<Action>& actions)
                             return lattice != 0 && !locked(e.session.document(), lattice) &&
                                    e.session.up_to_date() && on_disk;
                         },
-                        "select a lattice first, in a scene that is kept on disk"}});
+                        "select a lattice first, in a scene that is saved"}});
 }
 
 } // namespace

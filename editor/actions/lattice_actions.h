@@ -7,8 +7,8 @@
 
 namespace trivar {
 
-inline constexpr const char* add_to_lattice_action = "Add to the lattice";
-inline constexpr const char* take_out_of_lattice_action = "Take out of the lattice";
+inline constexpr const char* add_to_lattice_action = "Add to lattice";
+inline constexpr const char* take_out_of_lattice_action = "Remove from lattice";
 inline constexpr const char* keep_shape_action = "Delete lattice, keep shape";
 inline constexpr const char* back_to_rest_action = "Delete lattice, back to rest";
 

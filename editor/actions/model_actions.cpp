@@ -32,7 +32,7 @@ void add_model_actions(std::vector<Action>& actions)
                      (std::filesystem::path(e.files.own_models_folder) / (file + ".glb")).string());
              },
              {[](const Editor& e) { return !e.files.own_models_folder.empty(); },
-              "the models that come with Trivar were not found"}});
+              "the models that come with Trivar are missing"}});
 }
 
 } // namespace trivar

@@ -64,7 +64,7 @@ std::string why_not(const Command& command, const Editor& editor)
 {
     const Document& document = editor.session.document();
     if (std::holds_alternative<ForgetView>(command) && document.kept_views.empty())
-        return "no view is kept";
+        return "there is no bookmark";
     if (!is_about_objects(command)) return {};
     if (document.objects.empty()) return empty_scene;
     return nature_of(command).asked == Invocation::at_once && editor.session.selected == 0
@@ -174,17 +174,16 @@ std::vector<PaletteEntry> palette_preferences(const Editor& editor)
     add("Hints", p.hints, [](Preferences& q) { q.hints = !q.hints; });
     add("Reduced motion", p.reduced_motion,
         [](Preferences& q) { q.reduced_motion = !q.reduced_motion; });
-    add("A click begins a drag, another ends it", p.look.click_holds,
+    add("Click to start and end drags", p.look.click_holds,
         [](Preferences& q) { q.look.click_holds = !q.look.click_holds; });
     add("Backdrop as in pictures", p.backdrop_as_in_pictures,
         [](Preferences& q) { q.backdrop_as_in_pictures = !q.backdrop_as_in_pictures; });
     add("Grid", p.grid, [](Preferences& q) { q.grid = !q.grid; });
     add("Navigation axes", p.show_axes, [](Preferences& q) { q.show_axes = !q.show_axes; });
-    add("Timing in the corner", p.show_timing,
-        [](Preferences& q) { q.show_timing = !q.show_timing; });
-    add("Ask what becomes of unnamed scenes", p.ask_to_keep,
+    add("Show frame time", p.show_timing, [](Preferences& q) { q.show_timing = !q.show_timing; });
+    add("Ask before closing unnamed scenes", p.ask_to_keep,
         [](Preferences& q) { q.ask_to_keep = !q.ask_to_keep; });
-    add("Zoom to the mouse", p.mouse.zoom_to_cursor,
+    add("Zoom towards the pointer", p.mouse.zoom_to_cursor,
         [](Preferences& q) { q.mouse.zoom_to_cursor = !q.mouse.zoom_to_cursor; });
     add("Reversed zoom", p.mouse.reversed_zoom,
         [](Preferences& q) { q.mouse.reversed_zoom = !q.mouse.reversed_zoom; });
@@ -196,7 +195,7 @@ std::vector<PaletteEntry> palette_preferences(const Editor& editor)
                  e.preferences_dialog.page = page;
              }});
     for (const double scale : interface_scales)
-        add("Size of the interface " + std::to_string(static_cast<int>(100 * scale + 0.5)) + " %",
+        add("Interface size " + std::to_string(static_cast<int>(100 * scale + 0.5)) + " %",
             p.scale == scale, [scale](Preferences& q) { q.scale = scale; });
     return entries;
 }

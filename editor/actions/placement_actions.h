@@ -7,8 +7,8 @@
 
 namespace trivar {
 
-inline constexpr const char* plain_copy_action = "Make a copy as a plain mesh...";
-inline constexpr const char* apply_shape_action = "Apply the shape...";
+inline constexpr const char* plain_copy_action = "Copy as plain mesh...";
+inline constexpr const char* apply_shape_action = "Apply shape...";
 
 inline constexpr const char* place_round_action = "Place round";
 

@@ -108,7 +108,7 @@ void add_selection_actions(std::vector<Action>& a)
                  },
                  something_there()});
     a.push_back({"Select",
-                 "Select the next points too",
+                 "Select more points",
                  {{ui::key_keypad_plus}, {ui::key_equal}},
                  [](Editor& e) { e.active_tool().choose_parts(e.session, PartChoice::more); },
                  {[](const Editor& e) { return e.active_tool().page() == "lattice"; },
@@ -119,7 +119,7 @@ void add_selection_actions(std::vector<Action>& a)
                  [](Editor& e) { select_keeping_active(e, of_the_same_type(e)); },
                  something_selected()});
     a.push_back({"Select",
-                 "Select in a box",
+                 "Box select",
                  {{'B'}},
                  [](Editor& e) {
                      e.choose_tool(0);
@@ -135,7 +135,7 @@ void add_selection_actions(std::vector<Action>& a)
           "select an object first"},
          true});
     a.push_back({"Select",
-                 "Hide the others",
+                 "Hide others",
                  {{.key = 'H', .shift = true}},
                  [](Editor& e) {
                      if (const auto ids = topmost(e.session.document(), others(e)); !ids.empty())

@@ -74,7 +74,7 @@ void add_time_actions(std::vector<Action>& a)
                      if (const auto time = time_with_room(e.session)) e.session.run(SetTime{*time});
                  },
                  {[](const Editor& e) { return time_with_room(e.session).has_value(); },
-                  "nothing is on its way in the last frame"},
+                  "nothing is moving in the last frame"},
                  true});
     a.push_back({"Animate",
                  timeline_action,

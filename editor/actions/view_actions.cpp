@@ -83,7 +83,7 @@ void add_view_actions(std::vector<Action>& a)
          {keypad(0)},
          [](Editor& e) { e.session.view.follows = FollowedView{"picture"}; },
          {[](const Editor& e) { return e.session.document().kept_views.contains("picture"); },
-          "no view is kept for pictures"}});
+          "there is no render camera"}});
     const auto shading = [&](const char* name, const ui::Chord& key, bool Shading::*part) {
         a.push_back(
             {"Shading", name, {key}, [part](Editor& e) { e.shading.*part = !(e.shading.*part); }});
@@ -140,7 +140,7 @@ void add_view_actions(std::vector<Action>& a)
                      do name = "View " + std::to_string(n++);
                      while (e.session.document().kept_views.contains(name));
                      if (e.session.run(KeepView{name, e.session.view.camera}))
-                         e.session.notices.say(ui::NoticeKind::good, name + " is kept",
+                         e.session.notices.say(ui::NoticeKind::good, name + " was bookmarked",
                                                "It is in the View menu.");
                  },
                  {},

@@ -44,40 +44,41 @@ std::string not_empty(const std::string& value)
 
 void add_shaders(CLI::App& app, std::string& checkout)
 {
-    app.add_option("--shaders", checkout,
-                   "draw with the shaders of a checkout of Trivar; the window follows their\n"
-                   "changes")
+    app.add_option(
+           "--shaders", checkout,
+           "draw with the shaders of a checkout of Trivar, and reload them\nwhen they change")
         ->type_name("FOLDER");
 }
 
 void add_scene(CLI::App& app, SceneLog& scene)
 {
     app.add_option("LOG", scene.path, "the scene")->required()->type_name("FILE");
-    app.add_option("--set", scene.relinked, "use FILE where the scene names the file NAME")
+    app.add_option("--set", scene.relinked,
+                   "use FILE in place of the file NAME that the scene names")
         ->type_name("NAME=FILE")
         ->allow_extra_args(false);
     app.add_flag("--keep-going", scene.keep_going,
-                 "write without a model or font that cannot be read, or is too large; else\n"
-                 "nothing is written and the status is 1");
+                 "leave out models and fonts that cannot be read or are too large; without\nthis "
+                 "nothing is written then and the status is 1");
     app.add_flag("--overwrite", scene.overwrite,
-                 "write also over files that the scene is made from: itself, models with their\n"
-                 "materials, pictures and buffers, fonts");
+                 "allow overwriting files that the scene uses: the scene, models with "
+                 "their\nmaterials, pictures and buffers, fonts");
 }
 
 void add_drawing(CLI::App& app, DrawingOptions& o)
 {
-    app.add_option("--size", o.size, "of the picture in pixels, 1280x720 if left out")
+    app.add_option("--size", o.size, "size of the picture in pixels; 1280x720 by default")
         ->type_name("WxH");
     app.add_option("--quality", o.quality,
-                   "of the picture: draft, standard or high; standard if left out")
+                   "quality of the picture: draft, standard (the default) or high")
         ->type_name("LEVEL");
     app.add_option("--deform", o.deform,
-                   "where the picture's placed objects are deformed: processor, one_phase or\n"
-                   "two_phases of the graphics card, or there as the thesis has it:\n"
-                   "differences, raised or filtered; processor if left out")
+                   "where placed objects are deformed: processor (the default), or on "
+                   "the\ngraphics card in one_phase or two_phases, or by the ways of the "
+                   "thesis:\ndifferences, raised or filtered")
         ->type_name("WHERE");
     app.add_option("--camera", o.camera,
-                   "kept view to look from; else the one named picture, else all is in view")
+                   "bookmark to look from; by default the one named picture, or all is in\nview")
         ->type_name("NAME");
     add_shaders(app, o.shaders);
 }
@@ -91,10 +92,10 @@ void add_threads(CLI::App& app, int& threads)
 
 CLI::App* add_render(CLI::App& app, RenderOptions& o)
 {
-    CLI::App* render = app.add_subcommand("render", "draw a scene's frames into a folder");
+    CLI::App* render = app.add_subcommand("render", "render the frames of a scene to a folder");
     render->description(
-        "Draws frames of a scene (NAME.trivar), one picture a frame, without a window. A frame\n"
-        "depends on no other, and its file stands there when it is whole or not at all.");
+        "Renders frames of a scene (NAME.trivar), one picture per frame, without a window. A "
+        "frame\ndepends on no other, and its file appears only when it is complete.");
     render->footer(
         "Examples:\n"
         "  trivar render ants.trivar --frames 1:240 --out ants/ants.####.png --video ants.mp4\n"
@@ -103,30 +104,29 @@ CLI::App* add_render(CLI::App& app, RenderOptions& o)
         "  trivar render ants.trivar --frames 1:240 --sheet 3x2 --size 480x270 --out ants.png\n\n"
         "Ctrl C stops it after the current frame, with status 130.");
     add_scene(*render, o.scene);
-    render->add_option("--frames", o.frames, "from A to B, every Sth")
+    render->add_option("--frames", o.frames, "frames A to B, every Sth")
         ->required()
         ->type_name("A:B[:S]");
     render
         ->add_option("--out", o.out,
-                     "a .png or .exr for each; its number stands where the # are. A folder is\n"
-                     "made where only the last part of its name is missing")
+                     "a .png or .exr per frame, with its number in place of the #. The folder "
+                     "is\ncreated if only the last part of its path is missing")
         ->required()
         ->type_name("DIR/name.####.png");
     add_drawing(*render, o.drawing);
-    render->add_option("--depth", o.depth, "bits a channel of a .png: 8, or 16; 8 if left out")
+    render->add_option("--depth", o.depth, "bits per channel of a .png: 8 (the default) or 16")
         ->type_name("N")
         ->check(CLI::IsMember({8, 16}));
-    render->add_option("--shard", o.shard, "only every Nth of the frames, from the Ith on")
+    render->add_option("--shard", o.shard, "only every Nth frame, starting with the Ith")
         ->type_name("I/N");
     render->add_flag("--resume", o.resume,
-                     "leave what is there, whole, of this scene, size and depth; draw the rest");
+                     "keep complete frames of this scene, size and depth; render the rest");
     render
         ->add_option("--video", o.video,
-                     "make a .mp4, .mov or .mkv by ffmpeg when all frames are there")
+                     "make an .mp4, .mov or .mkv with ffmpeg once all frames are rendered")
         ->type_name("OUT.mp4");
     render
-        ->add_option("--sheet", o.sheet,
-                     "so many of the frames, evenly, in rows and columns of one picture, OUT")
+        ->add_option("--sheet", o.sheet, "put that many evenly spaced frames into one picture, OUT")
         ->type_name("COLUMNSxROWS")
         ->excludes("--depth", "--shard", "--resume", "--video");
     add_threads(*render, o.threads);
@@ -135,11 +135,11 @@ CLI::App* add_render(CLI::App& app, RenderOptions& o)
 
 CLI::App* add_export(CLI::App& app, ExportOptions& o)
 {
-    CLI::App* verb = app.add_subcommand("export", "write a scene that moves for other programs");
+    CLI::App* verb = app.add_subcommand("export", "export an animated scene for other programs");
     verb->description(
-        "Writes the frames of a scene (NAME.trivar) as one file that moves: a .glb with nodes,\n"
-        "skins and morph targets, certified to be within a tolerance at every time, see trivar\n"
-        "verify; a .usda; or point caches, .pc2 or .mdd with an .obj, a pair for every object.");
+        "Writes the frames of a scene (NAME.trivar) as one animated file: a .glb with nodes, "
+        "skins\nand morph targets, certified to be within a tolerance at every time (see trivar "
+        "verify);\na .usda; or point caches, .pc2 or .mdd with an .obj, one pair per object.");
     verb->footer("Examples:\n"
                  "  trivar export ants.trivar --to ants.glb --epsilon 0.002\n"
                  "  trivar export ants.trivar --to ants.usda --frames 1:48\n"
@@ -147,11 +147,11 @@ CLI::App* add_export(CLI::App& app, ExportOptions& o)
                  "Ctrl C ends it with status 130 and leaves nothing.");
     add_scene(*verb, o.scene);
     verb->add_option("--to", o.to, "a .glb, .usda, .pc2 or .mdd")->required()->type_name("OUT");
-    verb->add_option("--frames", o.frames, "from A to B; all of the scene's if left out")
+    verb->add_option("--frames", o.frames, "frames A to B; by default all frames of the scene")
         ->type_name("A:B");
-    verb->add_option("--epsilon", o.epsilon,
-                     "how far a .glb may be from the scene at any time, in metres; 0.001 if left\n"
-                     "out")
+    verb->add_option(
+            "--epsilon", o.epsilon,
+            "how far a .glb may be from the scene at any time, in metres; 0.001 by\ndefault")
         ->type_name("E")
         ->check(not_empty);
     add_threads(*verb, o.threads);
@@ -172,12 +172,14 @@ CLI::App* add_replay(CLI::App& app, ReplayOptions& o)
         "  trivar replay snake.trivar --set terrain.obj=/data/alps.obj --image alps.png\n"
         "  trivar replay snake.trivar --epsilon 0.001 --export snake.glb\n"
         "  trivar replay snake.trivar --check          # status 3 if a digest differs\n\n"
-        "Every file is whole or not there. Ctrl C ends it with status 130.");
+        "Every file is complete or not written at all. Ctrl C ends it with status 130.");
     add_scene(*replay, o.scene);
     replay->add_option("--to", o.to, "stop after line N of the file")
         ->type_name("N")
         ->check(CLI::Range(1, 1 << 30));
-    replay->add_option("--frame", o.frame, "what moves as it is in frame N; the first if left out")
+    replay
+        ->add_option("--frame", o.frame,
+                     "evaluate the scene in frame N; the first frame by default")
         ->type_name("N")
         ->check(not_empty);
     replay->add_option("--export", o.exports, "write the result as .glb, .obj, .ply, .stl or .off")
@@ -187,14 +189,16 @@ CLI::App* add_replay(CLI::App& app, ReplayOptions& o)
     add_drawing(*replay, o.drawing);
     replay->add_flag(
         "--check", o.check,
-        "compare with the digests in the file, and one thread with all of them, and\n"
-        "say what is proven of each volume: where it folds, and where it meets itself");
-    replay->add_flag("--digest", o.digest, "print the digests as a line to append to the scene")
+        "compare with the digests in the file, and one thread with all threads, and\nsay what is "
+        "proven of each volume: where it folds, and where it meets itself");
+    replay
+        ->add_flag("--digest", o.digest,
+                   "print the digests as a line that can be appended to the scene")
         ->excludes("--frame");
     replay
         ->add_option("--epsilon", o.epsilon,
-                     "split the triangles of all that lies in a volume until the surface is\n"
-                     "certified to be within E metres; a .glb says so, see trivar verify")
+                     "split the triangles of all bent objects until their surfaces are "
+                     "certified\nto be within E metres; a .glb records this, see trivar verify")
         ->type_name("E")
         ->check(not_empty);
     replay->add_option("--timings", o.timings, "write how long each stage took, as JSON")
@@ -207,19 +211,20 @@ CLI::App* add_verify(CLI::App& app, VerifyOptions& o)
 {
     CLI::App* verify = app.add_subcommand("verify", "check what an exported model claims");
     verify->description(
-        "Runs the scene that a .glb was exported from and samples the file's triangles against\n"
-        "the true surfaces: whether they are as near as the file says.");
+        "Runs the scene that a .glb was exported from and compares samples of its triangles "
+        "with\nthe true surfaces, to check that they are as near as the file claims.");
     verify->footer("Examples:\n"
                    "  trivar verify snake.glb           # status 3 if they are not\n"
                    "  trivar verify out/snake.glb --log snake.trivar");
-    verify->add_option("FILE", o.file, "as trivar export or replay --epsilon wrote it")
+    verify->add_option("FILE", o.file, "a file that trivar export or trivar replay --epsilon wrote")
         ->required()
         ->type_name("FILE.glb");
     verify
         ->add_option("--log", o.log,
-                     "the scene; the one that the file names, beside it, if left out")
+                     "the scene; by default the one that the file names, in the same folder")
         ->type_name("LOG");
-    verify->add_option("--set", o.relinked, "use FILE where the scene names the file NAME")
+    verify
+        ->add_option("--set", o.relinked, "use FILE in place of the file NAME that the scene names")
         ->type_name("NAME=FILE")
         ->allow_extra_args(false);
     return verify;
@@ -227,8 +232,8 @@ CLI::App* add_verify(CLI::App& app, VerifyOptions& o)
 
 CLI::App* add_info(CLI::App& app, InfoOptions& o)
 {
-    CLI::App* info = app.add_subcommand("info", "say what is in a file");
-    info->description("Says what is in models, images and scenes.");
+    CLI::App* info = app.add_subcommand("info", "describe what is in a file");
+    info->description("Describes what is in models, images and scenes.");
     info->footer("Example:\n  trivar info bunny.obj photo.png snake.trivar --json");
     info->add_option("FILE", o.files, "models, images, scenes")->required()->type_name("");
     info->add_flag("--json", o.json, "as JSON, for programs");
@@ -237,7 +242,7 @@ CLI::App* add_info(CLI::App& app, InfoOptions& o)
 
 CLI::App* add_commands(CLI::App& app, Choices& choices)
 {
-    CLI::App* commands = app.add_subcommand("commands", "list what a scene file may say");
+    CLI::App* commands = app.add_subcommand("commands", "list the commands of a scene file");
     commands->description("Lists every command of a scene file with its fields.");
     auto* as_json = commands->add_flag("--json", choices.commands_json, "as JSON, for programs");
     commands->add_flag("--markdown", choices.commands_markdown, "as docs/commands.md")
@@ -249,8 +254,8 @@ CLI::App* add_bench(CLI::App& app, BenchOptions& o)
 {
     CLI::App* bench = app.add_subcommand("bench", "measure this machine");
     bench->description(
-        "Measures how fast vertices are deformed: by the processor and, in every way\n"
-        "there is, by the graphics card, beside what copying and arithmetic allow.");
+        "Measures how fast vertices are deformed by the processor and, in every way that\nthere "
+        "is, by the graphics card, compared with the limits of copying and arithmetic.");
     bench->footer("Example:\n  trivar bench gpu --json > rates.json");
     bench->add_option("WHAT", o.what, "gpu")
         ->required()
@@ -260,10 +265,12 @@ CLI::App* add_bench(CLI::App& app, BenchOptions& o)
     bench->add_option("--vertices", o.vertices, "measure with at most N vertices")
         ->type_name("N")
         ->check(CLI::Range(1, 10'000'000));
-    bench->add_option("--seconds", o.most_s, "leave out what takes longer a run; 1 if left out")
+    bench
+        ->add_option("--seconds", o.most_s,
+                     "leave out what takes longer per run, in seconds; 1 by default")
         ->type_name("S")
         ->check(CLI::Range(0.001, 1000.0));
-    bench->add_option("--minutes", o.minutes, "begin nothing later than this; 8 if left out")
+    bench->add_option("--minutes", o.minutes, "begin nothing after this many minutes; 8 by default")
         ->type_name("M")
         ->check(CLI::Range(0.01, 1000.0));
     return bench;
@@ -307,7 +314,7 @@ Status dispatch(const std::vector<std::string>& arguments, const Streams& stream
     app.add_option("FILE", choices.files, "scenes (.trivar) and models to open")->type_name("");
     add_shaders(app, choices.shaders);
     app.add_flag("--tell-steps", choices.tell_steps,
-                 "say on standard output, before each frame of the window is shown, how many\n"
+                 "write to standard output, before each frame of the window is shown, how\nmany "
                  "steps it shows");
     app.set_version_flag("--version", "Trivar " + program_version(), "print the version and exit");
     app.require_subcommand(0, 1);

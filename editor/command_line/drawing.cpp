@@ -84,7 +84,7 @@ const Still& Drawing::draw(const Evaluation& evaluated, const Document& shown, c
     const gpu::Renderer& renderer = still_.renderer();
     if (!renderer.notice().empty()) say_once("deformed by the processor: " + renderer.notice());
     if (!renderer.shader_trouble().empty())
-        say_once("a shader of the program itself was taken: " + renderer.shader_trouble());
+        say_once("the program's own shader is used: " + renderer.shader_trouble());
     return still_;
 }
 

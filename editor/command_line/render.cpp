@@ -32,7 +32,7 @@ Sequence sequence_of(const RenderOptions& options)
     out.size_px = picture_size(options.drawing.size);
     out.depth = options.depth.value_or(8);
     if (out.names.extension() == ".exr" && options.depth)
-        throw WrongUsage("--depth: is of .png alone; .exr has half floats");
+        throw WrongUsage("--depth: applies to .png only; .exr always has half floats");
     return out;
 }
 

@@ -260,7 +260,7 @@ Status run_replay(const ReplayOptions& options, const Streams& streams)
         return status;
     } catch (const Cancelled&) {
         clear_progress(streams);
-        streams.talk << "trivar: stopped; what was not written yet is not there\n";
+        streams.talk << "trivar: stopped; files that were not complete were not written\n";
         return Status::interrupted;
     }
 }

@@ -52,7 +52,7 @@ void check_relinked(const SceneLog& scene, const Document& document)
 SourceFiles kept_sources(const SceneLog& scene, const Document& document, const AssetStore& assets)
 {
     if (scene.overwrite) return {};
-    return source_files(document, assets, scene.path, "or say --overwrite");
+    return source_files(document, assets, scene.path, "or use --overwrite");
 }
 
 void check_whole(const SceneLog& scene, const Evaluation& evaluated, const Document& document)
@@ -62,8 +62,8 @@ void check_whole(const SceneLog& scene, const Evaluation& evaluated, const Docum
 
 void say_not_whole(const SceneLog& scene, const Streams& streams)
 {
-    streams.talk << fmt::format("trivar: {}: not all of it is there, so nothing is written; "
-                                "--keep-going goes on without it\n",
+    streams.talk << fmt::format("trivar: {}: some of its files are missing, so nothing is written; "
+                                "--keep-going leaves them out\n",
                                 scene.path);
 }
 

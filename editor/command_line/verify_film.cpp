@@ -185,12 +185,13 @@ private:
 std::string log_of_export(const VerifyOptions& options, const std::string& named)
 {
     if (!options.log.empty()) return options.log;
-    if (named.empty()) throw Rejected(options.file + ": it names no scene; say which with --log");
+    if (named.empty()) throw Rejected(options.file + ": it names no scene; name it with --log");
     const std::filesystem::path beside =
         std::filesystem::path(options.file).parent_path() / std::filesystem::path(named).filename();
     if (!std::filesystem::is_regular_file(beside))
-        throw Rejected(fmt::format("{}: its scene {} is not beside it; say where with --log",
-                                   options.file, printable(named)));
+        throw Rejected(
+            fmt::format("{}: its scene {} is not in the same folder; give its path with --log",
+                        options.file, printable(named)));
     return beside.string();
 }
 

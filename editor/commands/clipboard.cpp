@@ -110,9 +110,10 @@ std::string placed_words(const Document& before, const Document& document, const
         else if (std::ranges::none_of(laid->onto, [&](Id id) { return id >= before.next_id; }))
             ++elsewhere;
     }
-    if (straight > 0) return "What it lay on is not in this scene, so it stands straight.";
-    if (elsewhere > 0) return "What it lay on is not in this scene, so it lies on what is here.";
-    if (in_place > 0) return "It lies on the same stroke: draw another one for it.";
+    if (straight > 0) return "Its host is not in this scene, so it has its original shape.";
+    if (elsewhere > 0) return "Its host is not in this scene, so it lies on the objects here.";
+    if (in_place > 0)
+        return "It lies on the same stroke as the original. Draw another stroke to move it.";
     return {};
 }
 
@@ -134,7 +135,7 @@ void paste_copies(Session& session, Paste paste)
     if (before.objects.empty()) session.view.frame_all_when_evaluated = true;
     const std::vector<Id>& ids = session.selected.ids();
     std::string words = placed_words(before, session.committed(), std::get<Paste>(command));
-    if (words.empty() && aside) words = "Beside what stands in its place.";
+    if (words.empty() && aside) words = "It was moved aside, because its place is taken.";
     session.notices.say(ui::NoticeKind::good,
                         said_of(session.document(), ids) +
                             (ids.size() == 1 ? " was pasted" : " were pasted"),

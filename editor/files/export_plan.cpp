@@ -105,18 +105,18 @@ ExportOutlook outlook_of(const ExportPlan& plan, const ExportWish& wish)
     const std::string stem = file.stem().string(), ending = file.extension().string();
     ExportOutlook out;
     if (is_cache(file))
-        out.words = fmt::format("{0}.OBJECT{1} for every object, the places of its points in {2}, "
-                                "and {0}.OBJECT.obj, its mesh.",
+        out.words = fmt::format("{0}.OBJECT{1} per object, the positions of its points in {2}, and "
+                                "{0}.OBJECT.obj, its mesh.",
                                 stem, ending, all);
     else if (extension_of(wish.path) == ".usda")
-        out.words = fmt::format("{}{}, {}: the places of all points in each, and colours.", stem,
+        out.words = fmt::format("{}{}, {}: the positions of all points in each, and colours.", stem,
                                 ending, all);
     else
         out.words = fmt::format("{}{}, {} as one clip, with materials and pictures. Certified "
                                 "within the tolerance at all times; exceptions are reported.",
                                 stem, ending, all);
     out.replaces = is_there(file);
-    if (out.replaces) out.words += " It is there already and is replaced.";
+    if (out.replaces) out.words += " The file exists and will be replaced.";
     return out;
 }
 

@@ -50,9 +50,9 @@ ExportWords words_of_export(const std::string& path, const std::string& scene,
                                  : fmt::format("{}, and {} more.", open.front(), open.size() - 1)};
     std::string body = "Certified within " + bound_text(certificate->bound) + ".";
     if (extension_of(path) != ".glb")
-        body += " Only glTF says so in the file.";
+        body += " Only a glTF file records this.";
     else if (scene.empty())
-        body += " Give the scene a name: trivar verify looks for it beside the file.";
+        body += " Save the scene next to the file, so that trivar verify finds it.";
     return {ui::NoticeKind::good, "Exported " + name, body};
 }
 
@@ -146,7 +146,7 @@ void Files::ask_discarded()
         return;
     }
     ask_for_file(Purpose::take_up, {.title = "Discarded scenes",
-                                    .action = "Bring back",
+                                    .action = "Recover",
                                     .extensions = {scene_extension},
                                     .name = {}});
 }
@@ -162,10 +162,11 @@ void Files::ask_import()
 void Files::ask_relink(Id object)
 {
     relinked_ = object;
-    ask_for_file(Purpose::relink, {.title = "The file of " + name_of(session_->committed(), object),
-                                   .action = "Take it",
-                                   .extensions = model_extensions(),
-                                   .name = {}});
+    ask_for_file(Purpose::relink,
+                 {.title = "Choose the file of " + name_of(session_->committed(), object),
+                  .action = "Use file",
+                  .extensions = model_extensions(),
+                  .name = {}});
 }
 
 void Files::ask_missing()
@@ -173,7 +174,7 @@ void Files::ask_missing()
     const std::vector<Id> missing = missing_files(*session_);
     if (!missing.empty()) return ask_relink(missing.front());
     session_->notices.say(ui::NoticeKind::good, "No file is missing",
-                          "Every imported model's file is where the scene looks for it.");
+                          "The files of all imported models were found.");
 }
 
 void Files::ask_export(const std::string& path)
@@ -192,7 +193,7 @@ void Files::save()
     if (session_->scene().path().empty()) return ask_save_as();
     if (session_->scene().trouble().empty()) {
         session_->notices.say(ui::NoticeKind::good, "Everything is on disk",
-                              "A scene with a name is written as you work.");
+                              "A saved scene is kept up to date as you work.");
         return;
     }
     const std::string path = session_->scene().path();
@@ -211,16 +212,16 @@ void Files::ask_save_as()
 void Files::ask_save_compact()
 {
     question_ = PendingQuestion{
-        {"Forget the undone steps?",
-         "A compact scene holds only the steps that are in force. It is smaller, "
-         "and what was undone cannot be redone from it.",
+        {"Save without undone steps?",
+         "The new file holds only the steps in force. It is smaller, but undone steps cannot be "
+         "redone from it.",
          {{"Cancel", ui::ButtonKind::plain},
           {"Save without undone steps...", ui::ButtonKind::primary}},
          0},
         [this](int answer) {
             if (answer != 1) return;
             ask_for_file(Purpose::save_compact,
-                         {.title = "Save a compact scene as",
+                         {.title = "Save without undone steps as",
                           .action = "Save",
                           .extensions = {scene_extension},
                           .saving = true,
@@ -241,7 +242,7 @@ void Files::save_numbered_copy()
         return;
     }
     session_->notices.say(ui::NoticeKind::good, "Saved a copy as " + file_name(copy),
-                          "You go on in " + file_name(path) + ".");
+                          "You keep working in " + file_name(path) + ".");
 }
 
 void Files::collect()

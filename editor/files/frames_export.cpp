@@ -52,7 +52,7 @@ void FramesExport::tell(const std::string& path, const AnimatedFile& made, bool 
     const std::vector<std::string> open = not_certified(*made.certificate);
     if (open.empty()) {
         if (!named)
-            lines.emplace_back("give the scene a name: trivar verify looks for it beside the file");
+            lines.emplace_back("save the scene next to the file, so that trivar verify finds it");
         return notices_.say_all(well, title, lines);
     }
     std::vector<ui::Notices::Action> more;

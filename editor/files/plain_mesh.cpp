@@ -100,7 +100,7 @@ void keep_riders(const Session& session, ApplyShape& command)
 
 std::string words_of(const Made& made, const PlainMeshWish& wish)
 {
-    if (made.triangles == 0) return "Its curves are as they lay.";
+    if (made.triangles == 0) return "Its curves keep their shape.";
     const std::string count = ui::with_commas(made.triangles) + " triangles";
     if (!made.open.empty()) return count + "; " + made.open + ".";
     return fmt::format("{}, certified to be within {} m of the bent surface; at most {} m off.",
@@ -125,8 +125,9 @@ void take(Session& session, const Asked& asked, const Made& made)
     if (!session.run(prepare(std::move(command), *session.assets()))) return;
     session.selected = wish.in_place ? wish.object : added;
     session.notices.say(made.open.empty() ? ui::NoticeKind::good : ui::NoticeKind::warning,
-                        wish.in_place ? name + " is a plain mesh now"
-                                      : name + " plain was added, where " + name + " lies",
+                        wish.in_place
+                            ? name + " is a plain mesh now"
+                            : name + " was copied as a plain mesh, where " + name + " lies",
                         words_of(made, wish));
 }
 

@@ -104,7 +104,7 @@ void BackgroundEvaluator::evaluate(const std::stop_token& stop, std::unique_lock
         result.evaluated = evaluator_(asked.document, asked.frame, progress);
         if (asked.deform_parts) deform_parts(result.evaluated);
     } catch (const Cancelled&) {
-        result.problem = "What is shown is the scene as it was before.";
+        result.problem = "The picture shows the scene as it was before.";
         result.stopped = true;
     } catch (const std::exception& trouble) {
         result.problem = trouble.what();

@@ -46,7 +46,8 @@ std::optional<Legend> legend_of(const Document& document)
     const auto color = [](float t) { return gpu::sequential_color((t + 1) / 2); };
     const std::optional<double> tolerance = shown_tolerance(document);
     if (!tolerance)
-        return Legend{"Certified error, by each tolerance", {"1/8", "tolerance", "8 times"}, color};
+        return Legend{
+            "Certified error relative to the tolerance", {"1/8", "tolerance", "8 times"}, color};
     return Legend{"Certified error, the tolerance in the middle",
                   {millimetres(*tolerance * std::exp2(shown_errors.x)), millimetres(*tolerance),
                    millimetres(*tolerance * std::exp2(shown_errors.y))},

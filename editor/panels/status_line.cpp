@@ -125,15 +125,15 @@ std::vector<Hint> hints_here(Editor& editor, const Layout& layout)
     const ImGuiIO& io = ImGui::GetIO();
     if (const ImGuiInputTextState* typed = ImGui::GetInputTextState(ImGui::GetActiveID());
         typed && typed->ID != 0 && !typed->Stb.single_line)
-        return {{{"Enter"}, "New line"}, {{"Ctrl", "Enter"}, "Take it"}, {{"Esc"}, "Restore"}};
+        return {{{"Enter"}, "New line"}, {{"Ctrl", "Enter"}, "Apply"}, {{"Esc"}, "Restore"}};
     if (io.WantTextInput)
-        return {{{"Enter"}, "Take it"}, {{"Tab"}, "Go to the next field"}, {{"Esc"}, "Restore"}};
+        return {{{"Enter"}, "Apply"}, {{"Tab"}, "Go to the next field"}, {{"Esc"}, "Restore"}};
     const glm::vec2 mouse{io.MousePos.x, io.MousePos.y};
     const bool sideways = ImGui::GetMouseCursor() == ImGuiMouseCursor_ResizeEW;
     if (sideways && (layout.inspector.contains(mouse) || layout.options.contains(mouse)))
         return {{{"left"}, "Drag to change"},
                 {{"Shift"}, "Finely"},
-                {{"Ctrl"}, "In round steps"},
+                {{"Ctrl"}, "In steps"},
                 {{"left"}, "Click to type"}};
     const bool over_dock =
         layout.dock && (layout.outliner.contains(mouse) || layout.inspector.contains(mouse));

@@ -57,7 +57,7 @@ float search_button(Editor& editor, const ui::Theme& theme, const ui::Rect& bar)
     ImGui::SetCursorScreenPos({r.lo.x, r.lo.y});
     if (ImGui::InvisibleButton("search", {r.width(), r.height()})) find.run(editor);
     ui::paint_box(r, ImGui::IsItemHovered() ? c.field_hover : c.field, theme.size.rounding);
-    ui::tooltip({"Find a command", key_text(find), "Every command by its letters, with its key."});
+    ui::tooltip({"Find a command", key_text(find), "Finds any command by name and shows its key."});
     const ui::Rect in = {r.lo + glm::vec2(theme.px(8), 0), r.hi - glm::vec2(theme.px(8), 0)};
     if (narrow) {
         ui::paint_text(theme.font.body, r, c.text_2, ui::icon::search, ui::Align::center);

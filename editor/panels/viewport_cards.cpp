@@ -88,7 +88,7 @@ void draw_navigation(Editor& editor, const ui::Theme& theme, const ui::Rect& vie
         bar.lo.y += square.y;
     };
     button(ui::icon::target, "Frame all", "Shows the whole scene.");
-    button(ui::icon::camera, "Perspective", "Switches between perspective and parallel lines.");
+    button(ui::icon::camera, "Perspective", "Switches between perspective and orthographic view.");
 }
 
 } // namespace trivar

@@ -116,7 +116,7 @@ void labels(Editor& editor, const ui::Theme& theme, ui::Frame& frame, const ui::
     if (editor.shading.wireframe)
         add("Wireframe");
     else if (editor.shading.see_through)
-        add("See-through");
+        add("X-ray");
     if (editor.shading.edges && !editor.shading.wireframe) add("Edges");
     if (session.previewing())
         add("Preview of a step");
@@ -282,9 +282,8 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
                                                   [&] { return helpers_of(editor, over); });
     if (const std::string notice = editor.viewport.new_notice(); !notice.empty())
         session.notices.say(ui::NoticeKind::warning, "Deformed by the processor", notice);
-    tell(session.notices, editor.viewport.new_trouble(), "The picture is one of before");
-    tell(session.notices, editor.viewport.new_shader_trouble(),
-         "A shader is drawn as it was before");
+    tell(session.notices, editor.viewport.new_trouble(), "The picture is out of date");
+    tell(session.notices, editor.viewport.new_shader_trouble(), "A shader could not be updated");
     constexpr double soon_s = 0.05;
     if (facts.busy()) frame.again_in(soon_s);
     const auto name = static_cast<std::uintptr_t>(texture);

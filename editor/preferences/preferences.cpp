@@ -208,12 +208,13 @@ std::string words_of_odd(const std::string& path, const std::vector<std::string>
         const std::string kept = odd_name(path);
         std::error_code trouble;
         fs::rename(path, kept, trouble);
-        return path + " cannot be understood, so the usual preferences are used." +
+        return path + " cannot be understood, so the default preferences are used." +
                (trouble ? "" : " It is kept as " + fs::path(kept).filename().string() + ".");
     }
     const std::string more =
         odd.size() > 1 ? " and " + std::to_string(odd.size() - 1) + " more" : "";
-    return path + " has odd values (" + odd.front() + more + "): the nearest usual ones are used.";
+    return path + " has invalid values (" + odd.front() + more +
+           "): the nearest valid ones are used.";
 }
 
 } // namespace
@@ -264,8 +265,8 @@ PreferencesFile::PreferencesFile(std::string path) : path_(std::move(path))
     if (path_.empty()) return;
     const std::optional<std::string> text = read_small_file(path_);
     if (!text) {
-        trouble_ = path_ + " cannot be read, so the usual preferences are used. It stays as it is; "
-                           "what you arrange now is gone when the window closes.";
+        trouble_ = path_ + " cannot be read, so the default preferences are used. The file stays "
+                           "as it is; changes that you make now are lost when the window closes.";
         path_.clear(); // in memory
         return;
     }
@@ -289,7 +290,7 @@ std::string PreferencesFile::keep(const Preferences& preferences)
     const bool well = file && !error;
     if (well || failed_) return {};
     failed_ = true;
-    return path_ + " cannot be written. The arrangement of this window is gone when it closes.";
+    return path_ + " cannot be written. Your changes are lost when the window closes.";
 }
 
 } // namespace trivar

@@ -147,9 +147,9 @@ void Recording::film()
 {
     still_.reset();
     if (const int gone = run_->wish.sequence.gone(run_->wish.frames); gone > 0)
-        return end(ui::NoticeKind::error, "Frames are gone",
-                   fmt::format("{} were taken away from {} while the others were drawn; recording "
-                               "once more draws them.",
+        return end(ui::NoticeKind::error, "Frames were deleted",
+                   fmt::format("{} were deleted from {} while the others were rendered. Record "
+                               "again to render them.",
                                frames_words(gone), run_->folder()));
     const auto finish = [](Recording& self) {
         const Run& run = *self.run_;
@@ -184,7 +184,7 @@ void Recording::stop()
     if (!run_) return;
     jobs_.cancel();
     end(ui::NoticeKind::good, "The recording was stopped",
-        fmt::format("{} are in {}. Record again to go on from there.", frames_words(run_->at),
+        fmt::format("{} are in {}. Record again to continue.", frames_words(run_->at),
                     run_->folder()));
 }
 
@@ -212,8 +212,8 @@ Recording::Status Recording::status() const
     const auto left = static_cast<int>(all - at);
     out.left = time_left(run.drawn, run.drawn + left, passed_s);
     const double each_s = passed_s / run.drawn;
-    const std::string each = each_s < 10 ? fmt::format("{:.1f} s a frame", each_s)
-                                         : fmt::format("{:.0f} s a frame", each_s);
+    const std::string each = each_s < 10 ? fmt::format("{:.1f} s per frame", each_s)
+                                         : fmt::format("{:.0f} s per frame", each_s);
     out.left = out.left.empty() ? each : each + ", " + out.left;
     return out;
 }

@@ -42,7 +42,7 @@ public:
     void forget_gpu(); // before the context goes; the frame at hand is drawn anew
 
     struct Status {
-        std::string what, left; // "Recording 12 of 240", "3 s a frame, 3 min left"
+        std::string what, left; // "Recording 12 of 240", "3 s per frame, 3 min left"
         double fraction = 0;
     };
     Status status() const; // while it runs

@@ -169,8 +169,8 @@ RowDrop row_drop(const Document& document, const std::vector<OutlineRow>& rows,
             drop.onto = row;
             wanted.parent = under.id;
             if (!holds_others(object(document, under.id).source))
-                drop.refused = "Only a group can hold it. Drop it between two rows, or make a "
-                               "group of both first.";
+                drop.refused =
+                    "Only a group can hold it. Drop it between two rows, or group both first.";
         } else if (within < edge) {
             drop.line = row;
             wanted.before = under.id;

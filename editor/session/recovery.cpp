@@ -34,7 +34,7 @@ void Recovery::tell_of_discarded()
     if (discarded.empty()) return;
     session_->notices.say(ui::NoticeKind::good, "The scene was discarded",
                           "It stays in the recovery folder " + for_days(discarded_days) + ".", {},
-                          {{"Bring it back", [this, path = discarded.front()] { take_up(path); }}});
+                          {{"Recover", [this, path = discarded.front()] { take_up(path); }}});
 }
 
 bool Recovery::take_up(const std::string& path)
@@ -55,7 +55,7 @@ void Recovery::take_up_left_scene()
     if (!left || !take_up(*left)) return;
     session_->notices.forget(of_left_scene);
     session_->notices.say(ui::NoticeKind::warning, "Your scene is back",
-                          "Trivar ended before it had a name. Save it to keep it.");
+                          "Trivar closed before the scene was saved. Save it to keep it.");
 }
 
 const std::optional<LeftScene>& Recovery::left_scene() const

@@ -9,7 +9,7 @@ namespace trivar {
 
 std::string title_of(const SceneFile& scene)
 {
-    if (scene.look_only()) return stem_of(scene) + " (look only)";
+    if (scene.look_only()) return stem_of(scene) + " (read-only)";
     if (!scene.path().empty()) return std::filesystem::path(scene.path()).filename().string();
     if (scene.original().empty()) return "Untitled";
     const std::string sample = sample_title(scene.original());

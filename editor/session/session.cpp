@@ -383,7 +383,7 @@ void Session::tell_what_is_missing()
     notices.say(ui::NoticeKind::error,
                 count == 1 ? "An object cannot be shown"
                            : std::to_string(count) + " objects cannot be shown",
-                reasons.front() + (count > 1 ? "; the inspector says why of each" : ""),
+                reasons.front() + (count > 1 ? "; select one to see why in the inspector" : ""),
                 of_missing);
 }
 
@@ -425,7 +425,7 @@ void Session::poll()
             if (result->stopped)
                 notices.say(
                     ui::NoticeKind::warning, "Stopped", result->problem, of_a_step,
-                    {{"Take the step back", [this] { undo(); }}, {"Go on", [this] { refresh(); }}});
+                    {{"Undo the step", [this] { undo(); }}, {"Continue", [this] { refresh(); }}});
             else
                 notices.say(ui::NoticeKind::error, "The scene could not be evaluated",
                             result->problem);

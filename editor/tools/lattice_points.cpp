@@ -165,7 +165,7 @@ bool LatticePointsTool::grab(Session& session, MotionKind kind)
     grabbing_.reset();
     if (object_ == 0) return false;
     if (chosen_.empty())
-        session.notices.say(ui::NoticeKind::warning, "No control point is chosen",
+        session.notices.say(ui::NoticeKind::warning, "No control point is selected",
                             "Click one, or drag a box over some. With the Select tool the keys "
                             "move, turn and scale the whole object.",
                             of_a_step);

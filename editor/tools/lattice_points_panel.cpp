@@ -15,10 +15,9 @@ namespace trivar {
 void LatticePointsTool::add_proportional_options(std::vector<ui::Option>& options,
                                                  const ui::Theme& theme, const Lattice& volume)
 {
-    options.push_back(
-        {"Proportional", 20,
-         [&](float) { ui::check_box(theme, "proportional", proportional_.on, ""); },
-         "Neighbours of the chosen points go with them, the less the further they are away."});
+    options.push_back({"Proportional", 20,
+                       [&](float) { ui::check_box(theme, "proportional", proportional_.on, ""); },
+                       "Nearby points follow the selected ones, less with distance."});
     if (!proportional_.on) return;
     options.push_back({"Falloff", 96,
                        [&](float field) {
@@ -26,7 +25,7 @@ void LatticePointsTool::add_proportional_options(std::vector<ui::Option>& option
                            ui::choice(theme, "falloff", chosen, falloff_names, field);
                            proportional_.kind = static_cast<Falloff>(chosen);
                        },
-                       "How the motion fades from the chosen points to the radius."});
+                       "How the motion fades from the selected points to the radius."});
     options.push_back({"Radius", 88,
                        [&](float field) {
                            double metres = radius(volume);
@@ -49,7 +48,7 @@ void LatticePointsTool::options(Session& session, const ui::Theme& theme, float 
                                               {field, theme.size.row}))
                                    put_lattice_round_selection(session);
                            },
-                           "Puts a lattice box round the selected objects that bends them."});
+                           "Puts a lattice round the selected objects that bends them."});
         return ui::option_bar(theme, options, width);
     }
     if (laid) add_proportional_options(options, theme, laid->placement->volume);
@@ -67,9 +66,9 @@ void LatticePointsTool::options(Session& session, const ui::Theme& theme, float 
                      mirror_[a] = !mirror_[a];
              }
          },
-         "Points on the other side of the middle along these axes go the other way."});
+         "Mirrors the motion to the other side of the middle along these axes."});
     options.push_back({"Guard", 20, [&](float) { ui::check_box(theme, "guard", guard_, ""); },
-                       "No further than is proven not to fold the volume."});
+                       "Stops an edit before the volume would fold."});
     if (laid) {
         const glm::ivec3 n = point_count(laid->placement->volume);
         const std::string words = fmt::format("{} of {} x {} x {}", chosen_.size(), n.x, n.y, n.z);
@@ -80,7 +79,7 @@ void LatticePointsTool::options(Session& session, const ui::Theme& theme, float 
                                              ui::rect_at({at.x, at.y}, {field, theme.size.row}),
                                              theme.color.text_2, words);
                            },
-                           "Control points that are chosen, of those along, across and up."});
+                           "Selected control points, of those along, across and up."});
         if (!chosen_.empty())
             options.push_back({"", 150,
                                [&](float field) {
@@ -88,7 +87,7 @@ void LatticePointsTool::options(Session& session, const ui::Theme& theme, float 
                                                   {field, theme.size.row}))
                                        allow_folds(session, object_, held_parts(session));
                                },
-                               "All that bends with the chosen points may fold from then on."});
+                               "Everything that the selected points bend may fold from then on."});
     }
     ui::option_bar(theme, options, width);
 }

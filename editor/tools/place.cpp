@@ -72,7 +72,7 @@ std::optional<Refusal> refusal(const Session& session, Id model, bool on_ground)
                        "place it on."};
     if (!session.hidden_here.empty() && bases_for_stroke(session, model).empty())
         return Refusal{"All objects it could lie on are hidden",
-                       "Bring the other objects back, then draw the stroke again."};
+                       "Show the other objects, then draw the stroke again."};
     return {};
 }
 

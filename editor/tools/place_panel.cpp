@@ -29,7 +29,7 @@ void PlaceTool::options_of_model(Session& session, const ui::Theme& theme,
                            if (ui::choice(theme, "model", index, names, field) == ui::Edit::changed)
                                chosen_ = ids[static_cast<std::size_t>(index)];
                        },
-                       "What is laid along the stroke."});
+                       "The model that a stroke lays."});
     if (const std::vector<Id> bodies = bodies_to_go_round(session, model);
         model != 0 && !bodies.empty()) {
         std::vector<std::string> round{"Lay it round..."};
@@ -42,7 +42,7 @@ void PlaceTool::options_of_model(Session& session, const ui::Theme& theme,
                      body > 0 && !session.committing())
                      lay_round(session, {model, bodies[static_cast<std::size_t>(body) - 1]});
              },
-             "Lays the model all round a body, on a way that closes; no stroke is needed."});
+             "Lays the model all the way round an object; no stroke is needed."});
     }
     if (model == 0 || !object(session.document(), model).stroke) return;
     options.push_back(
@@ -52,8 +52,7 @@ void PlaceTool::options_of_model(Session& session, const ui::Theme& theme,
              ui::segments(theme, "new stroke", stroke, {"Moves it", "Lays a copy"}, field);
              new_stroke_ = static_cast<NewStroke>(stroke);
          },
-         "What a stroke does with a model that lies on one already. Hold Alt while you draw for "
-         "the other."});
+         "What a stroke does with a placed model. Hold Alt while you draw for the other choice."});
 }
 
 void PlaceTool::options(Session& session, const ui::Theme& theme, float width)
@@ -64,11 +63,11 @@ void PlaceTool::options(Session& session, const ui::Theme& theme, float width)
     options.push_back(
         {"Width", 88,
          [&](float field) { ui::number_field(theme, "width", parameters_.width, size, field); },
-         "Of the strip, across the stroke. Auto: in proportion to the model."});
+         "Size across the stroke. Auto: in proportion to the model."});
     options.push_back(
         {"Height", 88,
          [&](float field) { ui::number_field(theme, "height", parameters_.height, size, field); },
-         "Of the model, away from the scene. Auto: in proportion to it."});
+         "Size away from the surface. Auto: in proportion to the model."});
     options.push_back({"Brush", 192,
                        [&](float field) {
                            int brush = static_cast<int>(brush_);

@@ -58,7 +58,7 @@ const char* drag_words(HoldKind kind)
     case HoldKind::height:
     case HoldKind::across:
     case HoldKind::map: return "Drag to raise";
-    case HoldKind::rise: return "Drag to share the height out";
+    case HoldKind::rise: return "Drag to change the height distribution";
     case HoldKind::start: return "Drag to move the start";
     case HoldKind::end: return "Drag to move the end";
     case HoldKind::contact: return "Drag to lift off the surface";

@@ -290,7 +290,7 @@ std::string name_of(HoldKind kind)
     case HoldKind::height: return "Height";
     case HoldKind::across: return "Height across";
     case HoldKind::map: return "Height map";
-    case HoldKind::rise: return "Rise";
+    case HoldKind::rise: return "Height distribution";
     case HoldKind::start: return "Start";
     case HoldKind::end: return "End";
     case HoldKind::contact: return "Clearance";

@@ -277,7 +277,7 @@ bool PressTool::offer_points(Session& session, Id id, const Lattice& volume) con
     const AxisKnots knots = knots_for_sphere(volume, center, told_.radius);
     if (knots[0].empty() && knots[1].empty() && knots[2].empty()) return false;
     session.notices.say(ui::NoticeKind::warning, "The ball holds few control points",
-                        "So it presses coarsely, or nothing at all. More can be added there; the "
+                        "The press would be coarse or have no effect. More can be added there; the "
                         "volume keeps its shape.",
                         of_a_step,
                         {{"Add control points", [&session, id, knots] {
@@ -360,7 +360,7 @@ void PressTool::options(Session& session, const ui::Theme& theme, float width)
     const ui::NumberStyle length{.lo = 0, .hi = 1e6, .unit = "m", .zero = "auto"};
     std::vector<ui::Option> options;
     options.push_back(
-        {"Falls off", 104,
+        {"Falloff", 104,
          [&](float field) {
              int kind = static_cast<int>(decay_);
              ui::choice(theme, "decay", kind, {"Gaussian", "Hat", "Box", "Smooth"}, field);
@@ -374,16 +374,16 @@ void PressTool::options(Session& session, const ui::Theme& theme, float width)
                                ui::Edit::none)
                                radius_ = shown_radius;
                        },
-                       "Of the ball; 0 follows the volume's width. The wheel changes it while "
-                       "the ball is pressed."});
+                       "Radius of the ball; 0 follows the width of the volume. The wheel changes "
+                       "it while you press."});
     options.push_back({"By", 120,
                        [&](float field) {
                            int by = static_cast<int>(by_);
                            ui::segments(theme, "by", by, {"Drag", "Brush"}, field);
                            by_ = static_cast<By>(by);
                        },
-                       "Drag: the ball presses as deep as it is dragged, the other way it pulls. "
-                       "Brush: it presses wherever it is drawn; with Ctrl it pulls."});
+                       "Drag: the ball presses as deep as you drag; the other way it pulls. Brush: "
+                       "it presses wherever you draw; with Ctrl it pulls."});
     double shown_strength = laid ? strength(*laid->placement) : strength_;
     if (by_ == By::brush)
         options.push_back({"Strength", 88,
@@ -399,8 +399,8 @@ void PressTool::options(Session& session, const ui::Theme& theme, float width)
                            [&theme, id, &value](float) { ui::check_box(theme, id, value, ""); },
                            help});
     };
-    check("Mirror", "mirror", mirror_, 20, "The same on the other side of the middle.");
-    check("Guard", "guard", guard_, 20, "No deeper than is proven not to fold the volume.");
+    check("Mirror", "mirror", mirror_, 20, "Mirrors the press to the other side of the middle.");
+    check("Guard", "guard", guard_, 20, "Stops the press before the volume would fold.");
     check("Into the scene", "into scene", into_scene_, 20,
           "The model may be pulled into the surface it lies on.");
     (void)session;

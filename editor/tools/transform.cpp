@@ -98,8 +98,8 @@ void TransformTool::refuse(Session& session)
     const bool round = step && step->round;
     session.notices.say(
         ui::NoticeKind::warning,
-        round ? name + " goes round what it lies on" : name + " lies on nothing now",
-        round ? "Its level, start and fill say where. Draw a stroke to lay it "
+        round ? name + " goes round its host" : name + " has nothing to lie on",
+        round ? "Its level, start and fill set its place. Draw a stroke to lay it "
                 "elsewhere, or remove it from its stroke."
               : "Draw another stroke to lay it elsewhere, or remove it from its stroke.",
         "on a stroke", {{"Remove from stroke", [&session, lies] {

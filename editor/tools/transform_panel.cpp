@@ -89,11 +89,11 @@ void TransformTool::options(Session& session, const ui::Theme& theme, float widt
     };
     if (!laid)
         setting("Axes", roomy ? 168 : 88, one_of("axes", c.orientation, {"World", "Local", "View"}),
-                "Along which directions the handles and X, Y and Z go.");
+                "The directions of the handles and of X, Y and Z.");
     if (!laid)
         setting("Pivot", roomy ? 216 : 88,
                 one_of("pivot", c.pivot, {"Origin", "Centre", "Each", "Active"}),
-                "The point that turns and sizes are about.");
+                "The point about which objects rotate and scale.");
     setting(
         "Ctrl snaps to", 88,
         [&](float field) {
@@ -105,7 +105,7 @@ void TransformTool::options(Session& session, const ui::Theme& theme, float widt
                                                          : c.step_factor;
             ui::number_field(theme, "step", step, style, field);
         },
-        "The step that a drag goes in while Ctrl is held.");
+        "The step of a drag while Ctrl is held.");
     ui::option_bar(theme, options, width);
 }
 
@@ -173,7 +173,7 @@ std::vector<Hint> TransformTool::hints_at_rest(const Session& session) const
         if (seen) hints.push_back(hint({"left"}, "Drag a handle"));
         hints.push_back(hint({"@" + name()}, name() + " freely"));
         if (!laid_stand(session)) hints.push_back(hint({reset}, "Reset"));
-        if (!seen) hints.push_back(hint({"@Frame selection"}, "Frame it, to see the handles"));
+        if (!seen) hints.push_back(hint({"@Frame selection"}, "Frame it to see the handles"));
     }
     hints.push_back(hint({"left"}, "Select"));
     hints.push_back(hint({"Shift", "left"}, "Add or remove"));

@@ -66,7 +66,7 @@ std::string RefinedView::words(double time_s) const
     const std::string within = fmt::format("within {:.3g} px", tolerance_px_);
     if (!finished_ || finished_->request.tolerance_px != tolerance_px_ ||
         (!up_to_date() && time_s - done_s_ > patience_s))
-        return "Refining to be " + within;
+        return "Refining to " + within;
     const SeenEffects& seen = finished_->seen;
     if (seen.triangles == 0) return {};
     if (seen.open == 0)

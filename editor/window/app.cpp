@@ -84,7 +84,8 @@ int run_editor(const EditorOptions& options)
                 const bool dragging = ImGui::IsMouseDown(ImGuiMouseButton_Left);
                 const std::string trouble = dragging ? "" : preferences.keep(editor.preferences);
                 if (!trouble.empty())
-                    editor.session.notices.say(ui::NoticeKind::warning, "Not remembered", trouble);
+                    editor.session.notices.say(ui::NoticeKind::warning,
+                                               "Preferences were not saved", trouble);
                 if (options.tell_steps) tell_steps(editor.session.scene());
                 const std::string now =
                     fmt::format("{} - Trivar", title_of(editor.session.scene()));

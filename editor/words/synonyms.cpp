@@ -11,10 +11,10 @@ const std::vector<Synonym>& synonyms()
     static const std::vector<Synonym> all{
         {"align", {"Place"}},
         {"animate", {"Insert key", "Auto-key", "Timeline"}},
-        {"apply", {"Apply the shape...", "Delete lattice, keep shape"}},
+        {"apply", {"Apply shape...", "Delete lattice, keep shape"}},
         {"array", {"Set travel", "Duplicate"}},
         {"autosave", {"Save", "Preferences..."}},
-        {"bake", {"Export frames...", "Apply the shape...", "Delete lattice, keep shape"}},
+        {"bake", {"Export frames...", "Apply shape...", "Delete lattice, keep shape"}},
         {"bend", {"Lattice", "Place", "Press"}},
         {"cage", {"Add Lattice round selection", "Lattice"}},
         {"camera", {"Render camera", "Set render camera to view", "Bookmark view"}},

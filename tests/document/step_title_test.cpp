@@ -139,7 +139,10 @@ TEST(StepTitle, NamesTheOneNumberOfAPlacementThatChanged)
     EXPECT_EQ(edited([](P& p) { p.roll_deg = 90; }), "Roll of Pot 90°");
     EXPECT_EQ(edited([](P& p) { p.along = LengthAxis::z; }), "Axis along of Pot z");
     EXPECT_EQ(edited([](P& p) { p.contact_level = 0.25; }), "Contact level of Pot 0.25");
-    EXPECT_EQ(edited([](P& p) { p.rise_profile = {{0, 0}, {1, 1}}; }), "Rise of Pot 2 points");
+    EXPECT_EQ(edited([](P& p) {
+                  p.rise_profile = {{0, 0}, {1, 1}};
+              }),
+              "Height distribution of Pot 2 points");
     EXPECT_EQ(edited([](P& p) { p.width = p.height = 1; }), "Width and height of Pot");
     EXPECT_EQ(edited([](P& p) { p.width = p.height = p.offset = 1; }), "Placement of Pot 3 values");
     EXPECT_EQ(edited([](P&) {}), "Placement of Pot as before");

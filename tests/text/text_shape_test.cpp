@@ -144,7 +144,7 @@ TEST(Text, ShowsABoxForALetterThatTheFontLacksAndSaysSo)
     EXPECT_THAT(
         body.notices,
         ElementsAre(
-            "Inter Regular lacks one letter of the text: ש (U+05E9); a box stands for each"));
+            "Inter Regular lacks one letter of the text: ש (U+05E9); a box is shown for each"));
     EXPECT_THAT(body_of("a\U0001F600", inter).notices, // what reads this may lack it as well
                 ElementsAre(::testing::HasSubstr("one letter of the text: U+1F600; a box")));
     EXPECT_GT(body.mesh.face_count(), body_of("ab", inter).mesh.face_count());

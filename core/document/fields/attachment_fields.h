@@ -15,8 +15,8 @@ template <> struct FieldsOf<AttachedHost> {
         field("z", h.z, "its own Z axis then");
         field("origin", h.origin, "its own origin then, metres", any_value.in(Unit::metres));
         field("touched", h.touched,
-              "the strip lies on it; else it counts only while it stays where it was to what the "
-              "strip lies on");
+              "whether the strip lies on it; if not, it counts only while it does not move "
+              "relative to the objects that the strip lies on");
     }
 };
 
@@ -26,10 +26,10 @@ template <> struct FieldsOf<AttachedSample> {
     {
         field("host", s.host, "which of the hosts the sample met, from 0; -1: none");
         field("mesh", s.mesh, "which of its meshes, from 0");
-        field("member", s.member, "which of its procession, from 0");
-        field("rest", s.rest, "where on that mesh, before a clip or a volume moves it");
-        field("drawn", s.drawn, "where in the host's own space when the stroke was drawn");
-        field("normal", s.normal, "of the face there in that space, unit");
+        field("member", s.member, "which of it and its followers, from 0");
+        field("rest", s.rest, "position on that mesh, before a clip or a volume moves it");
+        field("drawn", s.drawn, "position in the host's own space when the stroke was drawn");
+        field("normal", s.normal, "unit normal of the face there, in that space");
     }
 };
 
@@ -37,9 +37,9 @@ template <> struct FieldsOf<Attachment> {
     static constexpr std::string_view told_as = "[attachment](#attachment)";
     static void fields(auto& a, auto&& field)
     {
-        field("hosts", a.hosts, "the objects that carry it, in no order", required);
+        field("hosts", a.hosts, "its hosts, in any order", required);
         field("samples", a.samples,
-              "where each sample of the stroke met one of them; none: all belong to the first");
+              "where each sample of the stroke met a host; none: all belong to the first");
     }
 };
 

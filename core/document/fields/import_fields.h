@@ -10,13 +10,13 @@ template <> struct FieldsOf<ImportedFile> {
     static void fields(auto& f, auto&& field)
     {
         field("path", f.path, "file, relative to the scene file's folder", required.without_keys());
-        field("hash", f.hash, "digest of the content that was meant; empty: any",
+        field("hash", f.hash, "digest of the file's content when it was imported; empty: any",
               any_value.without_keys());
         field("up", f.up, "axis that points up in the file; auto: Y in glTF and OBJ, else Z",
               any_value.without_keys());
         field("scale", f.scale, "file units to metres", in_range(1e-9, 1e9).without_keys());
         field("subdivisions", f.subdivisions,
-              "how often Catmull-Clark makes its cage finer and smoother", in_range(0, 6));
+              "levels of Catmull-Clark subdivision, which smooths the mesh", in_range(0, 6));
     }
 };
 

@@ -49,13 +49,13 @@ template <> struct FieldsOf<PlacementStep> {
 template <> struct FieldsOf<Object> {
     static void fields(auto& o, auto&& field)
     {
-        field("name", o.name, "what the outliner calls it");
+        field("name", o.name, "name in the outliner");
         field("shape", o.source, "what it is made of");
-        field("transform", o.transform, "where it stands");
+        field("transform", o.transform, "position, rotation and scale");
         field("material", o.surfacing, "one material over all of it");
         field("parent", o.parent, "id of the group it is in", any_value.without_keys());
-        field("hidden", o.hidden, "it is left out of the picture");
-        field("locked", o.locked, "no hand takes it",
+        field("hidden", o.hidden, "it is not in the picture");
+        field("locked", o.locked, "it cannot be picked, moved or deleted by hand",
               any_value.counts(Counting::marked).without_keys());
         field("placement", o.stroke, "how it lies on a stroke");
         field("shaping", o.shaping, "what was done to its volume after that",
@@ -65,9 +65,9 @@ template <> struct FieldsOf<Object> {
         field("playing", o.playing, "how it moves by a clip of its file", later);
         field("refining", o.refining, "how finely its triangles are split",
               any_value.counts(Counting::marked));
-        field("simplifying", o.simplifying, "how its triangles are made fewer",
+        field("simplifying", o.simplifying, "how its triangles are reduced",
               any_value.counts(Counting::marked).without_keys());
-        field("tracks", o.tracks, "how its numbers go from key to key", later.without_keys());
+        field("tracks", o.tracks, "its animated parameters with their keys", later.without_keys());
     }
 };
 

@@ -14,7 +14,7 @@ template <> struct FieldsOf<Playing> {
               "playback speed relative to the clip's own; negative plays backwards",
               in_range(-1e3, 1e3).in(Unit::times).without_keys());
         field("repeat", p.repeat,
-              "what comes after the clip's end: nothing, the clip again, or the way back",
+              "what comes after the clip's end: the last pose, the clip again, or back and forth",
               any_value.without_keys());
         field("offset", p.offset, "seconds into the clip at the start frame",
               in_range(-1e6, 1e6).in(Unit::seconds));

@@ -31,15 +31,16 @@ template <> struct FieldsOf<Refining> {
     static void fields(auto& r, auto&& field)
     {
         field("tolerance", r.tolerance,
-              "metres that deformed flat triangles may be from the true surface",
+              "metres that flat triangles may be from the true surface at most",
               positive.in(Unit::metres));
-        field("split", r.split, "where on an edge");
+        field("split", r.split, "where an edge is split");
         field("rule", r.rule,
-              "which edges: the second is the thesis's, the third certifies nothing; both are for "
-              "comparison");
+              "which edges are split; thesis_four_split and chua_neumann_midpoint are for "
+              "comparison, and the latter certifies nothing");
         field("method", r.method,
-              "how the error is bounded; docs/refinement.md names what is false");
-        field("budget", r.budget, "triangles at most; what is over the tolerance then is said",
+              "how the error is bounded; docs/refinement.md says which bounds are wrong");
+        field("budget", r.budget,
+              "the largest number of triangles; a notice says what is then above the tolerance",
               in_range(12, 20000000));
     }
 };

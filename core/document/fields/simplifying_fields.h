@@ -10,14 +10,13 @@ template <> struct FieldsOf<Simplifying> {
     static void fields(auto& s, auto&& field)
     {
         field("keep", s.keep,
-              "share of the triangles that stays, unless that takes more than the "
-              "deviation; borders, creases and seams stay",
+              "share of the triangles that stays, as far as the deviation allows; borders, creases "
+              "and seams stay",
               in_range(1e-4, 1).in(Unit::share));
-        field(
-            "deviation", s.deviation,
-            "metres that the surface may be off at most, before the object is placed or scaled; 0: "
-            "as far as it takes",
-            not_negative.in(Unit::metres).zero_is("any"));
+        field("deviation", s.deviation,
+              "metres that the surface may be off at most, before the object is placed or scaled; "
+              "0: no limit",
+              not_negative.in(Unit::metres).zero_is("any"));
     }
 };
 

@@ -19,21 +19,25 @@ template <> struct FieldsOf<TextShape> {
     {
         field("text", s.text, "the letters; line breaks begin new lines");
         field("font", s.font, "family, family and style, or a font file; docs/text.md");
-        field("font_digest", s.font_digest, "of the font file that was meant; empty: any");
-        field("size", s.size, "of an em, metres", positive.in(Unit::metres));
+        field("font_digest", s.font_digest, "digest of the font file; empty: any");
+        field("size", s.size, "height of an em, metres", positive.in(Unit::metres));
         field("depth", s.depth, "metres, at most 20 sizes", positive.in(Unit::metres));
-        field("bevel", s.bevel, "how far front and back draw in, metres; 0.45 of the depth counts",
+        field("bevel", s.bevel, "width of the bevel, metres; at most 0.45 of the depth",
               not_negative.in(Unit::metres));
         field("bevel_steps", s.bevel_steps, "1: a flat chamfer; more: round", in_range(1, 16));
-        field("tolerance", s.tolerance, "that chords may be from curves, part of the size",
+        field("tolerance", s.tolerance,
+              "how far the outline may be from its curves, as a share of the size",
               in_range(1e-4, 0.1));
-        field("max_edge", s.max_edge, "that edges may be long, so that it bends, part of the size",
+        field("max_edge", s.max_edge,
+              "the longest edge, as a share of the size; shorter edges bend better",
               in_range(0.01, 10).called("Longest edge"));
-        field("letter_spacing", s.letter_spacing, "more after each letter, part of the size",
+        field("letter_spacing", s.letter_spacing,
+              "extra space after each letter, as a share of the size",
               in_range(-1, 10).called("Letter gap"));
-        field("line_spacing", s.line_spacing, "from line to line, of what the font wants",
+        field("line_spacing", s.line_spacing,
+              "distance from line to line, relative to that of the font",
               in_range(-10, 10).called("Line gap"));
-        field("align", s.align, "where lines have the origin");
+        field("align", s.align, "which end of the lines is at the origin");
     }
 };
 

@@ -16,18 +16,19 @@ template <> struct FieldsOf<Key> {
     static constexpr std::string_view told_as = "[key](#key)";
     static void fields(auto& k, auto&& field)
     {
-        field("frame", k.frame, "when, between two frames too", required_in_range(-1e6, 1e6));
+        field("frame", k.frame, "frame of the key, which may lie between two frames",
+              required_in_range(-1e6, 1e6));
         field("value", k.value,
-              "of the parameter then; switches are 0 and 1, choices count from 0 in the order in "
-              "which they are listed",
+              "value of the parameter; switches are 0 and 1, choices are counted from 0 in their "
+              "order",
               required);
         field("tween", k.tween,
-              "how it goes on to the next key: it stays, straight, or along a Bezier curve; whole "
-              "numbers, choices and switches always stay");
+              "interpolation to the next key: none, linear, or a Bezier curve; whole numbers, "
+              "choices and switches are always held");
         field("before", k.before,
-              "the curve's inner control point toward the key before, [frames, value] from this "
-              "key; zeros: chosen so that it is smooth");
-        field("after", k.after, "the same toward the key after it");
+              "the handle toward the previous key, [frames, value] from this key; zeros: a smooth "
+              "one");
+        field("after", k.after, "the handle toward the next key");
     }
 };
 
@@ -36,12 +37,12 @@ template <> struct FieldsOf<Track> {
     static void fields(auto& t, auto&& field)
     {
         field("parameter", t.parameter,
-              "name of a number of the object, as transform.translation.z, or of the scene, as "
-              "render.exposure",
+              "name of a number of the object, such as transform.translation.z, or of the scene, "
+              "such as render.exposure",
               required);
-        field("keys", t.keys, "ascending by frame; none: it is not animated any more");
+        field("keys", t.keys, "ascending by frame; none: it is no longer animated");
         field("repeat", t.repeat,
-              "what comes after the last key: it stays, all of it again, or the way back");
+              "what comes after the last key: the last value, all keys again, or back and forth");
     }
 };
 

@@ -14,13 +14,12 @@ template <> struct FieldsOf<Travel> {
               "needs a fill below 1",
               in_range(-1e6, 1e6).in(Unit::metres_per_second).zero_is("not moving").without_keys());
         field("ends", t.ends,
-              "what it does where its stroke ends: it stops, is not shown any more, goes straight "
-              "on, goes on from the other end, or turns back",
+              "what it does at the end of its stroke: it stops, disappears, goes straight on, goes "
+              "on from the other end, or turns back",
               any_value.without_keys());
-        field("ease_in", t.ease_in, "seconds from standing still to full speed",
+        field("ease_in", t.ease_in, "seconds from rest to full speed",
               in_range(0, 1e6).in(Unit::seconds).without_keys());
-        field("ease_out", t.ease_out,
-              "seconds from full speed to standing still, where it stops or turns",
+        field("ease_out", t.ease_out, "seconds from full speed to rest, where it stops or turns",
               in_range(0, 1e6).in(Unit::seconds).without_keys());
         field("start_frame", t.start_frame, "the frame in which it starts",
               in_range(-999999, 999999).called("Start").in(Unit::at_frame).without_keys());
@@ -34,9 +33,10 @@ template <> struct FieldsOf<Travel> {
               later_in_range(0, 999).zero_is("none"));
         field("gap", t.gap,
               "metres along the middle of the volume from one to the next; 0: evenly along a loop, "
-              "else as close as they are long",
+              "or one right behind the other",
               later_in_range(0, 1e6).in(Unit::metres).zero_is("by itself"));
-        field("phase", t.phase, "of its clip's period, by which each is ahead of the one before",
+        field("phase", t.phase,
+              "share of the clip's period by which each is ahead of the one before",
               later_in_range(-1, 1));
     }
 };

@@ -18,18 +18,16 @@ template <> struct FieldsOf<RenderSettings> {
         field("shadows", s.shadows, "the sun casts shadows", any_value.called("Sun shadows"));
         field("ambient_occlusion", s.ambient_occlusion, "darkens corners and creases",
               any_value.called("Ambient occlusion"));
-        field("wire", s.wire, "draws the edges of the faces over them", later.called("Edges"));
+        field("wire", s.wire, "draws the edges of faces over the surfaces", later.called("Edges"));
         field("color_by", s.color_by,
-              "what colours show: materials, how what was placed is stretched and squeezed, or how "
-              "far its triangles may be from the true surface",
+              "what colours show: materials, the stretch of placed objects, or the error of their "
+              "triangles",
               later.called("Colour by"));
         field("volumes", s.volumes,
-              "the volumes of what was placed are shown, with the ball of a press that was the "
-              "last step of shaping",
+              "shows the lattices of placed objects, and the ball if the last edit was a press",
               later.says("shown", "not shown"));
         field("captions", s.captions,
-              "under what is refined stand its triangles, how they were split and what of their "
-              "error is certified",
+              "shows the number of triangles and the certified error under refined objects",
               later.called("Refinement captions").says("shown", "not shown"));
         field("ground", s.ground, "a ground under the scene that catches shadows",
               any_value.called("Ground shadow"));

@@ -37,19 +37,17 @@ bool draw_plan(const ui::Theme& theme, ExportPlan& plan, const Time& time)
         draw_path_row(theme, "File", plan.file, "a file", "Its folder must exist.");
     int kind = kind_of(plan);
     const float width =
-        ui::label_row(theme, "Kind", false,
-                      "The ending of the file: a glTF clip, USD, or point caches for 3ds Max and "
-                      "LightWave.")
+        ui::label_row(theme, "Format", false,
+                      "A glTF clip, USD, or point caches for 3ds Max and LightWave.")
             .width;
     if (ui::segments(theme, "kinds", kind, {"GLB", "USDA", "PC2", "MDD"}, width) ==
         ui::Edit::changed)
         set_kind(plan, kind);
     draw_frames_row(theme, time, plan.first, plan.last, nullptr);
-    const std::string help =
-        "How far a GLB may be from the scene at any time. The other kinds have "
-        "the places of each frame as they are.";
+    const std::string help = "Largest distance of a GLB from the scene at any time. The other "
+                             "formats store each frame exactly.";
     if (kind != 0)
-        ui::fact_row(theme, "Tolerance", "none: each frame as it is", theme.color.text_3, help);
+        ui::fact_row(theme, "Tolerance", "none: each frame is exact", theme.color.text_3, help);
     else
         ui::number_field(theme, "tolerance", plan.tolerance, {.lo = 1e-6, .hi = 1e3, .unit = "m"},
                          ui::label_row(theme, "Tolerance", false, help).width);

@@ -50,7 +50,7 @@ void draw_losers(Editor& editor, const ui::Theme& theme, const ui::Rect& row)
 {
     auto& dialog = editor.preferences_dialog;
     const bool one = dialog.losers.size() == 1;
-    const std::string offer = "Give it another";
+    const std::string offer = "Choose another key";
     const float width = ui::text_width(theme.font.small, offer) + theme.px(16);
     const float x = row.lo.x + theme.px(24), end = row.hi.x - (one ? width : 0);
     ui::paint_text(theme.font.small, {{x, row.lo.y}, row.hi}, theme.color.warn, ui::icon::warning);
@@ -99,7 +99,7 @@ void draw_row(Editor& editor, const ui::Theme& theme, const ui::Rect& row, const
     }
     if (!own) return;
     ImGui::SetCursorScreenPos({row.hi.x - square.x - theme.px(4), row.center().y - square.y / 2});
-    if (ui::icon_button(theme, "reset", ui::icon::reset, square, {"Back to the usual key"})) {
+    if (ui::icon_button(theme, "reset", ui::icon::reset, square, {"Restore the default key"})) {
         const std::string name = each.name;
         changed(editor, name, give_usual_keys(editor.actions, name));
     }
@@ -141,10 +141,12 @@ void draw_rows(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
         ImGui::PopID();
     }
     if (y == top.y)
-        ui::empty_state(theme, r, ui::icon::search,
-                        dialog.sought ? "No command has this key" : "No command is called that",
-                        dialog.sought ? "Look for another, or give it to a command: click its row."
-                                      : "Take letters away to see more of them.");
+        ui::empty_state(
+            theme, r, ui::icon::search,
+            dialog.sought ? "No command has this key" : "No command is called that",
+            dialog.sought
+                ? "Look for another key, or click the row of a command to give it this one."
+                : "Take letters away to see more of them.");
     ImGui::SetCursorScreenPos(top);
     ImGui::Dummy({1, y - top.y + theme.px(8)});
     ImGui::EndChild();

@@ -14,10 +14,11 @@ void draw_fineness(const ui::Theme& theme, Refining& refining)
     ui::number_field(
         theme, "tolerance", refining.tolerance, {.lo = 1e-9, .hi = 1e3, .unit = "m"},
         ui::label_row(theme, "Tolerance", false,
-                      "How far its flat triangles may be from the bent surface, proven.")
+                      "Largest proven distance of its flat triangles from the bent surface.")
             .width);
-    ui::integer_field(theme, "budget", refining.budget, {.lo = 1, .hi = 2e7},
-                      ui::label_row(theme, "Triangles", false, "At most so many.").width);
+    ui::integer_field(
+        theme, "budget", refining.budget, {.lo = 1, .hi = 2e7},
+        ui::label_row(theme, "Triangles", false, "The largest number of triangles.").width);
 }
 
 } // namespace
@@ -34,20 +35,18 @@ void draw_plain_mesh_dialog(Editor& editor, const ui::Theme& theme)
     const std::string name = name_of(editor.session.document(), wish.object);
     const PlanAnswer answer = draw_plan_dialog(
         theme,
-        {.title = wish.in_place ? "Apply the shape" : "Make a copy as a plain mesh",
+        {.title = wish.in_place ? "Apply shape" : "Copy as plain mesh",
          .rows = 2,
          .fields = [&] { draw_fineness(theme, wish.refining); },
          .come_to =
              [&] {
                  return wish.in_place
-                            ? name +
-                                  " becomes a plain model with the shape that it has in this "
-                                  "frame, kept in a file beside the scene. It lies on no stroke "
-                                  "any more and moves freely; what lies on it stays. Undo brings "
-                                  "the stroke back."
-                            : "A plain model with the shape that " + name +
-                                  " has in this frame is added where that lies, kept in a file "
-                                  "beside the scene. It lies on no stroke and moves freely.";
+                            ? name + " becomes a plain model in its shape of this frame, saved in "
+                                     "a file next to the scene. It leaves its stroke and moves "
+                                     "freely; objects on it stay. Undo brings the stroke back."
+                            : "Adds a plain model in the shape that " + name +
+                                  " has in this frame, in the same place, saved in a file next to "
+                                  "the scene. It lies on no stroke and moves freely.";
              },
          .begin = [&] { return std::string(wish.in_place ? "Apply" : "Copy"); }});
     dialog.open = answer == PlanAnswer::none;

@@ -104,7 +104,7 @@ void draw_mouse_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
                 {"space", "Space + left"},
                 {"none", "Only itself"}});
     choice_row(theme, "Orbit about", m.orbit_about, was.orbit_about,
-               {{"cursor", "Under the mouse"}, {"selection", "Selection"}, {"origin", "Origin"}});
+               {{"cursor", "Under the pointer"}, {"selection", "Selection"}, {"origin", "Origin"}});
     flag_row(theme, "Zoom", m.zoom_to_cursor, was.zoom_to_cursor,
              "towards the pointer, not the centre");
     flag_row(theme, "Zoom direction", m.reversed_zoom, was.reversed_zoom,
@@ -122,7 +122,7 @@ void draw_mouse_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
             : std::string("On a trackpad two fingers orbit, with Shift pan, with Ctrl zoom. ") +
                   (m.device == "automatic"
                        ? "Sideways or fractional scrolling is treated as a trackpad."
-                       : "A wheel orbits as well then."));
+                       : "A mouse wheel then orbits, too."));
 }
 
 void draw_files_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
@@ -204,9 +204,9 @@ void draw_performance_page(Editor& editor, const ui::Theme& theme, const ui::Rec
     foot_note(theme, r,
               "Quality applies when nothing moves; during movement it drops to keep the frame "
               "rate. Placed objects are deformed by the "
-              "processor, or by the graphics card: in one phase as they are drawn, in two phases "
-              "once before. Automatic: in two phases where there is a card. Fewer threads leave "
-              "the others to other programs; results are the same.");
+              "processor, or by the graphics card: in one phase while they are drawn, in two "
+              "phases once before that. Automatic: two phases if there is a card. Use fewer "
+              "threads to leave some to other programs; results are the same.");
 }
 
 void draw_accessibility_page(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
@@ -227,8 +227,8 @@ void draw_accessibility_page(Editor& editor, const ui::Theme& theme, const ui::R
                {{0.15, "0.15 s"}, {0.5, "0.5 s"}, {1, "1 s"}, {2, "2 s"}});
     const std::string key = key_text(action(editor, palette_action));
     foot_note(theme, r,
-              "Lines are those on the picture: handles, strokes, lattices and outlines. Shapes say "
-              "the same as hues do. " +
+              "Lines are the handles, strokes, lattices and outlines in the viewport. Every colour "
+              "also has a shape. " +
                   (key.empty() ? "Help > Find a command" : key) +
                   " finds every command by its letters.");
 }

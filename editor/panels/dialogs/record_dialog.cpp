@@ -77,9 +77,9 @@ bool draw_plan(const ui::Theme& theme, RecordPlan& plan, const Session& session)
         segments("Quality", static_cast<int>(plan.level), {"Draft", "Standard", "High"},
                  "High has finer shadows and edges, and takes four times as long."));
     draw_frames_row(theme, session.document().time, plan.first, plan.last, &plan.step);
-    ui::label_row(theme, "Video", false, "Made by ffmpeg when all frames are there.");
+    ui::label_row(theme, "Video", false, "Made by ffmpeg once all frames are rendered.");
     ui::check_box(theme, "video", plan.video,
-                  fmt::format("an .mp4 as well, {:.6g} frames a second",
+                  fmt::format("also an .mp4, {:.6g} frames per second",
                               session.document().time.frames_per_second));
     return browsed;
 }
@@ -191,8 +191,8 @@ void draw_record_button(Editor& editor, const ui::Theme& theme, glm::vec2 at)
     ImGui::SetCursorScreenPos({at.x, at.y});
     if (ui::icon_button(theme, "record", "", square,
                         tip_of(editor, record,
-                               running ? "Shows how far the recording is, or hides it."
-                                       : "Draws the frames of the scene into files."),
+                               running ? "Shows or hides the progress of the recording."
+                                       : "Renders the frames of the scene to files."),
                         {.enabled = is_enabled(editor, record)}))
         record.run(editor);
     const glm::vec2 middle = at + square / 2.0f;

@@ -30,9 +30,9 @@ std::vector<KeyLine> key_lines(const Editor& editor)
     const std::vector<KeyLine> mouse{
         {"Mouse", ""},
         {"Use the tool", "left"},
-        {"Orbit about the point under the mouse", "middle, or Alt+left"},
+        {"Orbit about the point under the pointer", "middle, or Alt+left"},
         {"Pan", "Shift+middle, or Alt+Shift+left"},
-        {"Zoom to the mouse", "wheel, or Ctrl+middle"},
+        {"Zoom towards the pointer", "wheel, or Ctrl+middle"},
         {"Cancel a gesture", "right, or Esc"},
         {"Type a number", "click it"},
         {"Drag finely", "hold Shift"},
@@ -47,7 +47,7 @@ std::vector<KeyLine> key_lines(const Editor& editor)
         {"While a stroke is drawn", ""},
         {"Straight on from here", "hold Shift"},
         {"Close the ring near its start", "hold Ctrl"},
-        {"Lay a copy, or move the model: the other one", "hold Alt"},
+        {"Switch between moving the model and laying a copy", "hold Alt"},
         {"The width", "wheel, or type it"}};
     lines.insert(lines.end(), mouse.begin(), mouse.end());
     std::string menu;

@@ -15,8 +15,8 @@ namespace trivar {
 namespace {
 
 constexpr const char* own_words =
-    "This step is your own: the scene is yours to go on with. @Undo takes it back, and the "
-    "tutorial starts again from **Help > Tutorials**.";
+    "This step is your own. Go on with the scene as you like, or take the step back with @Undo. "
+    "**Help > Tutorials** starts the tutorial again.";
 
 std::vector<ui::Run> runs_of(const Editor& editor)
 {

@@ -41,7 +41,8 @@ void draw_other_numbers(Editor& editor, const ui::Theme& theme, Id id)
     const Document& document = editor.session.document();
     const Ref<Object> each = document.objects.at(id); // edits replace it while we read
     const KeyGutter keys(editor, {id});
-    ui::Row row = ui::label_row(theme, "Hidden", false, "so that it can come and go");
+    ui::Row row =
+        ui::label_row(theme, "Hidden", false, "give it keys to show the object only for some time");
     keys.mark(theme, row, {"hidden"});
     bool hidden = each->hidden;
     const ui::Edit eye = ui::check_box(theme, "hidden", hidden, "not in the picture");
@@ -53,7 +54,7 @@ void draw_other_numbers(Editor& editor, const ui::Theme& theme, Id id)
         if (!each_row.caption.empty()) step_caption(theme, each_row.caption);
         Parameter number = each_row.number;
         const NumberWords words = words_of_number(number.name);
-        row = ui::label_row(theme, each_row.label, false, "A change of it is a key in this frame.");
+        row = ui::label_row(theme, each_row.label, false, "A change sets a key in this frame.");
         keys.mark(theme, row, {number.name});
         constexpr double endless = 1e9;
         const ui::NumberStyle style{.lo = std::max(number.lo * words.factor, -endless),

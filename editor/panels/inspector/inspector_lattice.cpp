@@ -66,9 +66,8 @@ void choose_warp(const ui::Theme& theme, WarpAtHand& at_hand, const Steps& steps
         numbers.push_back(step);
     }
     if (names.size() == 1) return;
-    const ui::Row row = ui::label_row(theme, "Step", false,
-                                      "which warp these numbers are of: one that was made, or one "
-                                      "more");
+    const ui::Row row = ui::label_row(
+        theme, "Step", false, "the warp that these numbers change: an earlier one or a new one");
     if (ui::choice(theme, "warp", chosen, names, row.width) == ui::Edit::changed)
         at_hand.step = numbers[static_cast<std::size_t>(chosen)];
 }

@@ -26,22 +26,20 @@ void report_rows(const ui::Theme& theme, const PlacementReport& r)
                          ui::Color color = 0) { ui::fact_row(theme, label, value, color, help); };
     row("Length", ui::short_number(r.length_world) + " m", "of the middle of the strip");
     row("On the scene", percent(r.contact_share) + " of the nodes",
-        "nodes of the contact surface that touch what they lie on; the others bridge gaps");
+        "share of the contact surface that touches the scene; the rest spans gaps");
     row("Missed", percent(r.missed_share) + " of the rays",
-        "of the rays through the strip, those that met nothing");
+        "share of the rays through the strip that met no surface");
     row("Largest gap", ui::short_number(r.largest_gap) + " m",
-        "between a node that springs hold and the scene under it");
+        "largest distance from the contact surface down to the scene");
     // Above one and a half a pattern is seen to be drawn out.
     row("Stretch", fmt::format("{:.2g} times along", r.largest_stretch),
-        "how far the model is drawn out where it is most",
-        r.largest_stretch > 1.5 ? theme.color.warn : 0);
+        "how much the model is stretched at most", r.largest_stretch > 1.5 ? theme.color.warn : 0);
     if (r.narrowed > 0)
         row("Narrowed", fmt::format("{} {}", r.narrowed, r.narrowed == 1 ? "column" : "columns"),
-            "made narrower, since the stroke turns more tightly there than it is wide",
-            theme.color.warn);
+            "places where the turn is too tight, so the model is pinched", theme.color.warn);
     const bool through = r.penetration > 1e-3;
     row("Penetration", r.penetration <= 0 ? "none" : share_words(r.penetration) + " of height",
-        "how deep the scene is still in the volume at the worst", through ? theme.color.warn : 0);
+        "how deep the scene reaches into the volume at most", through ? theme.color.warn : 0);
     const bool folds = r.smallest_jacobian <= 0;
     row("Folds", folds ? "yes, at a node" : "none", "places where the volume is turned inside out",
         folds ? theme.color.bad : theme.color.good);
@@ -108,7 +106,7 @@ void fit_rows(ValueRows& rows, PlacementRows& fields, PlacementParameters& p)
         });
     lying.on = static_cast<Underside>(side);
     rows.choice("Turned", lying.quarters, 0, {"0", "90", "180", "270"},
-                {"about the vertical, toward the left, degrees", turns},
+                {"rotation about the vertical, to the left, degrees", turns},
                 [&](int chosen) { lying.quarters = chosen; });
     if (!(lying == before)) p = with_lying(std::move(p), lying);
 }

@@ -44,15 +44,15 @@ void density_row(Editor& editor, const ui::Theme& theme, Id id, int axis, const 
     KnotInsertion finer;
     (axis == 0 ? finer.along : axis == 1 ? finer.across : finer.up) = span_middles(knots);
     if (ui::icon_button(theme, "finer", ui::icon::add, {side, side},
-                        {"Finer", {}, "A control point more in each span; nothing moves."}))
+                        {"Finer", {}, "Adds a control point to each span; the shape stays."}))
         editor.session.run(InsertKnots{id, finer});
     ImGui::SetCursorScreenPos({at.x + theme.px(88) + side, at.y});
     const int fewer = fewer_points(knots);
-    const std::string off = deviation ? " Nothing moves further than " +
+    const std::string off = deviation ? " No point moves further than " +
                                             ui::short_number(rounded_up(*deviation, 3)) + " m."
                                       : "";
     if (ui::icon_button(theme, "coarser", ui::icon::minus, {side, side},
-                        {"Coarser", {}, fmt::format("{} control points are left.{}", fewer, off)},
+                        {"Coarser", {}, fmt::format("{} control points remain.{}", fewer, off)},
                         {.enabled = open && fewer < knots.count()}))
         editor.session.run(CoarsenVolume{id, {static_cast<VolumeAxis>(axis), fewer}});
     ImGui::PopID();
@@ -100,7 +100,7 @@ void allowance_row(Session& session, const ui::Theme& theme, Id id, std::size_t 
                    theme.color.text, fmt::format("in {} {}", parts, parts == 1 ? "part" : "parts"));
     ImGui::SetCursorScreenPos({at.x + theme.px(68) + side, at.y});
     if (ui::icon_button(theme, "fold nowhere", ui::icon::trash, {side, side},
-                        {"Nowhere any more", {}, "Edits made so far stay."}))
+                        {"Allow folds nowhere", {}, "Edits made so far stay."}))
         session.run(AllowFolds{id, {}});
     ImGui::SetCursorScreenPos({at.x, at.y + side + theme.px(4)});
     ImGui::Dummy({1, 0});
@@ -147,7 +147,7 @@ void draw_shaping(Editor& editor, const ui::Theme& theme, Id id)
                       fmt::format("{}  {}", i + 1, words_of(*steps[i], box, done(i))));
         ImGui::SetCursorScreenPos({at.x + width + theme.px(4), at.y});
         if (ui::icon_button(theme, "take back", ui::icon::trash, {side, side},
-                            {"Take it back", {}, "The other steps stay."}))
+                            {"Remove this step", {}, "The other steps stay."}))
             session.run(Unshape{id, {static_cast<int>(i) + 1}});
         ImGui::SetCursorScreenPos({at.x, at.y + side + theme.px(2)});
         ImGui::Dummy({1, 0});

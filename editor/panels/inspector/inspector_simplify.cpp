@@ -15,7 +15,7 @@ void draw_simplify(Editor& editor, const ui::Theme& theme, Id id)
     const std::optional<Simplifying> now = object(session.document(), id).simplifying;
     bool on = now.has_value();
     ui::label_row(theme, "Triangles", false,
-                  "makes them fewer; borders, creases and seams of textures stay");
+                  "reduces them; borders, creases and texture seams stay");
     const ui::Edit turned = ui::check_box(theme, "simplified", on, "fewer");
     if (turned == ui::Edit::copied)
         copy_command(editor, on ? Command(Simplify{{id}, *now}) : ClearSimplify{{id}});
@@ -37,7 +37,7 @@ void draw_simplify(Editor& editor, const ui::Theme& theme, Id id)
         ui::fact_row(theme, "Left",
                      fmt::format("{} of {}", ui::with_commas(effects->second->triangles),
                                  ui::with_commas(effects->second->triangles_before)),
-                     theme.color.text, "triangles of its shape, before anything bends it");
+                     theme.color.text, "triangles of the model before it is bent");
     ui::gap(theme, 8);
     propose_edit(editor, rows.edit, [&] { return Simplify{{id}, s}; });
 }

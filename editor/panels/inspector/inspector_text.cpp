@@ -36,9 +36,9 @@ ui::Edit letters_field(const ui::Theme& theme, std::string& text)
     const bool waits = changed && lacks_letters(text);
     if (waits) { // for what is typed next: the scene keeps its own meanwhile
         text = before;
-        ui::paint_text(theme.font.small,
-                       {{lo.x + theme.px(8), hi.y - theme.size.row}, {hi.x, hi.y}},
-                       theme.color.warn, "No letters yet: the scene keeps what it has");
+        ui::paint_text(
+            theme.font.small, {{lo.x + theme.px(8), hi.y - theme.size.row}, {hi.x, hi.y}},
+            theme.color.warn, "Type some letters; until then the scene keeps the old text");
     }
     ui::gap(theme, 6);
     return changed && !waits ? ui::Edit::changed : ui::Edit::none;

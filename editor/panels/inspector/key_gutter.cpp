@@ -61,8 +61,9 @@ void KeyGutter::mark(const ui::Theme& theme, const ui::Row& row,
     ui::tooltip(
         {state == KeyState::here ? "Remove this key" : "Insert a key",
          key_text(action(editor_, state == KeyState::here ? remove_key_action : insert_key_action)),
-         state == KeyState::none ? "The value of this frame. What has keys changes in time."
-                                 : "Has keys, shown in the timeline."});
+         state == KeyState::none
+             ? "A key for the value in this frame. Values between keys are interpolated."
+             : "Has keys, shown in the timeline."});
     menu(all, names.size() == 1 ? names.front() : names.front() + " ...");
     const ui::Color rim = state != KeyState::none ? c.key : hot ? c.text : c.text_3;
     ui::paint_diamond(place.center(), theme.px(hot ? 5 : 4) + 0.5f,

@@ -175,7 +175,8 @@ void draw_filter(OutlinerState& o, const ui::Theme& theme, const ui::Rect& place
     if (std::exchange(o.focus_filter, false)) ImGui::SetKeyboardFocusHere();
     ui::text_field(theme, "filter", o.filter, "Filter by name or type:model", place.width(),
                    ui::icon::search);
-    ui::tooltip({"Filter", {}, "Letters in order are enough; type:model shows what is of a type."});
+    ui::tooltip(
+        {"Filter", {}, "Letters in order are enough; type:model shows objects of one type."});
     // The text field gives what was there before back on Esc; here that is nothing at all.
     if (ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ui::key_escape, false)) o.filter.clear();
 }

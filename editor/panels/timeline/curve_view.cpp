@@ -110,10 +110,11 @@ void draw_alone(Editor& editor, const ui::Theme& theme, const ui::Rect& r, bool 
                                            : c.field,
                   theme.size.rounding_small);
     ui::paint_text(theme.font.body, at, alone ? c.text : c.text_2, words, ui::Align::center);
-    ui::tooltip({"Each curve fills the height",
-                 {},
-                 "Where units differ that is so by itself. The numbers at the left are those of "
-                 "the curve in their colour: the one under the mouse, or of the chosen key."});
+    ui::tooltip(
+        {"Each curve fills the height",
+         {},
+         "Curves with different units are always shown so. The numbers at the left belong to the "
+         "curve of their colour: the one under the pointer, or that of the selected key."});
     if (clicked) editor.timeline.keys.alone = !alone;
 }
 

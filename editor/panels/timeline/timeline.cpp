@@ -59,7 +59,7 @@ void buttons(Editor& editor, Transport& line, bool steps)
         {{first_frame_action, ui::icon::first, "Go to the first frame.", frame > time.first_frame},
          {previous_frame_action, ui::icon::back, "", frame > time.first_frame},
          {play_action, playing ? ui::icon::pause : ui::icon::play,
-          "A second of the scene takes a second; frames that come too late are left out."},
+          "Plays in real time; late frames are skipped."},
          {next_frame_action, ui::icon::forward, "", frame < time.last_frame},
          {last_frame_action, ui::icon::last, "Go to the last frame.", frame < time.last_frame}}};
     for (const Button& each : all) {
@@ -76,15 +76,15 @@ void buttons(Editor& editor, Transport& line, bool steps)
                       line.theme.color.segment, line.theme.size.rounding_small);
     }
     if (line.icon(loop_action, ui::icon::again,
-                  tip_of(editor, again, "After the last frame comes the first.")))
+                  tip_of(editor, again, "Starts again after the last frame.")))
         again.run(editor);
     const ui::Palette& c = line.theme.color;
     const glm::vec2 dot{line.x + line.theme.size.icon_button / 2, line.bar.center().y};
     const Action& auto_key = action(editor, auto_key_action);
     if (line.icon(auto_key_action, "",
                   tip_of(editor, auto_key,
-                         "Every change of a number that can have keys is one, in the present "
-                         "frame. The picture has a red rim meanwhile.")))
+                         "Every change of an animatable number sets a key in the current frame. "
+                         "The viewport has a red border meanwhile.")))
         auto_key.run(editor);
     if (editor.session.auto_key)
         ui::paint_dot(dot, line.theme.px(6), c.bad);
@@ -156,7 +156,7 @@ void numbers(Editor& editor, Transport& line, const Room& room)
             editor.playback.pause();
             session.show_frame(frame);
         }
-        ui::tooltip({"Frame", {}, "The one that is shown."});
+        ui::tooltip({"Frame", {}, "The current frame."});
     });
     ui::Edit edit = ui::Edit::none;
     const auto take = [&edit](ui::Edit one) {
@@ -185,7 +185,7 @@ void numbers(Editor& editor, Transport& line, const Room& room)
         line.field(68, [&](float width) {
             take(ui::number_field(theme, "rate", t.frames_per_second,
                                   {.lo = 0.1, .hi = 1000, .step = 1, .unit = "fps"}, width));
-            tip("Frames a second", "frames_per_second");
+            tip("Frames per second", "frames_per_second");
         });
     propose_edit(editor, edit, [&] { return SetTime{t}; });
     line.x += theme.px(8);
@@ -348,7 +348,8 @@ void draw_corner(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
 {
     const Action& room = action(editor, make_room_action);
     const bool needs_room = is_enabled(editor, room);
-    const float wide = needs_room ? ui::text_width(theme.font.body, "Make room") + theme.px(16) : 0;
+    const float wide =
+        needs_room ? ui::text_width(theme.font.body, "Extend range") + theme.px(16) : 0;
     KeysView& view = editor.timeline.keys;
     const float width = std::min(theme.px(112), r.width() - wide - theme.px(16));
     if (width > theme.px(80)) {
@@ -357,15 +358,15 @@ void draw_corner(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
         // The panel keeps its height, so that its head stays under the hand.
         if (ui::segments(theme, "shown", curves, {"Keys", "Curves"}, width) == ui::Edit::changed)
             view.curves = curves == 1;
-        ui::tooltip(
-            {"Keys or curves", {}, "When keys are, or how numbers go from one to the next."});
+        ui::tooltip({"Keys or curves", {}, "Keys in time, or the curves between them."});
     }
     if (!needs_room) return;
     ImGui::SetCursorScreenPos({r.hi.x - wide, r.lo.y});
-    const bool pressed = ui::button(theme, "Make room", ui::ButtonKind::quiet, {wide, r.height()});
+    const bool pressed =
+        ui::button(theme, "Extend range", ui::ButtonKind::quiet, {wide, r.height()});
     ui::tooltip(tip_of(editor, room,
-                       "Something is still on its way in the last frame. The range grows by "
-                       "whole seconds until all have come to their ends."));
+                       "Something is still moving in the last frame. Extends the range by whole "
+                       "seconds until everything has arrived."));
     if (pressed) room.run(editor);
 }
 
@@ -395,7 +396,7 @@ void draw_open(Editor& editor, const ui::Theme& theme, const ui::Rect& r)
     if (!has_keys && (curves || travelling(editor.session.document()).empty())) {
         const std::string key = key_text(action(editor, insert_key_action));
         ui::empty_state(theme, tracks, ui::icon::travel, "No keys yet",
-                        "Hold the mouse over a value and press " +
+                        "Hover over a value and press " +
                             (key.empty() ? std::string("its diamond") : key) +
                             ", or let something travel.");
     } else if (curves)

@@ -161,7 +161,7 @@ void draw_travel_bar(Editor& editor, const ui::Theme& theme, const ui::Rect& row
     if (t.hand == Hand::none)
         ui::tooltip({name_of(session.document(), id),
                      {},
-                     "Drag it to move it in time, an end to make it faster or slower."});
+                     "Drag the bar to move it in time, or an end to change its speed."});
 }
 
 } // namespace trivar

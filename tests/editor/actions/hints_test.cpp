@@ -32,7 +32,7 @@ TEST(Hints, LeadThroughAFirstStrokeAndDoNotComeBack)
     rig.screen.input().push(ui::press(ui::Button::left, false));
     rig.wait();
     EXPECT_EQ(number(rig), 3);
-    EXPECT_EQ(hint_card(rig.editor)->title, "Drag a white point to widen it");
+    EXPECT_EQ(hint_card(rig.editor)->title, "Drag a white point to change the width");
     auto parameters =
         object(rig.editor.session.document(), rig.editor.session.selected).stroke->parameters;
     parameters.width = 0.5;

@@ -160,7 +160,7 @@ TEST(RenderPicture, IsWrittenBesideTheSceneUnderAFreeNumber)
     Boxes rig;
     rig.key({ui::key_f1 + 11});
     EXPECT_FALSE(rig.editor.picture_to_file.running());
-    EXPECT_EQ(rig.editor.session.notices.all().back().title, "The scene has no file yet");
+    EXPECT_EQ(rig.editor.session.notices.all().back().title, "The scene is not saved yet");
     rig.editor.session.save_as(disk.file("a.trivar"));
     rig.wait();
     rig.editor.picture_to_file.begin(rig.editor.session, {64, 36});

@@ -56,7 +56,7 @@ TEST_F(WindowExport, CarriesTheCertificateOfWhatIsRefined)
     EXPECT_THAT(verified(Status::done), HasSubstr("what it claims holds"));
     rig.editor.session.undo();
     rig.wait();
-    EXPECT_THAT(exported("pot.obj").body, HasSubstr("Only glTF says so in the file"));
+    EXPECT_THAT(exported("pot.obj").body, HasSubstr("Only a glTF file records this"));
 }
 
 TEST_F(WindowExport, TellsWhatIsNotCertified)

@@ -115,7 +115,7 @@ TEST(PreferencesPages, SwitchByTheirNamesInThePalette)
         if (each.note != "on" && each.note != "off") continue;
         const Preferences before = rig.editor.preferences;
         each.run(rig.editor);
-        const bool scale = each.name.starts_with("Size of the interface");
+        const bool scale = each.name.starts_with("Interface size");
         EXPECT_TRUE(scale || before != rig.editor.preferences) << each.name;
     }
 }

@@ -199,7 +199,7 @@ TEST(RecordDialog, WantsTheScenesFile)
     testing::Boxes rig;
     rig.key({.key = ui::key_f1 + 11, .ctrl = true});
     EXPECT_FALSE(rig.editor.memory.of<RecordDialog>().open);
-    EXPECT_EQ(rig.editor.session.notices.all().back().title, "The scene has no file yet");
+    EXPECT_EQ(rig.editor.session.notices.all().back().title, "The scene is not saved yet");
 }
 
 } // namespace

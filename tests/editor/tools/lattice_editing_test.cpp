@@ -139,7 +139,7 @@ TEST(LatticeEditing, MovesNothingByAKeyWhileNoPointIsChosen)
     EXPECT_FALSE(rig.editor.active_tool().busy());
     EXPECT_EQ(rig.steps(), before);
     ASSERT_FALSE(rig.editor.session.notices.all().empty());
-    EXPECT_EQ(rig.editor.session.notices.all().back().title, "No control point is chosen");
+    EXPECT_EQ(rig.editor.session.notices.all().back().title, "No control point is selected");
 }
 
 TEST(LatticeEditing, KeysTheStepThatMovedTheChosenPoints)
@@ -161,7 +161,7 @@ TEST(LatticeEditing, KeysTheStepThatMovedTheChosenPoints)
     const std::size_t before = rig.steps();
     rig.key({'I'});
     EXPECT_EQ(rig.steps(), before);
-    EXPECT_EQ(rig.editor.session.notices.all().back().title, "The chosen points have no key");
+    EXPECT_EQ(rig.editor.session.notices.all().back().title, "The selected points have no key");
 }
 
 TEST(LatticeEditing, TakesThePointsOfAnInnerLatticeWhereTheOuterOneBendsThem)

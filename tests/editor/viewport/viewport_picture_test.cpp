@@ -88,7 +88,7 @@ TEST(ViewportPicture, FollowsADevelopersShadersAndOneNoticeSaysWhatIsWrongTillIt
     const auto said = [&] {
         std::vector<std::string> out;
         for (const ui::Notices::Notice& notice : rig.editor.session.notices.all())
-            if (notice.title == "A shader is drawn as it was before") out.push_back(notice.body);
+            if (notice.title == "A shader could not be updated") out.push_back(notice.body);
         return out;
     };
     EXPECT_EQ(followed(), embedded);
@@ -117,7 +117,7 @@ TEST(ViewportPicture, StaysAsItWasWhereTheDeviceHasNoRoomForMoreAndOneNoticeSays
     const glm::ivec2 size_px = rig.layout().view.size();
     const auto before = shown(rig, size_px);
     const auto said = [&] {
-        return std::ranges::count(rig.editor.session.notices.all(), "The picture is one of before",
+        return std::ranges::count(rig.editor.session.notices.all(), "The picture is out of date",
                                   &ui::Notices::Notice::title);
     };
     testing::BufferTraffic traffic;
