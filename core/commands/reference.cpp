@@ -168,7 +168,8 @@ std::string commands_markdown()
     std::string text =
         "# Commands\n\n"
         "Everything that can be done to a scene is one of these commands. A scene file holds one "
-        "a line, as a JSON\nobject whose field `do` names the command; [document.md](document.md) "
+        "per line, as a JSON\nobject whose field `do` names the command; "
+        "[document.md](document.md) "
         "explains the file. A field that is left\nout has its default. This page is written by "
         "`trivar commands --markdown`.\n\n"
         "| command | what it does |\n|---|---|\n";

@@ -33,13 +33,13 @@ void leave_out_what_is_out_of_reach(Stage& stage)
     };
     if (std::erase_if(stage.curves, [&](const CurvePart& c) { return is_out(c.points); }) > 0) {
         stage.lacks.push_back(fmt::format(
-            "curves are left out: where they lie their numbers are {}", too_large_words));
+            "curves are left out: where they lie their coordinates are {}", too_large_words));
         stage.notices.push_back(stage.lacks.back());
     }
     const std::size_t all = stage.parts.size(), gone = std::erase_if(stage.parts, is_out);
     if (gone == 0) return;
     stage.lacks.push_back(
-        gone == all ? fmt::format("where it lies its numbers are {}", too_large_words)
+        gone == all ? fmt::format("where it lies its coordinates are {}", too_large_words)
                     : fmt::format("{} of its {} meshes are left out: where they lie their numbers "
                                   "are {}",
                                   gone, all, too_large_words));

@@ -42,7 +42,7 @@ void leave_out_what_is_too_large(Shape& shape)
             return !within_reach(hung.bounds, hung.to_model);
         }) > 0)
         say_lacking(shape,
-                    fmt::format("curves are left out: their numbers are {}", too_large_words));
+                    fmt::format("curves are left out: their coordinates are {}", too_large_words));
     const std::size_t all = shape.meshes.size();
     const std::size_t gone = std::erase_if(shape.meshes, [](Shape::NodeMesh& hung) {
         const std::optional<Box> box = hung.extent->posed(hung.posed ? &hung.posed->pose : nullptr);
@@ -50,10 +50,11 @@ void leave_out_what_is_too_large(Shape& shape)
         return !box || !within_reach(*box, hung.to_model);
     });
     if (gone == 0) return;
-    say_lacking(shape, gone == all
-                           ? fmt::format("its numbers are {}", too_large_words)
-                           : fmt::format("{} of its {} meshes are left out: their numbers are {}",
-                                         gone, all, too_large_words));
+    say_lacking(shape,
+                gone == all
+                    ? fmt::format("its coordinates are {}", too_large_words)
+                    : fmt::format("{} of its {} meshes are left out: their coordinates are {}",
+                                  gone, all, too_large_words));
 }
 
 } // namespace

@@ -37,7 +37,7 @@ std::string not_a_number(TextScan scan)
 {
     const std::string_view word = scan.word();
     if (word.empty()) return "is missing";
-    return fmt::format("is '{}', which is no number from -3.4e38 to 3.4e38", shown(word));
+    return fmt::format("is '{}', which is not a number from -3.4e38 to 3.4e38", shown(word));
 }
 
 std::string faces_left_out(std::size_t count, const std::string& first, std::size_t vertices)

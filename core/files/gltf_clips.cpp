@@ -91,9 +91,8 @@ private:
                        ? node_of_[static_cast<std::size_t>(node)]
                        : -1;
         if (out.node < 0 || !set_property(out, path)) {
-            notices_.add(
-                "one track of its animations moves nothing that is there and was left out",
-                "{0} tracks of its animations move nothing that is there and were left out");
+            notices_.add("one track of its animations moves nothing that exists and was left out",
+                         "{0} tracks of its animations move nothing that exists and were left out");
             return {};
         }
         set_way(out, sampler.text("interpolation"));
@@ -137,10 +136,10 @@ private:
                             : way == "CUBICSPLINE" ? Channel::Interpolation::cubic
                                                    : Channel::Interpolation::linear;
         if (out.interpolation == Channel::Interpolation::linear && !way.empty() && way != "LINEAR")
-            notices_.add("one track of its animations goes between its keys in a way that is "
-                         "unknown, and was made to go straight",
-                         "{0} tracks of its animations go between their keys in a way that is "
-                         "unknown, and were made to go straight");
+            notices_.add("one track of its animations has an unknown interpolation, in place of "
+                         "which a linear one is used",
+                         "{0} tracks of its animations have an unknown interpolation, in place of "
+                         "which a linear one is used");
     }
 
     bool set_keys(Channel& out, const GltfEntry& sampler)
@@ -148,17 +147,18 @@ private:
         GltfAccessors::Table times = accessors_.floats(sampler, "input"),
                              values = accessors_.floats(sampler, "output");
         if (!accessors_.holds_floats(sampler, "input")) {
-            notices_.add("one track of its animations has whole numbers for times, which no glTF "
-                         "has, and was left out",
-                         "{0} tracks of its animations have whole numbers for times, which no "
-                         "glTF has, and were left out");
+            notices_.add("one track of its animations has whole numbers for times, which glTF does "
+                         "not allow, and was left out",
+                         "{0} tracks of its animations have whole numbers for times, which glTF "
+                         "does not allow, and were left out");
             return false;
         }
         const bool ascending = std::adjacent_find(times.values.begin(), times.values.end(),
                                                   std::greater_equal<>()) == times.values.end();
         if (times.count == 0 || times.components != 1 || times.not_finite > 0 || !ascending) {
-            notices_.add("one track of its animations has no ascending times and was left out",
-                         "{0} tracks of its animations have no ascending times and were left out");
+            notices_.add(
+                "one track of its animations has times that do not ascend and was left out",
+                "{0} tracks of its animations have times that do not ascend and were left out");
             return false;
         }
         const std::size_t each = out.interpolation == Channel::Interpolation::cubic ? 3 : 1;
@@ -170,10 +170,10 @@ private:
             return false;
         }
         if (values.not_finite > 0 || !in_reach(values.values)) {
-            notices_.add("one track of its animations has numbers that are beyond 1e15 or none, "
-                         "and was left out",
-                         "{0} tracks of its animations have numbers that are beyond 1e15 or none, "
-                         "and were left out");
+            notices_.add("one track of its animations has values that are beyond 1e15 or not "
+                         "finite, and was left out",
+                         "{0} tracks of its animations have values that are beyond 1e15 or not "
+                         "finite, and were left out");
             return false;
         }
         out.times_s = std::move(times.values);
@@ -197,10 +197,10 @@ private:
                  double(channel.times_s.back()) < clip.end_s - moment_s))
                 ++shorter;
         }
-        notices_.add("one track of its animations begins later or ends sooner than the others: "
-                     "what it moves stands still meanwhile",
-                     "{0} tracks of its animations begin later or end sooner than the others: what "
-                     "they move stands still meanwhile",
+        notices_.add("one track of its animations begins later or ends earlier than the others; "
+                     "what it moves stands still until then or from then on",
+                     "{0} tracks of its animations begin later or end earlier than the others; "
+                     "what they move stands still until then or from then on",
                      shorter);
         notices_.add("one key of its rotations is all zeros and turns nothing",
                      "{0} keys of its rotations are all zeros and turn nothing", turnless);

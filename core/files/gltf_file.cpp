@@ -139,7 +139,7 @@ GltfFile::Buffer GltfFile::opened(const GltfEntry& buffer, std::optional<std::st
         if (!bytes)
             return {{},
                     is_data_uri(uri)
-                        ? std::string("the text of its data uri is no base64")
+                        ? std::string("the text of its data uri is not base64")
                         : fmt::format("its file '{}' is not in the folder of the glTF file",
                                       excerpt(uri))};
         if (!is_data_uri(uri)) byte_count_ += bytes->size();

@@ -73,17 +73,17 @@ void GltfMeshes::add_influences(Mesh& mesh, const GltfEntry& attributes, VertexR
         if (!settle(mesh.influences[added.first + v], all)) ++loose;
         if (all.size() > 4 && all[4].first > 0) ++crowded;
     }
-    notices_.add("one number of its vertices is infinite or none, and was read as 0",
-                 "{0} numbers of its vertices are infinite or none, and were read as 0",
+    notices_.add("one value of its vertices is not a finite number and was read as 0",
+                 "{0} values of its vertices are not finite numbers and were read as 0",
                  no_numbers);
-    notices_.add("one vertex of a skin has no weight and goes with its first joint",
-                 "{0} vertices of a skin have no weight and go with its first joint", loose);
+    notices_.add("one vertex of a skin has no weight and follows its first joint",
+                 "{0} vertices of a skin have no weight and follow its first joint", loose);
     notices_.add(
-        "one vertex goes with more than four joints: the four with the largest weights count",
-        "{0} vertices go with more than four joints: the four with the largest weights count",
+        "one vertex is bound to more than four joints: the four with the largest weights count",
+        "{0} vertices are bound to more than four joints: the four with the largest weights count",
         crowded);
-    notices_.add("one vertex of a skin has weights that do not sum to 1, and were made to",
-                 "{0} vertices of a skin have weights that do not sum to 1, and were made to",
+    notices_.add("one vertex of a skin has weights that did not sum to 1 and were corrected",
+                 "{0} vertices of a skin have weights that did not sum to 1 and were corrected",
                  unsummed);
     notices_.add("one vertex of a skin has a negative weight, which counts as none",
                  "{0} vertices of a skin have a negative weight, which counts as none", negative);

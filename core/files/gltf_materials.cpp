@@ -77,8 +77,8 @@ private:
         if (!use) return {};
         const std::size_t index = use->size("index", ~std::size_t{0});
         if (index >= file_.root().count("textures")) {
-            notices_.add("one texture that a material names is not there",
-                         "{0} textures that materials name are not there");
+            notices_.add("one texture that a material names does not exist",
+                         "{0} textures that materials name do not exist");
             return {};
         }
         const auto [known, fresh] = textures_.try_emplace(index);
@@ -88,10 +88,10 @@ private:
         const std::size_t uv_set = uv_set_of(*use);
         out.uv_set = static_cast<int>(std::min<std::size_t>(uv_set, max_uv_set));
         if (uv_set > max_uv_set)
-            notices_.add("one texture lies on a set of texture coordinates beyond the eighth, and "
-                         "was laid on that",
-                         "{0} textures lie on sets of texture coordinates beyond the eighth, and "
-                         "were laid on that");
+            notices_.add("one texture uses a set of texture coordinates beyond the eighth; the "
+                         "eighth is used instead",
+                         "{0} textures use sets of texture coordinates beyond the eighth; the "
+                         "eighth is used instead");
         return out;
     }
 
@@ -101,8 +101,8 @@ private:
         const auto source = picture_of(from);
         if (!source) return out;
         if (*source >= file_.root().count("images")) {
-            notices_.add("one texture names a picture that is not there",
-                         "{0} textures name pictures that are not there");
+            notices_.add("one texture names a picture that does not exist",
+                         "{0} textures name pictures that do not exist");
             return out;
         }
         out.image = pictures_.picture(*source);
@@ -134,8 +134,8 @@ private:
     {
         constexpr std::size_t clamp = 33071, mirrored = 33648, repeat = 10497;
         if (index >= file_.root().count("samplers")) {
-            notices_.add("one texture names a sampler that is not there, and repeats as usual",
-                         "{0} textures name samplers that are not there, and repeat as usual");
+            notices_.add("one texture names a sampler that does not exist, so the texture repeats",
+                         "{0} textures name samplers that do not exist, so the textures repeat");
             return;
         }
         const GltfEntry sampler = file_.root().item("samplers", "sampler", index);

@@ -132,7 +132,7 @@ void GltfMeshes::append(std::vector<T>& values, const GltfEntry& owner, const ch
     for (std::size_t i = 0; i < added.count; ++i)
         for (std::size_t c = 0; c < read.components; ++c)
             values[added.first + i][static_cast<int>(c)] = read.values[i * read.components + c];
-    notices_.add("one number of its vertices is infinite or none, and was read as 0",
+    notices_.add("one value of its vertices is not a finite number and was read as 0",
                  "{0} values of its vertices are not finite numbers and were read as 0",
                  read.not_finite);
 }
@@ -240,10 +240,10 @@ GltfMeshes::VertexRange GltfMeshes::add_line_points(Mesh& points, const GltfEntr
     append(points.positions, attributes, "POSITION", added, glm::vec3(0));
     append(points.colors, attributes, "COLOR_0", added, glm::vec4(1), 3);
     if (primitive.count("targets") > 0 || attributes.has("JOINTS_0"))
-        notices_.add("one part of a mesh is lines that a skin or morph targets move, which is "
-                     "left out: they go with their node",
-                     "{0} parts of meshes are lines that skins or morph targets move, which is "
-                     "left out: they go with their nodes");
+        notices_.add("one part of a mesh is lines with a skin or morph targets, which are left "
+                     "out: the lines follow their node",
+                     "{0} parts of meshes are lines with skins or morph targets, which are left "
+                     "out: the lines follow their nodes");
     return added;
 }
 
@@ -302,8 +302,8 @@ std::uint32_t GltfMeshes::material_of(const GltfEntry& primitive)
     if (named >= 0 && static_cast<std::uint32_t>(named) < material_count_)
         return static_cast<std::uint32_t>(named);
     if (named >= 0)
-        notices_.add("one part of a mesh names a material that is not there, and got a plain one",
-                     "{0} parts of meshes name materials that are not there, and got a plain one");
+        notices_.add("one part of a mesh names a material that does not exist, and got a plain one",
+                     "{0} parts of meshes name materials that do not exist, and got a plain one");
     plain_used_ = true;
     return material_count_;
 }

@@ -98,10 +98,10 @@ private:
             node.name = root_.item("meshes", "mesh", m).text("name");
             node.mesh = static_cast<int>(m);
         }
-        notices_.add("none of its nodes shows its mesh, which was read as if one did",
-                     "none of its nodes shows any of its {0} meshes, which were read as if each "
-                     "had a node",
-                     meshes);
+        notices_.add(
+            "none of its nodes shows its mesh, so the mesh was added without a node",
+            "none of its nodes shows any of its {0} meshes, so the meshes were added without nodes",
+            meshes);
         return out;
     }
 
@@ -114,13 +114,13 @@ private:
     {
         const std::size_t count = root_.count("scenes"), named = root_.size("scene");
         if (named >= count)
-            notices_.say(fmt::format("the scene to be shown, {}, is not there: the first of its {} "
-                                     "was read",
-                                     named, count));
+            notices_.say(fmt::format(
+                "the default scene, {}, does not exist: the first of its {} scenes was read", named,
+                count));
         else if (count > 1 && root_.has("scene"))
-            notices_.say(fmt::format("of its {} scenes only number {} was read, which it says is "
-                                     "the one to be shown",
-                                     count, named + 1));
+            notices_.say(
+                fmt::format("of its {} scenes only number {} was read, which is the default one",
+                            count, named + 1));
         else if (count > 1)
             notices_.say(fmt::format("of its {} scenes only the first was read", count));
         return root_.item("scenes", "scene", named < count ? named : 0).indices("nodes");

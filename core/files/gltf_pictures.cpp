@@ -78,12 +78,11 @@ Ref<Image> GltfPictures::decoded(std::string_view bytes, const std::string& name
     const glm::dvec2 size_px(picture_size(bytes, name));
     const double needed = 4 * size_px.x * size_px.y + static_cast<double>(bytes.size());
     if (needed > static_cast<double>(bytes_left_)) {
-        notices_.add(
-            "the picture '{1}' was left out: with those before it, it has more pixels than "
-            "the file accounts for",
-            "{0} pictures were left out, '{1}' the first: with those before them, they "
-            "have more pixels than the file accounts for",
-            1, name);
+        notices_.add("the picture '{1}' was left out: with the pictures before it, it has too many "
+                     "pixels for the size of the file",
+                     "{0} pictures were left out, '{1}' the first: with the pictures before them, "
+                     "they have too many pixels for the size of the file",
+                     1, name);
         return nullptr;
     }
     bytes_left_ -= static_cast<std::uintmax_t>(needed);

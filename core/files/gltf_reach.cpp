@@ -80,15 +80,15 @@ void check_gltf_reach(Model& model, const std::string& file_name, CountedNotices
         const auto in_reach = [&] { return reaches.of(n) <= most_coordinate; };
         if (node.mesh < 0 || in_reach()) continue;
         if (std::exchange(node.skin, -1) >= 0) {
-            notices.add("one skin takes its mesh further than 1e15 m and was left out",
-                        "{0} skins take their meshes further than 1e15 m and were left out");
+            notices.add("one skin moves its mesh further than 1e15 m and was left out",
+                        "{0} skins move their meshes further than 1e15 m and were left out");
             if (in_reach()) continue;
         }
         if (!node.morph_weights.empty()) {
             node.morph_weights.clear();
-            notices.add("the weights of the morph targets of one node take its mesh further than "
+            notices.add("the weights of the morph targets of one node move its mesh further than "
                         "1e15 m and were left out",
-                        "the weights of the morph targets of {0} nodes take their meshes further "
+                        "the weights of the morph targets of {0} nodes move their meshes further "
                         "than 1e15 m and were left out");
             if (in_reach()) continue;
         }

@@ -53,8 +53,8 @@ void add_named_meshes(Model& model, GltfMeshes& meshes, const GltfFile& file,
     notices.add("the lines of one node were left out: those of all nodes have too many points",
                 "the lines of {0} nodes were left out: those of all nodes have too many points",
                 without_room);
-    notices.add("one mesh hangs on no node of the scene and was left out",
-                "{0} meshes hang on no node of the scene and were left out", unnamed);
+    notices.add("one mesh belongs to no node of the scene and was left out",
+                "{0} meshes belong to no node of the scene and were left out", unnamed);
 }
 
 // What was left out of the meshes may be why there are none.

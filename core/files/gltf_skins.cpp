@@ -41,8 +41,8 @@ ReadSkin read_skin(const GltfEntry& from, GltfAccessors& accessors, const std::v
                               joints.size()));
     if (table.not_finite > 0) {
         out.whole = false;
-        notices.add("one skin has matrices with numbers that are infinite or none",
-                    "{0} skins have matrices with numbers that are infinite or none");
+        notices.add("one skin has matrices with values that are not finite numbers",
+                    "{0} skins have matrices with values that are not finite numbers");
     }
     for (std::size_t k = 0; k < joints.size(); ++k)
         for (int c = 0; c < 4; ++c)

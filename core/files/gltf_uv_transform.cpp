@@ -65,10 +65,10 @@ UvTransforms uv_transforms(const GltfEntry& material, CountedNotices& notices)
         if (!found[set])
             found[set] = own;
         else if (!(own == *found[set]))
-            notices.add("the transform of one texture was left out, for another texture on the "
+            notices.add("the transform of one texture was left out, because another texture on the "
                         "same coordinates has a different one",
-                        "the transforms of {0} textures were left out, for other textures on the "
-                        "same coordinates have different ones");
+                        "the transforms of {0} textures were left out, because other textures on "
+                        "the same coordinates have different ones");
     };
     if (const auto pbr = material.part("pbrMetallicRoughness")) {
         add(*pbr, "baseColorTexture");

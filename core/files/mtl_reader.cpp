@@ -156,7 +156,7 @@ private:
                             counted(missing_.count(), "picture is", "pictures are"),
                             missing_.text()));
         if (unnamed_.count() > 0)
-            say(fmt::format("{}: a picture's file should be named there", unnamed_.text()));
+            say(fmt::format("{}: a picture's file must be named there", unnamed_.text()));
         if (other_case_.count() > 0)
             say(fmt::format("{} named with other capitals than in the folder: {}",
                             counted(other_case_.count(), "picture is", "pictures are"),

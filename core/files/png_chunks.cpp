@@ -47,16 +47,14 @@ std::string png_trouble(std::string_view bytes)
 {
     constexpr std::string_view begin("\x89PNG\r\n\x1a\n");
     constexpr std::size_t around = 12; // a chunk's length, name and checksum
-    if (!bytes.starts_with(begin)) return "is damaged: its first bytes are not those of a PNG";
-    const auto cut_off = [&] {
-        return fmt::format("is cut off after {} bytes, a whole one has more", bytes.size());
-    };
+    if (!bytes.starts_with(begin)) return "is damaged: it does not begin like a PNG";
+    const auto cut_off = [&] { return fmt::format("is cut off after {} bytes", bytes.size()); };
     bool pixels = false;
     for (std::size_t at = begin.size();;) {
         if (bytes.size() - at < around) return cut_off();
         const std::size_t length = number_at(bytes, at);
         const std::string_view name = bytes.substr(at + 4, 4);
-        if (!is_name(name)) return "is damaged: what should be a chunk has no name";
+        if (!is_name(name)) return "is damaged: one of its chunks has no name";
         if (length > bytes.size() - at - around) return cut_off();
         if (at == begin.size() && name != "IHDR")
             return "is damaged: it does not begin with its size";

@@ -11,8 +11,7 @@ namespace trivar {
 // The largest coordinate that is accepted, in metres: products of two lengths then stay within
 // single precision, which ends near 3e38.
 inline constexpr double most_coordinate = 1e15;
-inline constexpr const char* too_large_words =
-    "too large to be worked with (beyond 1e15 m from the origin)";
+inline constexpr const char* too_large_words = "too large (beyond 1e15 m from the origin)";
 
 // Whether the whole of a box is within most_coordinate after a matrix, and every number of the
 // matrix small enough. True for an empty box.

@@ -26,7 +26,7 @@ Facts model_facts(const std::string& path)
 {
     const Model model = read_model(path);
     if (too_large(model))
-        throw Rejected(fmt::format("{}: its numbers are {}", path, too_large_words));
+        throw Rejected(fmt::format("{}: its coordinates are {}", path, too_large_words));
     std::size_t vertices = 0, faces = 0, triangles = 0, uv_sets = 0, images = 0;
     std::size_t targets = 0;
     bool colors = false, creases = false;

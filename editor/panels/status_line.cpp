@@ -75,7 +75,7 @@ std::vector<Hint> open_timeline_hints(const Editor& editor)
                 {{"@Delete"}, "Delete"},    {{"right"}, "More"}};
     const std::string play = std::string("@") + play_action;
     if (any)
-        return {{{"left"}, "Choose keys, or draw a box"},
+        return {{{"left"}, "Select keys, or draw a box"},
                 {{play}, "Play"},
                 {{std::string("@") + previous_key_action, "/", std::string("@") + next_key_action},
                  "Go from key to key"},

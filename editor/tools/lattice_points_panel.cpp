@@ -113,7 +113,7 @@ std::vector<Hint> LatticePointsTool::hints(const Session& session) const
                 {{"left"}, "Select"},
                 {{"Esc"}, "Select"}};
     std::vector<Hint> hints{
-        {{"left"}, chosen_.empty() ? "Choose a point" : "Drag a point or handle"},
+        {{"left"}, chosen_.empty() ? "Select a point" : "Drag a point or handle"},
         {{"Double click"}, "Row"},
         {{"Shift", "Double click"}, "Plane"},
         {{"Ctrl", "left"}, "Add or remove"},

@@ -376,7 +376,7 @@ void PressTool::options(Session& session, const ui::Theme& theme, float width)
                        },
                        "Radius of the ball; 0 follows the width of the volume. The wheel changes "
                        "it while you press."});
-    options.push_back({"By", 120,
+    options.push_back({"Mode", 120,
                        [&](float field) {
                            int by = static_cast<int>(by_);
                            ui::segments(theme, "by", by, {"Drag", "Brush"}, field);

@@ -29,7 +29,7 @@ TEST(GltfReferences, ToTexturesPicturesAndSamplersThatAreNotThereAreCounted)
     for (GltfText& material : text["materials"])
         material["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 7;
     EXPECT_THAT(read_gltf_text(text).notices,
-                ElementsAre("a.gltf: 3 textures that materials name are not there"));
+                ElementsAre("a.gltf: 3 textures that materials name do not exist"));
     text = textured_gltf();
     text["textures"][0]["source"] = 4;
     EXPECT_THAT(read_gltf_text(text).notices,
@@ -169,7 +169,7 @@ TEST(GltfPictures, AreLeftOutBeforeTheyFillTheMemory)
     text["images"][0] = {{"uri", data_uri(picture)}, {"name", "sky"}};
     EXPECT_THAT(read_gltf_text(text).notices,
                 ElementsAre(AllOf(HasSubstr("the picture 'sky' was left out"),
-                                  EndsWith("more pixels than the file accounts for"))));
+                                  EndsWith("too many pixels for the size of the file"))));
 }
 
 } // namespace

@@ -109,7 +109,7 @@ TEST(GltfRig, KeepsTheFourLargestSharesOfMoreThanFourJoints)
 {
     const Model model = rigged_model();
     const Model back = read_model_bytes(crowded(gltf_text(model)), "rigged.gltf", "", {});
-    EXPECT_THAT(back.notices, Contains(HasSubstr("go with more than four joints")));
+    EXPECT_THAT(back.notices, Contains(HasSubstr("are bound to more than four joints")));
     ASSERT_EQ(back.meshes[0]->influences.size(), model.meshes[0]->influences.size());
     for (std::size_t v = 0; v < model.meshes[0]->influences.size(); ++v) {
         const Mesh::Influences &was = model.meshes[0]->influences[v],
@@ -165,7 +165,7 @@ TEST(GltfRig, MakesSharesSumToOneAndSaysSo)
         return read(changed);
     };
     const Model ten = with_weights({4, 6, 0, 0});
-    EXPECT_THAT(ten.notices, Contains(HasSubstr("weights that do not sum to 1")));
+    EXPECT_THAT(ten.notices, Contains(HasSubstr("weights that did not sum to 1")));
     EXPECT_FLOAT_EQ(ten.meshes[0]->influences[0].weights[0], 0.6f);
     const Model negative = with_weights({1, -3, 0, 0});
     EXPECT_THAT(negative.notices, ElementsAre(HasSubstr("a negative weight")));
@@ -210,7 +210,7 @@ TEST(GltfRig, SaysWhatOfAnAnimationItDoesNotKnow)
     const Model wild = changed([](nlohmann::json& other) {
         other["animations"][0]["samplers"][0]["interpolation"] = "WIBBLE";
     });
-    EXPECT_THAT(wild.notices, ElementsAre(HasSubstr("in a way that is unknown")));
+    EXPECT_THAT(wild.notices, ElementsAre(HasSubstr("an unknown interpolation")));
     const Model half = changed([](nlohmann::json& other) {
         nlohmann::json& attributes = other["meshes"][0]["primitives"][0]["attributes"];
         attributes["JOINTS_1"] = attributes["JOINTS_0"];

@@ -66,7 +66,7 @@ TEST(GltfScenes, MeshesThatNoNodeOfTheSceneNamesAreLeftOutAndCounted)
     text["nodes"][0]["mesh"] = 1;
     const Model model = read_gltf_text(text);
     EXPECT_THAT(model.notices,
-                ElementsAre("a.gltf: 2 meshes hang on no node of the scene and were left out"));
+                ElementsAre("a.gltf: 2 meshes belong to no node of the scene and were left out"));
     EXPECT_EQ(model.meshes.size(), 1u);
     EXPECT_EQ(model.nodes[0].mesh, 0);
 }

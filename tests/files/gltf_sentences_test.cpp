@@ -52,11 +52,11 @@ TEST(GltfSentences, NeverPrintADataUri)
     text["images"][0]["uri"] = "data:image/png;base64,$$$$" + std::string(1000, 'x');
     const Model model = read_gltf_text(text);
     ASSERT_EQ(model.notices.size(), 1u);
-    EXPECT_EQ(model.notices[0], "a.gltf: picture 0: its data uri is no base64");
+    EXPECT_EQ(model.notices[0], "a.gltf: picture 0: its data uri is not base64");
     text = triangle_gltf();
     text["buffers"][0]["uri"] = "data:application/octet-stream;base64,A";
     EXPECT_THAT(gltf_refusal(text),
-                AllOf(HasSubstr("buffer 0: the text of its data uri is no base64"),
+                AllOf(HasSubstr("buffer 0: the text of its data uri is not base64"),
                       Not(HasSubstr("octet"))));
 }
 

@@ -62,11 +62,11 @@ TEST(MtlReader, SaysWhatItLeftOutOnceForEachKind)
     const MtlOf read("map_Kd a.png\nmap_Ke -s 2 2 2 b.png\nnorm\nmap_Kd a.png\nKd one\nd x\n"
                      "map_Bump 2.png\ndisp 2.png\nmap_Bump 2.png\nmap_Ke MY T.png\n");
     EXPECT_THAT(read.mtl.notices,
-                ElementsAre("m.mtl: line 6: Kd is 'one', which is no number from -3.4e38 to "
+                ElementsAre("m.mtl: line 6: Kd is 'one', which is not a number from -3.4e38 to "
                             "3.4e38; it was left out with 1 line more of its kind",
                             "m.mtl: 2 pictures are not in the model's folder: a.png (line 2) and "
                             "b.png (line 3)",
-                            "m.mtl: line 4: a picture's file should be named there",
+                            "m.mtl: line 4: a picture's file must be named there",
                             "m.mtl: 1 picture is named with other capitals than in the folder: my "
                             "t.png",
                             "m.mtl: the pictures of disp and map_Bump were left out; those of "

@@ -89,10 +89,10 @@ TEST(ObjReader, SaysTheLineAndTheWordThatIsWrong)
     const auto refused = [](const std::string& text) { return refusal_of(text, ".obj"); };
     EXPECT_EQ(
         refused("v 0 0 0\nv 1 abc 0\n"),
-        "a.obj: line 2: the y of a vertex is 'abc', which is no number from -3.4e38 to 3.4e38");
+        "a.obj: line 2: the y of a vertex is 'abc', which is not a number from -3.4e38 to 3.4e38");
     EXPECT_EQ(refused("v 0 0 0\nv 1 0\n"), "a.obj: line 2: the z of a vertex is missing");
     EXPECT_EQ(refused("v 1e39 0 0\n"),
-              "a.obj: line 1: the x of a vertex is '1e39', which is no number from -3.4e38 to "
+              "a.obj: line 1: the x of a vertex is '1e39', which is not a number from -3.4e38 to "
               "3.4e38");
     EXPECT_EQ(refused(obj_corners + "f 1 2 \\\n3\nf 1 2 3/a/1\n"),
               "a.obj: line 7: a face has '3/a/1' where a corner such as 7, 7/8, 7//9 or 7/8/9 "

@@ -40,9 +40,10 @@ TEST(OffReader, SaysTheLineAndTheWordThatIsWrong)
     EXPECT_EQ(
         refused("OFF\n4 x\n"),
         "a.off: line 2: the number of faces is 'x' but must be a whole number from 0 to 999999999");
-    EXPECT_EQ(refused("OFF\n2 0\n0 0 0\n0 1e39 0\n"),
-              "a.off: line 4: a number of vertex 1 is '1e39', which is no number from -3.4e38 to "
-              "3.4e38");
+    EXPECT_EQ(
+        refused("OFF\n2 0\n0 0 0\n0 1e39 0\n"),
+        "a.off: line 4: a number of vertex 1 is '1e39', which is not a number from -3.4e38 to "
+        "3.4e38");
     EXPECT_EQ(
         refused("OFF\n1 2\n0 0 0\n3 0 1 0\n3 0 0 2\n"),
         "a.off: every face names a vertex that is not there (the first: line 4); the file has "

@@ -133,10 +133,9 @@ TEST(PlyReader, SaysTheElementAndTheWordThatIsWrong)
         other.replace(other.rfind(was), was.size(), now);
         return refusal_of(other, ".ply");
     };
-    EXPECT_EQ(
-        with("1 1 0", "1 1e39 0"),
-        "a.ply: vertex 2 of 4, counted from 0: its y is '1e39', which is no number from -3.4e38 to "
-        "3.4e38");
+    EXPECT_EQ(with("1 1 0", "1 1e39 0"), "a.ply: vertex 2 of 4, counted from 0: its y is '1e39', "
+                                         "which is not a number from -3.4e38 to "
+                                         "3.4e38");
     EXPECT_EQ(with("3 0 2 3", "3 0 2"), "a.ply: face 1 of 2, counted from 0: the file ends here");
     EXPECT_EQ(
         with("3 0 2 3", "3 0 2.5 3"),

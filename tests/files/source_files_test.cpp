@@ -85,7 +85,7 @@ TEST_F(WrittenModels, HaveFacesAndNumbersThatCanBeRead)
     none.nodes.front().mesh = -1;
     for (const char* name : {"a.glb", "a.obj", "a.ply", "a.stl", "a.off"}) {
         EXPECT_THAT([&] { write_model(far, folder.file(name)); },
-                    ThrowsMessage<Rejected>(HasSubstr("too large to be worked with")));
+                    ThrowsMessage<Rejected>(HasSubstr("too large (beyond 1e15 m")));
         EXPECT_THAT([&] { write_model(none, folder.file(name)); },
                     ThrowsMessage<Rejected>(HasSubstr("there are no faces to write")));
     }

@@ -53,7 +53,7 @@ TEST(StlReader, SaysWhatIsWrongAndWhere)
         return refusal_of(other, ".stl");
     };
     EXPECT_EQ(with("1 1 0", "1 1e39 0"),
-              "a.stl: line 12: the y of a vertex is '1e39', which is no number from -3.4e38 to "
+              "a.stl: line 12: the y of a vertex is '1e39', which is not a number from -3.4e38 to "
               "3.4e38");
     EXPECT_EQ(with("   vertex 0 1 0\n", ""), "a.stl: line 14: a facet has 2 corners instead of 3");
     EXPECT_EQ(

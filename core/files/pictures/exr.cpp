@@ -92,8 +92,9 @@ std::uint64_t read_part(const ByteView& file, std::uint64_t at, ExrPart& part)
         if (name.empty()) return at;
         at += exr_name(file, at).size() + 1;
         const std::uint32_t length = file.little(at, 4);
-        read_attribute(
-            name, {file.part(at + 4, length), "is damaged: a value in its head ends early"}, part);
+        read_attribute(name,
+                       {file.part(at + 4, length), "is damaged: a value in its header ends early"},
+                       part);
         at += 4 + std::uint64_t{length};
     }
 }

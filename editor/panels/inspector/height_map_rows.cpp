@@ -125,7 +125,7 @@ ui::Edit draw_height_map(const ui::Theme& theme, const HeightMapRows& rows, Heig
             double& value = grid[i][j];
             double size = value * scale;
             const ui::Row row =
-                ui::label_row(theme, "Point", false, "The height of the chosen point.");
+                ui::label_row(theme, "Point", false, "The height of the selected point.");
             if (rows.keys) rows.keys->mark(theme, row, {name_of(i, j)});
             const ui::Edit typed = ui::number_field(
                 theme, "point", size,

@@ -35,7 +35,7 @@ void report_rows(const ui::Theme& theme, const PlacementReport& r)
     row("Stretch", fmt::format("{:.2g} times along", r.largest_stretch),
         "how much the model is stretched at most", r.largest_stretch > 1.5 ? theme.color.warn : 0);
     if (r.narrowed > 0)
-        row("Narrowed", fmt::format("{} {}", r.narrowed, r.narrowed == 1 ? "column" : "columns"),
+        row("Pinched", fmt::format("{} {}", r.narrowed, r.narrowed == 1 ? "place" : "places"),
             "places where the turn is too tight, so the model is pinched", theme.color.warn);
     const bool through = r.penetration > 1e-3;
     row("Penetration", r.penetration <= 0 ? "none" : share_words(r.penetration) + " of height",

@@ -49,7 +49,7 @@ const Shapes& shapes(ProfileKind kind)
 std::array<std::string, 2> ends(ProfileKind kind)
 {
     if (kind == ProfileKind::across) return {"right", "left"};
-    if (kind == ProfileKind::rise) return {"floor", "roof"};
+    if (kind == ProfileKind::rise) return {"bottom", "top"};
     return {"start", "end"};
 }
 
@@ -151,8 +151,8 @@ ui::Edit draw_profile(const ui::Theme& theme, const ProfileRows& rows, Points& p
                                                at.width + theme.size.label);
         ui::tooltip({rows.label,
                      {},
-                     "Drag a point. Ctrl click adds a point or removes one, Del removes the chosen "
-                     "point, a double click types its numbers."});
+                     "Drag a point. Ctrl click adds a point or removes one, Del removes the "
+                     "selected point, a double click types its numbers."});
         if (drawn != ui::Edit::none) edit = drawn;
         ui::gap(theme, 8);
         if (chosen >= 0 && chosen < static_cast<int>(points.size())) {

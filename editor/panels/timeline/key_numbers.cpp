@@ -118,14 +118,14 @@ void draw_key_numbers(Editor& editor, const ui::Theme& theme, const ui::Rect& pl
     if (!now.values) style.words = "mixed";
     const float value_px = next(value_width);
     const ui::Edit of_value = value_field(theme, value, style, value_px);
-    ui::tooltip({"Value of the chosen keys", {}, now.words.label});
+    ui::tooltip({"Value of the selected keys", {}, now.words.label});
     take(of_value, [&] { return with_value(document, chosen, value.value / now.words.factor); });
     double frame = first_frame(view.chosen);
     ui::NumberStyle frames{.lo = -1e6, .hi = 1e6, .step = 1, .axis = "F"};
     const double before = first_frame(chosen);
     const float frame_px = next(frame_width);
     const ui::Edit of_frame = ui::number_field(theme, "frame", frame, frames, frame_px);
-    ui::tooltip({"Frame of the chosen keys",
+    ui::tooltip({"Frame of the selected keys",
                  {},
                  "With several keys this is the first; the others move with it."});
     take(of_frame, [&] { return moved(document, chosen, frame - before); });

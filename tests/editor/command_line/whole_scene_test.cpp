@@ -152,13 +152,14 @@ TEST_F(WholeScene, SaysOfWhatIsTooLargeThatItIs)
         for (const std::vector<std::string>& words : every_way_out()) {
             const Told told = run(words);
             EXPECT_EQ(told.status, Status::rejected) << words[0] << told.text;
-            EXPECT_THAT(told.text, HasSubstr("Snail: its numbers are too large to be worked with"));
+            EXPECT_THAT(told.text,
+                        HasSubstr("Snail: its coordinates are too large (beyond 1e15 m"));
         }
         EXPECT_EQ(files(), before);
     }
     const Told told = run({"info", folder.file("wide.obj"), "--json"});
     EXPECT_EQ(told.status, Status::rejected);
-    EXPECT_THAT(told.text, HasSubstr("wide.obj: its numbers are too large to be worked with"));
+    EXPECT_THAT(told.text, HasSubstr("wide.obj: its coordinates are too large (beyond 1e15 m"));
     EXPECT_THAT(told.text, Not(HasSubstr("null")));
 }
 
