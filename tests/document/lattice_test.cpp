@@ -255,7 +255,7 @@ TEST(Lattices, AreWantedWhereWhatLiesOnNoStrokeIsToBeRefined)
         [&] {
             after(document, Refine{{1}, {}});
         },
-        ThrowsMessage<Rejected>(HasSubstr("not placed")));
+        ThrowsMessage<Rejected>(HasSubstr("neither placed")));
 }
 
 TEST(Lattices, ComeWithTheirStepsWhenTheyAreCopied)

@@ -122,7 +122,7 @@ TEST_F(Play, SaysWhereNothingMoves)
                             c.times_s = {0.5f};
                             c.values = {0.75f};
                         }),
-                Contains(HasSubstr("\"swell\" lasts no time")));
+                Contains(HasSubstr("\"swell\" has no length")));
 }
 
 TEST_F(Play, SaysWhichClipsThereAreAndWhatHasNone)

@@ -85,9 +85,9 @@ TEST(Refining, IsRefusedInASentence)
     };
     EXPECT_THAT(why(Refine{{pot}, {.tolerance = 0}}), HasSubstr("tolerance"));
     EXPECT_THAT(why(Refine{{pot}, {.tolerance = -1}}), HasSubstr("tolerance"));
-    EXPECT_THAT(why(Refine{{2}, {}}), HasSubstr("is not placed"));
+    EXPECT_THAT(why(Refine{{2}, {}}), HasSubstr("is neither placed"));
     EXPECT_THAT(why(Refine{{pot}, {.method = BoundMethod::thesis_circumradius}}),
-                HasSubstr("false"));
+                HasSubstr("is wrong"));
 }
 
 } // namespace

@@ -199,7 +199,7 @@ TEST(PlaceRound, SaysWhatItNeeds)
     EXPECT_THAT(why(round, PlaceRound{2, 3, 0, {}}), HasSubstr("not a cylinder"));
     // The sphere itself laid down carries nothing round it any more; that is a notice.
     const Document laid = after(round, Place{2, small_sketch(), {}, {1}});
-    EXPECT_THAT(new_evaluator()(laid).objects.at(3)->rejected, HasSubstr("stands free"));
+    EXPECT_THAT(new_evaluator()(laid).objects.at(3)->rejected, HasSubstr("free-standing"));
 }
 
 TEST(SetTravel, GivesOneEachOrOneForAll)
