@@ -31,7 +31,7 @@ double or_infinite(const CertificateJson& value)
     return value.is_null() ? infinite : value.get<double>();
 }
 
-// The triangles in the order in which a GLB has them.
+// Lists the triangles in the order in which a GLB has them.
 std::vector<glm::uvec3> by_material(const Mesh& mesh)
 {
     std::vector<std::size_t> order(mesh.face_count());
@@ -127,8 +127,8 @@ Certificate certificate_from_json(const std::string& text)
         out.bound = or_infinite(all.at("bound_m"));
         out.frame = all.at("frame").get<double>();
         out.log = all.at("log").get<std::string>();
-        out.lines =
-            all.contains("lines") ? whole_number<int>(all.at("lines")) : 0; // not in the first ones
+        // Early certificates have no lines.
+        out.lines = all.contains("lines") ? whole_number<int>(all.at("lines")) : 0;
         if (out.lines < 0 || !(out.tolerance >= 0))
             throw Rejected("its certificate has a number below 0 where only 0 or more is possible");
         out.scene = all.at("scene").get<std::string>();

@@ -21,7 +21,7 @@ std::size_t index_of(int n)
     return static_cast<std::size_t>(n);
 }
 
-// The time of a clip, as it would go on without an end, and where that is in the clip.
+// A ClipClock maps the time of a clip, which continues past its end, to a time within the clip.
 struct ClipClock {
     double begin = 0, length = 0;
     Repeat repeat = Repeat::loop;
@@ -29,15 +29,16 @@ struct ClipClock {
     {
         return length > 0 ? begin + folded(repeat, t - begin, length) : begin;
     }
-    // Whether laps are told apart there; much further on a step of the time is more than one.
+    // Says whether laps can be told apart at t; at very large times one rounding step is more than
+    // a lap.
     bool counts(double t) const
     {
         constexpr double furthest_lap = 1e9;
         return repeat == Repeat::once || !(length > 0) ||
                std::abs(t - begin) < furthest_lap * length;
     }
-    // The moments between two at which the clip goes on otherwise, ascending, with the two; nothing
-    // where they are very many.
+    // Lists the moments from `from` to `to`, both included, at which the motion of the clip
+    // changes, ascending; empty if there are too many.
     std::optional<std::vector<double>> cuts(double from, double to,
                                             const std::vector<double>& breaks) const
     {
@@ -61,11 +62,11 @@ struct ClipClock {
     }
 };
 
-// When in the clip the way begins and ends.
+// A ClipTime says when in the clip a way begins and ends.
 struct ClipTime {
     ClipClock clock;
     double from = 0, to = 0;
-    double uneven = 0; // how far it is from going evenly, at most
+    double uneven = 0; // largest difference from an even motion
 };
 
 ClipTime time_of(const PartOnItsWay& way, const Clip& clip, const Gait* gait)
@@ -92,7 +93,7 @@ ClipTime time_of(const PartOnItsWay& way, const Clip& clip, const Gait* gait)
     return {{clip.begin_s, length, playing.repeat}, time(way.from_s), time(way.to_s)};
 }
 
-// What moves some of the points: the part's own node, or a joint.
+// A Mover moves some of the points: the node of the part, or a joint.
 struct Mover {
     int node;
     glm::dmat4 before{1}; // of the points, first
@@ -167,7 +168,7 @@ public:
     std::optional<glm::dvec3> over(const ClipTime& time) const
     {
         const double whole = time.to - time.from;
-        // Where it hardly goes on, as at a turn, the chord is taken for a point.
+        // If the clip hardly advances, as at a turn, the chord counts as a point.
         constexpr double hardly = 1e-3;
         const bool stays = whole == 0 || std::abs(whole) < hardly * time.uneven;
         const auto cuts =
@@ -192,7 +193,7 @@ public:
             const double from = std::max(middle - h / 2, clip_.begin_s),
                          to = std::min(middle + h / 2, clip_.end_s);
             const bool returns = later < middle;
-            // Where a channel steps both sides are looked at, by more than rounding.
+            // If a channel jumps, both sides of the jump are examined, apart by more than rounding.
             const double largest = std::max({std::abs(begin), std::abs(end), std::abs(to)}),
                          beside = std::min((to - from) / 4,
                                            std::max(1e-9 * (to - from), 8 * epsilon * largest));
@@ -210,7 +211,8 @@ public:
     }
 
 private:
-    // How far a matrix moves the points of a box by each axis, at most; or the differences in it.
+    // Bounds how far a matrix moves the points of a box along each axis; also for boxes of
+    // differences.
     static glm::dvec3 of_points(const glm::dmat4& off, const Box& box)
     {
         glm::dvec3 out(0);
@@ -230,12 +232,13 @@ private:
         return glm::max(a, glm::abs(b));
     }
 
-    // How far the points are off the even way at a time of the clip, a share of it gone.
+    // Bounds how far the points are from the even way at a time of the clip, when `share` of the
+    // way is covered.
     glm::dvec3 off_even(double clip_s, double share) const
     {
         const Stance stance = gait_ ? planted(*way_.model, clip_, *gait_, clip_s)
                                     : stance_at(*way_.model, &clip_, clip_s);
-        // What is mirrored is turned inside out before it is laid, at every moment anew.
+        // A mirrored model is turned inside out before it is laid, at every moment.
         if (glm::determinant(glm::dmat3(way_.object.transform.matrix())) *
                 glm::determinant(glm::dmat3(mesh_to_model(*way_.model, way_.node, stance))) <
             0)
@@ -258,7 +261,7 @@ private:
         return out;
     }
 
-    // How far they go by the clip alone.
+    // Bounds how far the points move by the clip alone.
     glm::dvec3 chord() const
     {
         const glm::dmat4 travel =
@@ -276,8 +279,8 @@ private:
         return out;
     }
 
-    // How far they are off an even way between two times of the clip, that lasts h, at most, when
-    // its ends may be looked at so much beside. In the model's units.
+    // Bounds how far the points are from an even way of duration h between two times of the clip,
+    // if its ends may be off by `beside`. In units of the model.
     std::optional<double> off_smooth(double from_s, double to_s, double h, double beside) const
     {
         const Model& model = *way_.model;
@@ -290,7 +293,7 @@ private:
         std::map<int, PlantingRates> planting; // by foot
         double out = 0;
         for (const Mover& mover : movers_) {
-            Rates point; // before the mover moves it
+            Rates point; // before the mover's matrix
             for (const glm::dvec3& p : mover.box.corners())
                 point.most =
                     std::max(point.most, glm::length(glm::dvec3(mover.before * glm::dvec4(p, 1))));

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double not_bounded = std::numeric_limits<double>::infinity();
 
-// Those that come from others that were born come after them.
+// Adds the vertices of split edges; a vertex comes after the ones that it was split from.
 void add_born(Mesh& mesh, const std::vector<BornVertex>& born)
 {
     for (std::size_t i = 0; i < born.size();) {
@@ -29,7 +29,7 @@ bool same_place(const Part& a, const Part& b)
            a.bent->embedding == b.bent->embedding;
 }
 
-// A vertex is rounded when it is born, once for each time that an edge was split to come there.
+// Bounds the rounding of vertices: a vertex is rounded once per split edge that led to it.
 double rounding_of(const CommonMesh& common, const Mesh& mesh, double stretch)
 {
     if (common.born.empty()) return 0;
@@ -39,7 +39,7 @@ double rounding_of(const CommonMesh& common, const Mesh& mesh, double stretch)
     return most_births * of_a_birth * far * stretch;
 }
 
-// The meshes of one moment, as far as they are shown, and what is proven of them.
+// A Moment holds the visible meshes of one moment and their proven bounds.
 class Moment {
 public:
     Moment(const std::vector<const FilmStrip*>& strips, std::vector<CommonMesh>& common,
@@ -55,8 +55,8 @@ public:
                 shown_.push_back(s);
     }
 
-    // Whether an edge was split. What is fine enough by a quick bound is left alone, but for parts
-    // that may share their edges with others.
+    // Says whether an edge was split. Parts that a quick bound finds fine enough are left alone,
+    // except those that may share edges with others.
     bool refined(const Progress& progress)
     {
         std::vector<RefinePart> parts;
@@ -179,7 +179,7 @@ std::vector<CommonMesh> common_meshes(const Film& film, const std::vector<const 
                    return same_place(*a, *b);
                });
     };
-    // Where nothing was split since a moment was looked at, what was found of it is still so.
+    // The result of a moment holds until something is split.
     std::size_t looked = 0;
     const auto tell = [&](double, std::string_view) {
         report(progress, static_cast<double>(looked) / static_cast<double>(count), "refining");

@@ -14,7 +14,7 @@
 namespace trivar {
 namespace {
 
-// The parts that are not the same as before.
+// Counts the parts that differ from the evaluation before.
 std::size_t others(const Evaluation& now, const Evaluation* before)
 {
     std::size_t out = 0;
@@ -33,7 +33,7 @@ void check_kept(std::size_t kept, std::size_t moments)
                                    moments, most_kept));
 }
 
-// The piece that has the part's triangles, a new one where none has.
+// Finds the piece that has the triangles of the part, or adds a new one.
 FilmStrip& piece_of(std::vector<FilmStrip>& pieces, const Part& part, double frame)
 {
     const auto has_them = [&](const FilmStrip& strip) {

@@ -12,7 +12,7 @@
 namespace trivar {
 namespace {
 
-// The part as it is then, if it has the triangles that it has in the file; else null.
+// Finds the part in this frame if it has the triangles of the file; null if not.
 const Part* shown_in(const EvaluatedObject& object, const FilmStrip& strip)
 {
     const Ref<Mesh>& rest = strip.first().rest;
@@ -25,7 +25,7 @@ const Part* shown_in(const EvaluatedObject& object, const FilmStrip& strip)
 void compare(FilmSample& sample, const CommonMesh& common, const Part& truth,
              const std::vector<glm::dvec3>& file, double frame, bool at_moment)
 {
-    const auto raise = [](double& most, double value) { // also to what is no number
+    const auto raise = [](double& most, double value) { // also to NaN
         if (!(value <= most))
             most = std::isfinite(value) ? value : std::numeric_limits<double>::infinity();
     };
@@ -81,8 +81,8 @@ std::vector<FilmSample> sampled_film(const AnimatedExport& exported, const Docum
     std::vector<const Channel*> weights;
     for (const FilmCertificate::PartClaim& claim : claims.parts)
         weights.push_back(weights_of_node(model, claim.node));
-    // What was compared last of each part, and how many samples that was: what rests in the file
-    // and in the scene is found once.
+    // A Comparison holds the last comparison of a part and its number of samples, so that a part at
+    // rest is compared once.
     struct Comparison {
         Ref<EvaluatedObject> object;
         const Part* part = nullptr;

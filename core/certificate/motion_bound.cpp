@@ -131,7 +131,7 @@ double MotionBound::operator()(const EvaluatedObject& from, const Part& a, doubl
     glm::dvec3 slopes = bends(reached->volume).slopes();
     double off = reached->seam;
     if (reached->clamped) {
-        // The scene's volume ends somewhere behind the model's box, and what is further flat there.
+        // The volume ends somewhere behind the box of the model and continues linearly there.
         const PlacementParameters& p = object_.stroke->parameters;
         const double moved = dev->x - m.uneven_u; // by the clip
         off += slopes.x * std::max({0.0, p.start - (along.lo.x - moved),
@@ -145,7 +145,7 @@ double MotionBound::operator()(const EvaluatedObject& from, const Part& a, doubl
         if (!change) return no_bound;
         changed = change->uneven + glm::dot(change->turn, step) / 4;
     }
-    // The ends of the chord may be off by the seam, and so may be what is between.
+    // The ends of the chord, and everything between them, may be off by the seam.
     return bend.off_chord(step) + glm::dot(slopes, *dev) + changed + 2 * off;
 }
 

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double seam_rounding = 1e-9; // of u
 
-// How far F(u + period) of the volume run through twice is from F(u): its second round begins with
-// the control points at which the first one ends, and their share is 1 at most.
+// Bounds the distance from F(u) to F(u + period) of a volume that is run through twice: its second
+// round begins with the last control points of the first, whose weights are at most 1.
 double seam_of(const Lattice& lattice)
 {
     const std::vector<glm::dvec3>& points = lattice.displacement.points;
@@ -36,14 +36,14 @@ ReachedVolumes::over(const EvaluatedObject& object, double from, double to, doub
                  period = axis.end() - axis.begin();
     if (!object.journey || axis.closure() != Closure::open) return ReachedVolume{at_rest};
     if (laps == 0 && from >= begin && to <= end) return ReachedVolume{at_rest};
-    // Only what goes round leaves a volume and comes back.
+    // Only a model that goes round leaves a volume and comes back.
     const bool rounds = object.journey->rounds();
     if (laps == 0 && at[0] == at[1] && !rounds) return ReachedVolume{at[0]};
     if (laps != 0 && (!rounds || std::abs(laps) > 1)) return {};
     Longer& longer = longer_[object.placement];
     if (!rounds) {
         if (!longer.volume || from < longer.from || to > longer.to) {
-            const double room = period / 8; // so that it is not prolonged anew each time
+            const double room = period / 8; // so that it is not prolonged again each time
             longer.from = std::min({longer.from, from - room, axis.begin()});
             longer.to = std::max({longer.to, to + room, axis.end()});
             longer.volume = make_ref(prolonged(*at_rest, 0, longer.from, longer.to));

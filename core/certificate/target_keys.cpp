@@ -29,7 +29,7 @@ std::vector<glm::vec3> differences(const std::vector<glm::vec3>& from,
     return out;
 }
 
-// Places as the file gives them: those of the base and a difference in single precision.
+// Places are the positions in the file: those of the base plus a difference in single precision.
 class Places {
 public:
     Places(const std::vector<MomentVertices>& all, const std::vector<const MomentVertices*>& at,
@@ -44,7 +44,8 @@ public:
         const glm::vec3 difference = at_[moment]->positions[v] - base_[v];
         return glm::dvec3(base_[v]) + glm::dvec3(difference);
     }
-    // How far vertices are off at a moment if two others are keys; what rounding of times adds too.
+    // Bounds how far vertices are off at a moment if two other moments are keys, including the
+    // rounding of times.
     double off(std::size_t from, std::size_t to, std::size_t moment) const
     {
         const double share = from == to ? 0
@@ -89,7 +90,7 @@ TargetKeys target_keys(const Film& film, const FilmStrip& strip, const CommonMes
         if (part) last = part;
         at[i] = all.empty() ? nullptr : &all.back();
     }
-    for (std::size_t i = count; i-- > 0;) // before it is first shown it is where it will be
+    for (std::size_t i = count; i-- > 0;) // before its first appearance it has its first positions
         if (!at[i]) at[i] = &all.front();
     const Places places(all, at, times_s);
     const auto holds = [&](std::size_t from, std::size_t to) {
@@ -109,7 +110,7 @@ TargetKeys target_keys(const Film& film, const FilmStrip& strip, const CommonMes
                 out.off[i] = std::max(out.off[i], places.off(out.keys[k], out.keys[k + 1], i));
 
     out.mesh = before_volume(common, strip.first());
-    out.mesh.tangents.clear(); // a viewer makes them anew where there are keys
+    out.mesh.tangents.clear(); // a viewer computes them again if there are keys
     out.mesh.positions = at.front()->positions;
     out.mesh.normals = at.front()->normals;
     const std::size_t targets = out.keys.size() - 1;

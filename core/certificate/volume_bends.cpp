@@ -93,8 +93,8 @@ const std::array<double, 6>& VolumeBends::cell(const glm::ivec3& slabs)
     return known->second;
 }
 
-// Of the derivative along an axis where a cell meets the one before: the difference of the two is a
-// patch over their common face, no longer than its Bezier points.
+// Bounds the jump of the derivative along an axis between a cell and the one before it: the
+// difference is a patch over their common face, bounded by its Bezier points.
 double VolumeBends::kink(int axis, const glm::ivec3& slabs)
 {
     const auto [known, fresh] = kinks_.try_emplace({axis, slabs.x, slabs.y, slabs.z}, 0);
@@ -126,7 +126,7 @@ double VolumeBends::kink(int axis, const glm::ivec3& slabs)
             most = std::max(most, glm::length(slope(b, second) - slope(a, last)));
         }
     if (a.mirrored != glm::bvec3(false) || b.mirrored != glm::bvec3(false))
-        most = 2 * cells_.slopes()[axis]; // its points are the other way round
+        most = 2 * cells_.slopes()[axis]; // its points run in the opposite direction
     return known->second = most * hidden_rounding;
 }
 
@@ -138,7 +138,7 @@ VolumeBends::Bend VolumeBends::over(const Box& uvw)
     std::vector<std::pair<int, int>> inner; // kinks: an axis and the slab after it
     for (int a = 0; a < 3; ++a) {
         const AxisSlabs& axis = cells_.axis(a);
-        // What only touches a knot plane is no further than that.
+        // A box that only touches a knot plane does not reach beyond it.
         from[a] = axis.upper(axis.snapped(uvw.lo[a]));
         to[a] = std::max(from[a], axis.lower(axis.snapped(uvw.hi[a])));
         cells *= to[a] - from[a] + 1;

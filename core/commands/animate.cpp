@@ -40,7 +40,7 @@ std::vector<Track> merged(std::vector<Track> tracks, const std::vector<Track>& m
     for (const Track& track : more) {
         auto had = std::ranges::lower_bound(tracks, track.parameter, {}, &Track::parameter);
         const bool has = had != tracks.end() && had->parameter == track.parameter;
-        if (track.keys.empty()) { // of what is not there any more, too
+        if (track.keys.empty()) { // also tracks of parameters that no longer exist
             if (has) tracks.erase(had);
             continue;
         }

@@ -29,7 +29,7 @@ std::string numbers_in(const Animate& c)
     return fmt::format("{} values", names.size());
 }
 
-// The one key that is not as it was, where there is just one: what it is and when.
+// Describes the one key that changed, if there is exactly one: its value and its frame.
 std::string key_in(const Document& before, const Animate& c)
 {
     if (c.of.size() != 1 || c.of[0].tracks.size() != 1) return {};

@@ -14,7 +14,8 @@
 namespace trivar {
 namespace {
 
-// Shows those, what they are in and, as far as it is not hidden by itself, what is in them.
+// Shows the chosen objects, the groups that they are in, and their contents unless these are hidden
+// themselves.
 Document with_only(Document document, const std::set<Id>& chosen)
 {
     std::set<Id> seen = chosen;
@@ -30,8 +31,8 @@ Document with_only(Document document, const std::set<Id>& chosen)
     return document;
 }
 
-// Several objects keep their places to one another: where they turn or grow about a point, that
-// they move as well is not worth a word.
+// Several objects keep their relative places: if they rotate or scale about a point, the title does
+// not mention that they also move.
 StepTitle arranged_title(const Document& before, const Arrange& c)
 {
     const auto was = [&](std::size_t i) -> Transform {
@@ -54,7 +55,8 @@ StepTitle arranged_title(const Document& before, const Arrange& c)
     return {"Move " + names, in_metres(glm::length(now.translation - first.translation))};
 }
 
-// What lies on something that goes stays on the rest; its stroke, too, if nothing else carries it.
+// Removes deleted supports and hosts from a step; the placement stays on the rest, and its stroke
+// stays even without a host.
 void lies_without(PlacementStep& step, auto&& is_gone)
 {
     std::erase_if(step.onto, is_gone);
@@ -65,8 +67,8 @@ void lies_without(PlacementStep& step, auto&& is_gone)
         });
 }
 
-// Without those and what is in the groups and lattices among them, which are added to `gone`. What
-// only goes with one of them stays where it stands, with what that went with.
+// Removes the chosen objects and the contents of groups and lattices among them, and adds them to
+// `gone`. A child of another deleted object stays in place, with the parent of that object.
 Document without(Document document, const std::set<Id>& chosen, std::set<Id>& gone)
 {
     const std::set<Id> below = with_contents(document, chosen);
@@ -217,7 +219,7 @@ Document applied(Document document, const Duplicate& command)
         Object copy = object(document, id);
         const bool inside = copy_of.contains(copy.parent);
         copy.parent = renumbered(copy.parent);
-        if (!inside) { // what is in a copied group moves with it
+        if (!inside) { // contents of a copied group move with it
             copy.name = numbering.next(copy.name);
             copy.transform.translation += command.offset;
         }

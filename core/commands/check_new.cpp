@@ -18,8 +18,8 @@ double product(const glm::dvec3& n)
     return n.x * n.y * n.z;
 }
 
-// Control points that a lattice has after its steps, at most. A step that it could not take was
-// passed over.
+// Bounds the number of control points of a lattice after its steps. A step that it could not take
+// was skipped.
 glm::ivec3 most_points(const Object& o, const LatticeShape& box)
 {
     glm::ivec3 n = box.grid;

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A model's file and what goes with it, all as from one folder.
+// A Bundle is the file of a model and the files that it names, relative to one folder.
 struct Bundle {
     fs::path from;
     std::vector<fs::path> files; // the model first
@@ -28,7 +28,7 @@ Bundle bundle_of(const fs::path& path)
     return bundle;
 }
 
-// Whether it can lie there: no file is in the way of another content.
+// Says whether a bundle can be copied there: no file of the same name has other content.
 bool fits(const Bundle& bundle, const fs::path& folder)
 {
     std::error_code ignored;
@@ -38,7 +38,8 @@ bool fits(const Bundle& bundle, const fs::path& folder)
     return true;
 }
 
-// A file that stands alone lies in the folder itself, else in one of its own.
+// Chooses the place of a bundle: a single file goes into the folder itself, several into a folder
+// of their own.
 fs::path place_for(const Bundle& bundle, const fs::path& folder)
 {
     const bool alone = bundle.files.size() == 1;

@@ -32,7 +32,7 @@ bool inside_one_of(const Document& document, Id id, const std::set<Id>& ids)
     return false;
 }
 
-// What is inside another of them comes along with it.
+// Leaves out objects that are inside another one of them, because they move with it.
 std::vector<Id> outermost(const Document& document, const std::vector<Id>& ids)
 {
     const std::set<Id> chosen = distinct(document, ids);
@@ -64,8 +64,8 @@ void check_no_ring(const Document& document, const std::vector<Id>& members, Id 
 
 } // namespace
 
-// What is placed lies in the world without its transform, and keeps that for the day it is taken
-// off its stroke.
+// A placed object is in the world without its transform; it keeps the transform for when it is
+// removed from its stroke.
 Document with_parent(Document document, Id id, Id parent)
 {
     const glm::dmat4 from = parent_to_world(document, object(document, id).parent);

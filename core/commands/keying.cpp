@@ -22,7 +22,8 @@ NewValue values_of(const std::vector<Parameter>& parameters)
     };
 }
 
-// Names of what changed between two that differ in nothing else; nothing where they do.
+// NumberChanges are the numbers that differ between two lists of parameters; there are none if the
+// names differ.
 struct NumberChanges {
     std::vector<std::string> names;
     std::vector<double> values;

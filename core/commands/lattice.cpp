@@ -27,7 +27,7 @@ void check(const LatticeShape& shape)
 
 namespace {
 
-// With the row of an object before the first of those others.
+// Moves the row of an object before the first of the others.
 Document with_row_before(Document document, Id id, const std::vector<Id>& others)
 {
     std::vector<Id> rows = in_row_order(document);

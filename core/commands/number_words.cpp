@@ -13,7 +13,7 @@
 namespace trivar {
 namespace {
 
-// What the lists of fields say of each, by its name as a parameter with # in place of numbers.
+// The rule of each field, by its name as a parameter with # in place of numbers.
 using Rules = std::map<std::string, Rule, std::less<>>;
 
 template <class T> void add_rules(Rules& rules, const std::string& name, const Rule& rule)
@@ -67,7 +67,7 @@ bool is_count(const std::string& part)
            std::ranges::all_of(part, [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
-// The component of a vector that the last part of a name means; -1: none.
+// Returns the component of a vector that the last part of a name means; -1 if none.
 int component_of(const std::string& part)
 {
     return part.size() == 1 ? static_cast<int>(std::string_view("xyzw").find(part)) : -1;
@@ -82,7 +82,7 @@ NumberWords words_of_number(const std::string& parameter)
     const int component = last > 0 ? component_of(parts[last]) : -1;
     if (component >= 0) --last;
     const bool camera = parts[0] == "camera"; // followed by a name, which may be any
-    // What its panel says already is left out.
+    // The words that its panel shows already are left out.
     const std::size_t first = parts.size() > 1 && parts[0] != "shaping" ? 1 : 0;
     NumberWords out;
     Rule rule;

@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-// Makes one JSON value of what a parser finds, in a time that grows as the text does.
+// Builds one JSON value from the events of the parser, in time linear in the text.
 class LineBuilder : public json::json_sax_t {
 public:
     json taken() { return std::move(root_); }

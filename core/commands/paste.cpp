@@ -38,7 +38,7 @@ void give_alike(const auto& from, auto& to)
     });
 }
 
-// Calls visit(shape) for each place of a copy where one can be.
+// Calls visit(shape) for each field of a copy that can hold a shape.
 void each_shape(auto& copy, auto&& visit)
 {
     visit(copy.file);
@@ -72,7 +72,7 @@ Source source_of(const CopiedObject& copy)
     return source;
 }
 
-// What was done to its volume. Throws Rejected where that cannot be.
+// Returns the edits of the volume of a copy. Throws Rejected if one is not valid.
 std::vector<Ref<VolumeEdit>> as_refs(const CopiedObject& copy)
 {
     if (copy.shaping.size() > most_shaping_steps)
@@ -105,7 +105,8 @@ Object object_of(const CopiedObject& copy, const CopiedIds& made)
     return out;
 }
 
-// What the copy lies on here: of what it lay on whatever was copied too, or is in the scene.
+// Finds the supports of the copy: those of the original that were copied too, or that are in the
+// scene.
 std::vector<Id> bases_of(const CopiedPlacement& placement, const Document& before,
                          const Document& document, const CopiedIds& made)
 {
@@ -152,7 +153,7 @@ Document laid(Document document, Id id, const CopiedObject& copy, const std::vec
     return applied(std::move(document), SetTravel{{id}, *copy.travel});
 }
 
-// Without the tracks of what it does not have here.
+// Adds tracks, except those of parameters that the copy does not have.
 Document animated(Document document, Id id, std::vector<Track> tracks)
 {
     const std::vector<Parameter> known = parameters(object(document, id));
@@ -210,7 +211,8 @@ Document applied(Document document, const Paste& command)
         document = with_added(std::move(document), std::move(pasted));
     }
     for (const auto& [copied_id, id] : made) check_own_depth(document, id);
-    // First what lies on something known: what is laid over all that is there keeps off from below.
+    // Copies with known supports are placed first; a copy laid over everything then leaves out
+    // those that lie on it.
     for (const bool known : {true, false})
         for (const CopiedObject& copy : command.copies) {
             if (!copy.placement) continue;

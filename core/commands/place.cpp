@@ -23,15 +23,15 @@ bool is_group(const Object& o)
     return holds_others(o.source);
 }
 
-// A group has no shape to lay down; a lattice has its box.
+// Throws Rejected for a group, which has no shape to place; a lattice has its box.
 void check_can_be_laid(const Document& document, Id id)
 {
     if (std::holds_alternative<GroupShape>(object(document, id).source))
         throw Rejected(named(document, id) + " is a group; place the objects in it");
 }
 
-// What was done to the volume of a stroke goes with the stroke; a lattice keeps what was done to
-// its box.
+// Removes the edits of the volume of a stroke, with the stroke; a lattice keeps the edits of its
+// box.
 void forget_shaping(Object& o)
 {
     if (!std::holds_alternative<LatticeShape>(o.source)) o.shaping.clear();
@@ -54,8 +54,8 @@ bool stands_in(const Document& document, Id id, Id lattice)
     return std::ranges::find(round, lattice) != round.end();
 }
 
-// The objects a stroke may fall on: those named, groups opened up, or all that make sense; none
-// only where it falls on the ground.
+// Lists the objects that a stroke may fall on: the named ones with the contents of groups, or all
+// visible ones; empty only if it falls on the ground.
 std::vector<Id> supports(const Document& document, Id id, const std::vector<Id>& onto,
                          bool on_ground = false)
 {
@@ -117,7 +117,7 @@ void check_parameters(const PlacementParameters& p)
         throw Rejected("field \"roll_deg\" must be 0, 90, 180 or 270");
 }
 
-// Throws Rejected where something carries it that it does not lie on.
+// Throws Rejected if it has a host that it does not lie on.
 void check_attached(const Attachment& attachment, const PlacementStep& step)
 {
     check(attachment, step.sketch.samples.size());
@@ -130,7 +130,8 @@ void check_attached(const Attachment& attachment, const PlacementStep& step)
                                        host.object));
 }
 
-// All that it lies on, where that stands by its transform alone and so is known without evaluation.
+// Attaches it to all objects that it lies on, if none of them lies on a stroke, so that their
+// transforms are known without evaluation.
 Attachment attached_to_all(const Document& document, const PlacementStep& step)
 {
     Attachment out;

@@ -9,7 +9,7 @@
 namespace trivar {
 namespace {
 
-// Shares of a triangle's corners at a point of its plane.
+// Computes the barycentric coordinates of p, a point of the triangle's plane.
 glm::dvec3 shares_at(const glm::dvec3& p, const std::array<glm::dvec3, 3>& t)
 {
     const glm::dvec3 ab = t[1] - t[0], ac = t[2] - t[0], ap = p - t[0];
@@ -65,7 +65,7 @@ std::optional<Attachment> hosts_now(const Stage& laid, const PlacementStep& step
     Attachment out;
     const auto add = [&](Id id) {
         const auto support = std::ranges::find(*laid.supports, id, &Support::id);
-        if (id == 0 || support == laid.supports->end() || // the ground carries nothing
+        if (id == 0 || support == laid.supports->end() || // the ground is never a host
             std::ranges::find(out.hosts, id, &AttachedHost::object) != out.hosts.end())
             return;
         const auto host = std::ranges::find(known, id, &AttachedHost::object);
@@ -87,13 +87,14 @@ std::optional<Attachment> attachment_of(const EvaluatedObject& laid, const Sketc
     Attachment out;
     std::map<Id, int> number; // of each host in the list
     for (const Support& support : supports)
-        if (support.id != 0 && // the ground carries nothing
+        if (support.id != 0 && // the ground is never a host
             number.emplace(support.id, static_cast<int>(out.hosts.size())).second)
             out.hosts.push_back(attached_host(support.id, support.own_to_drawn, false));
     const View view(sketch.camera);
     std::vector<Ray> rays;
     for (const StrokeSample& sample : sketch.samples) rays.push_back(view.ray(sample.p_px));
-    // The strip lies where it was carried to; the rays are of the space of the stroke.
+    // The strip is in the world, where its hosts carried it; the rays are in the space of the
+    // stroke.
     const bool moved = laid.carriage && laid.carriage->moved();
     const glm::dmat4 back = moved ? glm::inverse(laid.carriage->to_world) : glm::dmat4(1);
     for (const StripNode& node : laid.stroke_placement()->nodes)

@@ -9,7 +9,7 @@
 namespace trivar {
 namespace {
 
-// Where the hosts stand in the space of the stroke; what of them it may fall on.
+// Sets the transforms of the hosts in the space of the stroke, and the parts that it may fall on.
 void stand(Carriage& carriage, StrokeHosts& stroke, bool exact)
 {
     const glm::dmat4 back = glm::inverse(carriage.to_world);
@@ -40,7 +40,7 @@ Carriage carriage_of(const PlacementStep& step, StrokeHosts stroke,
     out.to_world = motion.to_world;
     stand(out, stroke, motion.exact);
     carry_samples(out, stroke);
-    if (!out.moved()) // what it was not attached to is met while nothing moved
+    if (!out.moved()) // other objects are met only while nothing has moved
         for (const Ref<EvaluatedObject>& other : others)
             if (other)
                 for (const Part& part : other->parts)

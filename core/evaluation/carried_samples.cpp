@@ -10,7 +10,7 @@
 namespace trivar {
 namespace {
 
-// The picture made larger on all sides, so that samples outside are in it.
+// Enlarges the picture on all sides, so that it holds all samples.
 void widen(Sketch& sketch)
 {
     glm::dvec2 lo(0), hi = sketch.camera.size_px;
@@ -28,8 +28,8 @@ void widen(Sketch& sketch)
     for (StrokeSample& sample : sketch.samples) sample.p_px += more;
 }
 
-// What samples between others that are known go by, in even steps, and those before and behind as
-// the next one.
+// Interpolates the displacements of samples between known ones evenly; samples before the first and
+// after the last known one get its displacement.
 void fill_between(std::vector<glm::dvec2>& by, const std::vector<char>& known)
 {
     std::vector<std::size_t> at;
@@ -51,7 +51,7 @@ void fill_between(std::vector<glm::dvec2>& by, const std::vector<char>& known)
     }
 }
 
-// Hosts that moved apart leave a gap where the stroke goes from one to the other.
+// Adds a notice if hosts have moved apart where the stroke passes from one to the other.
 void tell_gaps(Carriage& carriage, const StrokeHosts& stroke, const std::vector<glm::dvec3>& places)
 {
     const std::vector<SampleFoot>& feet = stroke.feet;

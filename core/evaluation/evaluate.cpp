@@ -14,7 +14,7 @@
 namespace trivar {
 namespace {
 
-// What an object lies on, and the lattices that bend it.
+// Lists the objects that an object depends on: its hosts and the lattices that bend it.
 std::vector<Id> comes_from(const Document& document, Id id)
 {
     std::vector<Id> out = lattices_round(document, id);
@@ -23,8 +23,8 @@ std::vector<Id> comes_from(const Document& document, Id id)
     return out;
 }
 
-// The objects to evaluate, each after those it comes from: the visible ones and what carries them.
-// Not recursive, for a hostile file may stack objects by the thousand.
+// Lists the objects to evaluate, each after those it depends on: the visible ones and their hosts.
+// It is not recursive, because a hostile file may stack objects by the thousand.
 std::vector<Id> order_of(const Document& document)
 {
     struct OpenObject {
@@ -50,7 +50,7 @@ std::vector<Id> order_of(const Document& document)
     return order;
 }
 
-// One plain material, as often as the shape has materials of its own.
+// Repeats one plain material for each material that the shape has.
 Ref<std::vector<Material>> surfaced(const std::vector<Material>& own, const Surfacing& surfacing)
 {
     std::vector<Material> plain(own.size());
@@ -73,7 +73,7 @@ void add_control_points(Box& box, const Lattice& volume)
             for (int k = 0; k < axes[2].count(); ++k) box.add(control_point(volume, i, j, k));
 }
 
-// What an object's source gives, before any step.
+// The first stage holds the shape of the object's source, before any step.
 Stage begun(const Ref<Shape>& shape)
 {
     Stage stage;
@@ -113,8 +113,8 @@ struct Evaluator::Cache {
         Recent<std::pair<Ref<Stage>, std::optional<Surfacing>>, Ref<EvaluatedObject>> finished;
     };
     explicit Cache(Ref<AssetStore> assets) : shapes(std::move(assets)) {}
-    // What no object of the document and none of the kept results needs any more. An object that
-    // is gone may come back by undo, but then it is computed anew.
+    // Forgets what neither the document nor a kept result uses. An object that undo brings back is
+    // computed again.
     void forget_unused(const Document& document)
     {
         std::erase_if(objects, [&](const auto& o) { return !document.objects.contains(o.first); });

@@ -6,7 +6,8 @@
 namespace trivar {
 namespace {
 
-// Shares of the corners at the point of a triangle nearest to p. Ericson 2004, 5.1.5.
+// Computes the barycentric coordinates of the point of a triangle nearest to p. Ericson 2004,
+// 5.1.5.
 glm::dvec3 nearest_shares(const glm::dvec3& p, const std::array<glm::dvec3, 3>& t)
 {
     const glm::dvec3 ab = t[1] - t[0], ac = t[2] - t[0], ap = p - t[0];
@@ -48,7 +49,7 @@ glm::dvec3 mixed(const std::array<glm::dvec3, 3>& t, const glm::dvec3& shares)
     return shares.x * t[0] + shares.y * t[1] + shares.z * t[2];
 }
 
-// Whether the faces of a mesh are those of the other, turned round for a mirror.
+// Says whether a mesh has the faces of the other with reversed corners, as after mirroring.
 bool is_turned_round(const Mesh& mesh, const Mesh& other)
 {
     constexpr std::size_t a_face = 3;
@@ -98,7 +99,7 @@ std::optional<FootPlace> Footings::operator()(const AttachedSample& sample, std:
         });
     };
     auto part = find_in(parts);
-    if (part == parts.end()) { // its triangles were split since
+    if (part == parts.end()) { // its triangles have been split meanwhile
         part = find_in(host.own_parts);
         if (part == host.own_parts.end()) return {};
     }

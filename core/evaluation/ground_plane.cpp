@@ -11,8 +11,10 @@
 namespace trivar {
 namespace {
 
-constexpr double wide = 4;        // times the way from the eye to what the stroke shows of it
-constexpr double farthest = 1000; // times the nearest: beyond, the stroke runs into the horizon
+// Times the distance from the eye to the part of the ground under the stroke
+constexpr double wide = 4;
+// Times the nearest distance; beyond it the stroke reaches the horizon
+constexpr double farthest = 1000;
 
 } // namespace
 

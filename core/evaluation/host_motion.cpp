@@ -8,9 +8,10 @@
 namespace trivar {
 namespace {
 
-constexpr double same = 1e-9; // of the lengths at hand: no motion is told from rounding below it
+// Share of the lengths below which a motion cannot be told from rounding
+constexpr double same = 1e-9;
 
-// Whether the places under the stroke are where they were in the main host's own space.
+// Says whether the places under the stroke have not moved in the space of the main host.
 bool feet_unmoved(const StrokeHosts& stroke)
 {
     Box own;
@@ -27,8 +28,8 @@ bool feet_unmoved(const StrokeHosts& stroke)
     return true;
 }
 
-// Turn and shift of the places under the stroke, of their normals too, in the space of the stroke,
-// where `from` takes it to the world.
+// Finds the rotation and translation that best explain how the places under the stroke and their
+// normals moved, in the space of the stroke; `from` takes that space to the world.
 glm::dmat4 nearest_motion(const StrokeHosts& stroke, const glm::dmat4& from)
 {
     const HostNow& main = stroke.main_host();

@@ -26,7 +26,7 @@ void leave_out_what_is_out_of_reach(Stage& stage)
     std::map<Ref<Lattice>, bool> volumes; // whether they do
     const auto is_out = [&](const Part& part) {
         if (!part.bent) return !within_reach(part.bounds, part.to_world);
-        // A vertex is where `to_rest` has it, and from there further by a mean of displacements.
+        // A vertex is at its rest position plus a mean of displacements.
         const auto [known, fresh] = volumes.try_emplace(part.bent->volume);
         if (fresh) known->second = displaces_within_reach(*part.bent->volume);
         return !known->second || !within_reach(part.bounds, part.bent->embedding.to_rest);

@@ -9,8 +9,8 @@
 namespace trivar {
 namespace {
 
-// The part before a further volume: what bent it so far is in its vertices, and no mirror stands
-// between them and the world.
+// Bakes all earlier volumes and mirrors into the vertices of a part, so that another volume can
+// bend it.
 Part before_bending(const Part& part)
 {
     Part out = part;
@@ -86,7 +86,7 @@ Ref<Stage> InLattices::operator()(const Ref<Stage>& before, const StepInput& inp
     });
 }
 
-// One volume for all parts, so that what they have in common stays together.
+// Extends the volume once for all parts, so that touching parts stay together.
 Ref<Lattice> InLattices::reaching_round(const std::vector<Part>& parts, const BendingVolume& volume)
 {
     if (!volume.goes_on) return volume.volume;

@@ -25,7 +25,7 @@ Box box_of(const Shape& shape, const glm::dmat3& turned, const std::optional<glm
     return box;
 }
 
-// What a placement goes round, if that is still there and stands free.
+// Finds the band that a placement goes round, if that object still exists and lies on no stroke.
 std::optional<Band> band_of(const Document& document, const PlacementStep& step)
 {
     if (!step.round || step.onto.empty()) return {};
@@ -39,7 +39,7 @@ bool moves(const EvaluatedObject& object)
     return object.journey && object.journey->travel().speed != 0;
 }
 
-// What a stroke may fall on, and which of it travels.
+// Holds the objects that a stroke may fall on, and which of them travel.
 struct Supports {
     std::vector<Support> all, still;
     std::vector<Ref<EvaluatedObject>> travelling;
@@ -64,8 +64,8 @@ Supports supports_of(const PlacementStep& step, const std::map<Id, Ref<Evaluated
     return out;
 }
 
-// Whether a box and the volume overlap in the picture that the stroke was drawn in, where a stroke
-// meets all that it meets. Never false where the box reaches behind the camera.
+// Says whether a box and the volume overlap in the picture in which the stroke was drawn; its rays
+// meet nothing elsewhere. A box that reaches behind the camera always counts as overlapping.
 bool in_the_way(const Box& box, const Placement& placement, const Camera& camera)
 {
     const View view(camera);
@@ -85,8 +85,8 @@ bool in_the_way(const Box& box, const Placement& placement, const Camera& camera
     return lo.x <= strip_hi.x && lo.y <= strip_hi.y && hi.x >= strip_lo.x && hi.y >= strip_lo.y;
 }
 
-// What travels counts in the frames in which it is where the strip is seen. So a stroke is not laid
-// anew for all that passes by somewhere else.
+// A travelling support counts only in frames in which it overlaps the strip in the picture, so that
+// a stroke is not laid again for objects that pass elsewhere.
 bool travels_through(const Supports& supports, const Stage& without, const Camera& camera)
 {
     return !without.placement ||
@@ -107,7 +107,7 @@ Ref<Stage> Laying::operator()(const Ref<Stage>& before, const StepInput& input)
     if (const Ref<Carriage> carriage = (*carriages_)(input)) {
         PlacementStep step = *o.stroke;
         step.sketch = carriage->sketch;
-        step.attach.reset(); // what carries it changes nothing about how it lies
+        step.attach.reset(); // hosts do not change how it lies
         return laid_on({before, turned, lattice, std::move(step), carriage->supports}, input);
     }
     const Supports supports = supports_of(*o.stroke, input.done, ground_);
@@ -123,7 +123,8 @@ Ref<Stage> Laying::operator()(const Ref<Stage>& before, const StepInput& input)
 Ref<Stage> Laying::laid_on(Stroke stroke, const StepInput& input)
 {
     ShapedStroke key{std::move(stroke), {}};
-    if (!key.stroke.lattice) key.shaping = input.object.shaping; // else they shape its box
+    // The edits of a lattice shape its box
+    if (!key.stroke.lattice) key.shaping = input.object.shaping;
     return laid_(key, [&] {
         const Landing fallen = fallen_(key.stroke, [&] { return fall(key.stroke, input); });
         Stage stage = *key.stroke.before;

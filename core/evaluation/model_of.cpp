@@ -22,8 +22,8 @@ Ref<Curves> with_materials_from(const Ref<Curves>& curves, std::uint32_t first)
     return make_ref(std::move(moved));
 }
 
-// The node of a group, made with those it lies in when it is first asked for. It moves nothing:
-// parts stand in the world, to the last bit.
+// Returns the node of a group, and makes it and its parents when it is first needed. Its transform
+// is the identity: parts are in world space, to the last bit.
 int group_node(Model& model, std::map<Id, int>& nodes, const Document& document, Id group)
 {
     if (group == 0) return -1;

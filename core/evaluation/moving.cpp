@@ -12,7 +12,7 @@
 namespace trivar {
 namespace {
 
-// Adds what is told of the pose, beside what is told of the shape anyway.
+// Adds the notices of the pose that the shape does not have already.
 void tell_of_pose(Stage& stage, const Shape& posed)
 {
     const auto add = [](std::vector<std::string>& out, const std::vector<std::string>& told,
@@ -32,7 +32,7 @@ void tell_of_travel(Stage& stage)
             "it fills its whole stroke and has no room to travel; reduce its fill");
 }
 
-// The box further along its volume.
+// Moves the embedding of a box along its volume.
 Embedding shifted(Embedding box, const Lattice& volume, double shift_u)
 {
     if (shift_u == 0) return box;
@@ -41,7 +41,7 @@ Embedding shifted(Embedding box, const Lattice& volume, double shift_u)
     return box;
 }
 
-// The parts of all members, each where it has gone, in one volume.
+// Collects the parts of all members, each shifted to its place, in one volume.
 std::vector<Part> parts_of(const Stage& at_rest, const std::vector<Member>& members,
                            const Ref<Lattice>& volume, const glm::dmat3& turned)
 {
@@ -73,7 +73,7 @@ std::vector<Part> parts_of(const Stage& at_rest, const std::vector<Member>& memb
     return out;
 }
 
-// The same of their curves.
+// Collects the curves of all members in the same way.
 std::vector<CurvePart> curves_of(const Stage& at_rest, const std::vector<Member>& members,
                                  const Ref<Lattice>& volume, const glm::dmat3& turned)
 {

@@ -26,7 +26,7 @@ std::string missing_clip(const Model& model, const std::string& name)
     return text;
 }
 
-// Whether a channel has one value at all times.
+// Says whether a channel has the same value at all times.
 bool is_still(const Channel& channel)
 {
     const std::size_t n = channel.components;
@@ -39,7 +39,7 @@ bool is_still(const Channel& channel)
     return true;
 }
 
-// Why nobody sees that the clip is played; empty: something moves.
+// Says why the clip shows no motion; empty if something moves.
 std::string stillness(const Clip& clip)
 {
     if (!(clip.end_s > clip.begin_s))

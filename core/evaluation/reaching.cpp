@@ -11,7 +11,7 @@ Ref<Lattice> reaching(const Ref<Lattice>& volume, const Journey& journey,
                       const PlacementParameters& p, const std::vector<Journey::Place>& places)
 {
     if (volume->displacement.axes[0].closure() != Closure::open) return volume;
-    constexpr double slack = 1e-3; // a model's faces lie on its box, give or take a rounding
+    constexpr double slack = 1e-3; // the faces of a model lie on its box up to rounding
     double from = 0, to = 1;
     for (const Journey::Place& place : places) {
         if (place.hidden) continue;

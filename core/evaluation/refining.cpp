@@ -9,7 +9,7 @@
 namespace trivar {
 namespace {
 
-// The part with another mesh in place of the one that the first of its volumes deforms.
+// Replaces the mesh that the first volume of a part deforms.
 Part in_the_same_volumes(const Part& part, const Ref<Mesh>& mesh)
 {
     if (mesh == innermost(part).before_volume()) return part;
@@ -25,7 +25,7 @@ Part in_the_same_volumes(const Part& part, const Ref<Mesh>& mesh)
             .bounds = part.bounds};
 }
 
-// The volumes that deform a part after the first one.
+// Lists the volumes that deform a part after the first one.
 std::vector<NextVolume> later_volumes(const Part& part)
 {
     std::vector<NextVolume> out;

@@ -19,7 +19,7 @@ Ref<ShapedVolume> carried(const ShapedVolume& shaped, const glm::dmat4& to_world
     return make_ref(std::move(out));
 }
 
-// Parts that lie in volumes, each volume carried once.
+// Carries parts in volumes with their hosts, each volume once.
 class CarriedParts {
 public:
     CarriedParts(const Stage& before, const Stage& after, const glm::dmat4& to_world)

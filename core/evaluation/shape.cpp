@@ -9,7 +9,7 @@
 namespace trivar {
 namespace {
 
-// A mesh that hangs on several nodes is measured once.
+// Measures each mesh once, also if several nodes have it.
 void measure(Shape& shape)
 {
     std::map<Ref<Mesh>, Ref<Extent>> known;
@@ -20,7 +20,7 @@ void measure(Shape& shape)
     }
 }
 
-// Curves that hang on several nodes are measured once.
+// Measures curves once, also if several nodes have them.
 void hang_curves(Shape& shape, const Model& model)
 {
     std::vector<Box> bounds;
@@ -35,7 +35,7 @@ void hang_curves(Shape& shape, const Model& model)
     }
 }
 
-// What of it can be worked with where it stands, each mesh with its bounds.
+// Removes meshes and curves whose coordinates are too large, and sets the bounds of the others.
 void leave_out_what_is_too_large(Shape& shape)
 {
     if (std::erase_if(shape.curves, [](const Shape::NodeCurves& hung) {
@@ -101,7 +101,7 @@ void stand(Shape& shape, const Stance& stance)
     leave_out_what_is_too_large(shape);
 }
 
-// Meshes that hang on several nodes are subdivided once.
+// Subdivides each mesh once, also if several nodes have it.
 void subdivide(Shape& shape, int levels, const Progress& progress)
 {
     std::map<Ref<Mesh>, Ref<Mesh>> done;

@@ -63,7 +63,7 @@ Model primitive(const TextShape&)
 }
 
 struct Letters {
-    Model model; // what there is to say of it in its notices
+    Model model; // with its notices
     std::vector<std::string> lacks;
 };
 Letters letters(const TextShape& text, const AssetStore& assets)
@@ -72,9 +72,9 @@ Letters letters(const TextShape& text, const AssetStore& assets)
     TextBody body = text_body(text, found.font);
     Letters out{single_mesh_model("", std::move(body.mesh)), {}};
     out.model.notices = found.notices;
-    // A font that is not installed is meant to be stood in for; a file that is named is not.
+    // A missing installed font is replaced by another one; a missing font file is not.
     if (is_font_path(text.font)) out.lacks = found.notices;
-    // That it is another file goes without saying where another font stands in.
+    // A font that replaces another one needs no notice that its file differs.
     for (std::string& notice : body.notices)
         if (found.notices.empty() || notice.find("that was meant") == notice.npos)
             out.model.notices.push_back(std::move(notice));

@@ -10,7 +10,8 @@
 namespace trivar {
 namespace {
 
-// Where the vertices of each mesh are at some moments of each clip; nothing for what never bends.
+// Positions of the vertices of each mesh at some moments of each clip; empty for a mesh that never
+// bends.
 using Poses = std::vector<std::vector<std::vector<glm::vec3>>>; // #meshes, #moments, #V
 
 Poses poses_of(const Shape& shape)
@@ -24,7 +25,8 @@ Poses poses_of(const Shape& shape)
             Shape posed = shape;
             stand(posed, &clips[c],
                   clips[c].begin_s + (clips[c].end_s - clips[c].begin_s) * i / moments);
-            if (posed.meshes.size() != shape.meshes.size()) continue; // some went out of reach
+            // Some were left out because they are too large
+            if (posed.meshes.size() != shape.meshes.size()) continue;
             for (std::size_t m = 0; m < posed.meshes.size(); ++m)
                 if (posed.meshes[m].posed) out[m].push_back(posed.meshes[m].mesh()->positions);
         }
@@ -41,7 +43,8 @@ Stage simplified(const Stage& before, const Simplifying& simplifying, const Prog
     Stage out = before;
     Shape shape = *before.shape;
     const Poses poses = poses_of(shape);
-    std::map<Ref<Mesh>, SimplifiedMesh> done; // what hangs on several nodes is simplified once
+    // Each mesh is simplified once, also if several nodes have it
+    std::map<Ref<Mesh>, SimplifiedMesh> done;
     try {
         for (std::size_t m = 0; m < shape.meshes.size(); ++m) {
             Shape::NodeMesh& hung = shape.meshes[m];

@@ -6,8 +6,8 @@
 namespace trivar {
 namespace {
 
-// The parts of an object in its own space: of those that a lattice bent or that were split since,
-// as they are in the world now.
+// Returns the parts of an object in its own space; parts that a lattice bent or that were split
+// meanwhile are as they are in the world now.
 std::vector<Part> own_parts(const EvaluatedObject& object)
 {
     const auto same_mesh = [](const Part& a, const Part& b) {

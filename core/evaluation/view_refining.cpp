@@ -24,7 +24,8 @@ EvaluatedObject with_split_parts(const EvaluatedObject& object, RefineOptions op
                                  const Progress& progress)
 {
     EvaluatedObject out = object;
-    // Where the camera is nearer than single precision tells places apart: as fine as can be.
+    // If the camera is nearer than the precision of the coordinates, triangles are as fine as
+    // possible.
     constexpr int most_doublings = 24;
     for (int i = 0; i < most_doublings; ++i, options.tolerance_world *= 2) {
         try {
@@ -47,7 +48,7 @@ double view_tolerance(const Camera& camera, const Box& bounds, double tolerance_
     const glm::dmat4 view = view_matrix(camera);
     const double pixel = pixel_size_world(camera, 1); // at depth 1, or everywhere
     const glm::dvec2 half = pixel * camera.size_px / 2.0;
-    // Of how many corners are outside of each side of the picture, and behind the eye.
+    // Number of corners outside of each side of the picture, and behind the eye.
     std::array<int, 5> outside{};
     double least = infinite;
     for (const glm::dvec3& corner : bounds.corners()) {
@@ -99,7 +100,7 @@ SeenEffects ViewRefining::operator()(const Evaluation& evaluated, const Camera& 
             seen = make_ref(with_split_parts(
                 *object, {.tolerance_world = tolerance, .budget = share}, progress));
             known_.insert(known_.begin(), {object, tolerance, share, seen});
-            constexpr std::ptrdiff_t kept_results = 2; // it may come and go over a step
+            constexpr std::ptrdiff_t kept_results = 2; // undo and redo may switch between two
             std::ptrdiff_t of_this = 0;
             std::erase_if(known_, [&](const KnownView& known) {
                 return known.object == object && ++of_this > kept_results;

@@ -23,7 +23,7 @@ const Clip* clip_named(const Model& model, const std::string& name)
     return found == model.clips.end() ? nullptr : &*found;
 }
 
-// All that the slide of a walk comes from.
+// A Tread holds everything that the sliding of planted feet depends on.
 struct Tread {
     Ref<Model> model;
     std::string clip;
@@ -41,7 +41,7 @@ struct Tread {
     }
 };
 
-// The vertices of legs that touch the ground at some time.
+// Soles are the vertices of legs that touch the ground at some time.
 struct Soles {
     std::vector<ModelVertex> vertices;
     double within; // height in the model up to which they touch
@@ -57,7 +57,7 @@ Soles soles_of(const Tread& t)
         stances.push_back(t.stance_at(moment));
     const glm::dvec3& up = t.walk.gait->up;
     const double near = touching * glm::dot(glm::abs(up), bounding_box(*t.model).size());
-    // Other parts, a blade or a tail, may hang lower than the legs stand.
+    // Other parts, such as a blade or a tail, may hang lower than the feet.
     const LowVertices low = low_vertices(*t.model, stances, up, hanging * near, t.floor, all);
     const std::vector<int> legs = legs_of_nodes(*t.model, *t.walk.gait);
     std::vector<ModelVertex> of_legs, touching_ones, some;
@@ -77,8 +77,8 @@ Soles soles_of(const Tread& t)
     return {std::move(some), ground + near};
 }
 
-// Where they are on the ground in the world, some time after the model set out; nothing for those
-// in the air.
+// Finds the world positions of the soles on the ground at a time after the model set out; a sole in
+// the air has none.
 std::vector<std::optional<glm::dvec3>> touched(const Tread& t, const Soles& soles,
                                                const Journey::Place& place)
 {
@@ -115,7 +115,8 @@ double slide_of(const Tread& t)
     for (int i = 0; i <= samples; ++i) {
         const Journey::Place place = t.journey->at(seconds * i / samples);
         if (place.hidden) break;
-        // From the end of an open stroke to its start no foot goes over the ground.
+        // No foot is on the ground while the model jumps from the end of an open stroke to its
+        // start.
         const double now =
             t.journey->rounds() ? 0 : std::round(1e3 * (place.gone_u - place.shift_u));
         if (now != std::exchange(lap, now)) contacts.assign(contacts.size(), {});
@@ -152,7 +153,8 @@ Walk walk_of(Tread tread)
     }
     walk.natural_speed =
         std::abs(stride.x) * MiddleLine(tread.laid->placement->contact).length() / gait.period_s;
-    // Its front is where its feet take it, which is not always where its file's format has fronts.
+    // The front of a model is where its feet take it, which may differ from the convention of its
+    // format.
     if (tread.journey->travel().speed > 0 && (stride.x < 0) != looks_back(tread.parameters))
         walk.remark = fmt::format(
             "in \"{}\" it walks backwards; use a negative speed to let it walk forwards",

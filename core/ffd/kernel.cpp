@@ -19,7 +19,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::ScalableTag<float>;
 using Vec = hn::Vec<Tag>;
 
-// Orders known to the compiler, or 0: those of the lattice.
+// Orders that the compiler knows; 0: the order of the lattice.
 template <int U, int V, int W> struct Orders {
     std::array<int, 3> order;
     HWY_INLINE int u() const { return U > 0 ? U : order[0]; }

@@ -23,7 +23,7 @@ Reach reach(const Knots& knots)
 {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     if (knots.closure() != Closure::open) return {-infinity, infinity};
-    // A box fitted to a model has vertices on its faces, give or take a rounding: those are inside.
+    // A box fitted to a model has vertices on its faces, up to rounding; these count as inside.
     const double slack = 1e-6 * (knots.end() - knots.begin());
     return {knots.begin() - slack, knots.end() + slack};
 }

@@ -56,7 +56,7 @@ public:
     int add(const ParameterBox& box)
     {
         Piece piece{box, map_.bounds(box), map_.hull(box), {-1, -1}};
-        // What rounding may hide.
+        // The margin covers rounding.
         const glm::dvec3 slack =
             1e-13 * glm::max(glm::abs(piece.bounds.lo), glm::abs(piece.bounds.hi));
         piece.bounds.lo -= slack;

@@ -23,7 +23,7 @@ std::vector<PointMove> one_pass(const RepairAttempt& attempt, const RepairSite& 
     }
 }
 
-// Beyond these a way does harm: columns of a twentieth, gaps of two thirds of a layer.
+// Limits beyond which a way does harm: columns of a twentieth, gaps of two thirds of a layer.
 int most_passes(RepairWay way, const RepairOptions& options)
 {
     return way == RepairWay::lowered_heights    ? std::min(options.passes, 40)
@@ -31,7 +31,7 @@ int most_passes(RepairWay way, const RepairOptions& options)
                                                 : options.passes;
 }
 
-// What takes one lattice to the other, as moves of the points that differ.
+// Returns the moves of the points that differ between two lattices.
 std::vector<PointMove> difference(const RepairSite& site, const Lattice& from, const Lattice& to)
 {
     std::vector<PointMove> out;
@@ -63,9 +63,9 @@ double rms(const std::vector<PointMove>& moves, std::size_t points)
     return std::sqrt(squares / static_cast<double>(points));
 }
 
-// A way is given up after so many passes that leave no fewer cells doubtful.
+// A way is given up after this number of passes without fewer doubtful cells.
 constexpr int patience = 16;
-// And where it has moved points so many times further than another one had to.
+// A way is also given up if it moves points this many times further than another one.
 constexpr double excess = 4;
 
 struct AttemptMoves {

@@ -96,7 +96,7 @@ std::vector<double> rising(const std::vector<double>& heights, double gap)
     return out;
 }
 
-// Where in a cell det J is too small, and what it should be there.
+// A place in a cell where det J is too small, and the value wanted there.
 struct Constraint {
     std::size_t cell;
     glm::dvec3 x; // 0 to 1
@@ -311,7 +311,8 @@ std::vector<PointMove> lowered_heights(const RepairSite& site, const Lattice& la
         move_column(
             site, lattice, ground,
             [&](const glm::ivec3&, const glm::dvec3& p) {
-                // Rises with the height and stays under the cap; what is low hardly changes.
+                // The result rises with the height and stays below the cap; small values hardly
+                // change.
                 const double share = glm::distance(p, foot) / cap;
                 return foot + (p - foot) * std::pow(1 + std::pow(share, 6), -1.0 / 6);
             },

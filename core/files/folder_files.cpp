@@ -23,7 +23,8 @@ std::string in_small_letters(std::string text)
     return text;
 }
 
-// The name as a path from the folder, without `.` and `..`; nothing where it leads elsewhere.
+// Returns the name as a path from the folder, without `.` and `..`; none if it leads out of the
+// folder.
 std::optional<std::string> relative_path(std::string name)
 {
     std::replace(name.begin(), name.end(), '\\', '/');

@@ -22,7 +22,7 @@ bool is_near(double found, double expected)
     return std::abs(found - expected) <= glb_number_tolerance * std::max(1.0, std::abs(expected));
 }
 
-// A name that stands twice in one object is read one way by one program and otherwise by another.
+// Refuses a name that occurs twice in one object, which programs read differently.
 FoundJson parsed(const std::string& text)
 {
     std::vector<std::set<std::string>> names;

@@ -52,7 +52,7 @@ private:
         return static_cast<int>(json_["accessors"].size()) - 1;
     }
 
-    // Differences of a morph target: those that are not 0 alone, where that takes less.
+    // Writes the differences of a morph target, sparsely if that is shorter.
     int add_differences(const std::vector<glm::vec3>& values)
     {
         std::vector<std::uint32_t> where;
@@ -120,7 +120,7 @@ private:
         json_["skins"].push_back(std::move(written));
     }
 
-    // Many channels have the same times, and those of targets the same weights.
+    // Many channels share their times, and channels of morph targets their weights.
     int shared_accessor(const std::vector<float>& values, const char* type, std::size_t components)
     {
         const auto [known, fresh] = shared_.try_emplace({type, values}, 0);
@@ -211,7 +211,7 @@ private:
         into["scale"] = {p.scale.x, p.scale.y, p.scale.z};
     }
 
-    // Which nodes a clip moves: those must be written by their parts.
+    // Nodes that a clip moves must be written as translation, rotation and scale.
     std::vector<bool> moved_nodes() const
     {
         std::vector<bool> out(model_.nodes.size());

@@ -57,7 +57,7 @@ public:
     {
     }
 
-    // Without channels where there is nothing to play.
+    // A clip without channels has nothing to play.
     Clip read(const GltfEntry& animation, std::size_t number)
     {
         Clip clip;

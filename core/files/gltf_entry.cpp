@@ -59,7 +59,7 @@ std::optional<std::size_t> whole_of(const EntryJson& value)
     return static_cast<std::size_t>(number);
 }
 
-// Some programs write -1 for none.
+// Some programs write -1 in place of a missing index.
 std::optional<int> index_of(const EntryJson& value)
 {
     if (value == -1) return -1;

@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, 4> supported_extensions{
     "KHR_mesh_quantization", "KHR_materials_emissive_strength", "KHR_texture_transform",
     "EXT_texture_webp"};
 
-// What may be made of a file: 256 MB, and 32 bytes of each of its own.
+// The largest memory for a file: 256 MB, plus 32 bytes for each of its bytes.
 std::size_t memory_for(std::size_t file_bytes)
 {
     return (std::size_t{1} << 28) + 32 * file_bytes;

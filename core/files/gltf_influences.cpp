@@ -13,7 +13,7 @@ constexpr double joint_numbers = 65536; // influences hold 16 bits each
 
 using Shares = std::vector<std::pair<float, std::uint16_t>>;
 
-// The four largest of a vertex's shares, made to sum to 1; false: it has none.
+// Keeps the four largest weights of a vertex and makes them sum to 1; false if it has none.
 bool settle(Mesh::Influences& out, Shares& all)
 {
     std::stable_sort(all.begin(), all.end(),

@@ -33,7 +33,7 @@ glm::dmat4 affine_matrix(const GltfEntry& node, const std::vector<double>& value
     return out;
 }
 
-// Whether it is placed without fault: a rotation of four zeros turns nothing.
+// Sets the transform of a node; false if its rotation is four zeros, which turns nothing.
 bool place(Node& to, const GltfEntry& from)
 {
     const std::vector<double> matrix = from.numbers("matrix", 16);

@@ -10,7 +10,7 @@
 namespace trivar {
 namespace {
 
-// What the pictures of one file may take altogether: half a gigabyte, which is 8 of 4096 x 4096
+// The largest memory of all pictures of a file: half a gigabyte, which is 8 of 4096 x 4096
 // pixels, and more where their files have more than a byte to 16 pixels, which photographs have.
 std::uintmax_t picture_bytes(std::uintmax_t file_bytes)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether numbers that are finite each take a mesh to where nothing can be worked with.
+// Checks that finite numbers do not move a mesh beyond the largest allowed coordinates.
 #include "core/base/finite.h"
 #include "core/base/rejected.h"
 #include "core/base/text.h"

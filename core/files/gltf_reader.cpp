@@ -57,7 +57,7 @@ void add_named_meshes(Model& model, GltfMeshes& meshes, const GltfFile& file,
                 "{0} meshes belong to no node of the scene and were left out", unnamed);
 }
 
-// What was left out of the meshes may be why there are none.
+// The reason for a file without meshes may be among the parts that were left out.
 void check_for_faces(const Model& model, const GltfFile& file, const std::vector<std::string>& said)
 {
     const auto has_faces = [](const Ref<Mesh>& mesh) { return mesh->face_count() > 0; };

@@ -29,7 +29,7 @@ std::string descriptor_path(const char* process, int descriptor)
     return fmt::format("/proc/{}/fd/{}", process, descriptor);
 }
 
-// A file without a name on the disk of a folder; -1 where there are none.
+// Opens a file without a name on the disk of a folder; -1 if the file system has no such files.
 int unnamed_file(const std::string& folder)
 {
     const int file = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);

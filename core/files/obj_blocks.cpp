@@ -106,7 +106,7 @@ private:
         block_.vt.push_back(uv);
     }
 
-    // 1-based or relative to the end, as the file has it; nothing where it is no number.
+    // Reads an index as the file has it, from 1 or relative to the end; none if it is not a number.
     std::optional<std::int32_t> index(std::size_t count)
     {
         const auto written = scan_.integer();

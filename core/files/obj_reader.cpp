@@ -103,7 +103,7 @@ std::vector<glm::vec4> linear_colors(const std::vector<glm::vec3>& colors)
     return out;
 }
 
-// What was left out of the faces and what stands between them.
+// Statements and parts of faces that were left out.
 class ObjNotices {
 public:
     ObjNotices(const std::vector<ObjBlock>& blocks, const std::vector<std::string_view>& parts,

@@ -90,7 +90,7 @@ private:
         }
     }
 
-    // Where a property of the vertices goes: x y z, normal, colour, u v.
+    // The destination of a vertex property: x y z, normal, colour, u v.
     static std::optional<std::size_t> slot(const std::string& name)
     {
         static const std::pair<std::string_view, std::size_t> slots[] = {
@@ -140,7 +140,7 @@ private:
         }
     }
 
-    // Of a number that is none or fits no float, 0 is made where the mesh can do without it.
+    // A value that is not a number or does not fit a float becomes 0 if the mesh does not need it.
     double finite_value(const PlyProperty& property, bool needed)
     {
         const double value = values_.value(property.type);
@@ -192,7 +192,7 @@ private:
         }
     }
 
-    // The number of a vertex, or nothing for one below 0.
+    // Reads the number of a vertex; none if it is below 0.
     std::optional<std::uint32_t> vertex(PlyType type)
     {
         const double index = values_.value(type);

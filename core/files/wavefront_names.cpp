@@ -72,7 +72,7 @@ private:
         return true;
     }
 
-    // An option of some numbers is left out; they are its usual ones where it changes nothing.
+    // Options with numbers are left out; with their default numbers they change nothing.
     bool changes(std::string_view option, int most, const std::array<double, 3>& usual)
     {
         bool same = true;

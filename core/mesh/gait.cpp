@@ -76,7 +76,7 @@ double median(std::vector<double> values)
     return *middle;
 }
 
-// What most of the low vertices go with.
+// Finds the velocity that most of the low vertices have.
 glm::dvec3 ground_velocity(const std::vector<Track>& tracks, const Ground& ground)
 {
     std::array<std::vector<double>, 3> seen;
@@ -205,7 +205,7 @@ std::vector<Cluster> clusters(const Model& model, const std::vector<Track>& trac
     return out;
 }
 
-// What a foot stands on: its vertices that are lowest through the stance.
+// Finds the sole of a foot: its lowest vertices during the stance.
 std::vector<const Track*> sole_of(const std::vector<const Track*>& tracks, const Run& stance,
                                   const Ground& ground)
 {

@@ -21,7 +21,7 @@ Rates product(const Rates& a, const Rates& b)
             a.second * b.most + 2 * a.first * b.first + a.most * b.second};
 }
 
-// Of 1 / x, where x is no less than `least`.
+// Bounds the rates of 1 / x, where x is at least `least`.
 Rates inverse_of(const Rates& x, double least)
 {
     const double w = 1 / least;

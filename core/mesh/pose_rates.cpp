@@ -14,7 +14,7 @@ double length_of(const std::vector<double>& v)
     return std::sqrt(square);
 }
 
-// Of a channel's value; of a rotation its angle's derivatives.
+// Bounds the derivatives of a channel's value; for a rotation those of its angle.
 struct ChannelRates : Rates {
     bool known = true;
 };
@@ -66,7 +66,7 @@ Rates cubic_rates(const Channel& c, std::size_t key, double from_s, double to_s,
     return out;
 }
 
-// The key before a time, where the channel goes on to the next; nothing where it holds.
+// Finds the key before a time from which the channel moves to the next; none if it holds its value.
 std::optional<std::size_t> key_before(const Channel& c, double time_s)
 {
     const auto after = std::upper_bound(c.times_s.begin(), c.times_s.end(), time_s);

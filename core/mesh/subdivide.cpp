@@ -243,7 +243,7 @@ public:
         return result;
     }
 
-    // What a face of the cage has, its descendants have.
+    // Faces inherit the attributes of the cage face that they come from.
     std::vector<std::uint32_t> inherited(const std::vector<std::uint32_t>& of_cage_face) const
     {
         if (of_cage_face.empty()) return {};

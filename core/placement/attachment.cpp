@@ -15,12 +15,12 @@ namespace {
 
 using Symmetric4 = std::array<std::array<double, 4>, 4>;
 
-// The unit eigenvector of the largest eigenvalue, by Jacobi's rotations.
+// Finds the unit eigenvector of the largest eigenvalue by Jacobi rotations.
 std::array<double, 4> leading_eigenvector(Symmetric4 a)
 {
     Symmetric4 v{};
     for (std::size_t i = 0; i < 4; ++i) v[i][i] = 1;
-    constexpr int sweeps = 24; // they converge by squares
+    constexpr int sweeps = 24; // they converge quadratically
     for (int sweep = 0; sweep < sweeps; ++sweep)
         for (std::size_t p = 0; p < 4; ++p)
             for (std::size_t q = p + 1; q < 4; ++q) {
@@ -136,7 +136,7 @@ glm::dmat4 best_motion(const std::vector<glm::dvec3>& from, const std::vector<gl
         spread_a += glm::dot(a, a);
         spread_b += glm::dot(b, b);
     }
-    constexpr std::size_t enough = 3; // points that tell a turn
+    constexpr std::size_t enough = 3; // points that determine a rotation
     if (from.size() < enough || !(spread_a > 0 && spread_b > 0))
         return glm::translate(glm::dmat4(1), b0 - a0);
     m /= std::sqrt(spread_a) * std::sqrt(spread_b);

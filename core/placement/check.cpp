@@ -51,7 +51,8 @@ void check(const PlacementParameters& p)
     }
 }
 
-// A closed object round the camera is met from inside in every direction.
+// Throws Rejected if the camera is inside a closed object: rays in every direction meet it from
+// inside.
 void check_enclosed(const Camera& camera, const RayScene& scene)
 {
     int inside = 0;

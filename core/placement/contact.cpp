@@ -10,8 +10,9 @@
 namespace trivar {
 namespace {
 
-constexpr double steepest_step = 3;    // length counted, relative to the length seen
-constexpr double sharpest_ridge = 0.5; // off the line between the neighbours, relative to their gap
+constexpr double steepest_step = 3; // largest length that counts, relative to the visible length
+// Distance from the line between the neighbours, relative to their distance
+constexpr double sharpest_ridge = 0.5;
 
 bool turns_sharply(const glm::dvec3& before, const glm::dvec3& p, const glm::dvec3& after,
                    const glm::dvec3& direction)

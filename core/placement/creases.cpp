@@ -10,9 +10,10 @@ namespace {
 const double cos_crease = std::cos(glm::radians(25.0));
 constexpr double off_share = 0.05; // of an interval's length that its middle may lie off
 constexpr int most_halvings = 4;
-// The planes of both sides tell the rest, and boxes that touch do so but for roundings.
+// The planes of both sides give the exact place. Touching boxes differ by roundings.
 constexpr int bisections = 12;
-constexpr double seen_together = 1e-3; // of an interval: both sides of a crease, not of a cliff
+// Share of an interval: closer sides are a crease, others a cliff
+constexpr double seen_together = 1e-3;
 
 struct Probe {
     glm::dvec2 uv{0};
@@ -37,7 +38,7 @@ std::vector<Probe> probes(const StripChart& chart, const std::vector<glm::dvec2>
     return out;
 }
 
-// Of a line; axis and line as of a CreasePoint.
+// An Interval is a part of a grid line; axis and line are as in CreasePoint.
 struct Interval {
     Probe a, b;
     int axis = 0, line = -1;
@@ -66,7 +67,7 @@ std::vector<Probe> middles(const std::vector<Interval>& intervals, const StripCh
     return probes(chart, uv, scene, skip_back_faces);
 }
 
-// The point of both planes, and of the plane in which the rays between them are.
+// Intersects the planes of both sides and the plane of the rays between them.
 glm::dvec3 crease_point(const Interval& i)
 {
     const Hit &a = *i.a.hit, &b = *i.b.hit;
@@ -114,7 +115,7 @@ std::vector<CreasePoint> crossings(std::vector<Interval> found, const StripChart
     return out;
 }
 
-// The halves of all that may hold a crease, or those alone when they are short enough.
+// Halves the intervals that may hold a crease; short ones are returned as they are.
 std::vector<Interval> halved(std::vector<Interval> intervals, const StripChart& chart,
                              const RayScene& scene, bool skip_back_faces)
 {
@@ -143,7 +144,8 @@ void add(std::vector<Interval>& to, const Probe& a, const Probe& b, int axis, st
     if (a.hit && b.hit) to.push_back({a, b, axis, static_cast<int>(line)});
 }
 
-// From the middles of cells to those of their edges, where the middle is not between the corners.
+// Adds intervals from the middle of a cell to the middles of its edges, if the middle of the cell
+// is not between its corners.
 void add_middles(std::vector<Interval>& to, const std::vector<Probe>& nodes,
                  const StripChart& chart, const RayScene& scene, bool skip_back_faces)
 {

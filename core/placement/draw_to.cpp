@@ -7,11 +7,11 @@ namespace trivar {
 namespace {
 
 constexpr int newton_steps = 2, gradient_steps = 40;
-constexpr double stay_put = 1e-3; // weight of not moving, beside one of each point
+constexpr double stay_put = 1e-3; // weight of not moving, relative to the weight 1 of each point
 
-// How control points move a surface at points of the scene, toward the eye.
+// A Pull says how control points move the surface at points of the scene toward the eye.
 struct Pull {
-    std::vector<std::size_t> first; // of each point's weights, and behind the last
+    std::vector<std::size_t> first; // index of each point's first weight, and the end
     std::vector<std::size_t> control;
     std::vector<double> weight;
 
@@ -40,7 +40,7 @@ double dot(const std::vector<double>& a, const std::vector<double>& b)
     return sum;
 }
 
-// The moves x that minimize |B x - wanted|^2 + stay_put |x|^2, by conjugate gradients.
+// Finds the moves x that minimize |B x - wanted|^2 + stay_put |x|^2 by conjugate gradients.
 std::vector<double> least_moves(const Pull& pull, const std::vector<double>& wanted,
                                 std::size_t count)
 {

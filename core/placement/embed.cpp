@@ -10,8 +10,9 @@
 namespace trivar {
 namespace {
 
-constexpr double flat_share = 1e-9;    // of the largest edge: thinner is flat
-constexpr double flat_size = 1.0 / 20; // of the stroke's length, where the model gives no measure
+constexpr double flat_share = 1e-9; // share of the largest edge: a thinner model is flat
+// Share of the stroke's length, if the model has no size there
+constexpr double flat_size = 1.0 / 20;
 
 double metres_per_unit(const ModelFrame& frame, const PlacementParameters& p, double length)
 {
@@ -20,7 +21,7 @@ double metres_per_unit(const ModelFrame& frame, const PlacementParameters& p, do
     return length * p.fill / along;
 }
 
-// Columns are images of the axes. Quarter turns about x take y to z and z to -y.
+// The columns are the images of the axes. A quarter turn about x takes y to z and z to -y.
 glm::dmat3 turn_of(LengthAxis along, long rolls, bool reverse)
 {
     const glm::dmat3 quarter(1, 0, 0, 0, 0, 1, 0, -1, 0);

@@ -9,12 +9,12 @@
 namespace trivar {
 namespace {
 
-constexpr double edge_on = 0.01; // cosine between surface and ray below which steps mean nothing
-// Steps in cells: from which one more is not worth it, and the longest one to be trusted.
+constexpr double edge_on = 0.01; // cosine between surface and ray below which steps are useless
+// Steps in cells: a shorter one is not worth another iteration, a longer one is not reliable.
 constexpr double short_step = 0.03, longest_step = 0.5;
-constexpr double exact_step = 1e-6; // where the last one may lead over a crease
+constexpr double exact_step = 1e-6; // if the last step may cross a crease
 constexpr int most_steps = 8, most_over_creases = 16;
-constexpr double past_edge = 1e-6; // parameters outside by no more are rounding
+constexpr double past_edge = 1e-6; // parameters outside by less are rounding
 
 } // namespace
 

@@ -18,10 +18,10 @@ namespace trivar {
 namespace {
 
 constexpr double most_missed = 0.6;
-constexpr int rounds = 4; // of measuring and shooting again; a fixed point for planes after one
+constexpr int rounds = 4; // number of measurements with new rays; planes need one
 constexpr std::size_t profile_steps = 129;
-constexpr double sharpest = 2.4; // radians of a turn within the strip's width
-// The strip may differ from its width seen flat on by these factors.
+constexpr double sharpest = 2.4; // largest turn within the width of the strip, radians
+// The strip may be narrower or wider in the picture than its width seen face on by these factors.
 constexpr double narrowest = 0.25, widest_guess = 2;
 
 std::vector<double> smoothed(std::vector<double> values, int passes)
@@ -49,7 +49,7 @@ std::vector<double> greville(const Knots& knots)
     return out;
 }
 
-// One row or column of nodes, and the mean of the two middle columns.
+// row returns one row of nodes, middle the mean of the two middle columns.
 template <class T> std::vector<T> row(const RayGrid& grid, const std::vector<T>& values, int i)
 {
     const auto first = values.begin() + static_cast<std::ptrdiff_t>(grid.index(i, 0));
@@ -65,7 +65,7 @@ std::vector<glm::dvec3> middle(const RayGrid& grid, const std::vector<glm::dvec3
     return out;
 }
 
-// Rows of the shrunk strip, between those that are mostly hit.
+// Finds the range of rows of the shrunk strip of which most rays hit something.
 std::array<double, 2> hit_range(const RayGrid& grid)
 {
     std::array<double, 2> out{1, 0};
@@ -82,7 +82,7 @@ std::array<double, 2> hit_range(const RayGrid& grid)
 Curve<glm::dvec2> piece(const Curve<glm::dvec2>& curve, const std::array<double, 2>& range)
 {
     std::vector<glm::dvec2> points;
-    constexpr int count = 400; // a stroke of the picture's width, every few pixels
+    constexpr int count = 400; // every few pixels of a stroke across the picture
     for (int i = 0; i <= count; ++i)
         points.push_back(evaluate(curve, range[0] + (range[1] - range[0]) * i / count).value);
     return fit_sketch(points, 0.1);
@@ -128,7 +128,7 @@ public:
     }
 
 private:
-    // First guesses from the middle line, and the strip shrunk to where there is something.
+    // Guesses sizes from the middle line, and shortens the strip to the part that meets the scene.
     void begin(StripLayout& out, Curve<glm::dvec2>& curve)
     {
         center_ = middle_line(curve);
@@ -198,7 +198,7 @@ private:
         });
     }
 
-    // How much of the stroke's length lies before a parameter of the strip.
+    // Returns the share of the stroke's length before a parameter of the strip.
     double length_share(double a) const
     {
         const auto above = std::upper_bound(a_.begin() + 1, a_.end() - 1, a);
@@ -216,7 +216,7 @@ private:
                                        100 * missed_));
     }
 
-    // The nodes' rest, from where they rested before; the tolerance is a share of the height.
+    // Relaxes the nodes from their last positions; the tolerance is a share of the height.
     void relax(StripLayout& out, int most_sweeps, double tolerance)
     {
         timed(timings_, "springs", [&] {
@@ -253,7 +253,7 @@ private:
         });
     }
 
-    // The lines that nodes move on: toward the camera, the side the surface faces, or between.
+    // Returns the directions in which nodes move: toward the camera, along the normals, or between.
     std::vector<glm::dvec3> spring_directions(const RayGrid& grid) const
     {
         std::vector<glm::dvec3> out;
@@ -261,7 +261,7 @@ private:
         if (parameters_.offset == 0) return out;
         for (int i = 0; i < grid.rows; ++i)
             for (int j = 0; j < grid.columns; ++j) {
-                // Over three nodes, so that a crease does not send neighbours through each other.
+                // The mean of three nodes keeps neighbours at a crease from passing each other.
                 const auto at = [&](int di, int dj) {
                     return grid.point(grid.index(std::clamp(i + di, 0, grid.rows - 1),
                                                  std::clamp(j + dj, 0, grid.columns - 1)));
@@ -274,7 +274,8 @@ private:
         return out;
     }
 
-    // Nodes do not sink into what they hit; where there was nothing, not into what is below.
+    // Keeps nodes from sinking into the surface that their rays hit, or into the surface below if
+    // they hit none.
     void set_lower_bounds(SpringSheet& sheet, const RayGrid& grid, double height) const
     {
         std::vector<Ray> down;
@@ -295,8 +296,8 @@ private:
         }
     }
 
-    // Toward the camera nothing is in the way of a node that was seen from there. Along other lines
-    // the next thing is the bound.
+    // Bounds how far nodes may rise. Toward the camera nothing is in the way of a node that it
+    // sees; in other directions the next surface is the bound.
     void set_upper_bounds(SpringSheet& sheet, double height) const
     {
         sheet.hi.assign(sheet.p0.size(), std::numeric_limits<double>::infinity());
@@ -311,7 +312,7 @@ private:
                 sheet.hi[k] = std::max(0.0, above[k]->distance + start - parameters_.clearance);
     }
 
-    // Knots and nodes where the scene has creases.
+    // Adds knots and nodes where the scene has creases.
     void sharpen(StripLayout& out)
     {
         auto sharp = timed(timings_, "rays",
@@ -321,7 +322,7 @@ private:
         along_ = greville(out.axes[0]), across_ = greville(out.axes[1]), a_ = out.grid.a;
     }
 
-    // Whether the nodes round a place touch the scene: springs hold none of them over it.
+    // Says whether all nodes round a place touch the scene.
     bool lies_at(const StripLayout& out, glm::dvec2 uv) const
     {
         const int i = bracket(along_, uv.x).first, j = bracket(across_, uv.y).first;
@@ -329,8 +330,8 @@ private:
                out.touches(out.grid.index(i, j + 1)) && out.touches(out.grid.index(i + 1, j + 1));
     }
 
-    // New parameters that put the nodes at equal lengths on the surface as it is; false when they
-    // are the old ones.
+    // Changes the parameters so that nodes are at equal lengths on the present surface; false if
+    // nothing changed.
     bool measure(StripLayout& out)
     {
         const RayGrid& grid = out.grid;
@@ -385,7 +386,7 @@ private:
     const RayScene& scene_;
     Timings& timings_;
     RayGrid center_;
-    std::vector<double> along_, across_;  // where the nodes belong, as shares of the lengths
+    std::vector<double> along_, across_;  // wanted places of the nodes, as shares of the lengths
     std::vector<double> a_, v_;           // where on the strip that is
     std::vector<double> scale_, half_px_; // of the half width, at profile_steps
     double missed_ = 1;

@@ -13,22 +13,24 @@ namespace trivar {
 namespace {
 
 constexpr double folding = 0.1; // cosine to the ray below which the strip may fold in the picture
-// Rays along each axis of a cell seen edge-on: in each look, and in the last.
+// Number of rays along each axis of a cell seen edge-on, in each look and in the last one.
 constexpr int rays_where_steep = 6, rays_in_last_look = 24;
 constexpr int quads_a_cell = 2; // of the index, along each axis
-constexpr int most_rounds = 12; // of lifting; lines of sight that are parallel need one
+constexpr int most_rounds = 12; // number of lifts; parallel lines of sight need one
 constexpr int most_judgements = 12;
 constexpr int most_looks_again = 5; // with rays, for one judgement
-// Shares of the tolerance: what is let be, how far in front a lift ends, what the judges pass.
+// Shares of the tolerance: depths that need no lift, the margin after a lift, and depths that the
+// judge accepts.
 constexpr double let_be_share = 0.25, margin_share = 0.3, pass_share = 0.75;
 
-// A control point that carries the surface at a sample, and how far it may be lifted for it.
+// A Carrier is a control point with its weight at a sample, and how far it may be lifted.
 struct Carrier {
     std::size_t k;
     double weight, room;
 };
 
-// Adds the least lifts, in squares, that raise the sample by `missing` within every room.
+// Adds the lifts of least squares that raise the sample by `missing` within the room of each
+// carrier.
 void share_out(double missing, std::vector<Carrier>& carriers, std::vector<double>& lift)
 {
     for (bool full = true; full;) {
@@ -70,7 +72,7 @@ void lift_once(Surface<glm::dvec3>& s, const SurfaceTable& table, const View& vi
             missing -= weight * lift[k];
             double room = std::numeric_limits<double>::infinity();
             if (options.never_overshoot) {
-                // Depth is linear in space, so convex sums of depths are those of points.
+                // Depth is linear in space, so it commutes with convex sums.
                 const double depth = glm::dot(s.points[k] - level, view.forward());
                 const double rise = -glm::dot(view.toward_eye(s.points[k]), view.forward());
                 room = std::max(0.0, depth / rise - lift[k]);
@@ -103,8 +105,8 @@ LiftedSurface lifted(Surface<glm::dvec3> contact, const Camera& camera, const Ra
     const SurfaceTable table(out.contact);
     const StripCut cut{table.cells(), quads_a_cell};
 
-    // Lifts what is behind of the samples and marks the control points; false if there is nothing
-    // left that a lift could do. What is in front stays in front, so only these ask for one.
+    // Lifts the surface at samples that are behind and marks the moved control points; false if no
+    // lift helps any more. Samples in front stay in front.
     std::vector<char> moved(out.contact.points.size(), 0);
     const auto rise = [&](std::vector<SceneSample> samples) {
         const std::vector<glm::dvec3> before = out.contact.points;
@@ -125,10 +127,10 @@ LiftedSurface lifted(Surface<glm::dvec3> contact, const Camera& camera, const Ra
         std::fill(moved.begin(), moved.end(), 0);
         return corners;
     };
-    double let_be = 0; // what was found behind and needs no lift
+    double let_be = 0; // largest depth found that needs no lift
     RayLook look{.skip_back_faces = options.skip_back_faces};
-    // Rays find most in the least time: they look until they find nothing that a lift could mend.
-    // Returns what is left then, and marks what has moved as changed.
+    // Looks with rays, the fastest way, until they find nothing that a lift could repair. Returns
+    // what is left, and marks moved control points as changed.
     std::vector<char> changed;
     const auto look_and_rise = [&](std::vector<char> where, int many_rays) {
         look.where_steep = many_rays;
@@ -165,8 +167,8 @@ LiftedSurface lifted(Surface<glm::dvec3> contact, const Camera& camera, const Ra
             changed = take_moved();
             found = look_and_rise(changed, rays);
         } else {
-            // Once more and closely where the strip may fold in the picture, for its layers hide
-            // one another from the index.
+            // Looks once more, closely, where the strip may fold in the picture, because its layers
+            // hide each other from the index.
             if (rays == rays_in_last_look) return out;
             rays = rays_in_last_look;
             changed = nowhere;

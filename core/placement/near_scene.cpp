@@ -8,12 +8,13 @@
 namespace trivar {
 namespace {
 
-constexpr std::size_t boxes_at_once = 64; // of blocks of triangles
+constexpr std::size_t boxes_at_once = 64; // number of blocks of triangles
 
 using Vertex = NearScene::Vertex;
 using Triangle = std::array<std::uint32_t, 3>;
 
-// Whether the hull of points may come near the strip, and whether some are behind the camera.
+// A Place says whether the hull of points may be near the strip, and whether some are behind the
+// camera.
 struct Place {
     bool near = false, behind = false;
 };
@@ -33,7 +34,7 @@ Place place_of(const std::array<glm::dvec3, N>& points, const View& view,
     return {behind > 0 ? behind < N : strip.may_touch(lo, hi), behind > 0};
 }
 
-// A triangle that reaches behind the camera, cut in front of it: one or two triangles are left.
+// Cuts a triangle that reaches behind the camera, which leaves one or two triangles.
 void add_cut(NearScene& out, const View& view, const std::array<Vertex, 3>& corners)
 {
     double deepest = 0;
@@ -127,8 +128,8 @@ void add_entry(NearScene& out, const RayScene::Entry& entry, const View& view,
 NearScene near_scene(const RayScene& scene, const View& view, const StripIndex& strip,
                      bool skip_back_faces)
 {
-    // A little more: lifting in perspective moves the strip in the picture, though each control
-    // point stays where it is there.
+    // Adds a margin: lifting in perspective moves the strip in the picture, although its control
+    // points stay in place there.
     const StripIndex::Surroundings around(strip, strip.quad_px());
     NearScene out;
     for (const RayScene::Entry& entry : scene.entries())

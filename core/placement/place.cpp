@@ -18,7 +18,7 @@
 namespace trivar {
 namespace {
 
-// In perspective a volume that reaches the camera turns inside out there.
+// Throws Rejected if the volume reaches the camera, where perspective would turn it inside out.
 void check_reach(const Surface<glm::dvec3>& contact, const View& view, double height)
 {
     if (!view.perspective()) return;
@@ -41,7 +41,7 @@ std::vector<std::string> notices(const PlacementReport& r, const Extrusion& e,
     if (r.missed_share > 0)
         out.push_back(fmt::format("{:.0f} % of the model has no surface beneath it",
                                   std::max(1.0, 100 * r.missed_share)));
-    constexpr double far_off = 0.5; // of the length: no bridge any more
+    constexpr double far_off = 0.5; // share of the length: a longer gap is not bridged
     if (p.springs && r.largest_gap > far_off * r.length_world)
         out.push_back(fmt::format("it hovers up to {:.2g} m above the surface; lower the "
                                   "stiffness, or let it drop into gaps",
@@ -57,7 +57,7 @@ std::vector<std::string> notices(const PlacementReport& r, const Extrusion& e,
         out.push_back(fmt::format("the volume would fold and is lowered to less than half in {}; "
                                   "reduce the height or the offset",
                                   some(e.lowered, "one place", "places")));
-    // Where both go wrong the number of control points helps the one and harms the other.
+    // If both occur, more control points help against one and worsen the other.
     if (pierced(r, p))
         out.push_back(fmt::format("{:.2g} of the height still penetrates{}", r.penetration,
                                   r.folds.empty() ? "; use more control points" : ""));
@@ -184,7 +184,8 @@ Placement place(const Sketch& sketch, const PlacementParameters& parameters, con
     const StripLayout layout = lay_out(sketch, parameters, frame, scene, timings);
     Placement out = finished(layout, layout.s, sketch.camera, parameters, frame, scene, timings);
     if (!parameters.sharp) return out;
-    // Not every edge can be taken on: what would pierce the scene or fold is laid round it.
+    // Not every sharp edge can be followed: if the volume would pierce the scene or fold, edges are
+    // rounded.
     const auto stands = [&](const PlacementReport& r) {
         return !pierced(r, parameters) && r.smallest_jacobian > 0;
     };

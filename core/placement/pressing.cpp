@@ -31,14 +31,14 @@ LaidVolume with_volume(LaidVolume laid, Lattice volume, std::optional<CellVerdic
     laid.volume = make_ref(std::move(volume));
     if (!verdicts) return allowing_folds(laid, laid.may_fold);
     laid.verdicts = Lazy<CellVerdicts>([known = std::move(*verdicts)] { return known; });
-    (void)*laid.verdicts; // ready for whoever only looks
+    (void)*laid.verdicts; // computed now, so that readers need not
     return laid;
 }
 
 GuardOptions LaidVolume::guard() const
 {
     GuardOptions out;
-    out.sign = 1; // whatever lies on a stroke is laid so
+    out.sign = 1; // volumes on strokes have this sign
     for (const VolumePart& part : may_fold) out.excepted.push_back({part.lo, part.hi});
     return out;
 }
@@ -95,7 +95,8 @@ double Pressing::height(std::size_t point, const glm::dvec3& up) const
     return glm::dot(points_[point] + moved, up);
 }
 
-// How much of the ball reaches each control point; at two places of it, the more.
+// Returns the weight of the ball at each control point; if the ball reaches it twice, the larger
+// one.
 std::vector<double> Pressing::weights(const glm::dvec4& sample) const
 {
     std::vector<double> out(points_.size(), 0.0);
@@ -145,7 +146,7 @@ std::vector<PointMove> Pressing::on_layers(const std::vector<double>& weights, d
             }
             if (press_.guard) {
                 const auto at = [](int k) { return static_cast<std::size_t>(k); };
-                for (int k = 1; k < n.z; ++k) // what goes down stays above the one below
+                for (int k = 1; k < n.z; ++k) // points that go down stay above the one below
                     after[at(k)] =
                         std::max(after[at(k)],
                                  std::min(before[at(k)], after[at(k - 1)] + gap_[first + at(k)]));
@@ -154,7 +155,7 @@ std::vector<PointMove> Pressing::on_layers(const std::vector<double>& weights, d
                         after[at(k)],
                         std::max(before[at(k)], after[at(k + 1)] - gap_[first + at(k + 1)]));
             }
-            if (!press_.into_scene) { // nothing goes down below where the column stood on it
+            if (!press_.into_scene) { // no point goes below the first one of its column
                 const double floor = on_scene_[static_cast<std::size_t>(i * n.y + j)];
                 for (std::size_t k = 0; k < after.size(); ++k)
                     after[k] = std::max(after[k], std::min(before[k], floor));
@@ -200,7 +201,7 @@ Pressing::BallMotion Pressing::add(const glm::dvec4& sample)
         verdicts_ = std::move(proven.after);
     }
     const bool at_layers = !at_scene(volume_, ground_, glm::dvec3(sample));
-    double weight = 0, far = 0; // of what can follow the ball
+    double weight = 0, far = 0; // of points that can follow the ball
     for (std::size_t i = 0; i < w.size(); ++i)
         if (!at_layers || toward_scene_[i % toward_scene_.size()] != 0)
             weight = std::max(weight, w[i]);
@@ -208,7 +209,7 @@ Pressing::BallMotion Pressing::add(const glm::dvec4& sample)
     volume_ = moved(std::move(volume_), taken);
     if (!(weight > 0)) return {};
     const double metres = far / weight;
-    // Layers that came as near to each other as they may.
+    // Some layers are as near to each other as allowed.
     constexpr double nearly_all = 0.98;
     would_fold =
         would_fold || (press_.guard && at_layers && metres < nearly_all * std::abs(sample.w));

@@ -16,10 +16,10 @@ constexpr int brush_points = 9;
 constexpr std::size_t brush_steps = 129;
 constexpr double thinnest_stroke = 0.1,
                  thickest_stroke = 2; // what a brush gives, relative to the width
-constexpr double slowness = 0.5;      // the width goes by this power of the slowness
+constexpr double slowness = 0.5;      // the width grows with this power of the slowness
 constexpr double hand_s = 0.08;       // a hand's speed is its mean over this time
 
-// A value given at ascending places, linear in between.
+// Interpolates values given at ascending places linearly.
 double interpolated(const std::vector<double>& places, const std::vector<double>& values, double at)
 {
     const auto above = std::upper_bound(places.begin(), places.end(), at);
@@ -38,7 +38,7 @@ std::vector<double> walked_px(const std::vector<StrokeSample>& samples)
     return out;
 }
 
-// Pixels a second round each sample; 0 where the clock stood still.
+// Returns the speed at each sample, pixels per second; 0 if the clock stood still.
 std::vector<double> speeds(const std::vector<StrokeSample>& samples,
                            const std::vector<double>& walked)
 {
@@ -152,7 +152,7 @@ double Rise::w_at(double risen) const
 
 namespace {
 
-// That there are enough points, not too many, and that they ascend from 0 to 1.
+// Throws Rejected if there are too few or too many points, or if they do not ascend from 0 to 1.
 void check_places(const std::vector<glm::dvec2>& points, const std::string& name)
 {
     if (points.size() == 1) throw Rejected(name + " has one point but needs two or none");

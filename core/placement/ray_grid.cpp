@@ -12,7 +12,7 @@
 namespace trivar {
 namespace {
 
-// Distances of the nearest hits in grid steps, spread outward ring by ring.
+// Computes the distance to the nearest hit in grid steps, ring by ring.
 std::vector<double> nearest_hits(const RayGrid& grid)
 {
     std::vector<double> distance = grid.distance;
@@ -43,7 +43,7 @@ std::vector<double> nearest_hits(const RayGrid& grid)
     return distance;
 }
 
-// u harmonic on the misses: the average of its four neighbours (fewer at the rim).
+// Makes u harmonic on the misses: the mean of its four neighbours (fewer at the rim).
 std::vector<double> membrane(const RayGrid& grid, std::vector<double> start)
 {
     ObstacleProblem p = grid_laplacian(grid.rows, grid.columns);

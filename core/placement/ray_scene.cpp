@@ -39,13 +39,13 @@ struct SceneHandle {
     SceneHandle& operator=(const SceneHandle&) = delete;
 };
 
-// A triangle of an entry, and where the ray meets it.
+// A Candidate is a triangle of an entry and the place where the ray meets it.
 struct Candidate {
     unsigned entry = 0, triangle = 0;
     float distance = 0;
 };
 
-// What our filter needs beside Embree's own context, which therefore has to come first.
+// A Query holds the data of our filter; Embree's own context must be its first member.
 struct Query {
     RTCIntersectContext context;
     bool skip_back_faces = false;
@@ -135,7 +135,7 @@ PlaneHit meet(const Ray& ray, const std::array<glm::dvec3, 3>& p)
     return {glm::dot(n, to) / along, std::min({0.0, b1, b2, 1 - b1 - b2}), n};
 }
 
-// The box round a box: cheap, and as small as can be where the matrix keeps the axes.
+// Returns the box of a transformed box: cheap, and tight if the matrix keeps the axes.
 Box box_of(const Box& box, const glm::dmat4& to_world)
 {
     Box out;

@@ -13,7 +13,7 @@ namespace {
 
 using Samples = std::vector<StrokeSample>;
 
-// Shares of the length up to each sample; evenly spread where it has none.
+// Returns the shares of the length up to each sample; even ones if the length is 0.
 std::vector<double> shares(const Samples& samples)
 {
     std::vector<double> out(samples.size(), 0);
@@ -43,7 +43,7 @@ Samples reversed(const Samples& samples)
     return out;
 }
 
-// More samples at the end, later by what they took.
+// Appends samples, with their times shifted to the end.
 void append(Samples& to, const Samples& more, std::size_t from, std::size_t end)
 {
     if (from >= end) return;
@@ -56,7 +56,7 @@ void append(Samples& to, const Samples& more, std::size_t from, std::size_t end)
 
 glm::dvec2 direction(const Samples& samples, std::size_t from, int step)
 {
-    // Over some pixels, for the first ones of a hand tremble.
+    // The direction is taken over some pixels, because the first ones of a hand tremble.
     constexpr double far_px = 12;
     const auto end = static_cast<std::ptrdiff_t>(samples.size());
     glm::dvec2 d(0);
@@ -130,7 +130,7 @@ Sketch redrawn(const Sketch& sketch, const Samples& piece, double near_px)
         return out;
     }
     const glm::dvec2 sets_out = direction(piece, 0, 1);
-    // At an end there is one side only to compare with.
+    // At an end only one side can be compared.
     const glm::dvec2 onward =
         leaves + 1 < old.size() ? direction(old, leaves, 1) : -direction(old, leaves, -1);
     if (glm::dot(sets_out, onward) >= 0) {

@@ -17,14 +17,14 @@ namespace trivar {
 namespace {
 
 constexpr double turn = glm::two_pi<double>();
-constexpr int chords_round = 720; // of the length round
+constexpr int chords_round = 720; // for measuring the length round
 
-// The surface and its derivatives by the angle and across.
+// A Frame is the surface with its derivatives by the angle and across.
 struct Frame {
     glm::dvec3 p, along, across;
 };
 
-// Round the axis at a distance r(s) and a height z(s).
+// Returns the surface of revolution at a distance r(s) from the axis and a height z(s).
 Frame revolved(double angle, glm::dvec2 rz, glm::dvec2 rz_s)
 {
     const double c = std::cos(angle), s = std::sin(angle);
@@ -65,7 +65,8 @@ double length_round(const Band& band)
     return sum;
 }
 
-// How far the surface goes to either side of the way before it has come round or to a pole.
+// Returns how far the surface reaches to either side of the path, up to its own other side or a
+// pole.
 double reach_across(const Band& band)
 {
     switch (band.of) {
@@ -77,7 +78,7 @@ double reach_across(const Band& band)
     return INFINITY;
 }
 
-// The sizes over the way, by v and w.
+// Sizes are width and height along the path.
 struct Sizes {
     double width;          // in the units of the surface
     double height, ground; // metres; the w of the surface
@@ -96,7 +97,7 @@ glm::dvec3 at(const Band& band, const Sizes& sizes, glm::dvec3 uvw)
     return band.at(angle, across) + up * band.normal(angle, across);
 }
 
-// Values of a function of (u, v, w) at the Greville abscissae, w fastest.
+// Interpolates the volume at the Greville abscissae, w fastest.
 Trivariate<glm::dvec3> interpolated(const Band& band, const Sizes& sizes,
                                     const std::array<Knots, 3>& axes)
 {
@@ -108,7 +109,7 @@ Trivariate<glm::dvec3> interpolated(const Band& band, const Sizes& sizes,
     return interpolate(axes, values);
 }
 
-// det J relative to the undeformed volume's, the smallest over the nodes and three heights.
+// Returns the smallest det J over the nodes and three heights, relative to the undeformed volume.
 double smallest_jacobian(const Lattice& volume, double size)
 {
     const std::array<Knots, 3>& axes = volume.displacement.axes;

@@ -17,8 +17,8 @@
 namespace trivar {
 namespace {
 
-// Throws Rejected for more control points than a volume may have, and for knots so near to each
-// other, or so many in one place, that nothing can be proven there.
+// Throws Rejected for too many control points, and for knots that are too close or too many in one
+// place for a proof.
 void check_knots(const Lattice& volume, const AxisKnots& inserted)
 {
     constexpr double least_span = 1e-6;
@@ -76,7 +76,7 @@ const char* words_of(RepairWay way)
     return "";
 }
 
-// What is done where it folds; throws Rejected where nothing helps.
+// Repairs folds; throws Rejected if nothing helps.
 LaidVolume mended(const LaidVolume& v, Shaping& what, const Progress& progress)
 {
     RepairOptions options;
@@ -103,7 +103,7 @@ LaidVolume allowing(LaidVolume v, const std::vector<VolumePart>& boxes)
     return allowing_folds(std::move(v), std::move(all));
 }
 
-// The same press but for its samples, of which the first are those.
+// Says whether a press continues the one so far: equal except for further samples.
 bool goes_on(const Press& press, Press so_far)
 {
     const auto& known = so_far.samples;
@@ -114,7 +114,7 @@ bool goes_on(const Press& press, Press so_far)
     return so_far == press;
 }
 
-// Of det J over a node, where it may not fold.
+// Returns the smallest det J over a node, where folds are not allowed.
 double least_det(const Lattice& volume, const std::vector<Box>& may_fold, const glm::dvec2& uv)
 {
     double least = std::numeric_limits<double>::infinity();
@@ -128,7 +128,7 @@ double least_det(const Lattice& volume, const std::vector<Box>& may_fold, const 
     return least;
 }
 
-// The placement as if its stroke had given that volume.
+// Returns the placement as if its stroke had this volume.
 Placement as_shaped(Placement placement, const LaidVolume& v)
 {
     const Surface<glm::dvec3> laid = std::move(placement.contact);
@@ -138,7 +138,7 @@ Placement as_shaped(Placement placement, const LaidVolume& v)
     placement.embedding.to_rest = v.volume->rest * placement.embedding.to_uvw;
     const std::vector<Box> may_fold = v.guard().excepted;
     double least = std::numeric_limits<double>::infinity();
-    double below = 0; // of where it lay, along its normals
+    double below = 0; // below its place on the stroke, along its normals
     for (std::size_t k = 0; k < placement.nodes.size(); ++k) {
         const auto columns = static_cast<std::size_t>(placement.node_columns);
         const glm::dvec2 uv(laid.axes[0].greville(static_cast<int>(k / columns)),
@@ -158,7 +158,7 @@ Placement as_shaped(Placement placement, const LaidVolume& v)
     if (!placement.nodes.empty()) // as undeformed where all may fold
         r.smallest_jacobian = std::isfinite(least) ? least / laid_volume : 1;
     if (r.height_world > 0) r.penetration = std::max(r.penetration, below / r.height_world);
-    // What the stroke said of folds was before.
+    // The report of the stroke was before the edits.
     r.folds = r.smallest_jacobian > 0 ? "" : "the volume folds; repair the folds";
     return placement;
 }
@@ -246,8 +246,8 @@ Shaper::Done Shaper::done(const Ref<VolumeEdit>& edit, const Ref<LaidVolume>& be
     }
 }
 
-// The last few volumes stay, and before them the fewer, the longer they are ago: after step i while
-// fewer than 4 * 2^z more were done, where 2^z divides i.
+// Forgets volumes that are long ago: the one after step i is kept for 4 * 2^z more steps, where 2^z
+// divides i.
 void Shaper::forget()
 {
     const std::size_t n = done_.size();
@@ -278,7 +278,7 @@ Ref<ShapedVolume> Shaper::operator()(const Ref<Placement>& laid,
     if (last_ && same == edits.size() && same == done_.size()) return last_;
     last_ = nullptr;
     done_.resize(same);
-    // What is not remembered is done again.
+    // Steps that are not remembered are done again.
     while (!done_.empty() && !done_.back().after) done_.pop_back();
     const auto share = [&](std::size_t step) {
         return static_cast<double>(step) / static_cast<double>(edits.size());

@@ -12,7 +12,7 @@ glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& otherwise)
     return length > 0 && std::isfinite(length) ? v / length : otherwise;
 }
 
-// Of unit vectors any one at a right angle to v.
+// Returns some unit vector at a right angle to v.
 glm::dvec3 any_across(const glm::dvec3& v)
 {
     const glm::dvec3 axis = std::abs(v.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
@@ -26,7 +26,7 @@ VolumePart bent_by(const Lattice& volume, std::span<const glm::ivec3> points)
     VolumePart out{glm::dvec3(1), glm::dvec3(0)};
     for (const glm::ivec3& p : points) {
         VolumePart one;
-        bool mirrored = false; // goes across the seam of a twisted axis
+        bool mirrored = false; // whether it crosses the seam of a twisted axis
         for (int a = 0; a < 3; ++a) {
             const Knots& axis = volume.displacement.axes[static_cast<std::size_t>(a)];
             const auto first = static_cast<std::size_t>(p[a]);

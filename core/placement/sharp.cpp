@@ -11,13 +11,14 @@ namespace trivar {
 namespace {
 
 const double aligned_slope = std::tan(glm::radians(10.0));
-constexpr double lines_share = 0.6;      // of the lines that an aligned crease must cross
+constexpr double lines_share = 0.6;      // share of the lines that an aligned crease must cross
 constexpr std::size_t most_creases = 16; // aligned ones, on each axis
-constexpr double rough_share = 0.4;      // of cells with creases, from which none stands out
-constexpr double most_more = 6;          // times the nodes there were
-constexpr double apart_share = 0.3;      // of a span, that simple knots keep from a crease
+// Share of cells with creases, above which the scene is rubble
+constexpr double rough_share = 0.4;
+constexpr double most_more = 6;     // times the nodes there were
+constexpr double apart_share = 0.3; // share of a span that simple knots keep from a crease
 
-// Whether there are creases nearly everywhere, as in rubble.
+// Says whether creases are nearly everywhere, as in rubble.
 bool is_rough(const std::vector<CreasePoint>& all, const StripChart& chart)
 {
     const std::vector<double>&us = chart.places(0), &vs = chart.places(1);
@@ -28,7 +29,7 @@ bool is_rough(const std::vector<CreasePoint>& all, const StripChart& chart)
            rough_share * static_cast<double>((us.size() - 1) * (vs.size() - 1));
 }
 
-// A crease that runs along one axis: where it crosses the lines of the other, by their places.
+// A Crease runs along one axis; its track says where it crosses the lines of the other axis.
 struct Crease {
     int across = 0;                // the axis of the lines that it crosses, along which it moves
     std::vector<glm::dvec2> track; // (place of the line, place on it), ascending
@@ -46,7 +47,7 @@ struct Crease {
     }
 };
 
-// Crossings of neighbouring lines that may be the same crease, followed from line to line.
+// Follows crossings of neighbouring lines that may be the same crease, from line to line.
 std::vector<Crease> aligned(const std::vector<CreasePoint>& all, const StripChart& chart, int axis)
 {
     const std::vector<double>& lines = chart.places(1 - axis);
@@ -87,7 +88,7 @@ std::vector<Crease> aligned(const std::vector<CreasePoint>& all, const StripChar
     return out;
 }
 
-// Those far enough from the ends and from one another for a span between.
+// Keeps creases that are far enough from the ends and from each other for a span between them.
 std::vector<Crease> with_room(std::vector<Crease> creases, const Knots& knots)
 {
     const double span = (knots.end() - knots.begin()) / (knots.count() - knots.order() + 1);
@@ -103,7 +104,7 @@ std::vector<Crease> with_room(std::vector<Crease> creases, const Knots& knots)
     return out;
 }
 
-// The knots with order - 1 at each crease, and each of the marked spans cut into so many.
+// Adds order - 1 knots at each crease, and cuts the marked spans.
 Knots with_creases(const Knots& knots, const std::vector<Crease>& creases,
                    const std::vector<double>& more)
 {
@@ -123,7 +124,7 @@ Knots with_creases(const Knots& knots, const std::vector<Crease>& creases,
     return Knots::general(knots.order(), std::move(values));
 }
 
-// The places that cut the spans which hold a crossing into `parts`.
+// Returns the places that cut each span with a crossing into `parts`.
 std::vector<double> cuts(const Knots& knots, const std::vector<CreasePoint>& at, int axis,
                          int parts)
 {
@@ -140,7 +141,7 @@ std::vector<double> cuts(const Knots& knots, const std::vector<CreasePoint>& at,
     return out;
 }
 
-// Where the nodes of a line go so that those of a crease lie on it: linear between creases.
+// Moves a place on a line so that the nodes of creases lie on them; linear between creases.
 double warped(double place, double line, const std::vector<Crease>& creases)
 {
     double from = 0, to = 1, from_goes = 0, to_goes = 1;
@@ -151,7 +152,7 @@ double warped(double place, double line, const std::vector<Crease>& creases)
     return to > from ? glm::mix(from_goes, to_goes, (place - from) / (to - from)) : from_goes;
 }
 
-// The scene's vertices at the crossings that can be seen, and the crossings themselves.
+// Lists the crossings, and the visible vertices of the scene near them.
 std::vector<SceneSample> features_of(const std::vector<CreasePoint>& oblique, const View& view,
                                      const RayScene& scene, bool skip_back_faces)
 {
@@ -186,7 +187,7 @@ std::vector<SceneSample> features_of(const std::vector<CreasePoint>& oblique, co
     return out;
 }
 
-// What a strip needs so that its surface has creases.
+// A SharpStrip is a strip whose surface has creases.
 struct SharpStrip {
     std::array<Knots, 2> axes;
     std::vector<glm::dvec2> sites; // #nodes: the parameters of the strip as it was that they go to
@@ -195,7 +196,7 @@ struct SharpStrip {
     std::vector<SceneSample> features;
 };
 
-// Asks for the creases at the nodes that belong on them, a little to both sides.
+// Probes the creases at the nodes that belong on them, a little to both sides.
 void add_nodes_on(const std::array<std::vector<Crease>, 2>& creases, int axis,
                   const SharpStrip& strip, const StripChart& chart, std::vector<AskedCrease>& asked)
 {
@@ -230,7 +231,7 @@ std::optional<SharpStrip> sharp_strip(const StripLayout& strip, const StripChart
             for (const std::size_t k : c.used) taken[k] = 1;
         creases[a] = with_room(found, strip.axes[a]);
     }
-    // What a crease along one axis does on lines along that axis belongs to it, too.
+    // Crossings of an aligned crease with lines along its own axis belong to it, too.
     std::vector<CreasePoint> oblique;
     for (std::size_t k = 0; k < all.size(); ++k) {
         bool of_aligned = taken[k];
@@ -263,7 +264,7 @@ std::optional<SharpStrip> sharp_strip(const StripLayout& strip, const StripChart
             const glm::dvec2 uv(out.axes[0].greville(i), out.axes[1].greville(j));
             out.sites.emplace_back(warped(uv.x, uv.y, creases[0]), warped(uv.y, uv.x, creases[1]));
         }
-    // The lines are not those on which the creases were found, so they are met anew.
+    // The lines differ from those on which the creases were found, so crossings are found again.
     out.on_crease.resize(out.sites.size());
     out.on_ridge.resize(out.sites.size(), 0);
     std::vector<AskedCrease> asked;
@@ -294,7 +295,7 @@ std::optional<StripLayout> sharpened(const StripLayout& strip, const View& view,
         const auto first = static_cast<std::size_t>(at.first);
         grid.a.push_back(glm::mix(strip.grid.a[first], strip.grid.a[first + 1], at.share));
     }
-    // Springs begin anew, for over ridges they are not needed any more.
+    // Springs start again, because ridges no longer need them.
     out.s.assign(sharp->sites.size(), 0);
     for (std::size_t k = 0; k < sharp->sites.size(); ++k) {
         const auto& on = sharp->on_crease[k];

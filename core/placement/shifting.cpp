@@ -17,7 +17,7 @@ glm::ivec3 count_of(const Lattice& volume)
     return {axes[0].count(), axes[1].count(), axes[2].count()};
 }
 
-// Twice how far it is from the middle along an axis, in steps from point to point.
+// Returns twice the distance from the middle along an axis, in steps between points.
 int side(const glm::ivec3& p, const glm::ivec3& n, int axis)
 {
     return 2 * p[axis] - (n[axis] - 1);
@@ -47,7 +47,7 @@ void check_points(const PointShift& shift, const glm::ivec3& n)
                     p.x, p.y, p.z, n.x, n.y, n.z));
 }
 
-// One shift of one volume.
+// A Shifting applies one shift to one volume.
 class Shifting {
 public:
     Shifting(const Lattice& volume, const PointShift& shift)
@@ -65,7 +65,7 @@ public:
                     directions(mirrored_point(shift.points.front(), n_, mask));
     }
 
-    // Of a point that takes that share of it.
+    // Returns the motion of a point with that share of it.
     glm::dvec3 world(const glm::ivec3& p, double share) const
     {
         const int away = away_from_first(p, n_, shift_);
@@ -87,7 +87,8 @@ private:
     {
         return volume_directions(volume_, greville(volume_, p));
     }
-    // By turning and scaling about the middle, along the first point's directions.
+    // Returns the motion by rotation and scaling about the middle, along the directions of the
+    // first point.
     glm::dvec3 turned(const glm::ivec3& p, double share) const
     {
         const glm::dvec3 from = control_point(volume_, p.x, p.y, p.z) - middle_;

@@ -48,7 +48,7 @@ std::vector<glm::dvec2> thinned(const std::vector<glm::dvec2>& points, std::size
     return out;
 }
 
-// Whether the stroke comes back to where it began.
+// Says whether the stroke returns to its beginning.
 bool closes(const std::vector<glm::dvec2>& points)
 {
     return glm::length(points.back() - points.front()) <= ring_closing_px &&
@@ -66,7 +66,7 @@ Knots with(const Knots& knots, const std::vector<double>& more)
                 : Knots::closed(knots.order(), all, knots.end());
 }
 
-// The knots with a new one in the middle of every span that strays, or the same ones.
+// Adds a knot in the middle of every span whose error is too large.
 Knots refined(const Curve<glm::dvec2>& curve, const std::vector<glm::dvec2>& points,
               const std::vector<double>& t, double tolerance_px)
 {
@@ -118,7 +118,7 @@ Curve<glm::dvec2> fit_sketch(const std::vector<glm::dvec2>& points, double toler
     std::vector<glm::dvec2> p = points;
     const bool closed = closes(p);
     if (closed) p.back() = p.front();
-    // Two or three points fix less than a cubic has: points between them cost nothing.
+    // Two or three points do not determine a cubic, so points between them are added.
     while (p.size() < 8) {
         std::vector<glm::dvec2> finer{p.front()};
         for (std::size_t i = 1; i < p.size(); ++i) {

@@ -13,7 +13,7 @@
 namespace trivar {
 namespace {
 
-// Two unit directions that span the plane across a third.
+// Returns two unit directions that span the plane across a third one.
 std::array<glm::dvec3, 2> tangents(const glm::dvec3& normal)
 {
     const glm::dvec3 other = std::abs(normal.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
@@ -26,20 +26,20 @@ glm::dvec3 in_plane(const glm::dvec3& v, const glm::dvec3& normal)
     return v - normal * glm::dot(v, normal);
 }
 
-// Toward the side from which the ray came: thin sheets have no outside.
+// Returns the normal toward the side from which the ray came, because thin sheets have no outside.
 glm::dvec3 seen_normal(const Hit& hit)
 {
     return hit.back_face ? -hit.normal : hit.normal;
 }
 
-// Down along the normal, from above the place to below it.
+// Shoots a ray down along the normal, from above the place to below it.
 std::optional<Hit> under(const RayScene& scene, const Ground& near, const glm::dvec3& offset,
                          double reach)
 {
     return scene.hit({near.p + offset + near.normal * reach, -near.normal}, 0, 2 * reach);
 }
 
-// The turn about a unit axis, by Rodrigues' formula.
+// Returns the rotation about a unit axis, by Rodrigues' formula.
 glm::dmat3 turn_by(const glm::dvec3& axis, double cosine, double sine)
 {
     const glm::dvec3& a = axis;
@@ -47,7 +47,7 @@ glm::dmat3 turn_by(const glm::dvec3& axis, double cosine, double sine)
     return glm::dmat3(cosine) + sine * cross + (1 - cosine) * glm::outerProduct(a, a);
 }
 
-// The least turn that takes one unit direction to another.
+// Returns the smallest rotation that takes one unit direction to another.
 glm::dmat3 least_turn(const glm::dvec3& from, const glm::dvec3& to)
 {
     const glm::dvec3 axis = glm::cross(from, to);
@@ -57,7 +57,7 @@ glm::dmat3 least_turn(const glm::dvec3& from, const glm::dvec3& to)
     return turn_by(tangents(from)[0], -1, 0);
 }
 
-// About a place.
+// Returns the transform with this linear part that takes p to `to`.
 glm::dmat4 about_place(const glm::dvec3& p, const glm::dmat3& linear, const glm::dvec3& to)
 {
     glm::dmat4 out(linear);
@@ -65,7 +65,7 @@ glm::dmat4 about_place(const glm::dvec3& p, const glm::dmat3& linear, const glm:
     return out;
 }
 
-// Where the samples' rays meet the scene; those that miss are at the depth of the last that met it.
+// Finds where the rays of samples meet the scene; a miss is at the depth of the last hit.
 std::vector<glm::dvec3> places_of(const Sketch& sketch, const RayScene& scene, double depth)
 {
     const View view(sketch.camera);
@@ -82,7 +82,7 @@ std::vector<glm::dvec3> places_of(const Sketch& sketch, const RayScene& scene, d
     return out;
 }
 
-// Whether something stands clearly in front of a tenth of the places or more.
+// Says whether something is clearly in front of at least a tenth of the places.
 bool hidden(const Camera& camera, const std::vector<glm::dvec3>& places, const RayScene& scene,
             double slack)
 {
@@ -99,8 +99,7 @@ bool hidden(const Camera& camera, const std::vector<glm::dvec3>& places, const R
     return static_cast<std::size_t>(covered) * 10 > places.size();
 }
 
-// The places as a parallel view from above sees them, in a picture of the same height in pixels
-// that holds them all.
+// Sees all places in a parallel view from above, in a picture of the same height in pixels.
 Sketch from_above(const Sketch& sketch, const std::vector<glm::dvec3>& places, const Ground& above,
                   double distance, const glm::dvec3& up)
 {

@@ -63,7 +63,7 @@ ComposedBounds::ComposedBounds(const ComposedCells& cells) : cells_(cells), firs
     for (const Ref<DisplacementCells>& each : cells.cells_) next_.emplace_back(each);
 }
 
-// What each volume adds to a bound, and where it has the corners.
+// The share of each volume in a bound, and where it moves the corners.
 template <std::size_t corners> struct ComposedBounds::Shares {
     double bound = 0;
     std::size_t worst = 0; // 0: the first volume

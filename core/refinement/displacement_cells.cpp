@@ -40,7 +40,7 @@ int floor_of_quotient(int a, int b)
     return a >= 0 ? a / b : -((b - 1 - a) / b);
 }
 
-// Of the derivative along an axis: its control points are quotients of neighbours.
+// The control points of the derivative along an axis are difference quotients of neighbours.
 double steepest(const Trivariate<glm::dvec3>& f, int axis)
 {
     const Knots& knots = f.axes[at(axis)];

@@ -32,7 +32,7 @@ int net_of(const DisplacementCells::Cell& cell, const glm::ivec3& orders,
     return compose<corners>(cell.points.data(), orders, local, net);
 }
 
-// A net less the linear one with these corners.
+// Subtracts the linear net with these corners from a net.
 template <int corners>
 void subtract_linear(NetPoints<corners>& net, int degree,
                      const std::array<glm::dvec3, corners>& linear)

@@ -183,7 +183,7 @@ bool Refinement::can_split(const Edge& edge) const
     return depth < most_depth && target(edge) > 0 && all_.length_world(edge) > shortest_;
 }
 
-// The one with the greatest bound; where none is worth mentioning, the longest.
+// Chooses the edge with the greatest bound; if no bound matters, the longest edge.
 Index Refinement::worst_edge(const Triangle& triangle) const
 {
     Index worst = SharedTriangles::none;

@@ -38,7 +38,7 @@ std::filesystem::path absolute(const ImportedFile& file, const std::filesystem::
     return (folder / file.path).lexically_normal();
 }
 
-// Where a copy of the file can lie: where there is none, or one with the same content.
+// Finds a name for a copy of the file that is free or has the same content.
 std::filesystem::path place_for(const std::filesystem::path& file,
                                 const std::filesystem::path& folder)
 {

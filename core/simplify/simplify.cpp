@@ -61,7 +61,7 @@ double rounding_of(const Mesh& mesh)
     return 0x1p-24 * glm::length(bounding_box(mesh).size());
 }
 
-// Decimated till nothing is further than the error. The tolerance of quadrics is a mean and no
+// Decimates until nothing is further than the error. The tolerance of quadrics is a mean and no
 // bound, so what is not proven gets half the tolerance and all is done again; what still is not
 // after some rounds stays as it is. Two or three rounds are usual.
 Decimation decimated_within(double error, const Mesh& mesh, const Fans& fans,
