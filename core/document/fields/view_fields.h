@@ -25,7 +25,7 @@ template <> struct FieldsOf<RenderSettings> {
               later.called("Colour by"));
         field("volumes", s.volumes,
               "shows the lattices of placed objects, and the ball if the last edit was a press",
-              later.says("shown", "not shown"));
+              later.called("Lattices").says("shown", "not shown"));
         field("captions", s.captions,
               "shows the number of triangles and the certified error under refined objects",
               later.called("Refinement captions").says("shown", "not shown"));
