@@ -60,7 +60,7 @@ Sketch stroke_now(const Stage& laid, const PlacementStep& step)
 
 std::optional<Attachment> hosts_now(const Stage& laid, const PlacementStep& step)
 {
-    if (!step.attach || !laid.supports) return {};
+    if (!step.attach || !laid.carriage || !laid.supports) return {};
     const std::vector<AttachedHost>& known = step.attach->hosts;
     Attachment out;
     const auto add = [&](Id id) {

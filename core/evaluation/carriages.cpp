@@ -62,7 +62,7 @@ Support support_of(const EvaluatedObject& object, Part part, const glm::dmat4& o
 Ref<Carriage> Carriages::operator()(const StepInput& input)
 {
     const std::optional<PlacementStep>& step = input.object.stroke;
-    if (!step || !step->attach || step->round) return nullptr;
+    if (!step || !step->attach || step->round || !carries(*step->attach)) return nullptr;
     From from{*step, {}, {}};
     const auto done = [&](Id id) {
         const auto found = input.done.find(id);

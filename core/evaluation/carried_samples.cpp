@@ -74,12 +74,24 @@ void tell_gaps(Carriage& carriage, const StrokeHosts& stroke, const std::vector<
             fmt::format("its hosts have moved {:.3g} m apart; it spans the gap", widest));
 }
 
+// What lay on a host, or a part of one, that is not there now goes with the rest.
+void tell_missing(Carriage& carriage, const StrokeHosts& stroke)
+{
+    for (std::size_t i = 0; i < stroke.feet.size(); ++i)
+        if (stroke.attachment.samples[i].host >= 0 && !stroke.feet[i].now) {
+            carriage.notices.emplace_back("a part of what carries it is not shown in this frame; "
+                                          "what lay on that goes with the rest");
+            return;
+        }
+}
+
 } // namespace
 
 void carry_samples(Carriage& carriage, const StrokeHosts& stroke)
 {
     Sketch& sketch = carriage.sketch;
     const std::vector<SampleFoot>& feet = stroke.feet;
+    tell_missing(carriage, stroke);
     if (feet.size() != sketch.samples.size()) return;
     const View view(sketch.camera);
     std::vector<glm::dvec2> by(feet.size(), glm::dvec2(0));

@@ -86,6 +86,13 @@ std::size_t main_host(const Attachment& attachment)
                : static_cast<std::size_t>(touched - attachment.hosts.begin());
 }
 
+bool carries(const Attachment& attachment)
+{
+    const auto met = [](const AttachedSample& sample) { return sample.host >= 0; };
+    return std::ranges::any_of(attachment.hosts, &AttachedHost::touched) ||
+           std::ranges::any_of(attachment.samples, met);
+}
+
 std::optional<Attachment> renumbered(const Attachment& attachment,
                                      const std::function<std::optional<int>(int)>& number)
 {

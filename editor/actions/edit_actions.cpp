@@ -3,6 +3,7 @@
 
 #include "core/evaluation/attaching.h"
 #include "editor/actions/chords.h"
+#include "editor/actions/left_behind.h"
 #include "editor/actions/log_lines.h"
 #include "editor/commands/clipboard.h"
 #include "editor/editor.h"
@@ -29,6 +30,15 @@ std::vector<Id> deletable(Editor& e, const char* title)
         e.session.notices.say(ui::NoticeKind::warning, title,
                               "The selected objects are locked. Unlock them first.");
     return ids;
+}
+
+// Says, too, what becomes of what they carried.
+void delete_objects(Editor& e, const std::vector<Id>& ids)
+{
+    const Document before = e.session.committed();
+    if (!e.session.run(Delete{ids})) return;
+    const std::vector<std::string> lines = left_behind(before, e.session.committed());
+    if (!lines.empty()) e.session.notices.say_all(ui::NoticeKind::warning, "Deleted", lines);
 }
 
 void copy_objects(Editor& e, const std::vector<Id>& ids, const char* verb)
@@ -91,7 +101,7 @@ void cut_objects(Editor& e)
     const std::vector<Id> ids = deletable(e, "Nothing was cut");
     if (ids.empty()) return;
     copy_objects(e, ids, "cut");
-    e.session.run(Delete{ids});
+    delete_objects(e, ids);
 }
 
 void add_clipboard_actions(std::vector<Action>& a)
@@ -246,7 +256,7 @@ void add_edit_actions(std::vector<Action>& a)
                  {{ui::key_delete}, {'X'}},
                  [](Editor& e) {
                      const std::vector<Id> ids = deletable(e, "Nothing was deleted");
-                     if (!ids.empty()) e.session.run(Delete{ids});
+                     if (!ids.empty()) delete_objects(e, ids);
                  },
                  something_selected()});
     a.push_back({"Edit",
