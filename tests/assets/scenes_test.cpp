@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(Of, EveryScene,
                                          "cube_refined", "edges", "crocodile_pressed",
                                          "pressing_tools", "fold_and_repair", "ants_terrain",
                                          "cars_over_obstacle", "text_teapot", "bulldozer_parks",
-                                         "reptiles"),
+                                         "reptiles", "rider"),
                          [](const auto& scene) { return scene.param; });
 
 TEST(Stacked, PlacesSnakesOnWhatWasPlacedBefore)

@@ -191,8 +191,10 @@ TEST_P(Motion, ShowsTheSceneInSixOfItsFrames)
                                          "docs/gallery/" + GetParam() + "_sheet.png"));
 }
 
+class ProvenMotion : public ::testing::TestWithParam<std::string> {};
+
 // Of two of its frames; docs/export.md has more of them.
-TEST_P(Motion, IsExportedAndProvenBetweenItsMomentsToo)
+TEST_P(ProvenMotion, IsExportedAndProvenBetweenItsMomentsToo)
 {
     const int middle = document_of(GetParam()).time.first_frame + 19;
     const AnimatedExport made =
@@ -242,9 +244,13 @@ TEST(GalleryPage, ShowsEverySceneAndNoPictureThatIsNotThere)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Motion,
-                         ::testing::Values("ants_moebius", "ants_terrain", "cars_over_obstacle",
-                                           "text_teapot", "bulldozer_parks", "reptiles"),
+const auto proven_scenes = ::testing::Values("ants_moebius", "ants_terrain", "cars_over_obstacle",
+                                             "text_teapot", "bulldozer_parks", "reptiles");
+INSTANTIATE_TEST_SUITE_P(Scenes, Motion, proven_scenes,
+                         [](const auto& scene) { return scene.param; });
+INSTANTIATE_TEST_SUITE_P(Carried, Motion, ::testing::Values("rider"),
+                         [](const auto& scene) { return scene.param; });
+INSTANTIATE_TEST_SUITE_P(Scenes, ProvenMotion, proven_scenes,
                          [](const auto& scene) { return scene.param; });
 INSTANTIATE_TEST_SUITE_P(Scenes, Gallery, ::testing::ValuesIn(every_scene()),
                          [](const auto& scene) { return scene.param; });
