@@ -79,7 +79,7 @@ std::vector<Id> supports(const Document& document, Id id, const std::vector<Id>&
             throw Rejected(fmt::format(
                 "field \"onto\": {} {} {} already, so the other way round is "
                 "impossible",
-                named(document, other), stands_in(document, other, id) ? "stands in" : "lies on",
+                named(document, other), stands_in(document, other, id) ? "is in" : "lies on",
                 named(document, id)));
         result.push_back(other);
     }

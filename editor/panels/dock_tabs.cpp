@@ -27,8 +27,7 @@ void draw_tabs(Editor& editor, const ui::Theme& theme, const Layout& layout)
     };
     tab(Editor::Tab::inspector, "Inspector", "Properties of the selection.");
     tab(Editor::Tab::history, "History", "Every step so far; each can be returned to.");
-    tab(Editor::Tab::log, "Log",
-        "Every command as it stands in the scene file; more can be typed.");
+    tab(Editor::Tab::log, "Log", "The commands of the scene file; you can type more.");
     ImGui::End();
 }
 

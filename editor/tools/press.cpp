@@ -426,8 +426,7 @@ std::vector<Hint> PressTool::hints(const Session& session) const
     const bool member = selected != 0 && session.document().objects.contains(selected) &&
                         lattice_of_member(session, selected) != 0;
     if (!selected_volume(session) && member)
-        return {{{"left"}, "Drag on it to press the lattice that it stands in"},
-                {{"Esc"}, "Select"}};
+        return {{{"left"}, "Drag on it to press the lattice that it is in"}, {{"Esc"}, "Select"}};
     if (!selected_volume(session))
         return {
             {{}, "Select a placed object or a lattice"}, {{"left"}, "Select"}, {{"Esc"}, "Select"}};

@@ -184,8 +184,7 @@ TEST(LaidLattices, RefuseRingsAndWhatTheyCannot)
     const auto refused = [](const Command& command, const char* why) {
         EXPECT_THAT([&] { after(laid(), command); }, ThrowsMessage<Rejected>(HasSubstr(why)));
     };
-    refused(Place{lattice_id, testing::small_sketch(), {}, {box_id}},
-            "stands in object 3 (Lattice)");
+    refused(Place{lattice_id, testing::small_sketch(), {}, {box_id}}, "is in object 3 (Lattice)");
     refused(Reorder{.objects = {ground_id}, .parent = lattice_id}, "which lies on it");
     refused(SetParent{.objects = {ground_id}, .parent = lattice_id}, "which lies on it");
     refused(SetTravel{{lattice_id}, {.speed = 1}}, "does not travel");

@@ -289,7 +289,7 @@ TEST(Lattices, RefuseWhatCannotBeInASentence)
     refused(AddLattice{.objects = {7}}, "no object 7");
     refused(AddLattice{.objects = {1}, .shape = {.orders = {4, 7, 4}}}, "between 2 and 6");
     refused(AddLattice{.objects = {1}, .shape = {.grid = {1024, 1024, 10}}}, "10485760 control");
-    refused(Place{2, testing::small_sketch(), {}, {1}}, "stands in object 2 (Lattice) already");
+    refused(Place{2, testing::small_sketch(), {}, {1}}, "is in object 2 (Lattice) already");
     refused(AddLattice{.objects = {1}, .shape = {.grid = {3, 4, 4}}}, "order 4 needs at least 4");
     refused(AddLattice{.objects = {1}, .shape = {.grid = {1, 4, 4}}}, "between 2 and 1024");
     refused(AddLattice{.objects = {1}, .shape = {.grid = {300, 300, 300}}},

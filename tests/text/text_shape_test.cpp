@@ -234,9 +234,10 @@ TEST(Fonts, HaveOneStandInForThoseThatAreNotThere)
 {
     EXPECT_THAT(find_font("No Such Font").notices,
                 ElementsAre("the font \"No Such Font\" is not on this computer: DejaVu Sans Book "
-                            "stands in"));
-    EXPECT_THAT(find_font("/no/such.ttf").notices,
-                ElementsAre("the font /no/such.ttf cannot be opened: DejaVu Sans Book is used instead"));
+                            "is used instead"));
+    EXPECT_THAT(
+        find_font("/no/such.ttf").notices,
+        ElementsAre("the font /no/such.ttf cannot be opened: DejaVu Sans Book is used instead"));
     EXPECT_EQ(find_font("").notices.size(), 1u);
     EXPECT_EQ(find_font("/").notices.size(), 1u);
     EXPECT_EQ(find_font("/dev/zero").notices.size(), 1u);

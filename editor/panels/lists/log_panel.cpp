@@ -106,7 +106,7 @@ void draw_entry(const ui::Theme& theme, const LogEntry& entry, const ui::Rect& r
     if (!hovered && !ImGui::IsMouseHoveringRect({right, row.lo.y}, {row.hi.x, row.hi.y})) return;
     ImGui::SetCursorScreenPos({right + theme.px(4), std::round(row.center().y - square.y / 2)});
     if (ui::icon_button(theme, "copy", ui::icon::copy, square,
-                        {"Copy this line", {}, "As it stands in the scene file."}))
+                        {"Copy this line", {}, "Copies the line of the scene file."}))
         ImGui::SetClipboardText(std::string(entry.line).c_str());
 }
 
