@@ -76,7 +76,7 @@ Letters letters(const TextShape& text, const AssetStore& assets)
     if (is_font_path(text.font)) out.lacks = found.notices;
     // A font that replaces another one needs no notice that its file differs.
     for (std::string& notice : body.notices)
-        if (found.notices.empty() || notice.find("that was meant") == notice.npos)
+        if (found.notices.empty() || !notice.ends_with(other_font_words))
             out.model.notices.push_back(std::move(notice));
     return out;
 }

@@ -195,9 +195,7 @@ TextBody text_body(const TextShape& shape, const Font& font)
                                " has no outline that can be read; a box is shown instead");
     if (body.mesh.face_count() == 0) body.notices.emplace_back("the text has no visible letters");
     if (!shape.font_digest.empty() && shape.font_digest != font.digest())
-        body.notices.push_back(
-            "the font " + font.title() +
-            " is another version than the scene was made with; letters may differ");
+        body.notices.push_back("the font " + font.title() + std::string(other_font_words));
     return body;
 }
 

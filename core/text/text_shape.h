@@ -5,6 +5,7 @@
 #include "core/text/font.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace trivar {
@@ -34,6 +35,10 @@ bool has_letters(const std::string& text);
 // Throws Rejected for a text without letters or with more than 2000 of them, for control characters
 // other than tabs and line breaks, for bytes that are not UTF-8, and for a depth above 20 sizes.
 void check(const TextShape& shape);
+
+// Ends the notice of a font whose file is not the one of the digest.
+inline constexpr std::string_view other_font_words =
+    " is another version than the scene was made with; letters may differ";
 
 struct TextBody {
     Mesh mesh; // each letter is closed; letters without an outline are left out

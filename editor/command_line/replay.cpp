@@ -124,7 +124,7 @@ void check_result(ReplayResult& replayed, const ReplayOptions& options, const St
         if ((ref->shows_nothing() && !ref->placement) || !ref->rejected.empty() ||
             !ref->lacks.empty())
             differs(replayed, streams,
-                    fmt::format("{}: {} is not as it was meant: {}", options.scene.path,
+                    fmt::format("{}: {} is not complete: {}", options.scene.path,
                                 object(replayed.document, id).name,
                                 ref->notices.empty() ? "it has no shape" : ref->notices.front()));
 }
@@ -256,7 +256,7 @@ Status run_replay(const ReplayOptions& options, const Streams& streams)
         }
         const Status status = write_all(options, replayed, streams, interrupts);
         if (options.check && status == Status::done)
-            streams.talk << "trivar: " << options.scene.path << ": as it was meant\n";
+            streams.talk << "trivar: " << options.scene.path << ": the check passed\n";
         return status;
     } catch (const Cancelled&) {
         clear_progress(streams);
