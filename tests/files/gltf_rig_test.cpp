@@ -73,7 +73,7 @@ TEST(GltfRig, SaysWhatIsLeftOut)
 
     model = rigged_model();
     model.clips[0].channels[0].times_s = {1, 0};
-    EXPECT_THAT(read(model).notices, Contains(HasSubstr("one track of its animations has no")));
+    EXPECT_THAT(read(model).notices, Contains(HasSubstr("one track of its animations has times")));
     EXPECT_EQ(read(model).clips.size(), 1u);
 
     model = rigged_model();

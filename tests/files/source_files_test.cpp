@@ -65,7 +65,7 @@ TEST_F(WrittenModels, TakeThePlaceOfASourceWithNoneOfTheirFiles)
         SourceFiles sources;
         sources.add(own.file(name));
         EXPECT_THAT([&] { write_model(ball(), own.file("a.obj"), sources); },
-                    ThrowsMessage<Rejected>(HasSubstr(std::string(name) + ": the scene is made")));
+                    ThrowsMessage<Rejected>(HasSubstr(std::string(name) + ": the scene uses")));
         EXPECT_EQ(read_text_file(own.file(name)), "source");
         EXPECT_EQ(std::distance(fs::directory_iterator(own.path()), fs::directory_iterator()), 1);
     }

@@ -144,7 +144,7 @@ TEST_F(ExportCommand, IsFoundOutWhereItsClaimsAreOfOtherParts)
     EXPECT_EQ(loose.status, Status::rejected);
     EXPECT_THAT(loose.text, HasSubstr("is 1e+300 m, which proves nothing"));
     EXPECT_EQ(tight.status, Status::rejected);
-    EXPECT_THAT(tight.text, HasSubstr("a.glb: what it claims cannot be exported"));
+    EXPECT_THAT(tight.text, HasSubstr("a.glb: the result that it claims cannot be exported"));
     EXPECT_EQ(above.status, Status::check_failed);
     EXPECT_THAT(above.text, HasSubstr("where the furthest of its parts claims"));
 }

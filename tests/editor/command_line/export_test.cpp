@@ -90,7 +90,7 @@ TEST_F(WindowExport, TakesThePlaceOfNoFileThatTheSceneIsMadeFrom)
     for (const char* name : {"tri.obj", "red.obj"}) { // the other one's library of materials
         const ui::Notices::Notice said = exported(name);
         EXPECT_EQ(said.title, std::string(name) + " was not written");
-        EXPECT_THAT(said.body, HasSubstr("take another name"));
+        EXPECT_THAT(said.body, HasSubstr("choose another name"));
     }
     EXPECT_EQ(read_text_file(disk.file("tri.obj")), model);
     EXPECT_EQ(read_text_file(disk.file("red.mtl")), red);

@@ -218,8 +218,8 @@ TEST_F(Sequences, RefuseInASentenceWhatMakesNone)
     refused(arguments(good, {}, "0:3"), "frame 0 is none");
     for (const char* shard : {"0/4", "5/4", "1", "1/0", "-1/4", "1/4/2", "x/y", "1/4x", "/"})
         refused(arguments(good, {"--shard", shard}), "--shard", Status::usage);
-    refused(arguments(folder.file("a.png")), "lacks ####");
-    refused(arguments(folder.file("a#b/c.png")), "lacks ####");
+    refused(arguments(folder.file("a.png")), "needs ####");
+    refused(arguments(folder.file("a#b/c.png")), "needs ####");
     refused(arguments(folder.file("a.##.##.png")), "stand together");
     refused(arguments(folder.file("a.####.jpg")), ".png or .exr");
     refused(arguments(folder.file("a.####")), ".png or .exr");
