@@ -64,8 +64,7 @@ const std::vector<AttachedSample>* samples_of(const PlacementStep& step)
 // The motion that takes one camera to the other, each a rigid frame and a size.
 glm::dmat4 between(const Camera& then, const Camera& now)
 {
-    const double factor =
-        glm::distance(now.eye, now.target) / glm::distance(then.eye, then.target);
+    const double factor = glm::distance(now.eye, now.target) / glm::distance(then.eye, then.target);
     const glm::dmat4 grown = glm::scale(glm::dmat4(1), glm::dvec3(factor));
     return glm::inverse(view_matrix(now)) * grown * view_matrix(then);
 }
@@ -150,12 +149,12 @@ std::optional<StepTitle> stroke_title(const PlacementStep& before, const Placeme
     const double factor = glm::length(glm::dvec3(by[0]));
     if (std::abs(factor - 1) > 1e-9)
         return StepTitle{"Scale " + name + " on the surface", "× " + brief_number(factor)};
-    constexpr double least_deg = 1e-6;
-    if (const double angle = turn_deg(met, by); std::abs(angle) > least_deg)
-        return StepTitle{"Turn " + name + " on the surface", in_degrees(angle)};
     const double was = before.parameters.clearance, is = after.parameters.clearance;
     if (was != is)
         return StepTitle{(is > was ? "Lift " : "Lower ") + name, "clearance " + in_metres(is)};
+    constexpr double least_deg = 1e-6;
+    if (const double angle = turn_deg(met, by); std::abs(angle) > least_deg)
+        return StepTitle{"Turn " + name + " on the surface", in_degrees(angle)};
     return StepTitle{"Move " + name + " over the surface", {}};
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace trivar {
 namespace {
@@ -130,11 +131,18 @@ std::optional<EditPlacement> moved(const LaidStand& laid, const Motion& motion,
         glm::transpose(own.axes) * (of.axes * motion.offset) / scale_of(laid.to_world);
     const glm::dvec3 left = glm::cross(laid.ground.normal, laid.along);
     const Lift lift = lifted_by(laid, by.z);
-    const glm::dvec3 way = laid.along * by.x + left * by.y - lift.aside;
-    const double distance = glm::length(way);
+    const double distance = glm::length(glm::dvec2(by));
+    glm::dmat4 motion_of_stroke(1);
+    Ground to = laid.ground;
+    if (distance > 0) {
+        to =
+            walked(*laid.scene, laid.ground, laid.along * by.x + left * by.y, distance, laid.reach);
+        motion_of_stroke = slid(laid.ground, to);
+    }
+    // After what turns it on its way, so that a lift alone turns nothing.
+    motion_of_stroke = motion_of_stroke * glm::translate(glm::dmat4(1), -lift.aside);
     EditPlacement edit{laid.object, laid.step.parameters, {}, {}};
-    if (distance > 0)
-        edit = slid_to(laid, walked(*laid.scene, laid.ground, way, distance, laid.reach));
+    if (motion_of_stroke != glm::dmat4(1)) edit = with_stroke(laid, motion_of_stroke, to);
     edit.parameters.clearance = lift.clearance;
     return edit;
 }

@@ -123,6 +123,46 @@ TEST(LaidMotion, RTurnsItAboutItsContactAndXIsNoCommandMeanwhile)
     EXPECT_LT(glm::dot(rig.ahead(), ahead), -0.8) << "it went a quarter further with the mouse";
 }
 
+TEST(LaidMotion, ALiftTurnsNothingWhereTheSurfaceIsCurved)
+{
+    testing::Rig rig;
+    AddSphere ball;
+    ball.shape.radius = 2;
+    ball.transform.translation = {0, 0, -2};
+    ASSERT_TRUE(rig.editor.session.run(ball));
+    AddBox box;
+    box.shape.size = {1.2, 0.3, 0.3};
+    box.transform.translation = {0, 0, 1};
+    ASSERT_TRUE(rig.editor.session.run(box));
+    rig.editor.session.selected = 2;
+    rig.editor.session.view.camera.eye = {0.5, -6, 4};
+    rig.editor.session.view.camera.target = {0, 0, 0};
+    rig.wait();
+    rig.key({'D'});
+    rig.draw(rig.stroke());
+    rig.wait();
+    rig.key({'Q'});
+    const auto stroke = [&] {
+        return object(rig.editor.session.document(), 2).placement.value().sketch;
+    };
+    const auto middle = [&] {
+        const auto laid = rig.editor.session.evaluated().objects.at(2)->placement;
+        return evaluate(laid->contact, {0.5, 0.5}).value;
+    };
+    const Sketch was = stroke();
+    const glm::dvec3 from = middle(), normal = glm::normalize(from - glm::dvec3(0, 0, -2));
+    rig.key({'G'});
+    rig.key({'Z'});
+    rig.type("0.1");
+    rig.key({ui::key_enter});
+    rig.wait();
+    EXPECT_LT(glm::distance(glm::normalize(stroke().camera.target - stroke().camera.eye),
+                            glm::normalize(was.camera.target - was.camera.eye)),
+              1e-9);
+    EXPECT_GT(glm::dot(middle() - from, normal), 0.08);
+    EXPECT_LT(glm::distance(middle(), from + 0.1 * normal), 0.03);
+}
+
 TEST(LaidMotion, HistorySaysMoveTurnScaleAndLift)
 {
     LaidRig rig;
