@@ -123,7 +123,9 @@ std::vector<Id> bases_of(const CopiedPlacement& placement, const Document& befor
     if (placement.round)
         std::erase_if(bases, [&](Id id) {
             const Object& base = object(document, id);
-            return base.stroke || !band_round(base.source, 0, glm::dmat4(1));
+            if (base.placement) return true;
+            return placement.normal ? holds_others(base.source)
+                                    : !band_round(base.source, 0, glm::dmat4(1));
         });
     return bases;
 }
@@ -142,8 +144,8 @@ Document laid(Document document, Id id, const CopiedObject& copy, const std::vec
             return here;
         });
     if (p.round)
-        document =
-            applied(std::move(document), PlaceRound{id, bases.front(), p.level, p.parameters});
+        document = applied(std::move(document),
+                           PlaceRound{id, bases.front(), p.level, p.parameters, p.normal});
     else if (!bases.empty() || !possible_bases(document, id).empty())
         document = applied(std::move(document), Place{id, p.sketch, p.parameters, bases, attached});
     else
@@ -188,7 +190,8 @@ CopiedObject copy_of(const Document& document, Id id, bool inside, const std::st
                       {},
                       each.stroke->round.has_value(),
                       each.stroke->round ? each.stroke->round->level : 0,
-                      each.stroke->attach};
+                      each.stroke->attach,
+                      each.stroke->round ? each.stroke->round->normal : std::nullopt};
     for (const Id base : each.stroke->onto)
         copy.placement->onto.push_back({base, object(document, base).name});
     if (each.travel != Travel{}) copy.travel = each.travel;

@@ -33,6 +33,7 @@ struct CopiedPlacement {
     bool round = false;
     double level = 0;
     std::optional<Attachment> attach = {};
+    std::optional<glm::dvec3> normal = {};
     bool operator==(const CopiedPlacement&) const = default;
 };
 
@@ -82,9 +83,9 @@ template <> struct FieldsOf<CopiedPlacement> {
         field("parameters", p.parameters, "how it lies");
         field("onto", p.onto, "its hosts: other copies, or objects of the scene");
         field("round", p.round, "about the only one of onto, in place of a stroke");
-        field("level", p.level, "metres from the widest circle of that object");
-        field("attach", p.attach,
-              "the hosts among onto that it is attached to, by the same numbers");
+        field("level", p.level, "metres from that one's widest circle, or its origin");
+        field("normal", p.normal, "of the plane that cuts that one; left out: none does");
+        field("attach", p.attach, "which of onto carry it, by the same numbers");
     }
 };
 template <> struct FieldsOf<CopiedObject> {

@@ -117,7 +117,19 @@ void check_parameters(const PlacementParameters& p)
         throw Rejected("field \"roll_deg\" must be 0, 90, 180 or 270");
 }
 
-// Throws Rejected if it has a host that it does not lie on.
+// Throws Rejected where no plane is said, or the object has no surface that it could cut.
+void check_cut(const Document& document, const PlaceRound& command)
+{
+    const glm::dvec3& normal = *command.normal;
+    if (!std::isfinite(glm::dot(normal, normal)) || !(glm::length(normal) > 0))
+        throw Rejected("field \"normal\" has no direction");
+    if (holds_others(object(document, command.around).source))
+        throw Rejected(fmt::format("field \"around\": {} has no surface of its own; name one of "
+                                   "the objects in it",
+                                   named(document, command.around)));
+}
+
+// Throws Rejected where something carries it that it does not lie on.
 void check_attached(const Attachment& attachment, const PlacementStep& step)
 {
     check(attachment, step.sketch.samples.size());
@@ -209,10 +221,12 @@ Document applied(Document document, const PlaceRound& command)
 {
     check_can_be_laid(document, command.object);
     const Object& base = object(document, command.around);
-    if (!band_round(base.source, 0, glm::dmat4(1)))
-        throw Rejected(
-            fmt::format("field \"around\": {} is not a cylinder, sphere, torus or Moebius band",
-                        named(document, command.around)));
+    if (command.normal)
+        check_cut(document, command);
+    else if (!band_round(base.source, 0, glm::dmat4(1)))
+        throw Rejected(fmt::format("field \"around\": {} is no cylinder, sphere, torus or Moebius "
+                                   "band; say by \"normal\" which plane cuts it",
+                                   named(document, command.around)));
     if (base.placement)
         throw Rejected(fmt::format("field \"around\": {} is itself placed; unplace it first",
                                    named(document, command.around)));
@@ -220,7 +234,7 @@ Document applied(Document document, const PlaceRound& command)
     PlacementStep step{{},
                        command.parameters,
                        supports(document, command.object, {command.around}),
-                       RoundWay{command.level}};
+                       RoundWay{command.level, command.normal}};
     return with_changed(std::move(document), command.object, [&](Object& o) {
         o.stroke = std::move(step);
         forget_shaping(o);

@@ -42,20 +42,27 @@ std::vector<Id> possible_bases(const Document& document, Id id);
 
 struct PlaceRound {
     static constexpr std::string_view verb = "place_round",
-                                      summary = "Lay an object round a cylinder, a sphere, a torus "
-                                                "or a Moebius band, on a closed path.";
+                                      summary = "Lay an object round a body, on a closed path: "
+                                                "round a cylinder, a sphere, a torus or a Moebius "
+                                                "band, or round anything where a plane cuts it.";
     static constexpr CommandNature nature{.icon = CommandIcon::place};
     Id object = 0, around = 0;
     double level = 0;
     PlacementParameters parameters;
+    std::optional<glm::dvec3> normal = {};
     bool operator==(const PlaceRound&) const = default;
     static void fields(auto& c, auto&& field)
     {
-        field("object", c.object, "id of the object to place", required);
-        field("around", c.around, "id of the object it goes round, about its Z axis", required);
-        field("level", c.level, "metres across from the widest circle of that object");
+        field("object", c.object, "id of the object to lay down", required);
+        field("around", c.around, "id of what it goes round", required);
+        field("level", c.level,
+              "metres across from the widest circle of that; with a plane, along its normal from "
+              "the origin of that");
         field("parameters", c.parameters,
-              "how it lies; springs, misses and clearance have no effect here");
+              "how it lies; springs, misses and clearance have nothing to do here");
+        field("normal", c.normal,
+              "normal of the plane that cuts it, in its own space; left out: round the Z axis of a "
+              "cylinder, a sphere, a torus or a Moebius band");
     }
 };
 Document applied(Document document, const PlaceRound& command);

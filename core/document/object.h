@@ -33,9 +33,12 @@ struct Surfacing { // one material over the whole object, in place of the object
     bool operator==(const Surfacing&) const = default;
 };
 
-// A RoundWay is the way of a volume round a cylinder, a sphere, a torus or a Moebius band.
+// A RoundWay is the way of a volume round a cylinder, a sphere, a torus or a Moebius band, or round
+// any body where a plane cuts it.
 struct RoundWay {
-    double level = 0; // metres from its widest circle
+    double level = 0; // metres from its widest circle; with a plane: along the normal, from where
+                      // it stands; both in the body's own space
+    std::optional<glm::dvec3> normal = {}; // of the plane, in the body's own space
     bool operator==(const RoundWay&) const = default;
 };
 

@@ -34,6 +34,31 @@ std::optional<Band> band_of(const Document& document, const PlacementStep& step)
     return band_round(base.source, step.round->level, to_world(document, step.onto.front()));
 }
 
+// Where the plane of the step cuts the body, in the shape that this has now.
+Placement round_where_cut(const Document& document, const PlacementStep& step,
+                          const std::vector<Support>& supports, const Box& box, Timings& timings)
+{
+    if (step.onto.empty())
+        throw Rejected("what it goes round is gone; place it anew or unplace it");
+    const Id around = step.onto.front();
+    if (object(document, around).placement)
+        throw Rejected("what it goes round lies on a stroke itself now; place it anew or unplace "
+                       "it");
+    const glm::dmat4 to_world = trivar::to_world(document, around);
+    const glm::dmat3 linear(to_world);
+    if (!(std::abs(glm::determinant(linear)) > 0))
+        throw Rejected("what it goes round is flat; give it a size");
+    const glm::dvec3 own = glm::normalize(*step.round->normal);
+    SectionPlane plane;
+    plane.p = glm::dvec3(to_world * glm::dvec4(own * step.round->level, 1));
+    plane.normal = glm::normalize(glm::transpose(glm::inverse(linear)) * own);
+    plane.first = linear[0];
+    std::vector<SectionBody> bodies;
+    for (const Support& each : supports)
+        bodies.push_back({&*mesh_of(each.part, timings), each.part.to_world});
+    return place_round(Section(bodies, plane), step.parameters, box);
+}
+
 bool moves(const EvaluatedObject& object)
 {
     return object.journey && object.journey->travel().speed != 0;
@@ -156,10 +181,19 @@ Laying::Landing Laying::fall(const Stroke& stroke, const StepInput& input)
             throw Rejected("everything this object lay on is gone; place it again or remove it "
                            "from its stroke");
         const std::optional<Band> band = band_of(input.document, step);
-        if (step.round && !band)
-            throw Rejected("what it goes round is no longer a free-standing cylinder, sphere, "
-                           "torus or Moebius band; place it again or remove it from its stroke");
+        const bool cut = step.round && step.round->normal;
+        if (step.round && !cut && !band)
+            throw Rejected("what it goes round is no cylinder, sphere, torus or Moebius band that "
+                           "stands free any more; place it anew or unplace it");
         const Box box = box_of(shape, stroke.turned, stroke.lattice);
+        if (cut)
+            return {make_ref(timed(input.timings, "volume",
+                                   [&] {
+                                       return round_where_cut(input.document, step, stroke.supports,
+                                                              box, input.timings);
+                                   })),
+                    nullptr,
+                    {}};
         if (step.round)
             return {make_ref(timed(input.timings, "volume",
                                    [&] { return place_round(*band, step.parameters, box); })),

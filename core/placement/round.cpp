@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <functional>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -87,25 +88,37 @@ struct Sizes {
     Rise rise;
 };
 
-glm::dvec3 at(const Band& band, const Sizes& sizes, glm::dvec3 uvw)
+// How far over the surface.
+double up_at(const Sizes& sizes, glm::dvec3 uvw)
 {
-    const double share = uvw.x - std::floor(uvw.x), angle = turn * uvw.x;
-    const double across = (uvw.y - 0.5) * sizes.width * sizes.width_factor.at(share);
-    const double up = (sizes.rise.at(uvw.z) - sizes.rise.at(sizes.ground)) * sizes.height *
-                      sizes.height_factor.at(share) * sizes.height_across.at(uvw.y) *
-                      sizes.height_map.at(share, uvw.y);
-    return band.at(angle, across) + up * band.normal(angle, across);
+    const double share = uvw.x - std::floor(uvw.x);
+    return (sizes.rise.at(uvw.z) - sizes.rise.at(sizes.ground)) * sizes.height *
+           sizes.height_factor.at(share) * sizes.height_across.at(uvw.y) *
+           sizes.height_map.at(share, uvw.y);
 }
 
-// Interpolates the volume at the Greville abscissae, w fastest.
-Trivariate<glm::dvec3> interpolated(const Band& band, const Sizes& sizes,
+double across_at(const Sizes& sizes, glm::dvec2 uv)
+{
+    return (uv.y - 0.5) * sizes.width * sizes.width_factor.at(uv.x - std::floor(uv.x));
+}
+
+// A place of the surface, and its unit normal there.
+struct Standing {
+    glm::dvec3 p, normal;
+};
+using GroundAt = std::function<Standing(glm::dvec2 uv)>;
+
+// Values of a function of (u, v, w) at the Greville abscissae, w fastest.
+Trivariate<glm::dvec3> interpolated(const GroundAt& ground, const Sizes& sizes,
                                     const std::array<Knots, 3>& axes)
 {
     std::vector<glm::dvec3> values;
     for (const double u : greville_sites(axes[0]))
-        for (const double v : greville_sites(axes[1]))
+        for (const double v : greville_sites(axes[1])) {
+            const Standing on = ground({u, v});
             for (const double w : greville_sites(axes[2]))
-                values.push_back(at(band, sizes, {u, v, w}));
+                values.push_back(on.p + up_at(sizes, {u, v, w}) * on.normal);
+        }
     return interpolate(axes, values);
 }
 
@@ -140,6 +153,113 @@ glm::dvec3 Band::normal(double angle, double across) const
     return glm::normalize(n);
 }
 
+namespace {
+
+Sizes sizes_of(const PlacementParameters& p, const Knots& upward, double width, double height,
+               double ground)
+{
+    return {width,
+            height,
+            ground,
+            Profile(p.width_profile),
+            Profile(p.height_profile),
+            Profile(p.height_across),
+            HeightMap(p.height_map),
+            Rise(p.rise_profile, upward)};
+}
+
+std::array<Knots, 3> axes_of(const PlacementParameters& p, Closure closure)
+{
+    return {Knots::periodic(p.orders.x, p.grid.x, 0, 1, closure),
+            Knots::uniform(p.orders.y, p.grid.y), Knots::uniform(p.orders.z, p.grid.z)};
+}
+
+// The volume over a contact surface, and what is said of it. Lengths are of the world.
+Placement standing_on(const Surface<glm::dvec3>& contact, const GroundAt& ground,
+                      const Sizes& sizes, const std::array<Knots, 3>& axes,
+                      const PlacementReport& measures, const PlacementParameters& p)
+{
+    Placement out{contact,
+                  lattice_through(interpolated(ground, sizes, axes)),
+                  {},
+                  measures,
+                  outline(contact),
+                  p.grid.y,
+                  sizes.ground,
+                  {}};
+    PlacementReport& r = out.report;
+    r.contact_share = 1;
+    r.smallest_jacobian =
+        smallest_jacobian(out.volume, r.length_world * r.width_world * sizes.height);
+    if (!(r.smallest_jacobian > 0))
+        r.folds = "the volume folds; make it lower, narrower or what it goes round larger";
+    for (int i = 0; i < p.grid.x; ++i)
+        for (int j = 0; j < p.grid.y; ++j)
+            out.nodes.push_back(
+                {evaluate(out.contact, {axes[0].greville(i), axes[1].greville(j)}).value});
+    return out;
+}
+
+Standing on_contact(const Surface<glm::dvec3>& contact, glm::dvec2 uv)
+{
+    const SurfaceJet<glm::dvec3> jet = evaluate(contact, uv, 1);
+    return {jet.value, glm::normalize(glm::cross(jet.u, jet.v))};
+}
+
+// Through the places of the section, and so far in front of them that between them too nothing of
+// the body stands out by more than the tolerance; `left` is what still does.
+Surface<glm::dvec3> drawn_round(const Section& section, const Sizes& sizes,
+                                const std::array<Knots, 2>& axes, double tolerance, double& left)
+{
+    constexpr int looks = 4;  // per node along each axis
+    constexpr int rounds = 8; // of lifting: each leaves a fraction
+    const std::vector<double> us = greville_sites(axes[0]), vs = greville_sites(axes[1]);
+    const auto places_of = [&](const std::vector<double>& along,
+                               const std::vector<double>& across) {
+        std::vector<glm::dvec3> out;
+        for (const double u : along) {
+            const Section::Column column = section.column(u);
+            for (const double v : across) out.push_back(place_at(column, across_at(sizes, {u, v})));
+        }
+        return out;
+    };
+    std::vector<glm::dvec3> through = places_of(us, vs);
+    std::vector<double> fine_u, fine_v;
+    const std::size_t nu = us.size() * looks, nv = (vs.size() - 1) * looks;
+    for (std::size_t i = 0; i < nu; ++i)
+        fine_u.push_back(static_cast<double>(i) / static_cast<double>(nu));
+    for (std::size_t j = 0; j <= nv; ++j)
+        fine_v.push_back(static_cast<double>(j) / static_cast<double>(nv));
+    const std::vector<glm::dvec3> body = places_of(fine_u, fine_v);
+    const double near_u = 1.0 / static_cast<double>(us.size()),
+                 near_v = 1.0 / static_cast<double>(vs.size() - 1);
+    for (int round = 0;; ++round) {
+        const Surface<glm::dvec3> contact = interpolate(axes, through);
+        std::vector<double> missing(through.size(), 0);
+        left = 0;
+        for (std::size_t i = 0; i < fine_u.size(); ++i)
+            for (std::size_t j = 0; j < fine_v.size(); ++j) {
+                const Standing on = on_contact(contact, {fine_u[i], fine_v[j]});
+                const double out = glm::dot(body[i * fine_v.size() + j] - on.p, on.normal);
+                left = std::max(left, out);
+                if (out <= tolerance) continue;
+                for (std::size_t a = 0; a < us.size(); ++a) {
+                    const double du = std::abs(us[a] - fine_u[i] - std::round(us[a] - fine_u[i]));
+                    for (std::size_t b = 0; b < vs.size() && du <= near_u; ++b)
+                        if (std::abs(vs[b] - fine_v[j]) <= near_v)
+                            missing[a * vs.size() + b] = std::max(missing[a * vs.size() + b], out);
+                }
+            }
+        if (left <= tolerance || round == rounds) return contact;
+        for (std::size_t k = 0; k < through.size(); ++k)
+            if (missing[k] > 0)
+                through[k] +=
+                    missing[k] * on_contact(contact, {us[k / vs.size()], vs[k % vs.size()]}).normal;
+    }
+}
+
+} // namespace
+
 Placement place_round(const Band& band, const PlacementParameters& p, const Box& model)
 {
     const double det = glm::determinant(glm::dmat3(band.to_world));
@@ -155,52 +275,54 @@ Placement place_round(const Band& band, const PlacementParameters& p, const Box&
     const double width = strip_width(frame, p, length), height = volume_height(frame, p, length);
     const double scale = std::cbrt(det);
     if (width * Profile(p.width_profile).largest() / scale > 2 * reach_across(band))
-        throw Rejected(fmt::format(
-            "a model {:.3g} m wide would overlap itself; reduce its width or its fill", width));
-    const std::array<Knots, 3> axes{
-        Knots::periodic(p.orders.x, p.grid.x, 0, 1,
-                        band.twisted() ? Closure::twisted : Closure::periodic),
-        Knots::uniform(p.orders.y, p.grid.y), Knots::uniform(p.orders.z, p.grid.z)};
-    const Sizes sizes{width / scale,
-                      band.twisted() ? 2 * height : height,
-                      band.twisted() ? 0.5 : p.contact_level,
-                      Profile(p.width_profile),
-                      Profile(p.height_profile),
-                      Profile(p.height_across),
-                      HeightMap(p.height_map),
-                      Rise(p.rise_profile, axes[2])};
-    std::vector<glm::dvec3> ground;
+        throw Rejected(fmt::format("a strip {:.3g} m wide goes round on itself; choose a smaller "
+                                   "width, or let the model fill less of the way",
+                                   width));
+    const std::array<Knots, 3> axes =
+        axes_of(p, band.twisted() ? Closure::twisted : Closure::periodic);
+    const Sizes sizes = sizes_of(p, axes[2], width / scale, band.twisted() ? 2 * height : height,
+                                 band.twisted() ? 0.5 : p.contact_level);
+    const GroundAt ground = [&](glm::dvec2 uv) {
+        const double angle = turn * uv.x, across = across_at(sizes, uv);
+        return Standing{band.at(angle, across), band.normal(angle, across)};
+    };
+    std::vector<glm::dvec3> places;
     for (const double u : greville_sites(axes[0]))
-        for (const double v : greville_sites(axes[1]))
-            ground.push_back(at(band, sizes, {u, v, sizes.ground}));
-    const Surface<glm::dvec3> contact = interpolate(std::array{axes[0], axes[1]}, ground);
-    Placement out{contact,
-                  lattice_through(interpolated(band, sizes, axes)),
-                  {},
-                  {},
-                  outline(contact),
-                  p.grid.y,
-                  sizes.ground,
-                  {}};
+        for (const double v : greville_sites(axes[1])) places.push_back(ground({u, v}).p);
+    PlacementReport measures;
+    measures.length_world = length;
+    measures.width_world = width;
+    measures.height_world = height;
+    Placement out = standing_on(interpolate(std::array{axes[0], axes[1]}, places), ground, sizes,
+                                axes, measures, p);
     out.embedding.to_uvw = model_to_uvw(frame, p);
     if (band.twisted()) // the model stands on the middle
         out.embedding.to_uvw = glm::translate(glm::dmat4(1), {0, 0, sizes.ground}) *
                                glm::scale(glm::dmat4(1), {1, 1, 1 - sizes.ground}) *
                                out.embedding.to_uvw;
     out.embedding.to_rest = out.volume.rest * out.embedding.to_uvw;
-    PlacementReport& r = out.report;
-    r.length_world = length;
-    r.width_world = width;
-    r.height_world = height;
-    r.contact_share = 1;
-    r.smallest_jacobian = smallest_jacobian(out.volume, length * width * sizes.height);
-    if (!(r.smallest_jacobian > 0))
-        r.folds =
-            "the volume folds; make it lower or narrower, or make the object it goes round larger";
-    for (int i = 0; i < p.grid.x; ++i)
-        for (int j = 0; j < p.grid.y; ++j)
-            out.nodes.push_back(
-                {evaluate(out.contact, {axes[0].greville(i), axes[1].greville(j)}).value});
+    return out;
+}
+
+Placement place_round(Section section, const PlacementParameters& p, const Box& model)
+{
+    const ModelFrame frame = model_frame(p, model);
+    PlacementReport measures;
+    measures.length_world = section.length();
+    measures.width_world = strip_width(frame, p, section.length());
+    measures.height_world = volume_height(frame, p, section.length());
+    const std::array<Knots, 3> axes = axes_of(p, Closure::periodic);
+    const Sizes sizes =
+        sizes_of(p, axes[2], measures.width_world, measures.height_world, p.contact_level);
+    section.widen(sizes.width * sizes.width_factor.largest() / 2);
+    double left = 0;
+    const Surface<glm::dvec3> contact =
+        drawn_round(section, sizes, {axes[0], axes[1]}, p.lift_tolerance * sizes.height, left);
+    measures.penetration = left / sizes.height;
+    Placement out = standing_on(
+        contact, [&](glm::dvec2 uv) { return on_contact(contact, uv); }, sizes, axes, measures, p);
+    out.embedding.to_uvw = model_to_uvw(frame, p);
+    out.embedding.to_rest = out.volume.rest * out.embedding.to_uvw;
     return out;
 }
 

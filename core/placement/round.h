@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/placement/placement.h"
+#include "core/placement/section.h"
 
 namespace trivar {
 
@@ -33,5 +34,11 @@ struct Band {
 // across, a height map or a rise round a twisted band; a volume that folds says so in its report.
 // O(#control points).
 Placement place_round(const Band& band, const PlacementParameters& parameters, const Box& model);
+
+// The same round any body, where a plane cuts it: u is the share of the length of the way. Lines
+// across have the width along the surface. Between its nodes too the contact surface stays in front
+// of the taut surface of the section, within the tolerance of the lift where that can be; the
+// report says what stands out. Throws Rejected for a strip that is wider than the body.
+Placement place_round(Section section, const PlacementParameters& parameters, const Box& model);
 
 } // namespace trivar

@@ -10,6 +10,42 @@
 
 namespace trivar {
 
+namespace {
+
+// All round a body, and how the way lies about it.
+void options_of_round(Session& session, const ui::Theme& theme, std::vector<ui::Option>& options,
+                      Id model)
+{
+    const std::vector<Id> bodies = bodies_to_go_round(session, model);
+    if (model == 0 || bodies.empty()) return;
+    std::vector<std::string> round{"Lay it round..."};
+    for (const Id id : bodies) round.push_back(name_of(session.document(), id));
+    const std::optional<RoundWish> now = round_now(session.document(), model);
+    const auto at = now ? std::ranges::find(bodies, now->around) : bodies.end();
+    const int present = at == bodies.end() ? 0 : static_cast<int>(at - bodies.begin()) + 1;
+    options.push_back(
+        {"Round", 136,
+         [&session, &theme, round, bodies, model, present](float field) {
+             int body = present;
+             if (ui::choice(theme, "round", body, round, field) == ui::Edit::changed && body > 0 &&
+                 !session.committing())
+                 lay_round(session, {model, bodies[static_cast<std::size_t>(body) - 1]});
+         },
+         "Lays the model all round a body, on a way that closes; no stroke is needed."});
+    if (!now || present == 0) return;
+    options.push_back(
+        {"About", 88,
+         [&session, &theme, now](float field) {
+             int axis = static_cast<int>(now->axis);
+             if (ui::segments(theme, "about", axis, {"X", "Y", "Z"}, field) == ui::Edit::changed &&
+                 !session.committing())
+                 lay_round(session, {now->model, now->around, static_cast<RoundAxis>(axis)});
+         },
+         "The body's own axis that it goes about."});
+}
+
+} // namespace
+
 void PlaceTool::options_of_model(Session& session, const ui::Theme& theme,
                                  std::vector<ui::Option>& options)
 {
@@ -29,21 +65,8 @@ void PlaceTool::options_of_model(Session& session, const ui::Theme& theme,
                            if (ui::choice(theme, "model", index, names, field) == ui::Edit::changed)
                                chosen_ = ids[static_cast<std::size_t>(index)];
                        },
-                       "The model that a stroke lays."});
-    if (const std::vector<Id> bodies = bodies_to_go_round(session, model);
-        model != 0 && !bodies.empty()) {
-        std::vector<std::string> round{"Lay it round..."};
-        for (const Id id : bodies) round.push_back(name_of(session.document(), id));
-        options.push_back(
-            {"Round", 136,
-             [&session, &theme, round, bodies, model](float field) {
-                 int body = 0;
-                 if (ui::choice(theme, "round", body, round, field) == ui::Edit::changed &&
-                     body > 0 && !session.committing())
-                     lay_round(session, {model, bodies[static_cast<std::size_t>(body) - 1]});
-             },
-             "Lays the model all the way round an object; no stroke is needed."});
-    }
+                       "What is laid along the stroke."});
+    options_of_round(session, theme, options, model);
     if (model == 0 || !object(session.document(), model).stroke) return;
     options.push_back(
         {"New stroke", 152,

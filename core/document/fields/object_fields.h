@@ -30,6 +30,8 @@ template <> struct FieldsOf<RoundWay> {
     static void fields(auto& r, auto&& field)
     {
         field("level", r.level, "metres from the widest circle", any_value.in(Unit::metres));
+        field("normal", r.normal, "of the plane that cuts the body, in its own space",
+              any_value.counts(Counting::marked).without_keys());
     }
 };
 template <> struct FieldsOf<PlacementStep> {

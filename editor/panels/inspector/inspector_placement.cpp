@@ -5,6 +5,7 @@
 #include "editor/panels/inspector/inspect.h"
 #include "editor/panels/inspector/profile_rows.h"
 #include "editor/panels/panels.h"
+#include "editor/tools/place_round.h"
 #include "editor/words/share_words.h"
 
 #include <fmt/format.h>
@@ -122,6 +123,20 @@ void contact_rows(PlacementRows& fields)
     fields(&P::skip_back_faces);
 }
 
+// Where on the body it goes round. The step lays it anew, so that what was done to its volume after
+// that would be lost: then keys alone change it.
+void level_row(Editor& editor, ValueRows& rows, Id id)
+{
+    const Object& each = object(editor.session.document(), id);
+    std::optional<RoundWish> now = round_now(editor.session.document(), id);
+    if (!now || !each.shaping.empty()) return;
+    ValueRows own{rows.theme, rows.keys};
+    own.number("Level", *now->level, 0, {.lo = -1e6, .hi = 1e6, .unit = "m"},
+               {"where along the axis of the body it goes round",
+                std::vector<std::string>{"placement.round.level"}});
+    propose_edit(editor, own.edit, [&] { return round_command(editor.session, *now); });
+}
+
 } // namespace
 
 void draw_placement(Editor& editor, const ui::Theme& theme, Id id)
@@ -145,6 +160,7 @@ void draw_placement(Editor& editor, const ui::Theme& theme, Id id)
         ImGui::PopID();
     };
     part("Volume", true, [&] {
+        if (round) level_row(editor, rows, id);
         volume_rows(rows, fields, p, round, placement ? &placement->report : nullptr, editor);
     });
     if (!round) part("Springs", true, [&] { spring_rows(fields, p); });
