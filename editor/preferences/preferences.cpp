@@ -3,6 +3,7 @@
 
 #include "core/base/rejected.h"
 #include "core/base/text.h"
+#include "editor/preferences/renamed_actions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -88,9 +89,12 @@ struct Reading {
     {
         const Json* found = value_of(name, &Json::is_object);
         if (!found) return;
-        for (const auto& [action, keys] : found->items())
-            if (value.size() == most_keys || !read_chords(keys, value, action))
+        for (const auto& [action, keys] : found->items()) {
+            const std::string now(present_action(action));
+            if (now != action && found->contains(now)) continue; // the older one says less
+            if (value.size() == most_keys || !read_chords(keys, value, now))
                 odd.push_back(std::string(name) + ", " + action.substr(0, longest_name));
+        }
     }
     // Whether all keys of an action could be read; what is no list leaves it its usual ones.
     static bool read_chords(const Json& keys, KeyMap& value, const std::string& action)

@@ -3,6 +3,7 @@
 
 #include "editor/actions/actions.h"
 #include "editor/actions/all_actions.h"
+#include "editor/preferences/renamed_actions.h"
 #include "tests/editor/rig.h"
 #include "tests/editor/shared_keys.h"
 
@@ -18,6 +19,18 @@ TEST(KeyMap, NoTwoActionsShareAKeyInOnePlace)
 {
     const Editor editor([] {}, all_actions());
     EXPECT_THAT(testing::shared_keys(editor.actions), IsEmpty());
+}
+
+TEST(KeyMap, RenamedActionsAreThereByTheirNewNamesAlone)
+{
+    const Editor editor([] {}, all_actions());
+    const auto is_there = [&](std::string_view name) {
+        return std::ranges::find(editor.actions, name, &Action::name) != editor.actions.end();
+    };
+    for (const auto& [old_name, now] : renamed_actions()) {
+        EXPECT_FALSE(is_there(old_name)) << old_name;
+        EXPECT_TRUE(is_there(now)) << now;
+    }
 }
 
 TEST(KeyMap, ATutorialKeepsItsArrowsWhenFramesGetOthers)

@@ -81,6 +81,15 @@ TEST(Preferences, NameTheListsInWhichSomethingIsOdd)
     EXPECT_EQ(read.preferences.keys.count("Redo"), 0u) << "its usual keys";
 }
 
+TEST(Preferences, GiveKeysOfAnActionThatWasRenamedToTheOneThatItIsNow)
+{
+    const ReadPreferences read = read_preferences(
+        R"({"keys":{"See through":["Ctrl+J"],"Select nothing":["U"],"Deselect all":["Y"]}})");
+    EXPECT_THAT(read.odd, ::testing::IsEmpty());
+    const KeyMap expected{{"X-ray", {{.key = 'J', .ctrl = true}}}, {"Deselect all", {{'Y'}}}};
+    EXPECT_EQ(read.preferences.keys, expected) << "the newer name says more";
+}
+
 TEST(Preferences, ThatCannotBeReadStayAsTheyAre)
 {
     const testing::TemporaryFolder folder; // a folder cannot be read as a file, by nobody
