@@ -144,7 +144,8 @@ std::string asked_menu(const Editor& editor, const std::vector<char>& letters)
     return {};
 }
 
-void menus(Editor& editor, const ui::Theme& theme)
+// `below`: where the bar ends.
+void menus(Editor& editor, const ui::Theme& theme, float below)
 {
     const std::vector<std::string>& names = menu_names();
     const std::vector<char> letters = menu_letters(names, taken_with_alt(editor));
@@ -163,7 +164,9 @@ void menus(Editor& editor, const ui::Theme& theme)
         if (ImGui::GetIO().KeyAlt)
             underline(*ImGui::GetForegroundDrawList(), theme, at, menu, letters[i]);
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {theme.px(10), theme.px(8)});
-        ImGui::SetNextWindowSizeConstraints({theme.px(216), 0}, {1e6f, 1e6f});
+        // One that is higher than the window scrolls: over its own title a click would run an item.
+        const float room = ImGui::GetIO().DisplaySize.y - below - theme.px(4);
+        ImGui::SetNextWindowSizeConstraints({theme.px(216), 0}, {1e6f, room});
         if (menu == asked) ImGui::OpenPopup(menu.c_str());
         if (ImGui::BeginMenu(menu.c_str())) {
             open = menu;
@@ -203,7 +206,7 @@ float draw_menu_bar(Editor& editor, const ui::Theme& theme, const ui::Rect& bar)
                       ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoScrollbar);
     float end = 0;
     if (ImGui::BeginMenuBar()) {
-        menus(editor, theme);
+        menus(editor, theme, bar.hi.y);
         end = ImGui::GetCursorScreenPos().x;
         ImGui::EndMenuBar();
     }

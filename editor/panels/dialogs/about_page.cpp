@@ -15,7 +15,7 @@ void draw_about_page(Editor&, const ui::Theme& theme, const ui::Rect& r)
     ui::fact_row(theme, "Graphics", gpu::describe_context());
     ui::gap(theme, 12);
     const float left = ImGui::GetCursorScreenPos().x + theme.size.padding;
-    const float version = left + theme.px(200), licence = version + theme.px(110);
+    const float version = left + theme.px(160), licence = version + theme.px(88);
     const auto line = [&](const ImFont* font, ui::Color color, const Library& words) {
         const float y = ImGui::GetCursorScreenPos().y;
         const ui::Rect row = {{left, y}, {r.hi.x, y + theme.px(20)}};

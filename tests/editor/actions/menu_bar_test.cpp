@@ -40,6 +40,21 @@ TEST(MenuBar, OpensByALetterAndShowsWhichEntryHasTheKeyboard)
     EXPECT_EQ(rig.editor.memory.of<MenuBar>().open, "");
 }
 
+TEST(MenuBar, AMenuThatIsHigherThanTheWindowStaysBelowItsTitleAndScrolls)
+{
+    Rig rig({1280, 800}, {.scale = 2});
+    rig.frames();
+    for (const char letter : {'F', 'E', 'V'}) {
+        rig.key({.key = letter, .alt = true});
+        ASSERT_GT(GImGui->OpenPopupStack.Size, 0);
+        const ImGuiWindow* menu = GImGui->OpenPopupStack[0].Window;
+        ASSERT_TRUE(menu);
+        EXPECT_GE(menu->Pos.y, rig.layout().top.hi.y - 1) << letter;
+        EXPECT_LE(menu->Pos.y + menu->Size.y, 800) << letter;
+        rig.key({ui::key_escape});
+    }
+}
+
 TEST(MenuBar, AnEntryRunsByItsLetter)
 {
     Rig rig({1024, 700});
