@@ -101,10 +101,8 @@ void add_member_actions(std::vector<Action>& actions)
                        },
                        {[](const Editor& e) {
                             const Id lattice = selected_lattice(e.session);
-                            const bool on_disk = !e.session.scene().path().empty() ||
-                                                 !e.session.unnamed_folder().empty();
                             return lattice != 0 && !locked(e.session.document(), lattice) &&
-                                   e.session.up_to_date() && on_disk;
+                                   e.session.up_to_date() && keeps_shapes(e.session);
                         },
                         "select a lattice first, in a scene that is saved"}});
 }

@@ -25,9 +25,14 @@ std::string as_file_name(std::string name)
 
 } // namespace
 
-std::string kept_file(const Session& session, const std::string& name)
+bool keeps_shapes(const Session& session)
 {
-    const std::filesystem::path folder = session.assets()->folder();
+    return !session.scene().path().empty() || !session.unnamed_folder().empty();
+}
+
+std::string kept_file(Session& session, const std::string& name)
+{
+    const std::filesystem::path folder = session.make_shapes_folder();
     return numbered_name((folder / (as_file_name(name) + ".glb")).string());
 }
 

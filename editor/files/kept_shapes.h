@@ -6,8 +6,10 @@
 
 namespace trivar {
 
-// A free file in the scene's folder for the shape of something of that name.
-std::string kept_file(const Session& session, const std::string& name);
+// Whether there is a folder for shapes: the scene's own, or where scenes without a name are kept.
+bool keeps_shapes(const Session& session);
+// A free file in the scene's folder for shapes, for something of that name. Throws Rejected.
+std::string kept_file(Session& session, const std::string& name);
 // What an object shows as a model of its own, in the space to which the matrix takes the world.
 Model kept_model(const EvaluatedObject& object, const Document& then, const glm::dmat4& from_world);
 

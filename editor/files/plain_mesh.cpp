@@ -13,8 +13,10 @@
 #include "ui/widgets.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
+#include <memory>
 
 namespace trivar {
 namespace {
@@ -25,14 +27,21 @@ struct Asked {
     Document document;
     double frame = 1;
     Ref<AssetStore> assets;
-    std::string path;
+    std::string path; // of the file, as the scene's folder for shapes was
 };
+
+std::string plain_name(const Asked& asked)
+{
+    return name_of(asked.document, asked.wish.object) + " plain";
+}
 
 struct Made {
     Transform transform = {}; // where the model of the file stands to its parent, or in the world
     std::size_t triangles = 0;
     double bound = 0;
     std::string open = {}; // what is not certified; empty: everything is
+    std::shared_ptr<const Model> model = {};
+    bool written = false; // at the path that was asked for
 };
 
 glm::dmat4 parent_to_world(const Document& document, const PlainMeshWish& wish)
@@ -65,7 +74,12 @@ Made made(const Asked& asked, const Progress& progress)
     Made out{standing_at(*shown.bounds, from_world)};
     const glm::dmat4 to_own =
         glm::translate(glm::dmat4(1), -out.transform.translation) * from_world;
-    write_model(kept_model(shown, finer, to_own), asked.path);
+    out.model = std::make_shared<const Model>(kept_model(shown, finer, to_own));
+    try {
+        write_model(*out.model, asked.path);
+        out.written = true;
+    } catch (const Rejected&) { // the folder may have gone as the scene got a name
+    }
     if (!shown.refined) return out; // curves alone
     out.triangles = shown.refined->triangles();
     out.bound = shown.refined->bound;
@@ -108,13 +122,26 @@ std::string words_of(const Made& made, const PlainMeshWish& wish)
                        ui::short_number(rounded_up(made.bound, 3)));
 }
 
+// The file in the scene's present folder for shapes; it is written where it is not there yet.
+std::string file_of(Session& session, const Asked& asked, const Made& made)
+{
+    namespace fs = std::filesystem;
+    const fs::path folder = session.make_shapes_folder();
+    if (made.written && fs::path(asked.path).parent_path() == folder) return asked.path;
+    const std::string path = kept_file(session, plain_name(asked));
+    write_model(*made.model, path);
+    std::error_code ignored;
+    if (made.written) fs::remove(asked.path, ignored);
+    return path;
+}
+
 void take(Session& session, const Asked& asked, const Made& made)
 {
     const PlainMeshWish& wish = asked.wish;
     const std::string name = name_of(asked.document, wish.object);
     ImportedFile file;
-    file.path = asked.path;
-    Command command = ImportModel{file, name + " plain", made.transform};
+    file.path = file_of(session, asked, made);
+    Command command = ImportModel{file, plain_name(asked), made.transform};
     if (wish.in_place) {
         ApplyShape apply{wish.object, file, made.transform};
         if (made.triangles > 0 && made.open.empty()) apply.tolerance = wish.refining.tolerance;
@@ -156,13 +183,18 @@ PlainMeshWish usual_plain_mesh(const Session& session, bool in_place)
 void make_plain_mesh(Session& session, const PlainMeshWish& wish)
 {
     const std::string name = name_of(session.document(), wish.object);
-    auto asked = std::make_shared<const Asked>(
-        Asked{wish, session.committed(), static_cast<double>(session.frame()), session.assets(),
-              kept_file(session, name + " plain")});
-    const long scene = session.scenes();
     const auto lost = [&session, name](const std::string& why) {
         session.notices.say(ui::NoticeKind::error, "No plain mesh of " + name + " was made", why);
     };
+    auto wanted = std::make_shared<Asked>(Asked{
+        wish, session.committed(), static_cast<double>(session.frame()), session.assets(), {}});
+    try {
+        wanted->path = kept_file(session, plain_name(*wanted));
+    } catch (const Rejected& why) {
+        return lost(why.what());
+    }
+    const std::shared_ptr<const Asked> asked = std::move(wanted);
+    const long scene = session.scenes();
     session.jobs().start(
         {.what = "Making a plain mesh of " + name,
          .work = [&session, asked, scene, lost](const Progress& progress) -> Jobs::Finish {

@@ -25,9 +25,9 @@ Id laid_shape(const Session& session);
 // The wish for it, as it is refined already, or as by default.
 PlainMeshWish usual_plain_mesh(const Session& session, bool in_place);
 
-// Starts the job that splits the triangles, writes a .glb into the scene's folder, and then runs
-// the one command: apply_shape in place, else import. A notice says what is certified, or why
-// nothing was made. The scene must have a name.
+// Starts the job that splits the triangles, writes a .glb into the scene's folder for shapes, and
+// then runs the one command: apply_shape in place, else import. A notice says what is certified, or
+// why nothing was made. Where the scene was saved meanwhile the file is in its new folder.
 void make_plain_mesh(Session& session, const PlainMeshWish& wish);
 
 } // namespace trivar

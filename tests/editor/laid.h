@@ -7,7 +7,8 @@ namespace trivar::testing {
 
 // The box laid on the wide plane, from the left to the right, and nothing but Select at work.
 struct LaidRig : Rig {
-    explicit LaidRig(glm::ivec2 size = {720, 520}) : Rig(size)
+    explicit LaidRig(glm::ivec2 size = {720, 520}, const std::string& unnamed_folder = {})
+        : Rig(size, {}, unnamed_folder)
     {
         two_objects();
         key({'D'});

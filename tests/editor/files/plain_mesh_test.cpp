@@ -2,6 +2,7 @@
 #include "editor/files/plain_mesh.h"
 
 #include "core/commands/apply_shape.h"
+#include "core/document/document_digest.h"
 #include "editor/actions/actions.h"
 #include "editor/actions/placement_actions.h"
 #include "tests/editor/laid.h"
@@ -145,12 +146,62 @@ TEST(PlainMesh, SaysWhatIsNotCertifiedWhereTheTrianglesDoNotSuffice)
     EXPECT_EQ(rig.editor.session.notices.all().back().kind, ui::NoticeKind::warning);
 }
 
+const std::string& path_of(const testing::Rig& rig, Id id)
+{
+    return std::get<ImportedFile>(object(rig.editor.session.document(), id).source).path;
+}
+
+TEST(PlainMesh, IsMadeInASceneWithoutANameToo)
+{
+    const testing::TemporaryFolder unnamed, folder;
+    LaidRig rig({720, 520}, unnamed.path().string());
+    ASSERT_TRUE(is_enabled(rig.editor, action(rig.editor, apply_shape_action)));
+    make_plain_mesh(rig.editor.session, {2, {.tolerance = 1e-2}, true});
+    rig.wait();
+    ASSERT_FALSE(object(rig.editor.session.document(), 2).placement);
+    EXPECT_TRUE(path_of(rig, 2).ends_with(" kept shapes/Box plain_001.glb")) << path_of(rig, 2);
+    const std::string effects = digest(rig.editor.session.evaluated());
+    rig.editor.session.save_as(folder.file("scene.trivar"));
+    rig.wait();
+    EXPECT_EQ(path_of(rig, 2), "Box plain_001.glb");
+    EXPECT_EQ(digest(rig.editor.session.evaluated()), effects);
+    EXPECT_TRUE(std::filesystem::is_empty(unnamed.path()));
+    testing::Rig again;
+    again.editor.session.replace_scene(SceneFile(folder.file("scene.trivar")));
+    again.wait();
+    EXPECT_EQ(digest(again.editor.session.evaluated()), effects);
+}
+
+TEST(PlainMesh, ComesAlongWhereTheSceneIsSavedWhileItIsMade)
+{
+    const testing::TemporaryFolder unnamed, folder, other;
+    LaidRig rig({720, 520}, unnamed.path().string());
+    make_plain_mesh(rig.editor.session, {2, {.tolerance = 1e-2}, false});
+    rig.editor.session.save_as(folder.file("scene.trivar"));
+    rig.wait();
+    ASSERT_TRUE(rig.editor.session.document().objects.contains(3));
+    EXPECT_EQ(path_of(rig, 3), "Box plain_001.glb");
+    rig.editor.session.selected = 2;
+    make_plain_mesh(rig.editor.session, {2, {.tolerance = 2e-2}, false});
+    rig.editor.session.save_as(other.file("scene.trivar"));
+    rig.wait();
+    EXPECT_EQ(path_of(rig, 4), "Box plain_001.glb") << "beside the scene, whose name is free there";
+    EXPECT_TRUE(std::filesystem::exists(other.file("Box plain_001.glb")));
+    EXPECT_FALSE(std::filesystem::exists(folder.file("Box plain_002.glb")));
+}
+
 TEST(PlainMesh, IsOfferedForWhatIsLaidAlone)
 {
     SavedLaid rig;
     EXPECT_TRUE(is_enabled(rig.editor, action(rig.editor, apply_shape_action)));
     rig.editor.session.selected = 1;
     EXPECT_FALSE(is_enabled(rig.editor, action(rig.editor, plain_copy_action)));
+}
+
+TEST(PlainMesh, IsNotOfferedWhereNothingOfASceneIsOnDisk)
+{
+    LaidRig rig;
+    EXPECT_FALSE(is_enabled(rig.editor, action(rig.editor, apply_shape_action)));
 }
 
 } // namespace
