@@ -80,7 +80,7 @@ Camera zoomed(const Camera& camera, const glm::dvec3& anchor_world, double facto
     return result;
 }
 
-Camera framed(const Camera& camera, std::span<const glm::dvec3> points)
+Camera framed(const Camera& camera, std::span<const glm::dvec3> points, double foot_px)
 {
     if (points.empty()) return camera;
     constexpr double share = 0.8; // of the picture that the points fill
@@ -92,8 +92,13 @@ Camera framed(const Camera& camera, std::span<const glm::dvec3> points)
         glm::length(across) > 1e-9 ? glm::normalize(across) : right_of(forward);
     const glm::dvec3 up = glm::cross(right, forward);
     const double aspect = camera.size_px.x / std::max(1.0, camera.size_px.y);
-    const double slope_y = camera.perspective ? std::tan(camera.fov_y / 2) * share : 0;
-    const glm::dvec2 slope{slope_y * aspect, slope_y};
+    const double foot = std::clamp(foot_px / std::max(1.0, camera.size_px.y), 0.0, 0.5);
+    // Shares of half the picture between its middle and the ends of what the points fill.
+    const double to_top = 1 - (1 - share) * (1 - foot);
+    const double to_foot = to_top - 2 * foot;
+    const double slope_y = camera.perspective ? std::tan(camera.fov_y / 2) : 0;
+    const double slope_x = slope_y * share * aspect;
+    const glm::dvec2 slope_up{slope_x, slope_y * to_top}, slope_down{slope_x, slope_y * to_foot};
 
     // A point is inside where |x - center| <= slope (z + distance), and likewise y: two bounds that
     // have to meet at the least distance.
@@ -103,21 +108,25 @@ Camera framed(const Camera& camera, std::span<const glm::dvec3> points)
         const glm::dvec3 d = p - middle;
         const glm::dvec2 at{glm::dot(d, right), glm::dot(d, up)};
         const double z = glm::dot(d, forward);
-        above = glm::max(above, at - slope * z);
-        below = glm::max(below, -at - slope * z);
+        above = glm::max(above, at - slope_up * z);
+        below = glm::max(below, -at - slope_down * z);
         nearest = std::min(nearest, z);
     }
-    const glm::dvec2 center = (above - below) / 2.0, width = above + below;
+    glm::dvec2 center = (above - below) / 2.0;
+    const glm::dvec2 width = above + below;
     Camera result = camera;
     double distance = 0; // from the eye to the middle
     if (camera.perspective) {
-        distance = std::max(width.x / (2 * slope.x), width.y / (2 * slope.y));
+        distance = std::max(width.x / (2 * slope_x), width.y / (slope_up.y + slope_down.y));
         distance = std::max(distance, nearest_world - nearest);
     } else {
-        result.height_world = std::max(nearest_world, std::max(width.x / aspect, width.y) / share);
+        result.height_world =
+            std::max({nearest_world, width.x / aspect / share, width.y / ((to_top + to_foot) / 2)});
         distance = result.height_world - nearest;
     }
     distance = std::clamp(distance, nearest_world, farthest_world);
+    const double half_height = camera.perspective ? slope_y * distance : result.height_world / 2;
+    center.y -= half_height * foot; // up by half of what stays free
     const glm::dvec3 aim = middle + right * center.x + up * center.y;
     result.eye = aim - forward * distance;
     result.target = aim;

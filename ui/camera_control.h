@@ -23,8 +23,8 @@ Camera zoomed(const Camera& camera, const glm::dvec3& anchor_world, double facto
 
 // Keeps the direction and moves the camera so near that the points just fit the picture with a
 // margin of a tenth at each side; afterwards it turns about the depth of their middle. Without
-// points the camera stays.
-Camera framed(const Camera& camera, std::span<const glm::dvec3> points);
+// points the camera stays. `foot_px` of the picture stay free at its foot, at most half of it.
+Camera framed(const Camera& camera, std::span<const glm::dvec3> points, double foot_px = 0);
 
 // The same view in a picture of another shape, wide enough for everything that was in it.
 Camera reshaped(const Camera& camera, glm::dvec2 size_px);

@@ -57,7 +57,7 @@ void add_file_actions(std::vector<Action>& a)
                      e.files.ask_save_compact();
                  }});
     a.push_back({"File",
-                 "Import model...",
+                 import_action,
                  {ctrl('I', true)},
                  [](Editor& e) { e.files.ask_import(); },
                  {},

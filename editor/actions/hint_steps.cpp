@@ -2,6 +2,8 @@
 #include "editor/actions/hint_steps.h"
 
 #include "editor/actions/actions.h"
+#include "editor/actions/file_actions.h"
+#include "editor/actions/model_actions.h"
 #include "editor/editor.h"
 
 #include <algorithm>
@@ -29,14 +31,31 @@ bool draws(const Editor& editor)
     return proposal && !editor.palette.open && std::holds_alternative<Place>(proposal->command);
 }
 
+// Some of the models that come with the program, and files.
+std::vector<std::string> offers_of_models(const Editor& editor, bool laid)
+{
+    constexpr std::size_t most = 6;
+    std::vector<std::string> offers;
+    for (const OwnModel& each : own_models())
+        if (each.laid == laid && offers.size() < most && !editor.files.own_models_folder.empty())
+            offers.emplace_back(each.name);
+    offers.emplace_back(import_action);
+    return offers;
+}
+
 HintCard card_before_a_stroke(const Editor& editor, std::size_t shapes, std::size_t texts)
 {
-    if (shapes < 2)
+    if (shapes < 2) {
+        const bool below = shapes == 0 || texts > 0;
         return {draw_hint, 0,
                 shapes == 0  ? "Drop a scene here"
                 : texts == 0 ? "Now drop the model to lay on it"
                              : "Now drop a scene to lay the text on",
-                "Or add one from the Add menu."};
+                editor.files.own_models_folder.empty()
+                    ? "Or add one from the Add menu."
+                    : "Or take one of these. The Add menu has more.",
+                offers_of_models(editor, !below)};
+    }
     if (editor.tools[editor.tool]->name() == "Place")
         return {draw_hint, 1, "Draw across the scene",
                 editor.preferences.look.click_holds

@@ -2,6 +2,7 @@
 #include "editor/actions/run_keys.h"
 
 #include "editor/actions/actions.h"
+#include "editor/actions/lent_tool.h"
 #include "editor/actions/start_card.h"
 #include "editor/editor.h"
 #include "ui/input.h"
@@ -13,26 +14,6 @@
 namespace trivar {
 
 namespace {
-
-struct LentTool { // by a key that is held
-    int key = 0;
-    std::size_t before = 0; // the tool that comes back
-    bool used = false;      // by the mouse
-};
-
-// A tool with which something was done while its key was held goes with the key.
-void return_lent_tool(Editor& editor)
-{
-    auto& lent = editor.memory.of<LentTool>();
-    const bool busy = editor.active_tool().busy();
-    if (lent.key == 0) return;
-    if (ui::is_down(lent.key)) {
-        lent.used = lent.used || (busy && ImGui::IsMouseDown(ImGuiMouseButton_Left));
-    } else if (!busy) {
-        if (lent.used) editor.choose_tool(lent.before);
-        lent = {};
-    }
-}
 
 // Where Space makes the left button the middle one, what else it does waits till it is let go:
 // whether it was, and nothing else happened meanwhile.
@@ -103,9 +84,7 @@ void run_keys(Editor& editor)
         const std::size_t tool_before = editor.tool;
         const int key = chord->key; // the action may give it to another
         each.run(editor);
-        auto& lent = editor.memory.of<LentTool>();
-        lent = {};
-        if (editor.tool != tool_before) lent = {key, tool_before};
+        lend_tool_while_held(editor, key, tool_before);
         return; // one press, one action
     }
 }

@@ -117,7 +117,8 @@ void add_view_actions(std::vector<Action>& a)
                  {{ui::key_period}, {'F'}},
                  [](Editor& e) {
                      e.session.view.camera = ui::framed(
-                         e.session.view.camera, points_of(e.session, e.session.selected.ids()));
+                         e.session.view.camera, points_of(e.session, e.session.selected.ids()),
+                         e.session.view.foot_px);
                  },
                  something_there()});
     a.push_back({"View",
@@ -128,7 +129,8 @@ void add_view_actions(std::vector<Action>& a)
                          e.timeline.shown.reset();
                      else
                          e.session.view.camera =
-                             ui::framed(e.session.view.camera, points_of(e.session, {}));
+                             ui::framed(e.session.view.camera, points_of(e.session, {}),
+                                        e.session.view.foot_px);
                  },
                  something_there()});
     a.push_back({"View",

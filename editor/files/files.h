@@ -40,9 +40,11 @@ public:
     // Opens a copy, and the file stays unchanged; `then` is called when the copy is the scene.
     void open_copy(const std::string& path, std::function<void()> then);
     // Imports a model. The first model of a scene is framed, and with `frame_all` the whole scene.
-    void import(const std::string& path, bool frame_all = false)
+    // `then` is called with its id when it is there.
+    void import(const std::string& path, bool frame_all = false,
+                std::function<void(Id)> then = nullptr)
     {
-        read_model_of(path, frame_all, std::make_shared<Batch>(Batch{1, {}}));
+        read_model_of(path, frame_all, std::make_shared<Batch>(Batch{1, {}, std::move(then)}));
     }
     // Writes what is visible, as committed; with a certificate where something is refined.
     void write_model_to(const std::string& path);
@@ -75,6 +77,7 @@ private:
             std::string name, why;
         };
         std::vector<LostFile> lost;
+        std::function<void(Id)> then = nullptr; // for each that came
     };
     struct PendingQuestion {
         ui::Question question;

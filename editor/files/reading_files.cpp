@@ -136,6 +136,7 @@ void Files::read_model_of(const std::string& path, bool frame_all,
                  session_->selected = id;
                  if (first || frame_all) session_->view.frame_all_when_evaluated = true;
                  to_measure_.push_back(id);
+                 if (batch->then) batch->then(id);
                  if (said.empty()) return;
                  session_->notices.say_all(ui::NoticeKind::warning,
                                            file_name(path) + " was imported", said);

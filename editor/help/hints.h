@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace trivar {
 
@@ -12,5 +13,7 @@ struct HintCard {
     std::string name; // in the preferences
     int number = 0;   // of the three; 0: the scene lacks what a stroke needs
     std::string title, body;
+    std::vector<std::string> offers = {}; // actions that do it: models that come with the program,
+                                          // by their pictures, then others
 };
 } // namespace trivar

@@ -10,6 +10,8 @@
 
 namespace trivar {
 
+struct OwnModel;
+
 struct Layout {
     ui::Rect top, strip, options, view, timeline, outliner, tabs, inspector, status;
     bool dock = true; // whether the right column is there
@@ -93,6 +95,8 @@ void draw_key_map(Editor& editor, const ui::Theme& theme, const ui::Rect& page);
 void menu_item(Editor& editor, const Action& each);
 // The models that come with the program, by their pictures, as a menu of the one that is open.
 void draw_model_menu(Editor& editor, const ui::Theme& theme);
+// One of them, with its name below; whether it was chosen.
+bool draw_model(Editor& editor, const ui::Theme& theme, const ui::Rect& r, const OwnModel& model);
 // What can be done with the selection, as a popup of that name.
 void draw_object_menu(Editor& editor, const ui::Theme& theme, const char* name);
 void draw_add_menu(Editor& editor, const ui::Theme& theme); // at the mouse, when it is asked for

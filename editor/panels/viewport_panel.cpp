@@ -314,8 +314,13 @@ void draw_viewport(Editor& editor, ui::Frame& frame, const Layout& layout)
         foot.add(draw_tutorial(editor, frame, view));
     else if (welcome)
         draw_welcome(editor, theme, view);
-    else
-        foot.add(draw_hint_card(editor, theme, view));
+    else {
+        const std::optional<ui::Rect> hint = draw_hint_card(editor, theme, view);
+        // While a model comes in there is no card, and what comes is framed above the next one.
+        if (hint || (!session.jobs().status() && session.up_to_date()))
+            session.view.foot_px = hint ? view.hi.y - hint->lo.y : 0;
+        foot.add(hint);
+    }
     editor.recording.advance(frame, editor.viewport.shaders());
     foot.add(draw_recording(editor, theme, foot));
     foot.add(export_progress(editor, frame, foot));

@@ -13,7 +13,8 @@ struct SceneView {
     bool frame_all_when_evaluated = false;
     std::optional<Camera> go_to; // taken up by the next frame, which knows its size
     std::optional<FollowedView> follows;
-    glm::dvec2 picture_px{0}; // of pictures through the render camera; 0: not known yet
+    glm::dvec2 picture_px{0};      // of pictures through the render camera; 0: not known yet
+    double foot_px = 0;            // of the picture, which cards at its foot cover
     bool flat_till_turned = false; // it looks along an axis and is orthographic for that alone
 
     // Along an axis, from there: orthographic, until it is turned.

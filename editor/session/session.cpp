@@ -433,7 +433,7 @@ void Session::poll()
         if (up_to_date()) tell_what_is_missing();
         if (view.frame_all_when_evaluated && up_to_date() && !evaluated_.objects.empty()) {
             view.frame_all_when_evaluated = false;
-            view.camera = ui::framed(view.camera, points_of(evaluated_, hidden_here));
+            view.camera = ui::framed(view.camera, points_of(evaluated_, hidden_here), view.foot_px);
         }
     }
     finish_check();

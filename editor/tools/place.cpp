@@ -149,6 +149,12 @@ const char* PlaceTool::icon() const
     return ui::icon::place;
 }
 
+void PlaceTool::take_up(Session& session, Id object)
+{
+    session.selected = object;
+    chosen_ = model_to_place(session, 0) == object ? 0 : object;
+}
+
 bool PlaceTool::copies(const Session& session) const
 {
     const auto& objects = session.committed().objects;

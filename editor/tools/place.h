@@ -29,6 +29,7 @@ public:
     std::string page() const override { return "place"; }
     std::vector<ui::Chord> keys() const override { return {{'D'}, {'2'}}; }
     bool crosshair() const override { return !handles_.hovers() && !handles_.busy(); }
+    void take_up(Session& session, Id object) override;
     void use(Session& session, const ViewportInput& input) override;
     bool busy() const override { return drawing_ || handles_.busy(); }
     bool takes_wheel() const override { return drawing_; }
@@ -69,7 +70,7 @@ private:
     Start start_;
     bool on_line_ = false;   // the mouse is where a stroke would redraw the old one
     bool on_ground_ = false; // the stroke begins on the ground
-    std::string why_not_;  // what speaks against a stroke that begins at the mouse
+    std::string why_not_;    // what speaks against a stroke that begins at the mouse
     StrokeDrawing stroke_;
     Brush brush_ = Brush::even;
     double pressure_ = 0.5;          // of a hand without a pen: what the wheel makes of it

@@ -60,6 +60,8 @@ public:
     virtual bool crosshair() const { return false; }
 
     virtual void begin(Session& session) { (void)session; } // it was chosen by its key
+    // An object was added to work on, whatever was chosen before.
+    virtual void take_up(Session& session, Id object) { (void)session, (void)object; }
     // How it moves what is chosen: of the tool at work, where that grabs something, else what is
     // selected.
     virtual std::optional<MotionKind> motion() const { return {}; }

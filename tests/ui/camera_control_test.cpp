@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <gmock/gmock.h>
+#include <random>
 
 namespace trivar::ui {
 namespace {
@@ -113,6 +114,30 @@ TEST(CameraControl, FramedPointsFillFourFifthsOfThePictureOneWay)
             EXPECT_NEAR(share.x > share.y ? off_x : off_y, 0, 1e-6);
             EXPECT_TRUE(seen.lo.x >= 0 && seen.lo.y >= 0 && seen.hi.x <= size.x &&
                         seen.hi.y <= size.y);
+        }
+}
+
+TEST(CameraControl, FramedPointsStayAboveTheFootThatIsCovered)
+{
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> uniform(-2, 2);
+    for (int round = 0; round < 40; ++round)
+        for (Camera camera : both_kinds()) {
+            std::vector<glm::dvec3> points;
+            for (int i = 0; i < 12; ++i)
+                points.emplace_back(uniform(random), uniform(random), uniform(random));
+            camera.size_px = {700 + 100 * (round % 7), 600};
+            const double foot = 15.0 * (round % 20);
+            const Camera result = framed(camera, points, foot);
+            Box seen;
+            for (const glm::dvec3& p : points) seen.add(glm::dvec3(project(result, p).p_px, 0));
+            EXPECT_LE(seen.hi.y, 600 - foot - 0.1 * (600 - foot) + 1e-6);
+            EXPECT_GE(seen.lo.y, 0.1 * (600 - foot) - 1e-6);
+            EXPECT_GE(seen.lo.x, 0);
+            EXPECT_LE(seen.hi.x, camera.size_px.x);
+            const glm::dvec2 share =
+                glm::dvec2(seen.size()) / glm::dvec2(camera.size_px.x, 600 - foot);
+            EXPECT_NEAR(std::max(share.x, share.y), 0.8, 1e-9) << "no smaller than it has to be";
         }
 }
 

@@ -20,7 +20,8 @@ std::string picture_of_model(const Editor& editor, const OwnModel& model)
     return (folder / model_pictures / model.file).string() + ".png";
 }
 
-// A picture with the name below; whether it was chosen.
+} // namespace
+
 bool draw_model(Editor& editor, const ui::Theme& theme, const ui::Rect& r, const OwnModel& model)
 {
     const ui::Palette& c = theme.color;
@@ -35,8 +36,6 @@ bool draw_model(Editor& editor, const ui::Theme& theme, const ui::Rect& r, const
                    ui::Align::center);
     return clicked;
 }
-
-} // namespace
 
 void draw_model_menu(Editor& editor, const ui::Theme& theme)
 {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/actions/hint_steps.h"
 
+#include "editor/actions/actions.h"
+#include "editor/actions/file_actions.h"
 #include "editor/actions/help_actions.h"
 #include "editor/panels/foot_cards.h"
 #include "tests/editor/rig.h"
@@ -10,8 +12,8 @@
 namespace trivar {
 namespace {
 
+using ::testing::IsSupersetOf, ::testing::UnorderedElementsAre;
 using testing::Rig;
-using ::testing::UnorderedElementsAre;
 
 int number(const Rig& rig)
 {
@@ -54,6 +56,40 @@ TEST(Hints, LeadThroughAFirstStrokeAndDoNotComeBack)
     EXPECT_EQ(number(rig), -1);
     action(rig.editor, show_hints_action).run(rig.editor);
     EXPECT_EQ(number(rig), 1);
+}
+
+TEST(Hints, OfferWhatASceneLacks)
+{
+    Rig rig({1280, 800});
+    const auto offers = [&] { return hint_card(rig.editor)->offers; };
+    EXPECT_THAT(offers(), ::testing::ElementsAre(import_action)) << "no models were found";
+    rig.editor.files.own_models_folder = "models";
+    EXPECT_THAT(offers(), IsSupersetOf({"Terrain", "Jar", import_action}));
+    ASSERT_TRUE(rig.editor.session.run(AddPlane{}));
+    EXPECT_THAT(offers(), IsSupersetOf({"Snake", "Crocodile", import_action}));
+    for (const std::string& each : offers())
+        EXPECT_TRUE(is_enabled(rig.editor, action(rig.editor, each))) << each;
+    ASSERT_TRUE(rig.editor.session.run(AddBox{}));
+    EXPECT_THAT(offers(), ::testing::IsEmpty());
+}
+
+TEST(Hints, AreFramedClearOfWhatComesIn)
+{
+    Rig rig({1024, 700});
+    rig.editor.files.own_models_folder = "models";
+    rig.frames();
+    const double foot = rig.editor.session.view.foot_px;
+    EXPECT_GT(foot, 100) << "the card with its pictures";
+    action(rig.editor, "Torus").run(rig.editor);
+    rig.wait();
+    float lowest = 0;
+    for (const Part& part : rig.editor.session.evaluated().objects.at(1)->parts)
+        for (const glm::vec3& p : part.mesh()->positions)
+            lowest = std::max(lowest, rig.seen_at(part.to_world * glm::dvec4(p, 1)).y);
+    EXPECT_LT(lowest, rig.layout().view.hi.y - rig.editor.session.view.foot_px);
+    close_hint(rig.editor, "draw");
+    rig.frames();
+    EXPECT_EQ(rig.editor.session.view.foot_px, 0);
 }
 
 TEST(Hints, SayNothingOfStrokesWhereThingsAreBentInALattice)
