@@ -54,7 +54,7 @@ void add_model_actions(std::vector<Action>& actions)
                            {},
                            [model = each](Editor& e) { add_model(e, model); },
                            {[](const Editor& e) { return !e.files.own_models_folder.empty(); },
-                            "the models that come with Trivar were not found"}});
+                            "the models that come with Trivar are missing"}});
 }
 
 } // namespace trivar

@@ -41,16 +41,13 @@ void draw_plain_mesh_dialog(Editor& editor, const ui::Theme& theme)
          .come_to =
              [&] {
                  return wish.in_place
-                            ? name +
-                                  " becomes a plain model with the shape that it has in this "
-                                  "frame, kept in a file that goes with the scene. It lies on no "
-                                  "stroke any more and moves freely; what lies on it stays. Undo "
-                                  "brings "
-                                  "the stroke back."
-                            : "A plain model with the shape that " + name +
-                                  " has in this frame is added where that lies, kept in a file "
-                                  "that goes with the scene. It lies on no stroke and moves "
-                                  "freely.";
+                            ? name + " becomes a plain model in its shape of this frame, saved in "
+                                     "a file that goes with the scene. It leaves its stroke and "
+                                     "moves freely; objects on it stay. Undo brings the stroke "
+                                     "back."
+                            : "Adds a plain model in the shape that " + name +
+                                  " has in this frame, in the same place, saved in a file that "
+                                  "goes with the scene. It lies on no stroke and moves freely.";
              },
          .begin = [&] { return std::string(wish.in_place ? "Apply" : "Copy"); }});
     dialog.open = answer == PlanAnswer::none;
