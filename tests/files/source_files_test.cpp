@@ -32,7 +32,7 @@ TEST(SourceFiles, AreKnownByWhateverNameLeadsToThem)
     for (const char* name : {"in/model.obj", "link.obj", "second.obj", "other folder/model.obj",
                              "other folder/../in/model.obj"})
         EXPECT_THAT([&] { sources.check(folder.file(name)); },
-                    ThrowsMessage<Rejected>(HasSubstr("take another name, or say so")))
+                    ThrowsMessage<Rejected>(HasSubstr("choose another name, or say so")))
             << name;
     for (const char* name : {"copy.obj", "missing.obj", "new.obj"})
         EXPECT_NO_THROW(sources.check(folder.file(name))) << name;
