@@ -79,7 +79,7 @@ void tell_missing(Carriage& carriage, const StrokeHosts& stroke)
 {
     for (std::size_t i = 0; i < stroke.feet.size(); ++i)
         if (stroke.attachment.samples[i].host >= 0 && !stroke.feet[i].now) {
-            carriage.notices.emplace_back("a part of what carries it is not shown in this frame; "
+            carriage.notices.emplace_back("a part of its hosts is not visible in this frame; "
                                           "what lay on that goes with the rest");
             return;
         }

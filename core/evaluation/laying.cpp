@@ -39,11 +39,12 @@ Placement round_where_cut(const Document& document, const PlacementStep& step,
                           const std::vector<Support>& supports, const Box& box, Timings& timings)
 {
     if (step.onto.empty())
-        throw Rejected("what it goes round is gone; place it anew or unplace it");
+        throw Rejected("what it goes round is gone; place it again or remove it from its stroke");
     const Id around = step.onto.front();
-    if (object(document, around).placement)
-        throw Rejected("what it goes round lies on a stroke itself now; place it anew or unplace "
-                       "it");
+    if (object(document, around).stroke)
+        throw Rejected(
+            "what it goes round lies on a stroke itself now; place it again or remove it "
+            "from its stroke");
     const glm::dmat4 to_world = trivar::to_world(document, around);
     const glm::dmat3 linear(to_world);
     if (!(std::abs(glm::determinant(linear)) > 0))
@@ -183,8 +184,9 @@ Laying::Landing Laying::fall(const Stroke& stroke, const StepInput& input)
         const std::optional<Band> band = band_of(input.document, step);
         const bool cut = step.round && step.round->normal;
         if (step.round && !cut && !band)
-            throw Rejected("what it goes round is no cylinder, sphere, torus or Moebius band that "
-                           "stands free any more; place it anew or unplace it");
+            throw Rejected(
+                "what it goes round is no longer a free-standing cylinder, sphere, torus "
+                "or Moebius band; place it again or remove it from its stroke");
         const Box box = box_of(shape, stroke.turned, stroke.lattice);
         if (cut)
             return {make_ref(timed(input.timings, "volume",

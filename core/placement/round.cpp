@@ -175,12 +175,12 @@ std::array<Knots, 3> axes_of(const PlacementParameters& p, Closure closure)
 }
 
 // The volume over a contact surface, and what is said of it. Lengths are of the world.
-Placement standing_on(const Surface<glm::dvec3>& contact, const GroundAt& ground,
+Placement standing_on(const Surface<glm::dvec3>& contact, Trivariate<glm::dvec3> volume,
                       const Sizes& sizes, const std::array<Knots, 3>& axes,
                       const PlacementReport& measures, const PlacementParameters& p)
 {
     Placement out{contact,
-                  lattice_through(interpolated(ground, sizes, axes)),
+                  lattice_through(std::move(volume)),
                   {},
                   measures,
                   outline(contact),
@@ -206,8 +206,25 @@ Standing on_contact(const Surface<glm::dvec3>& contact, glm::dvec2 uv)
     return {jet.value, glm::normalize(glm::cross(jet.u, jet.v))};
 }
 
-// Through the places of the section, and so far in front of them that between them too nothing of
-// the body stands out by more than the tolerance; `left` is what still does.
+// The control points of the contact surface, and over each of them others along the normal.
+Trivariate<glm::dvec3> raised(const Surface<glm::dvec3>& contact, const Sizes& sizes,
+                              const std::array<Knots, 3>& axes)
+{
+    Trivariate<glm::dvec3> out{axes, {}};
+    auto below = contact.points.begin();
+    for (const double u : greville_sites(axes[0]))
+        for (const double v : greville_sites(axes[1])) {
+            const glm::dvec3 normal = on_contact(contact, {u, v}).normal;
+            for (const double w : greville_sites(axes[2]))
+                out.points.push_back(*below + up_at(sizes, {u, v, w}) * normal);
+            ++below;
+        }
+    return out;
+}
+
+// With the places of the section as control points, so that it is nowhere hollow where the section
+// is not, and so far in front of them that nothing of the body stands out by more than the
+// tolerance; `left` is what still does.
 Surface<glm::dvec3> drawn_round(const Section& section, const Sizes& sizes,
                                 const std::array<Knots, 2>& axes, double tolerance, double& left)
 {
@@ -234,7 +251,7 @@ Surface<glm::dvec3> drawn_round(const Section& section, const Sizes& sizes,
     const double near_u = 1.0 / static_cast<double>(us.size()),
                  near_v = 1.0 / static_cast<double>(vs.size() - 1);
     for (int round = 0;; ++round) {
-        const Surface<glm::dvec3> contact = interpolate(axes, through);
+        const Surface<glm::dvec3> contact{axes, through};
         std::vector<double> missing(through.size(), 0);
         left = 0;
         for (std::size_t i = 0; i < fine_u.size(); ++i)
@@ -293,8 +310,8 @@ Placement place_round(const Band& band, const PlacementParameters& p, const Box&
     measures.length_world = length;
     measures.width_world = width;
     measures.height_world = height;
-    Placement out = standing_on(interpolate(std::array{axes[0], axes[1]}, places), ground, sizes,
-                                axes, measures, p);
+    Placement out = standing_on(interpolate(std::array{axes[0], axes[1]}, places),
+                                interpolated(ground, sizes, axes), sizes, axes, measures, p);
     out.embedding.to_uvw = model_to_uvw(frame, p);
     if (band.twisted()) // the model stands on the middle
         out.embedding.to_uvw = glm::translate(glm::dmat4(1), {0, 0, sizes.ground}) *
@@ -319,8 +336,7 @@ Placement place_round(Section section, const PlacementParameters& p, const Box& 
     const Surface<glm::dvec3> contact =
         drawn_round(section, sizes, {axes[0], axes[1]}, p.lift_tolerance * sizes.height, left);
     measures.penetration = left / sizes.height;
-    Placement out = standing_on(
-        contact, [&](glm::dvec2 uv) { return on_contact(contact, uv); }, sizes, axes, measures, p);
+    Placement out = standing_on(contact, raised(contact, sizes, axes), sizes, axes, measures, p);
     out.embedding.to_uvw = model_to_uvw(frame, p);
     out.embedding.to_rest = out.volume.rest * out.embedding.to_uvw;
     return out;

@@ -47,13 +47,13 @@ HintCard card_before_a_stroke(const Editor& editor, std::size_t shapes, std::siz
 {
     if (shapes < 2) {
         const bool below = shapes == 0 || texts > 0;
-        return {draw_hint, 0,
+        return {draw_hint,
+                0,
                 shapes == 0  ? "Drop a scene here"
                 : texts == 0 ? "Now drop the model to lay on it"
                              : "Now drop a scene to lay the text on",
-                editor.files.own_models_folder.empty()
-                    ? "Or add one from the Add menu."
-                    : "Or take one of these. The Add menu has more.",
+                "Or add one from the Add menu.",
+                "Or take one of these. The Add menu has more.",
                 offers_of_models(editor, !below)};
     }
     if (editor.tools[editor.tool]->name() == "Place")

@@ -23,10 +23,10 @@ std::vector<std::string> left_behind(const Document& before, const Document& aft
     };
     std::vector<Id> with_the_rest, where_drawn, straight;
     for (const auto& [id, ref] : after.objects) {
-        if (!ref->placement || !before.objects.contains(id)) continue;
-        const std::optional<PlacementStep>& was = object(before, id).placement;
+        if (!ref->stroke || !before.objects.contains(id)) continue;
+        const std::optional<PlacementStep>& was = object(before, id).stroke;
         if (!carried_object(was) || std::ranges::none_of(was->attach->hosts, is_gone)) continue;
-        const PlacementStep& is = *ref->placement;
+        const PlacementStep& is = *ref->stroke;
         if (carried_object(is))
             with_the_rest.push_back(id);
         else if (!is.onto.empty() || is.parameters.on_ground)

@@ -23,7 +23,7 @@ bool is_done(const Session& session, Id model)
 {
     const auto& objects = session.committed().objects;
     const auto found = objects.find(model);
-    return found == objects.end() || found->second->placement;
+    return found == objects.end() || found->second->stroke;
 }
 
 } // namespace

@@ -13,6 +13,7 @@ struct HintCard {
     std::string name; // in the preferences
     int number = 0;   // of the three; 0: the scene lacks what a stroke needs
     std::string title, body;
+    std::string with_models = {}; // the body where there is room for pictures of what is offered
     std::vector<std::string> offers = {}; // actions that do it: models that come with the program,
                                           // by their pictures, then others
 };

@@ -16,7 +16,7 @@ namespace {
 bool goes_round(const Document& document, Id id)
 {
     const Object& body = object(document, id);
-    return !body.placement && visible(document, id) && !holds_others(body.source) &&
+    return !body.stroke && visible(document, id) && !holds_others(body.source) &&
            !std::holds_alternative<PlaneShape>(body.source);
 }
 
@@ -44,7 +44,7 @@ Command round_command(const Session& session, const RoundWish& wish)
 {
     const Object& model = object(session.committed(), wish.model);
     PlaceRound command{wish.model, wish.around, 0, {}};
-    command.parameters = model.placement ? model.placement->parameters
+    command.parameters = model.stroke ? model.stroke->parameters
                                          : lengthwise({}, bounds_of(session, wish.model));
     if (wish.axis != RoundAxis::z || !has_round_way(session.committed(), wish.around))
         command.normal = direction_of(wish.axis);
@@ -98,8 +98,8 @@ std::optional<RoundWish> round_wish(const Session& session)
 std::optional<RoundWish> round_now(const Document& document, Id id)
 {
     const auto found = document.objects.find(id);
-    if (found == document.objects.end() || !found->second->placement) return {};
-    const PlacementStep& step = *found->second->placement;
+    if (found == document.objects.end() || !found->second->stroke) return {};
+    const PlacementStep& step = *found->second->stroke;
     if (!step.round || step.onto.empty()) return {};
     RoundWish out{id, step.onto.front(), RoundAxis::z, step.round->level};
     if (const auto& normal = step.round->normal)

@@ -269,7 +269,8 @@ TEST(Evaluator, LeavesOutWhatIsTooLargeAndSaysSo)
     EXPECT_THAT(result.objects.at(id)->parts, IsEmpty());
     EXPECT_TRUE(result.objects.at(id)->bounds->empty());
     EXPECT_THAT(result.objects.at(id)->notices, ElementsAre(HasSubstr("too large")));
-    EXPECT_THAT(lacks(result, document), ElementsAre(HasSubstr("Far: where it lies its coordinates")));
+    EXPECT_THAT(lacks(result, document),
+                ElementsAre(HasSubstr("Far: where it lies its coordinates")));
     EXPECT_EQ(evaluate(document).objects.at(id), result.objects.at(id)) << "and it is kept";
     EXPECT_FALSE(result.objects.at(3)->parts.empty());
 }

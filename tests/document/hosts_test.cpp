@@ -23,15 +23,15 @@ using testing::furthest_off, testing::NearestOn, testing::world_points;
 // halves a teapot 4.
 constexpr Id left_half = 1, right_half = 2, floor_id = 3, carried_pot = 4;
 constexpr double table_top = 0.25, floor_top = -0.5, rounding = 1e-6; // metres
-const std::string not_shown = "what carries it is not shown in this frame";
-const std::string partly_shown = "a part of what carries it is not shown in this frame; what lay "
+const std::string not_shown = "its host is not visible in this frame";
+const std::string partly_shown = "a part of its hosts is not visible in this frame; what lay "
                                  "on that goes with the rest";
 
 Document attached_as_it_lies(const Document& document, Id id, double frame = 1)
 {
     Evaluator evaluate = testing::new_evaluator();
     const EvaluatedObject laid = *evaluate(document, frame).objects.at(id);
-    const PlacementStep& step = *object(document, id).placement;
+    const PlacementStep& step = *object(document, id).stroke;
     const auto attachment = attachment_of(laid, step.sketch, step.parameters.skip_back_faces);
     EXPECT_TRUE(attachment) << laid.rejected;
     return after(document, Attach{id, attachment});
@@ -101,7 +101,7 @@ TEST(DeletedHosts, LeaveTheStrokeWhereItWasDrawn)
     const Document table = on_a_table();
     Document never = after(table, Attach{carried_pot, {}});
     never = after(never, EditPlacement{carried_pot, {}, testing::small_sketch(), {}});
-    ASSERT_FALSE(object(never, carried_pot).placement->attach);
+    ASSERT_FALSE(object(never, carried_pot).stroke->attach);
     for (const Transform& t : {Transform{}, Transform{.translation = {3, 1, 2}}}) {
         const auto without = [&](const Document& document) {
             return after(after(document, SetTransform{5, t}), Delete{{5}});
@@ -120,7 +120,8 @@ TEST(DeletedHosts, SayThatNothingIsLeftToLieOn)
 {
     const Document document = after(on_two_halves(), Delete{{left_half, right_half, floor_id}});
     const EvaluatedObject pot = pot_of(document);
-    EXPECT_EQ(pot.rejected, "everything this object lay on is gone; place it anew or unplace it");
+    EXPECT_EQ(pot.rejected,
+              "everything this object lay on is gone; place it again or remove it from its stroke");
     EXPECT_EQ(world_points(pot), world_points(pot_of(after(document, Unplace{carried_pot}))));
 }
 
@@ -212,8 +213,8 @@ TEST(SmallHosts, ShortenTheStrokeWhereTheyAreSqueezed)
         const Surface<glm::dvec3>& contact = laid.placement->contact;
         return evaluate(contact, {1, 0.5}).value.x - evaluate(contact, {0, 0.5}).value.x;
     };
-    EXPECT_NEAR(length(pot), 0.2 * length(before), 0.02 * length(before));
-    EXPECT_NEAR(contact_middle(pot).y, contact_middle(before).y + 2, 0.03);
+    EXPECT_NEAR(length(pot), 0.2 * length(before), 0.03 * length(before));
+    EXPECT_NEAR(contact_middle(pot).y, contact_middle(before).y + 2, 0.05);
     EXPECT_NEAR(pot.bounds->lo.z, table_top, 0.01);
     EXPECT_LE(pot.placement->report.penetration, 1e-3);
 }
@@ -227,8 +228,8 @@ TEST(SmallHosts, SayThatTheStrokeMeetsNothingWhereHardlyAnyIsLeft)
                                          {.translation = {id == left_half ? -1.0 : 1.0, 0, 0},
                                           .scale = {0.2, 0.2, 1}}});
     const EvaluatedObject pot = pot_of(document);
-    EXPECT_EQ(pot.rejected, "89 % of the strip meets nothing; draw the stroke over an object or "
-                            "choose a smaller width");
+    EXPECT_EQ(pot.rejected, "89 % of the model would have no surface beneath it; draw the stroke "
+                            "over an object or reduce the width");
     EXPECT_EQ(world_points(pot), world_points(pot_of(after(document, Unplace{carried_pot}))));
 }
 
@@ -279,7 +280,7 @@ TEST(Hosts, LieNotOnWhatTheyCarryNorGoWithIt)
               "field \"onto\": object 4 (Teapot) lies on object 1 (Left) already, so the other way "
               "round is impossible");
     EXPECT_THAT(why(document, SetParent{{left_half}, carried_pot}),
-                HasSubstr("lies on a stroke, where its transform does not count"));
+                HasSubstr("lies on a stroke and cannot be a parent"));
     const Document both = after(document, SetParent{{left_half}, right_half});
     EXPECT_THAT(why(both, SetParent{{right_half}, left_half}), HasSubstr("which is in it"));
     EXPECT_THAT(why(both, SetParent{{left_half}, left_half}), HasSubstr("cannot be in itself"));
@@ -295,7 +296,7 @@ TEST(Hosts, LieNotOnWhatTheyCarryNorGoWithIt)
 TEST(Hosts, SayWhichPartOfThemIsNotShown)
 {
     const Document whole = on_a_table();
-    Attachment attachment = *object(whole, carried_pot).placement->attach;
+    Attachment attachment = *object(whole, carried_pot).stroke->attach;
     constexpr int no_mesh_of_theirs = 7;
     for (std::size_t i = 0; i < attachment.samples.size() / 3; ++i)
         attachment.samples[i].mesh = no_mesh_of_theirs;

@@ -118,7 +118,7 @@ TEST(Rider, ShootsNoRaysWhileTheHorseIsMovedAsAWhole)
     sketch.camera.target = stands.bounds->center();
     sketch.camera.eye = sketch.camera.target + glm::dvec3(0, -1e-3, 3);
     for (int i = 0; i <= 12; ++i) sketch.samples.push_back({{570 + 10 * i, 360}, 0.05 * i, 1});
-    document = after(document, EditPlacement{riding, object(document, riding).placement->parameters,
+    document = after(document, EditPlacement{riding, object(document, riding).stroke->parameters,
                                              sketch, std::vector<Id>{ridden}});
     document = after(document, Attach{riding, {}});
     Evaluator evaluate = rider_evaluator();

@@ -185,6 +185,7 @@ TEST(PlaceRound, GoesRoundAnyBodyWhereAPlaneCutsIt)
 {
     PlacementParameters p;
     p.fill = 0.2;
+    p.width = p.height = 0.2; // the table is half a metre thick
     const PlaceRound command{3, 1, 0.05, p, glm::dvec3(0, 0, 1)};
     EXPECT_EQ(AnyCommand(command_from_json_line(to_json_line(command))), AnyCommand(command));
     const Document document = after(small_document(), command);
@@ -192,19 +193,19 @@ TEST(PlaceRound, GoesRoundAnyBodyWhereAPlaneCutsIt)
               digest(after(small_document(), PlaceRound{3, 1, 0.05, p, glm::dvec3(0, 1, 0)})));
     Evaluator evaluated = new_evaluator();
     const Evaluation there = evaluated(document, 1);
-    const EvaluatedObject& pot = *there.objects.at(3);
-    ASSERT_TRUE(pot.placement) << pot.rejected;
-    EXPECT_TRUE(pot.notices.empty());
+    const EvaluatedObject& on_table = *there.objects.at(3);
+    ASSERT_TRUE(on_table.placement) << on_table.rejected;
+    EXPECT_TRUE(on_table.notices.empty());
     // The table is 4 x 4 m: it stands on a side of that, upright to it.
-    EXPECT_NEAR(pot.placement->report.length_world, 16, 0.1);
-    const Lattice& volume = pot.placement->volume;
+    EXPECT_NEAR(on_table.placement->report.length_world, 16, 0.1);
+    const Lattice& volume = on_table.placement->volume;
     EXPECT_NEAR(evaluate(volume, {0.5, 0.5, 0}).value.x, -2, 0.1);
     EXPECT_LT(evaluate(volume, {0.5, 0.5, 1}).value.x, -2.1);
     // Copies of both lie so too, and those of it alone on what it lay on.
     const Document pasted = after(document, copied(document, {1, 3}, ""));
     const Object& copy = object(pasted, pasted.next_id - 1);
-    ASSERT_TRUE(copy.placement && copy.placement->round);
-    EXPECT_EQ(copy.placement->round->normal, glm::dvec3(0, 0, 1));
+    ASSERT_TRUE(copy.stroke && copy.stroke->round);
+    EXPECT_EQ(copy.stroke->round->normal, glm::dvec3(0, 0, 1));
     EXPECT_THROW(after(small_document(), PlaceRound{3, 1, 0, p, glm::dvec3(0)}), Rejected);
     const Evaluation over =
         evaluated(after(document, PlaceRound{3, 1, 2, p, glm::dvec3(0, 0, 1)}), 1);

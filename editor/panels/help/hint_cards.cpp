@@ -76,22 +76,24 @@ std::optional<ui::Rect> draw_hint_card(Editor& editor, const ui::Theme& theme, c
     const float left = theme.px(58), right = theme.px(16), line = theme.px(18), top = theme.px(10);
     const std::string count = card->number > 0 ? fmt::format("{} of 3", card->number) : "";
     const float beside = ui::text_width(theme.font.small, count) + theme.px(48); // and the cross
-    const float widest = view.width() - theme.px(24);
+    const bool notices = !editor.session.notices.all().empty(); // beside them, or not at all
+    const float end = notices ? ui::Notices::left_of(theme, view) : view.hi.x;
+    const float widest = end - view.lo.x - theme.px(24);
+    if (widest < theme.px(240)) return {};
     const Offers offers = offers_of(editor, theme, *card, {widest - left - right, view.height()});
+    const std::string& body =
+        offers.models.empty() || card->with_models.empty() ? card->body : card->with_models;
     const float row = static_cast<float>(offers.models.size()) * theme.px(tile_size.x + tile_gap) -
                       theme.px(tile_gap);
     const float most = std::min(std::max(theme.px(440), left + row + right), widest);
     const float title = ui::text_width(theme.font.strong, card->title) + beside;
-    const float body = ui::text_width(theme.font.body, card->body) + right;
-    const float width = std::min(most, left + std::max({title, body, row + right}));
-    const auto lines = ui::wrapped(theme.font.body, card->body, width - left - right);
+    const float body_width = ui::text_width(theme.font.body, body) + right;
+    const float width = std::min(most, left + std::max({title, body_width, row + right}));
+    const auto lines = ui::wrapped(theme.font.body, body, width - left - right);
     const glm::vec2 size{width,
                          theme.px(46) + line * static_cast<float>(lines.size()) + offers.height};
     float x = std::round(view.center().x - width / 2);
-    if (!editor.session.notices.all().empty()) { // beside them, or not at all
-        x = std::min(x, ui::Notices::left_of(theme, view) - theme.px(12) - width);
-        if (x < view.lo.x + theme.px(12)) return {};
-    }
+    if (notices) x = std::min(x, end - theme.px(12) - width);
     const ui::Rect r = ui::rect_at({x, view.hi.y - size.y - theme.px(16)}, size);
     ui::paint_card(theme, r);
     ui::lower_area("hint", r); // takes the clicks

@@ -77,6 +77,7 @@ TEST(Hints, AreFramedClearOfWhatComesIn)
 {
     Rig rig({1024, 700});
     rig.editor.files.own_models_folder = "models";
+    rig.editor.start_card.left = rig.editor.session.scenes();
     rig.frames();
     const double foot = rig.editor.session.view.foot_px;
     EXPECT_GT(foot, 100) << "the card with its pictures";

@@ -87,7 +87,7 @@ struct WithModels : testing::Rig {
     std::string tool() { return editor.active_tool().name(); }
     bool is_laid(Id id) const
     {
-        return object(editor.session.document(), id).placement.has_value();
+        return object(editor.session.document(), id).stroke.has_value();
     }
     testing::TemporaryFolder folder;
 };

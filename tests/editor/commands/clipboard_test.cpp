@@ -99,7 +99,7 @@ TEST(Clipboard, HoldsALineThatAnotherSceneAndAnyFileTake)
     to.key(paste_key);
     to.wait();
     const Object& alone = object(to.editor.session.document(), 1);
-    EXPECT_FALSE(alone.placement);
+    EXPECT_FALSE(alone.stroke);
     EXPECT_THAT(said_last(to).body, HasSubstr("has its original shape"));
     EXPECT_NO_THROW(replay(read_log(log_header() + text, "a file")));
 }

@@ -154,18 +154,21 @@ const std::string& path_of(const testing::Rig& rig, Id id)
 TEST(PlainMesh, IsMadeInASceneWithoutANameToo)
 {
     const testing::TemporaryFolder unnamed, folder;
-    LaidRig rig({720, 520}, unnamed.path().string());
-    ASSERT_TRUE(is_enabled(rig.editor, action(rig.editor, apply_shape_action)));
-    make_plain_mesh(rig.editor.session, {2, {.tolerance = 1e-2}, true});
-    rig.wait();
-    ASSERT_FALSE(object(rig.editor.session.document(), 2).placement);
-    EXPECT_TRUE(path_of(rig, 2).ends_with(" kept shapes/Box plain_001.glb")) << path_of(rig, 2);
-    const std::string effects = digest(rig.editor.session.evaluated());
-    rig.editor.session.save_as(folder.file("scene.trivar"));
-    rig.wait();
-    EXPECT_EQ(path_of(rig, 2), "Box plain_001.glb");
-    EXPECT_EQ(digest(rig.editor.session.evaluated()), effects);
-    EXPECT_TRUE(std::filesystem::is_empty(unnamed.path()));
+    std::string effects;
+    {
+        LaidRig rig({720, 520}, unnamed.path().string());
+        ASSERT_TRUE(is_enabled(rig.editor, action(rig.editor, apply_shape_action)));
+        make_plain_mesh(rig.editor.session, {2, {.tolerance = 1e-2}, true});
+        rig.wait();
+        ASSERT_FALSE(object(rig.editor.session.document(), 2).stroke);
+        EXPECT_TRUE(path_of(rig, 2).ends_with(" kept shapes/Box plain_001.glb")) << path_of(rig, 2);
+        effects = digest(rig.editor.session.evaluated());
+        rig.editor.session.save_as(folder.file("scene.trivar"));
+        rig.wait();
+        EXPECT_EQ(path_of(rig, 2), "Box plain_001.glb");
+        EXPECT_EQ(digest(rig.editor.session.evaluated()), effects);
+        EXPECT_TRUE(std::filesystem::is_empty(unnamed.path()));
+    }
     testing::Rig again;
     again.editor.session.replace_scene(SceneFile(folder.file("scene.trivar")));
     again.wait();

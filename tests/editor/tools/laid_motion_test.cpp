@@ -143,7 +143,7 @@ TEST(LaidMotion, ALiftTurnsNothingWhereTheSurfaceIsCurved)
     rig.wait();
     rig.key({'Q'});
     const auto stroke = [&] {
-        return object(rig.editor.session.document(), 2).placement.value().sketch;
+        return object(rig.editor.session.document(), 2).stroke.value().sketch;
     };
     const auto middle = [&] {
         const auto laid = rig.editor.session.evaluated().objects.at(2)->placement;

@@ -93,6 +93,8 @@ TEST(PlaceRoundAction, GoesRoundAnyBodyAboutAnyOfItsAxes)
     box.shape.size = {1, 2, 3};
     box.transform = {.translation = {2, 0, 1}, .rotation_deg = {0, 0, 30}};
     ASSERT_TRUE(rig.editor.session.run(box)); // 4
+    // Long and thin, as a text or a snake is.
+    ASSERT_TRUE(rig.editor.session.run(SetTransform{2, {.scale = {8, 1, 1}}}));
     rig.wait();
     for (const RoundAxis axis : {RoundAxis::z, RoundAxis::x, RoundAxis::y}) {
         const std::size_t steps = rig.steps();
