@@ -30,6 +30,7 @@ const std::vector<std::vector<std::string>> floors{
     {"core/ffd"},
     {"core/refinement"},
     {"core/placement"},
+    {"core/tiles"},
     {"core/document"},
     {"core/commands", "core/evaluation"},
     {"core/scene"},

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/tiles/layout.h"
+#include "core/tiles/tile_patch.h"
+
+namespace trivar {
+
+// A TileChart says where the nodes of a tile's patch are on the base: the exponential map of its
+// middle, by straightest ways. No map of the whole surface is needed, and so no seam cuts a tile.
+struct TileChart {
+    std::array<SurfacePlace, 16> nodes; // 4 j + i at (patch_nodes[i], patch_nodes[j])
+    // Beyond a border: what is missing of the way to the node, in the space of the model.
+    std::array<glm::dvec3, 16> beyond{};
+    double cut = 0; // the longest way that a border cut off, as a share of the tile's size
+};
+
+// `turn_deg` and `scale` come from the layer's look. About 15 microseconds.
+TileChart chart_of(const TileBase& base, const Tile& tile, double turn_deg, double scale);
+
+// A BasePose is where the points of a base are at one moment, with their normals.
+struct BasePose {
+    std::vector<glm::dvec3> points, normals; // #points of the TileBase
+};
+
+// The patch of a tile where the base is now.
+TilePatch patch_of(const TileBase& base, const BasePose& pose, const TileChart& chart);
+
+} // namespace trivar

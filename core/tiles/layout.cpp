@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tiles/layout.h"
+
+#include "core/tiles/near_tiles.h"
+#include "core/tiles/straightest.h"
+
+#include <algorithm>
+#include <glm/gtc/constants.hpp>
+#include <numeric>
+
+namespace trivar {
+namespace {
+
+std::uint32_t mixed(std::uint32_t a, std::uint32_t b)
+{
+    std::uint64_t x = (static_cast<std::uint64_t>(a) << 32 | b) + 0x9E3779B97F4A7C15u;
+    x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
+    x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
+    return static_cast<std::uint32_t>(x ^ (x >> 31));
+}
+
+// What random numbers are for; a new purpose leaves the numbers of the others.
+enum Purpose : std::uint32_t { across, around, size, turn, heading, triangle, side };
+
+glm::dvec3 tangent(const glm::dvec3& v, const glm::dvec3& n)
+{
+    const glm::dvec3 flat = v - glm::dot(v, n) * n;
+    const double length = glm::length(flat);
+    if (length > 1e-9 * glm::length(v)) return flat / length;
+    const glm::dvec3 other = std::abs(n.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    return glm::normalize(other - glm::dot(other, n) * n);
+}
+
+glm::dvec3 rotated(const glm::dvec3& x, const glm::dvec3& n, double angle)
+{
+    return std::cos(angle) * x + std::sin(angle) * glm::cross(n, x);
+}
+
+// A stroke's samples on the base as it is now; those that are on no surface are left out.
+struct Step {
+    SurfacePlace at;
+    glm::dvec3 p, n;
+    double time_s, pressure;
+};
+
+// The direction of the stroke at one of its samples, in the plane of the normal there.
+glm::dvec3 along(const std::vector<Step>& path, std::size_t i)
+{
+    const glm::dvec3 from = path[i > 0 ? i - 1 : 0].p,
+                     to = path[std::min(i + 1, path.size() - 1)].p;
+    const glm::dvec3 way = to - from;
+    return tangent(glm::length(way) > 0 ? way : glm::dvec3(1, 0, 0), path[i].n);
+}
+
+double falloff(double distance, double radius) // 1 in the middle, 0 and flat at the rim
+{
+    const double r = std::min(1.0, distance / radius), s = 1 - r * r;
+    return s * s;
+}
+
+class Layouter {
+public:
+    explicit Layouter(const TileBase& base, const std::vector<Ref<TileStroke>>& strokes)
+        : base_(base),
+          near_(cube_of(base, strokes))
+    {
+        for (std::size_t i = 0; i < strokes.size(); ++i)
+            if (!strokes[i]->hidden && !out_.too_many) work_off(*strokes[i], static_cast<int>(i));
+    }
+    TileLayout result() &&
+    {
+        std::vector<Tile> alive;
+        for (std::size_t i = 0; i < out_.tiles.size(); ++i)
+            if (!gone_[i]) alive.push_back(out_.tiles[i]);
+        out_.tiles = std::move(alive);
+        return std::move(out_);
+    }
+
+private:
+    static double cube_of(const TileBase& base, const std::vector<Ref<TileStroke>>& strokes)
+    {
+        double least = base.diagonal();
+        for (const Ref<TileStroke>& each : strokes) least = std::min(least, each->size);
+        return std::max(least, 1e-4 * base.diagonal()) + 1e-300;
+    }
+
+    std::vector<Step> path_of(const TileStroke& stroke)
+    {
+        std::vector<SurfacePoint> points;
+        for (const TileSample& each : stroke.samples) points.push_back(each.at);
+        const double reach = std::max(stroke.size, 1e-3 * base_.diagonal());
+        const auto places = base_.locate(points, reach);
+        std::vector<Step> path;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            if (!places[i]) {
+                ++out_.lost;
+                continue;
+            }
+            path.push_back({*places[i], base_.position(*places[i]), base_.normal(*places[i]),
+                            stroke.samples[i].time_s, stroke.samples[i].pressure});
+        }
+        return path;
+    }
+
+    void work_off(const TileStroke& stroke, int number)
+    {
+        const std::vector<Step> path = path_of(stroke);
+        if (path.empty()) return;
+        switch (stroke.brush) {
+        case TileBrush::scatter: scatter(stroke, number, path); break;
+        case TileBrush::line: line(stroke, number, path); break;
+        case TileBrush::fill: fill(stroke, number, path); break;
+        default: change(stroke, path); break;
+        }
+    }
+
+    // The next tile's random numbers; made whether or not it finds room, so that one tile that
+    // goes leaves all later ones as they are.
+    std::uint32_t next_seed(const TileStroke& stroke)
+    {
+        return mixed(static_cast<std::uint32_t>(stroke.seed), made_++);
+    }
+
+    // Lays a tile if it has room. `turned` is the stroke's direction there.
+    bool lay(const TileStroke& stroke, int number, std::uint32_t seed, const SurfacePlace& at,
+             const glm::dvec3& turned, double time_s, double pressure, bool avoiding)
+    {
+        const glm::dvec3 p = base_.position(at), n = base_.normal(at);
+        const double share = 1 - stroke.size_variation * random_share(seed, Purpose::size);
+        const double side = stroke.size * share * pressure;
+        if (!(side > 0)) return false;
+        const double room = stroke.spacing * stroke.size;
+        if (avoiding && near_.any(p, room, [&](int other, double distance) {
+                const auto o = static_cast<std::size_t>(other);
+                return !gone_[o] && distance < room && // of this side of the surface
+                       glm::dot(base_.normal(out_.tiles[o].at), n) > -0.2;
+            }))
+            return false;
+        if (out_.tiles.size() >= most_tiles) {
+            out_.too_many = true;
+            return false;
+        }
+        glm::dvec3 x = tangent(turned, n);
+        if (stroke.heading == TileHeading::upward) x = tangent({0, 0, 1}, n);
+        if (stroke.heading == TileHeading::random)
+            x = rotated(x, n, glm::two_pi<double>() * random_share(seed, Purpose::heading));
+        const double most = glm::radians(stroke.turn_variation_deg);
+        x = rotated(x, n, most * (2 * random_share(seed, Purpose::turn) - 1));
+        near_.add(p, static_cast<int>(out_.tiles.size()));
+        out_.tiles.push_back({at, x, side, stroke.height, seed, number, time_s});
+        gone_.push_back(0);
+        return true;
+    }
+
+    void scatter(const TileStroke& stroke, int number, const std::vector<Step>& path)
+    {
+        made_ = 0;
+        // Twice as many tries as discs of the spacing's radius would fill the brush.
+        const double room = std::max(stroke.spacing * stroke.size, 1e-6 * base_.diagonal());
+        const double share = stroke.radius / room;
+        const int tries = static_cast<int>(std::clamp(std::ceil(8 * share * share), 1.0, 4096.0));
+        double since = 1e300; // length since the last dab
+        for (std::size_t i = 0; i < path.size() && !out_.too_many; ++i) {
+            if (i > 0) since += glm::distance(path[i].p, path[i - 1].p);
+            if (since < stroke.radius / 2) continue;
+            since = 0;
+            const glm::dvec3 ahead = along(path, i);
+            for (int k = 0; k < tries && !out_.too_many; ++k) {
+                const std::uint32_t seed = next_seed(stroke);
+                const double away = stroke.radius * std::sqrt(random_share(seed, Purpose::across));
+                const double angle = glm::two_pi<double>() * random_share(seed, Purpose::around);
+                const SurfaceRay ray =
+                    straightest(base_, path[i].at, away * rotated(ahead, path[i].n, angle));
+                if (ray.left > 0) continue;
+                const SurfacePlace at = inside(ray.at);
+                const glm::dvec3 n = base_.normal(at);
+                // The direction of the stroke keeps its angle to the way.
+                const glm::dvec3 x = rotated(tangent(ray.direction, n), n, -angle);
+                lay(stroke, number, seed, at, x, path[i].time_s, path[i].pressure, true);
+            }
+        }
+    }
+
+    void line(const TileStroke& stroke, int number, const std::vector<Step>& path)
+    {
+        made_ = 0;
+        const double step = std::max(stroke.spacing * stroke.size, 1e-6 * base_.diagonal());
+        double next = 0; // length to the next tile
+        lay(stroke, number, next_seed(stroke), path.front().at, along(path, 0), path.front().time_s,
+            path.front().pressure, false);
+        next = step;
+        for (std::size_t i = 1; i < path.size() && !out_.too_many; ++i) {
+            const Step &a = path[i - 1], &b = path[i];
+            const double length = glm::distance(a.p, b.p);
+            double gone = next;
+            for (; gone <= length && !out_.too_many; gone += step) {
+                const glm::dvec3 way = gone * tangent(b.p - a.p, a.n);
+                const SurfaceRay ray = straightest(base_, a.at, way);
+                const double share = gone / length;
+                lay(stroke, number, next_seed(stroke), inside(ray.at), b.p - a.p,
+                    glm::mix(a.time_s, b.time_s, share), glm::mix(a.pressure, b.pressure, share),
+                    false);
+            }
+            next = gone - length;
+        }
+    }
+
+    // Triangles that are joined over their sides with those of the path.
+    std::vector<std::uint32_t> joined(const std::vector<Step>& path) const
+    {
+        std::vector<char> seen(base_.triangle_count(), 0);
+        std::vector<std::uint32_t> out;
+        for (const Step& each : path)
+            if (!seen[each.at.triangle]) {
+                seen[each.at.triangle] = 1;
+                out.push_back(each.at.triangle);
+            }
+        for (std::size_t i = 0; i < out.size(); ++i)
+            for (int e = 0; e < 3; ++e) {
+                const std::uint32_t behind = base_.across(out[i], e);
+                if (behind == TileBase::none || seen[behind / 3]) continue;
+                seen[behind / 3] = 1;
+                out.push_back(behind / 3);
+            }
+        std::ranges::sort(out);
+        return out;
+    }
+
+    void fill(const TileStroke& stroke, int number, const std::vector<Step>& path)
+    {
+        made_ = 0;
+        const std::vector<std::uint32_t> all = joined(path);
+        std::vector<double> sums;
+        double area = 0;
+        for (const std::uint32_t t : all) sums.push_back(area += base_.area(t));
+        const double room = std::max(stroke.spacing * stroke.size, 1e-6 * base_.diagonal());
+        // Random tries fill a surface slowly in the end: ten per place that a tile takes.
+        const double tries = std::ceil(10 * area / (0.7 * room * room));
+        if (!(tries < 20.0 * most_tiles)) {
+            out_.too_many = true;
+            return;
+        }
+        const glm::dvec3 ahead = along(path, 0);
+        for (int k = 0; k < static_cast<int>(tries) && !out_.too_many; ++k) {
+            const std::uint32_t seed = next_seed(stroke);
+            const double at = area * random_share(seed, Purpose::triangle);
+            const auto found = std::min(
+                static_cast<std::size_t>(std::ranges::upper_bound(sums, at) - sums.begin()),
+                all.size() - 1);
+            const double u = std::sqrt(random_share(seed, Purpose::across)),
+                         v = random_share(seed, Purpose::side);
+            lay(stroke, number, seed, {all[found], {1 - u, u * (1 - v), u * v}}, ahead,
+                path.front().time_s, path.front().pressure, true);
+        }
+    }
+
+    void change(const TileStroke& stroke, const std::vector<Step>& path)
+    {
+        // Per tile the nearest sample of the stroke on its side of the surface.
+        std::unordered_map<int, std::pair<double, std::size_t>> nearest;
+        for (std::size_t i = 0; i < path.size(); ++i)
+            near_.any(path[i].p, stroke.radius, [&](int tile, double distance) {
+                const auto t = static_cast<std::size_t>(tile);
+                if (gone_[t] || glm::dot(base_.normal(out_.tiles[t].at), path[i].n) < -0.2)
+                    return false;
+                const auto [known, added] = nearest.try_emplace(tile, distance, i);
+                if (!added && distance < known->second.first) known->second = {distance, i};
+                return false;
+            });
+        for (const auto& [tile, by] : nearest) {
+            const auto t = static_cast<std::size_t>(tile);
+            const double much =
+                falloff(by.first, stroke.radius) * stroke.strength * path[by.second].pressure;
+            Tile& each = out_.tiles[t];
+            switch (stroke.brush) {
+            case TileBrush::erase: gone_[t] = 1; break;
+            case TileBrush::comb: {
+                const glm::dvec3 n = base_.normal(each.at);
+                const glm::dvec3 to = tangent(along(path, by.second), n);
+                const double angle =
+                    std::atan2(glm::dot(glm::cross(each.x, to), n), glm::dot(each.x, to));
+                each.x = rotated(each.x, n, angle * std::min(1.0, 2 * much));
+                break;
+            }
+            case TileBrush::resize: each.size *= std::exp2(much); break;
+            case TileBrush::raise: each.height *= std::exp2(much); break;
+            default: break;
+            }
+        }
+    }
+
+    static SurfacePlace inside(SurfacePlace at)
+    {
+        at.weights = glm::max(at.weights, glm::dvec3(0));
+        at.weights /= at.weights.x + at.weights.y + at.weights.z;
+        return at;
+    }
+
+    const TileBase& base_;
+    TileLayout out_;
+    std::vector<char> gone_; // by tile
+    NearTiles near_;
+    std::uint32_t made_ = 0; // number of tiles that the present stroke tried to lay
+};
+
+} // namespace
+
+double random_share(std::uint32_t seed, std::uint32_t purpose)
+{
+    return mixed(seed, purpose) * 0x1p-32;
+}
+
+TileLayout layout_of(const TileBase& base, const std::vector<Ref<TileStroke>>& strokes)
+{
+    return Layouter(base, strokes).result();
+}
+
+} // namespace trivar

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tiles/straightest.h"
+
+#include <algorithm>
+
+namespace trivar {
+namespace {
+
+constexpr int most_crossed = 100'000;
+
+glm::dvec3 in_plane(const glm::dvec3& t, const glm::dvec3& normal)
+{
+    const glm::dvec3 flat = t - glm::dot(t, normal) * normal;
+    const double length = glm::length(flat);
+    return length > 0 ? flat / length : glm::dvec3(0);
+}
+
+// The place of a point of a triangle's plane, as it is: a hair outside stays outside.
+SurfacePlace ended(const TileBase& base, std::uint32_t triangle, const glm::dvec3& p)
+{
+    const glm::uvec3& c = base.triangle(triangle);
+    const glm::dvec3 &a = base.points()[c.x], &b = base.points()[c.y], &d = base.points()[c.z];
+    const glm::dvec3 n = glm::cross(b - a, d - a);
+    const double square = glm::dot(n, n);
+    if (!(square > 0)) return {triangle, glm::dvec3(1.0 / 3)};
+    glm::dvec3 w{glm::dot(n, glm::cross(b - p, d - p)) / square,
+                 glm::dot(n, glm::cross(d - p, a - p)) / square, 0};
+    w.z = 1 - w.x - w.y;
+    return {triangle, w};
+}
+
+} // namespace
+
+glm::dvec3 turned_from_to(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& t)
+{
+    const glm::dvec3 w = glm::cross(a, b);
+    const double cosine = glm::dot(a, b);
+    if (cosine < -0.999999) return -t; // any half turn is as small
+    return t + glm::cross(w, t) + glm::cross(w, glm::cross(w, t)) / (1 + cosine);
+}
+
+SurfaceRay straightest(const TileBase& base, const SurfacePlace& start, const glm::dvec3& way)
+{
+    SurfaceRay ray{start};
+    double rest = glm::length(way);
+    if (!(rest > 0)) return ray;
+    const glm::dvec3& first = base.face_normal(start.triangle);
+    ray.direction = in_plane(turned_from_to(base.normal(start), first, way / rest), first);
+    if (ray.direction == glm::dvec3(0)) {
+        ray.left = rest;
+        return ray;
+    }
+    glm::dvec3 p = base.position(start);
+    int came = -1; // the side through which it came into the triangle
+    for (int crossed = 0; crossed < most_crossed; ++crossed) {
+        const glm::uvec3& c = base.triangle(ray.at.triangle);
+        const glm::dvec3& n = base.face_normal(ray.at.triangle);
+        double nearest = 1e300;
+        int out = -1;
+        for (int e = 0; e < 3; ++e) {
+            if (e == came) continue;
+            const glm::dvec3& a = base.points()[c[e]];
+            const glm::dvec3 inward = glm::cross(n, base.points()[c[(e + 1) % 3]] - a);
+            const double speed = -glm::dot(inward, ray.direction);
+            if (!(speed > 0)) continue;
+            const double to_side = std::max(0.0, glm::dot(inward, p - a) / speed);
+            if (to_side < nearest) nearest = to_side, out = e;
+        }
+        if (out < 0 || nearest >= rest) {
+            p += rest * ray.direction;
+            rest = 0;
+            break;
+        }
+        p += nearest * ray.direction;
+        rest -= nearest;
+        const std::uint32_t behind = base.across(ray.at.triangle, out);
+        if (behind == TileBase::none) break;
+        const glm::dvec3& next = base.face_normal(behind / 3);
+        const glm::dvec3 turned = in_plane(turned_from_to(n, next, ray.direction), next);
+        if (turned == glm::dvec3(0)) break; // a triangle without area: there is no way over it
+        ray.direction = turned;
+        ray.at.triangle = behind / 3;
+        came = static_cast<int>(behind % 3);
+    }
+    ray.left = rest;
+    ray.at = ended(base, ray.at.triangle, p);
+    return ray;
+}
+
+} // namespace trivar

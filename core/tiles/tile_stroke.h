@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/ref.h"
+#include "core/tiles/tile_base.h"
+
+#include <vector>
+
+namespace trivar {
+
+// What a brush does along its stroke.
+enum class TileBrush {
+    scatter, // lays tiles all over the width of the brush
+    line,    // lays tiles one behind the other
+    fill,    // lays tiles all over the connected surfaces that the stroke touches
+    erase,   // removes tiles
+    comb,    // turns tiles toward the direction of the stroke
+    resize,  // makes tiles larger, or smaller where the strength is negative
+    raise,   // makes tiles higher, or lower where the strength is negative
+};
+
+// The direction in which the x axis of a new tile points.
+enum class TileHeading { along_stroke, upward, random };
+
+struct TileSample {
+    SurfacePoint at;     // on the base at rest
+    double time_s = 0;   // since the stroke began
+    double pressure = 1; // 0..1, a factor of the size of new tiles or of the strength
+    bool operator==(const TileSample&) const = default;
+};
+
+// A TileStroke is one stroke of a brush. Lengths are metres on the base's model at rest.
+struct TileStroke {
+    TileBrush brush = TileBrush::scatter;
+    std::vector<TileSample> samples;
+    double radius = 0.1; // of the brush
+    double size = 0.05;  // side of a new tile
+    double spacing = 1;  // least distance between the middles of new tiles and others, in sizes
+    double height = 1;   // factor of the height of new tiles
+    double size_variation = 0;     // 0..1: sizes are smaller by up to that share
+    double turn_variation_deg = 0; // new tiles are turned by up to that angle either way
+    TileHeading heading = TileHeading::along_stroke;
+    double strength = 0.5; // of comb, resize and raise; -1..1
+    int seed = 1;
+    bool hidden = false; // it does nothing
+    bool operator==(const TileStroke&) const = default;
+};
+
+// A TileLook holds what holds for all tiles of a layer.
+struct TileLook {
+    double scale = 1;    // factor of the sizes of all tiles
+    double height = 1;   // factor of the heights of all tiles
+    double sink = 0;     // how deep tiles stand in the base, as a share of their height
+    double turn_deg = 0; // of all tiles about their normals
+    bool guard = true;   // tiles that would fold are lowered until they do not
+    bool operator==(const TileLook&) const = default;
+};
+
+// The most tiles of a layer.
+inline constexpr std::size_t most_tiles = 200'000;
+
+} // namespace trivar
