@@ -7,6 +7,7 @@
 #include "core/commands/group.h"
 #include "core/commands/numbering.h"
 #include "core/commands/transform_title.h"
+#include "core/document/bases.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -53,18 +54,6 @@ StepTitle arranged_title(const Document& before, const Arrange& c)
     if (turned) return {"Rotate " + names, turn_words(first.rotation_deg, now.rotation_deg)};
     if (scaled) return {"Scale " + names, growth_words(first.scale, now.scale)};
     return {"Move " + names, in_metres(glm::length(now.translation - first.translation))};
-}
-
-// Removes deleted supports and hosts from a step; the placement stays on the rest, and its stroke
-// stays even without a host.
-void lies_without(PlacementStep& step, auto&& is_gone)
-{
-    std::erase_if(step.onto, is_gone);
-    if (step.attach)
-        step.attach = trivar::renumbered(*step.attach, [&](Id id) -> std::optional<Id> {
-            if (is_gone(id)) return {};
-            return id;
-        });
 }
 
 // Removes the chosen objects and the contents of groups and lattices among them, and adds them to
@@ -191,9 +180,9 @@ Document applied(Document document, const Delete& command)
     const auto is_gone = [&](Id id) { return gone.contains(id); };
     const ObjectMap rest = document.objects;
     for (const auto& [id, ref] : rest)
-        if (ref->stroke && std::ranges::any_of(ref->stroke->onto, is_gone))
-            document = with_changed(std::move(document), id,
-                                    [&](Object& o) { lies_without(*o.stroke, is_gone); });
+        if (std::ranges::any_of(bases_of(*ref), is_gone))
+            document.objects.set(
+                id, make_ref(with_bases(*ref, [&](Id base) { return is_gone(base) ? 0 : base; })));
     return document;
 }
 
@@ -223,12 +212,7 @@ Document applied(Document document, const Duplicate& command)
             copy.name = numbering.next(copy.name);
             copy.transform.translation += command.offset;
         }
-        if (copy.stroke)
-            std::ranges::transform(copy.stroke->onto, copy.stroke->onto.begin(), renumbered);
-        if (copy.stroke && copy.stroke->attach)
-            for (AttachedHost& host : copy.stroke->attach->hosts)
-                host.object = renumbered(host.object);
-        document = with_added(std::move(document), std::move(copy));
+        document = with_added(std::move(document), with_bases(std::move(copy), renumbered));
     }
     return document;
 }

@@ -17,6 +17,7 @@
 #include "core/commands/shape.h"
 #include "core/commands/simplify.h"
 #include "core/commands/text.h"
+#include "core/commands/tiles.h"
 #include "core/commands/travel.h"
 #include "core/commands/view.h"
 #include "core/commands/warp.h"
@@ -43,7 +44,8 @@ using AnyCommand =
                  PlayClip, Animate, Refine, ClearRefine, PressVolume, MovePoints, InsertKnots,
                  CoarsenVolume, MendVolume, AllowFolds, Unshape, Paste, KeepView, ForgetView,
                  SetRender, SetTime, AddLattice, SetLattice, WarpVolume, KeepShape, Simplify,
-                 ClearSimplify, SetWarp, Attach, SetParent, ApplyShape>;
+                 ClearSimplify, SetWarp, Attach, SetParent, ApplyShape, PaintTiles, EditTileStroke,
+                 RemoveTileStrokes, SetTiles, ClearTiles>;
 
 // A Command is everything that a person can do to a document, by value. It is a variant and is
 // visited as one; copying and comparing it is compiled once, and not wherever a command is copied.

@@ -2,6 +2,7 @@
 #include "core/commands/edits.h"
 
 #include "core/base/rejected.h"
+#include "core/document/bases.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -51,8 +52,7 @@ std::set<Id> depending_on(const Document& document, const std::set<Id>& ids)
 {
     std::map<Id, std::vector<Id>> above;
     for (const auto& [other, ref] : document.objects) {
-        if (ref->stroke)
-            for (const Id lower : ref->stroke->onto) above[lower].push_back(other);
+        for (const Id lower : bases_of(*ref)) above[lower].push_back(other);
         for (const Id lattice : lattices_round(document, other)) above[lattice].push_back(other);
     }
     std::set<Id> result(ids);

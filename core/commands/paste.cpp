@@ -123,7 +123,7 @@ std::vector<Id> bases_of(const CopiedPlacement& placement, const Document& befor
     if (placement.round)
         std::erase_if(bases, [&](Id id) {
             const Object& base = object(document, id);
-            if (base.placement) return true;
+            if (base.stroke) return true;
             return placement.normal ? holds_others(base.source)
                                     : !band_round(base.source, 0, glm::dmat4(1));
         });
@@ -155,6 +155,24 @@ Document laid(Document document, Id id, const CopiedObject& copy, const std::vec
     return applied(std::move(document), SetTravel{{id}, *copy.travel});
 }
 
+// Painted on the copy of its base, or on that itself where the scene has it; else it is no layer.
+Document painted(Document document, Id id, const CopiedTiling& tiling, const Document& before,
+                 const CopiedIds& made)
+{
+    for (const TileStroke& stroke : tiling.strokes) check(stroke);
+    Id base = 0;
+    if (const auto copy = made.find(tiling.base.object); copy != made.end())
+        base = copy->second;
+    else if (const auto there = before.objects.find(tiling.base.object);
+             there != before.objects.end() && there->second->name == tiling.base.name)
+        base = tiling.base.object;
+    if (base == 0) return document;
+    for (const TileStroke& stroke : tiling.strokes)
+        document = applied(std::move(document), PaintTiles{id, base, stroke});
+    if (tiling.strokes.empty()) return document;
+    return applied(std::move(document), SetTiles{{id}, tiling.look});
+}
+
 // Adds tracks, except those of parameters that the copy does not have.
 Document animated(Document document, Id id, std::vector<Track> tracks)
 {
@@ -184,6 +202,12 @@ CopiedObject copy_of(const Document& document, Id id, bool inside, const std::st
     if (copy.file && each.playing != Playing{}) copy.playing = each.playing;
     copy.tracks = each.tracks;
     for (const Ref<VolumeEdit>& edit : each.shaping) copy.shaping.push_back(*edit);
+    if (each.tiles && document.objects.contains(each.tiles->base)) {
+        const Id base = each.tiles->base;
+        copy.tiling = {{base, object(document, base).name}, each.tiles->look, {}};
+        for (const Ref<TileStroke>& stroke : each.tiles->strokes)
+            copy.tiling->strokes.push_back(*stroke);
+    }
     if (!each.stroke) return copy;
     copy.placement = {each.stroke->sketch,
                       each.stroke->parameters,
@@ -223,6 +247,10 @@ Document applied(Document document, const Paste& command)
             if (bases.empty() != known)
                 document = laid(std::move(document), made.at(copy.object), copy, bases, made);
         }
+    for (const CopiedObject& copy : command.copies)
+        if (copy.tiling)
+            document =
+                painted(std::move(document), made.at(copy.object), *copy.tiling, before, made);
     for (const auto& [copied_id, id] : made)
         if (const Object& o = object(document, id);
             o.refining && !o.stroke && lattices_round(document, id).empty())

@@ -28,6 +28,9 @@ void check_can_be_laid(const Document& document, Id id)
 {
     if (std::holds_alternative<GroupShape>(object(document, id).source))
         throw Rejected(named(document, id) + " is a group; place the objects in it");
+    if (object(document, id).tiles)
+        throw Rejected(named(document, id) +
+                       " is a layer of tiles; make it a single object first, or place a copy");
 }
 
 // Removes the edits of the volume of a stroke, with the stroke; a lattice keeps the edits of its
@@ -224,12 +227,14 @@ Document applied(Document document, const PlaceRound& command)
     if (command.normal)
         check_cut(document, command);
     else if (!band_round(base.source, 0, glm::dmat4(1)))
-        throw Rejected(fmt::format("field \"around\": {} is no cylinder, sphere, torus or Moebius "
-                                   "band; say by \"normal\" which plane cuts it",
-                                   named(document, command.around)));
-    if (base.placement)
-        throw Rejected(fmt::format("field \"around\": {} is itself placed; unplace it first",
-                                   named(document, command.around)));
+        throw Rejected(
+            fmt::format("field \"around\": {} is not a cylinder, sphere, torus or Moebius "
+                        "band; name the plane that cuts it in \"normal\"",
+                        named(document, command.around)));
+    if (base.stroke)
+        throw Rejected(fmt::format(
+            "field \"around\": {} lies on a stroke itself; remove it from its stroke first",
+            named(document, command.around)));
     check_parameters(command.parameters);
     PlacementStep step{{},
                        command.parameters,

@@ -210,7 +210,14 @@ std::string commands_markdown()
     text += "## key\n\nA value in a frame, and how it goes on.\n\n" + field_table(fields_of(Key{}));
     text +=
         "## part\n\nA box in a volume's own u, v and w.\n\n" + field_table(fields_of(VolumePart{}));
-    text += "## base\n\nWhat a copied object lay on.\n\n" + field_table(fields_of(KnownObject{}));
+    text += "## tiling\n\nHow copies of a copied object are painted.\n\n" +
+            field_table(fields_of(CopiedTiling{}));
+    text += "## tile stroke\n\nA stroke with which tiles were painted.\n\n" +
+            field_table(fields_of(TileStroke{}));
+    text +=
+        "## tile sample\n\nA point of such a stroke.\n\n" + field_table(fields_of(TileSample{}));
+    text += "## base\n\nWhat a copied object lay on, or was painted on.\n\n" +
+            field_table(fields_of(KnownObject{}));
     text.pop_back();
     return text;
 }

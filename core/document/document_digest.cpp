@@ -61,7 +61,7 @@ template <class T> void add(Digest& digest, const T& value)
     else if constexpr (is_list<T>) {
         using Entry = typename T::value_type;
         digest.add(static_cast<std::uint64_t>(value.size()));
-        if constexpr (is_list<Entry> || Nested<Entry>)
+        if constexpr (is_list<Entry> || Nested<Entry> || is_ref<Entry>)
             for (const auto& entry : value) add(digest, entry);
         else
             digest.add(std::span<const Entry>(value));

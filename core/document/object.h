@@ -9,6 +9,7 @@
 #include "core/placement/shaping.h"
 #include "core/placement/travel.h"
 #include "core/refinement/methods.h"
+#include "core/tiles/tile_stroke.h"
 
 #include <optional>
 #include <string>
@@ -86,6 +87,15 @@ struct Simplifying {
     bool operator==(const Simplifying&) const = default;
 };
 
+// Tiling makes an object a layer of tiles: copies of it, painted on another object. The layer's own
+// rotation and scale turn each tile.
+struct Tiling {
+    Id base = 0; // what it is painted on; 0: that is gone
+    TileLook look;
+    std::vector<Ref<TileStroke>> strokes; // in their order
+    bool operator==(const Tiling&) const = default;
+};
+
 struct Object {
     std::string name;
     Source source;
@@ -102,7 +112,8 @@ struct Object {
     Playing playing = {};                  // only for an imported file
     std::optional<Refining> refining = {}; // only for an object on a stroke
     std::optional<Simplifying> simplifying = {};
-    Tracks tracks = {}; // of the numbers that change in time, by parameter
+    std::optional<Tiling> tiles = {}; // not for an object on a stroke
+    Tracks tracks = {};               // of the numbers that change in time, by parameter
     bool operator==(const Object&) const = default;
 };
 

@@ -4,6 +4,7 @@
 #include "core/base/digest.h"
 #include "core/base/parallel.h"
 #include "core/base/recent.h"
+#include "core/document/bases.h"
 #include "core/document/parameters.h"
 #include "core/evaluation/lattices.h"
 #include "core/evaluation/shapes.h"
@@ -14,12 +15,13 @@
 namespace trivar {
 namespace {
 
-// Lists the objects that an object depends on: its hosts and the lattices that bend it.
+// Lists the objects that an object depends on: its hosts, what it is painted on, and the lattices
+// that bend it.
 std::vector<Id> comes_from(const Document& document, Id id)
 {
     std::vector<Id> out = lattices_round(document, id);
-    if (const Object& o = object(document, id); o.stroke)
-        out.insert(out.end(), o.stroke->onto.begin(), o.stroke->onto.end());
+    for (const Id base : bases_of(object(document, id)))
+        if (document.objects.contains(base)) out.push_back(base);
     return out;
 }
 

@@ -87,11 +87,24 @@ Document small_document()
     return document;
 }
 
+TileStroke a_tile_stroke()
+{
+    TileStroke stroke;
+    for (int i = 0; i < 5; ++i) {
+        const double angle = 0.2 * i;
+        const glm::dvec3 n{std::cos(angle), std::sin(angle), 0};
+        stroke.samples.push_back({{0.4 * n, n}, 0.1 * i, 1});
+    }
+    return stroke;
+}
+
 Document fitting_document()
 {
     const Document document = after(after(small_document(), import_of("snail.obj")), AddText{});
-    return after(after(document, AddLattice{.objects = {6}}),
-                 WarpVolume{.object = 7, .warp = {.taper = 0.5}});
+    const Document bent = after(after(document, AddLattice{.objects = {6}}),
+                                WarpVolume{.object = 7, .warp = {.taper = 0.5}});
+    return after(after(bent, AddCylinder{.shape = {.radius = 0.1}}),
+                 PaintTiles{.object = 8, .base = 2, .stroke = a_tile_stroke()});
 }
 
 std::vector<Command> fitting_commands()
@@ -157,7 +170,12 @@ std::vector<Command> fitting_commands()
             SetWarp{.object = 7, .step = 1, .warp = {.twist_deg = 60}},
             Attach{.object = 3, .attach = Attachment{{attached_host(1, glm::dmat4(1), true)}}},
             SetParent{.objects = {2}, .parent = 1},
-            ApplyShape{.object = 3, .file = import_of("pot.glb").file, .tolerance = 0.002}};
+            ApplyShape{.object = 3, .file = import_of("pot.glb").file, .tolerance = 0.002},
+            PaintTiles{.object = 8, .base = 2, .stroke = a_tile_stroke()},
+            EditTileStroke{.object = 8, .number = 1, .stroke = a_tile_stroke()},
+            RemoveTileStrokes{.object = 8, .numbers = {1}},
+            SetTiles{.objects = {8}, .look = {.height = 2}},
+            ClearTiles{.objects = {8}}};
 }
 
 Command random_command(std::mt19937& random)

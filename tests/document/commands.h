@@ -14,6 +14,9 @@ Document small_document();
 // With an imported model 5 as well.
 Document fitting_document();
 
+// A short stroke over the ball of small_document().
+TileStroke a_tile_stroke();
+
 // For every verb one command that fitting_document() accepts.
 std::vector<Command> fitting_commands();
 

@@ -82,6 +82,11 @@ TEST(StepTitle, IsWhatAPersonWouldSayOfEveryCommand)
         "Attach Pot to Table",
         "Let Ball go with Table",
         "Make the shape of Pot final 0.002 m",
+        "Scatter Cylinder on Ball",
+        "Change stroke 1 of Cylinder",
+        "Remove stroke 1 of Cylinder",
+        "Tiles of Cylinder",
+        "Make Cylinder a single object again",
     };
     const std::vector<Command> commands = testing::fitting_commands();
     ASSERT_EQ(commands.size(), expected.size());
@@ -221,6 +226,20 @@ TEST(StepTitle, TellsWhatGoesWithWhat)
                                                 attached_host(2, glm::dmat4(1), false)}}}),
               "Attach Pot to Table");
     EXPECT_EQ(said(SetParent{.objects = {2}, .parent = 1}), "Let Ball go with Table");
+}
+
+TEST(StepTitle, TellsOfTiles)
+{
+    const Document before = testing::fitting_document();
+    TileStroke stroke = testing::a_tile_stroke();
+    EXPECT_EQ(said(before, PaintTiles{8, 2, stroke}), "Scatter Cylinder on Ball");
+    stroke.brush = TileBrush::comb;
+    EXPECT_EQ(said(before, PaintTiles{8, 2, stroke}), "Comb Cylinder on Ball");
+    EXPECT_EQ(said(before, EditTileStroke{8, 1, stroke}), "Change stroke 1 of Cylinder");
+    EXPECT_EQ(said(before, RemoveTileStrokes{8, {1}}), "Remove stroke 1 of Cylinder");
+    EXPECT_EQ(said(before, RemoveTileStrokes{8, {}}), "Remove all strokes of Cylinder");
+    EXPECT_EQ(said(before, SetTiles{{8}, {.height = 2}}), "Tiles of Cylinder");
+    EXPECT_EQ(said(before, ClearTiles{{8}}), "Make Cylinder a single object again");
 }
 
 TEST(StepTitle, TellsMovingFromTurningAndScaling)

@@ -12,6 +12,7 @@
 #include "core/document/fields/simplifying_fields.h"
 #include "core/document/fields/surfacing_fields.h"
 #include "core/document/fields/text_fields.h"
+#include "core/document/fields/tiles_fields.h"
 #include "core/document/fields/track_fields.h"
 #include "core/document/fields/travel_fields.h"
 #include "core/document/fields/view_fields.h"
@@ -69,6 +70,8 @@ template <> struct FieldsOf<Object> {
               any_value.counts(Counting::marked));
         field("simplifying", o.simplifying, "how its triangles are reduced",
               any_value.counts(Counting::marked).without_keys());
+        field("tiles", o.tiles, "how copies of it are painted on another object",
+              any_value.counts(Counting::marked));
         field("tracks", o.tracks, "its animated parameters with their keys", later.without_keys());
     }
 };

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/commands/import.h"
+#include "core/commands/lattice.h"
+#include "core/commands/material.h"
+#include "core/commands/place.h"
+#include "core/commands/play.h"
+#include "core/commands/primitives.h"
+#include "core/commands/refine.h"
+#include "core/commands/shape.h"
+#include "core/commands/simplify.h"
+#include "core/commands/text.h"
+#include "core/commands/tiles.h"
+#include "core/commands/travel.h"
+
+#include <string>
+#include <vector>
+
+namespace trivar {
+
+// A KnownObject is an object of the scene on which something lies. Both number and name must fit,
+// so that another scene's object of that number is not taken for it.
+struct KnownObject {
+    Id object = 0;
+    std::string name;
+    bool operator==(const KnownObject&) const = default;
+};
+struct CopiedPlacement {
+    Sketch sketch;
+    PlacementParameters parameters;
+    std::vector<KnownObject> onto;
+    bool round = false;
+    double level = 0;
+    std::optional<Attachment> attach = {};
+    std::optional<glm::dvec3> normal = {};
+    bool operator==(const CopiedPlacement&) const = default;
+};
+
+struct CopiedTiling {
+    KnownObject base;
+    TileLook look;
+    std::vector<TileStroke> strokes;
+    bool operator==(const CopiedTiling&) const = default;
+};
+
+// A CopiedObject is an object by itself, with its number in the scene from which it was copied.
+struct CopiedObject {
+    Id object = 0;
+    std::string name;
+    // At most one of these is set; none: a group.
+    std::optional<ImportedFile> file;
+    std::optional<PlaneShape> plane;
+    std::optional<BoxShape> box;
+    std::optional<SphereShape> sphere;
+    std::optional<CylinderShape> cylinder;
+    std::optional<TorusShape> torus;
+    std::optional<MoebiusShape> moebius;
+    std::optional<TeapotShape> teapot;
+    std::optional<TextShape> text = {};
+    std::optional<LatticeShape> lattice = {};
+    Transform transform;
+    Id parent = 0;
+    bool hidden = false, locked = false;
+    std::optional<Surfacing> material;
+    std::optional<CopiedPlacement> placement;
+    std::vector<VolumeEdit> shaping;
+    std::optional<Travel> travel;
+    std::optional<Playing> playing;
+    std::optional<Refining> refining;
+    std::optional<Simplifying> simplifying;
+    std::optional<CopiedTiling> tiling = {};
+    std::vector<Track> tracks;
+    bool operator==(const CopiedObject&) const = default;
+};
+
+template <> struct FieldsOf<KnownObject> {
+    static constexpr std::string_view told_as = "[base](#base)";
+    static void fields(auto& k, auto&& field)
+    {
+        field("object", k.object, "its id", required);
+        field("name", k.name,
+              "its name, so that another object of the same id is not mistaken for it", required);
+    }
+};
+template <> struct FieldsOf<CopiedPlacement> {
+    static constexpr std::string_view told_as = "[placement](#placement)";
+    static void fields(auto& p, auto&& field)
+    {
+        field("sketch", p.sketch, "the stroke; none if it lies round an object");
+        field("parameters", p.parameters, "how it lies");
+        field("onto", p.onto, "its hosts: other copies, or objects of the scene");
+        field("round", p.round, "about the only one of onto, in place of a stroke");
+        field("level", p.level, "metres from that one's widest circle, or its origin");
+        field("normal", p.normal, "of the plane that cuts that one; left out: none does");
+        field("attach", p.attach, "which of onto carry it, by the same numbers");
+    }
+};
+template <> struct FieldsOf<CopiedTiling> {
+    static constexpr std::string_view told_as = "[tiling](#tiling)";
+    static void fields(auto& t, auto&& field)
+    {
+        field("base", t.base, "what it is painted on: another copy, or an object of the scene");
+        field("look", t.look, "what holds for all tiles");
+        field("strokes", t.strokes, "the strokes, the first one first");
+    }
+};
+template <> struct FieldsOf<CopiedObject> {
+    static constexpr std::string_view told_as = "[object](#object)";
+    static void fields(auto& c, auto&& field)
+    {
+        field("object", c.object, "its id when it was copied, by which other copies name it",
+              required);
+        field("name", c.name, "its name, with a number if the name is taken", required);
+        field("file", c.file,
+              "file of an imported model; an object without file and shape is a group");
+        field("plane", c.plane, "its shape, as of add_plane");
+        field("box", c.box, "its shape, as of add_box");
+        field("sphere", c.sphere, "its shape, as of add_sphere");
+        field("cylinder", c.cylinder, "its shape, as of add_cylinder");
+        field("torus", c.torus, "its shape, as of add_torus");
+        field("moebius", c.moebius, "its shape, as of add_moebius");
+        field("teapot", c.teapot, "its shape, as of add_teapot");
+        field("text", c.text, "its shape, as of add_text");
+        field("lattice", c.lattice, "its box of control points, as of add_lattice");
+        field("transform", c.transform, "its transform, in its group if that is copied, too");
+        field("parent", c.parent,
+              "id of the copied group it is in, which comes before it; 0: none");
+        field("hidden", c.hidden, "it is not in the picture");
+        field("locked", c.locked, "it cannot be picked, moved or deleted by hand");
+        field("material", c.material, "one material over all of it; left out: its own");
+        field("placement", c.placement, "how it lies on a stroke");
+        field("shaping", c.shaping, "what was done to its volume after that, step by step");
+        field("travel", c.travel, "how it travels along its stroke");
+        field("playing", c.playing, "how an imported model moves by a clip of its file");
+        field("refining", c.refining, "how finely its triangles are split");
+        field("simplifying", c.simplifying, "how its triangles are reduced");
+        field("tiling", c.tiling, "how copies of it are painted on another object");
+        field("tracks", c.tracks, "its animated parameters with their keys", later);
+    }
+};
+
+} // namespace trivar

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/commands/tiles.h"
+
+#include "core/base/rejected.h"
+#include "core/commands/edits.h"
+#include "core/commands/field_words.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+const Tiling& tiling_of(const Document& document, Id id)
+{
+    const Object& layer = object(document, id);
+    if (!layer.tiles)
+        throw Rejected(named(id, layer) + " is no layer of tiles; paint with it first");
+    return *layer.tiles;
+}
+
+// The index of a stroke by its number, which counts from 1.
+std::size_t index_of(const Document& document, Id id, int number)
+{
+    const std::size_t count = tiling_of(document, id).strokes.size();
+    if (number < 1 || static_cast<std::size_t>(number) > count)
+        throw Rejected(fmt::format("{} has {} strokes, and none of number {}", named(document, id),
+                                   count, number));
+    return static_cast<std::size_t>(number - 1);
+}
+
+void check_can_be_tile(const Document& document, Id id, Id base)
+{
+    const Object& tile = object(document, id);
+    if (holds_others(tile.source))
+        throw Rejected(named(id, tile) + " has no shape of its own; paint with an object that has");
+    if (tile.stroke)
+        throw Rejected(named(id, tile) +
+                       " lies on a stroke; remove it from the stroke first, or paint with a copy");
+    if (holds_others(object(document, base).source))
+        throw Rejected(named(document, base) + " has no surface; paint on an object that has one");
+    if (id == base) throw Rejected("field \"base\": an object cannot be painted on itself");
+    if (depending_on(document, {id}).contains(base))
+        throw Rejected(fmt::format("field \"base\": the shape of {} depends on {} already",
+                                   named(document, base), named(document, id)));
+    if (tile.tiles && tile.tiles->base != 0 && tile.tiles->base != base)
+        throw Rejected(fmt::format("{} is painted on {}; copy it to paint on something else too",
+                                   named(id, tile), named(document, tile.tiles->base)));
+}
+
+std::string_view verb_of(TileBrush brush)
+{
+    switch (brush) {
+    case TileBrush::scatter: return "Scatter";
+    case TileBrush::line: return "Line up";
+    case TileBrush::fill: return "Fill with";
+    case TileBrush::erase: return "Erase";
+    case TileBrush::comb: return "Comb";
+    case TileBrush::resize: return "Resize";
+    case TileBrush::raise: return "Raise";
+    }
+    return "Paint";
+}
+
+} // namespace
+
+void check(const TileStroke& stroke)
+{
+    if (stroke.samples.empty()) throw Rejected("field \"samples\" is empty: the stroke is nowhere");
+    if (stroke.samples.size() > most_tile_samples)
+        throw Rejected(fmt::format("field \"samples\" has {} entries but at most {} are taken",
+                                   stroke.samples.size(), most_tile_samples));
+    for (const TileSample& each : stroke.samples)
+        if (const double length = glm::length(each.at.normal); !(std::abs(length - 1) < 0.01))
+            throw Rejected(fmt::format(
+                "field \"normal\" has the length {} but must have the length 1", length));
+}
+
+Document applied(Document document, const PaintTiles& command)
+{
+    check(command.stroke);
+    check_can_be_tile(document, command.object, command.base);
+    if (const Object& tile = object(document, command.object);
+        tile.tiles && tile.tiles->strokes.size() >= most_tile_strokes)
+        throw Rejected(fmt::format("{} has {} strokes already, which are the most",
+                                   named(document, command.object), most_tile_strokes));
+    return with_changed(std::move(document), command.object, [&](Object& o) {
+        if (!o.tiles) o.tiles.emplace();
+        o.tiles->base = command.base;
+        o.tiles->strokes.push_back(make_ref(command.stroke));
+    });
+}
+
+StepTitle title(const PaintTiles& c, const StepDocuments& step)
+{
+    return {fmt::format("{} {}", verb_of(c.stroke.brush), names_in(step.before, {c.object})),
+            "on " + names_in(step.before, {c.base})};
+}
+
+Document applied(Document document, const EditTileStroke& command)
+{
+    check(command.stroke);
+    const std::size_t index = index_of(document, command.object, command.number);
+    return with_changed(std::move(document), command.object,
+                        [&](Object& o) { o.tiles->strokes[index] = make_ref(command.stroke); });
+}
+
+StepTitle title(const EditTileStroke& c, const StepDocuments& step)
+{
+    return {fmt::format("Change stroke {} of {}", c.number, names_in(step.before, {c.object})), {}};
+}
+
+Document applied(Document document, const RemoveTileStrokes& command)
+{
+    const Tiling& tiling = tiling_of(document, command.object);
+    std::vector<char> gone(tiling.strokes.size(), command.numbers.empty() ? 1 : 0);
+    for (const int number : command.numbers) gone[index_of(document, command.object, number)] = 1;
+    return with_changed(std::move(document), command.object, [&](Object& o) {
+        std::vector<Ref<TileStroke>> rest;
+        for (std::size_t i = 0; i < gone.size(); ++i)
+            if (!gone[i]) rest.push_back(o.tiles->strokes[i]);
+        o.tiles->strokes = std::move(rest);
+    });
+}
+
+StepTitle title(const RemoveTileStrokes& c, const StepDocuments& step)
+{
+    const std::string of = names_in(step.before, {c.object});
+    if (c.numbers.empty()) return {"Remove all strokes of " + of, {}};
+    if (c.numbers.size() == 1)
+        return {fmt::format("Remove stroke {} of {}", c.numbers.front(), of), {}};
+    return {fmt::format("Remove {} strokes of {}", c.numbers.size(), of), {}};
+}
+
+Document applied(Document document, const SetTiles& command)
+{
+    for (const Id id : distinct(document, command.objects)) tiling_of(document, id);
+    return with_all_changed(std::move(document), command.objects,
+                            [&](Object& o) { o.tiles->look = command.look; });
+}
+
+StepTitle title(const SetTiles& c, const StepDocuments& step)
+{
+    return {"Tiles of " + names_in(step.before, c.objects), {}};
+}
+
+Document applied(Document document, const ClearTiles& command)
+{
+    for (const Id id : distinct(document, command.objects)) tiling_of(document, id);
+    return with_all_changed(std::move(document), command.objects,
+                            [](Object& o) { o.tiles.reset(); });
+}
+
+StepTitle title(const ClearTiles& c, const StepDocuments& step)
+{
+    return {"Make " + names_in(step.before, c.objects) + " a single object again", {}};
+}
+
+} // namespace trivar

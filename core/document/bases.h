@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/document/document.h"
+
+#include <functional>
+
+namespace trivar {
+
+// The objects on whose shapes an object's own depends: what its stroke lies on, and what its tiles
+// are painted on. An id may come twice, and may name no object.
+std::vector<Id> bases_of(const Object& object);
+
+// The object with other bases in place of its own; 0 takes one away: what lay on it lies on the
+// rest, and its stroke stays in the world if nothing else carries it.
+Object with_bases(Object object, const std::function<Id(Id)>& other);
+
+} // namespace trivar

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/evaluation/tiling.h"
+
+#include "core/base/parallel.h"
+#include "core/tiles/fold_limit.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace trivar {
+namespace {
+
+// The most vertices of all tiles together: about 60 bytes each, here and on the card.
+constexpr std::size_t most_vertices = 40'000'000;
+// Tiles of which a border cuts off more than this share of their size are left out.
+constexpr double most_cut = 0.2;
+// Lowered tiles stay below the proven limit by this factor, for the rounding of positions.
+constexpr double below_limit = 0.98;
+
+// The parts of the base, by the members of a procession.
+std::map<int, std::vector<Part>> by_member(const EvaluatedObject& base)
+{
+    std::map<int, std::vector<Part>> out;
+    for (const Part& part : base.parts) out[part.key.member].push_back(part);
+    return out;
+}
+
+BasePose pose_of(const TileBase& base, const std::vector<Part>& parts)
+{
+    BasePose pose;
+    pose.points.reserve(base.points().size());
+    for (const Part& part : parts) {
+        const Mesh& mesh = *part.mesh();
+        const std::size_t before = pose.points.size();
+        pose.points.resize(before + point_count(mesh));
+        for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v)
+            pose.points[before + mesh.point(v)] =
+                glm::dvec3(part.to_world * glm::dvec4(mesh.positions[v], 1));
+    }
+    std::vector<glm::uvec3> triangles;
+    for (std::uint32_t t = 0; t < base.triangle_count(); ++t) {
+        triangles.push_back(base.triangle(t));
+        // A mirror on the way to the world turns the faces round, as it does in the picture.
+        if (const glm::dmat3 m(parts[base.piece_of(t)].to_world); glm::determinant(m) < 0)
+            std::swap(triangles.back().y, triangles.back().z);
+    }
+    pose.normals = angle_normals(pose.points, triangles);
+    return pose;
+}
+
+TileCell cell_of(const std::vector<Part>& parts, const glm::dmat4& turned)
+{
+    Box box;
+    for (const Part& part : parts) box.add(bounding_box(*part.rest, turned * part.to_world));
+    const glm::dvec3 size = box.size(), middle = box.center();
+    const double side = std::max({size.x, size.y, 1e-6 * size.z, 1e-9});
+    return {{middle.x, middle.y, box.empty() ? 0 : box.lo.z}, side, size.z};
+}
+
+double side_in_world(const TilePatch& patch)
+{
+    const auto at = [&](double x, double y) { return tile_point(patch, {x, y, 0}).p; };
+    return (glm::distance(at(0, 0.5), at(1, 0.5)) + glm::distance(at(0.5, 0), at(0.5, 1))) / 2;
+}
+
+struct Told {
+    int lowered = 0, folded = 0, at_borders = 0;
+};
+
+// The tiles that there is room for, each as high as it may be.
+std::vector<PlacedTile> placed(const TileBase& base, const TileLayout& layout,
+                               const std::vector<TileChart>& charts, const BasePose& pose,
+                               const TileLook& look, const TileCell& cell, Told& told)
+{
+    enum class Fate : char { as_wanted, lowered, folded, at_border };
+    std::vector<PlacedTile> all(charts.size());
+    std::vector<Fate> fates(charts.size(), Fate::as_wanted);
+    parallel_blocks(charts.size(), 64, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            if (charts[i].cut > most_cut) {
+                fates[i] = Fate::at_border;
+                continue;
+            }
+            PlacedTile& tile = all[i];
+            tile.patch = patch_of(base, pose, charts[i]);
+            tile.height = side_in_world(tile.patch) * layout.tiles[i].height * look.height;
+            const double top = tile.height * cell.top / cell.side;
+            tile.base = -look.sink * top;
+            if (!look.guard) continue;
+            const double limit = fold_limit(tile.patch);
+            if (!(limit > 0)) {
+                fates[i] = Fate::folded;
+                continue;
+            }
+            const double highest = std::max(0.0, top + tile.base);
+            if (highest <= below_limit * limit) continue;
+            const double factor = below_limit * limit / highest;
+            tile.height *= factor;
+            tile.base *= factor;
+            fates[i] = Fate::lowered;
+        }
+    });
+    std::vector<PlacedTile> out;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        told.lowered += fates[i] == Fate::lowered;
+        told.folded += fates[i] == Fate::folded;
+        told.at_borders += fates[i] == Fate::at_border;
+        if (fates[i] == Fate::as_wanted || fates[i] == Fate::lowered)
+            out.push_back(std::move(all[i]));
+    }
+    return out;
+}
+
+std::string tiles(int count)
+{
+    return count == 1 ? "1 tile is" : fmt::format("{} tiles are", count);
+}
+
+void tell(Stage& stage, const TileLayout& layout, const Told& told)
+{
+    if (told.lowered > 0)
+        stage.notices.push_back(tiles(told.lowered) + " lowered, so as not to fold");
+    if (told.folded > 0)
+        stage.notices.push_back(tiles(told.folded) +
+                                " left out, where the surface bends more than a tile can");
+    if (told.at_borders > 0)
+        stage.notices.push_back(tiles(told.at_borders) + " left out at borders of the surface");
+    if (layout.lost > 0)
+        stage.notices.push_back(
+            fmt::format("{} of the points that were painted {} no longer on the surface",
+                        layout.lost, layout.lost == 1 ? "is" : "are"));
+    if (layout.too_many)
+        stage.notices.push_back(fmt::format(
+            "it shows the first {} tiles; make them larger or set them wider apart for all",
+            most_tiles));
+}
+
+// The stage without what stood alone.
+Stage cleared(const Stage& before)
+{
+    Stage stage = before;
+    stage.parts.clear();
+    stage.curves.clear();
+    stage.own_parts.clear();
+    return stage;
+}
+
+Ref<Stage> refused(const Ref<Stage>& before, const std::string& why)
+{
+    Stage stage = cleared(*before);
+    stage.notices.push_back(why);
+    return make_ref(std::move(stage));
+}
+
+} // namespace
+
+glm::dmat4 mesh_to_model(const EvaluatedObject& base, const Object& object, const Part& part)
+{
+    if (object.tiles) return part.to_world; // its tiles are no meshes of its model
+    for (const Shape::NodeMesh& each : base.shape->meshes) {
+        if (each.slot != part.key.mesh) continue;
+        const glm::dmat3 turned(object.transform.matrix());
+        // What a volume bends was turned inside out before, where its node mirrors it.
+        if (part.bent && object.stroke && glm::determinant(turned * glm::dmat3(each.to_model)) < 0)
+            return glm::dmat4(glm::inverse(turned));
+        return each.to_model;
+    }
+    return glm::dmat4(1);
+}
+
+Ref<Stage> Painting::operator()(const Ref<Stage>& before, const StepInput& input)
+{
+    if (!input.object.tiles) return before;
+    const Tiling& tiling = *input.object.tiles;
+    const auto found = input.done.find(tiling.base);
+    if (found == input.done.end())
+        return refused(before, "what its tiles were painted on is no longer there");
+    const Ref<EvaluatedObject>& shown = found->second;
+    const std::map<int, std::vector<Part>> members = by_member(*shown);
+    if (members.empty()) return refused(before, "what its tiles were painted on has no surface");
+
+    Pieces pieces;
+    for (const Part& part : members.begin()->second)
+        pieces.push_back({input.ray_meshes(part.rest, input.timings),
+                          mesh_to_model(*shown, object(input.document, tiling.base), part)});
+    const Ref<TileBase> base =
+        bases_(pieces, [&] { return std::make_shared<const TileBase>(pieces); });
+    const Ref<TileLayout> layout = layouts_({base, tiling.strokes}, [&] {
+        return timed(input.timings, "tiles",
+                     [&] { return make_ref(layout_of(*base, tiling.strokes)); });
+    });
+    const TileLook& look = tiling.look;
+    const auto charts = charts_({layout, look.turn_deg, look.scale}, [&] {
+        return timed(input.timings, "tiles", [&] {
+            std::vector<TileChart> out(layout->tiles.size());
+            parallel_blocks(out.size(), 64, [&](std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i < end; ++i)
+                    out[i] = chart_of(*base, layout->tiles[i], look.turn_deg, look.scale);
+            });
+            return make_ref(std::move(out));
+        });
+    });
+    const glm::dmat4 turned(glm::dmat3(input.object.transform.matrix()));
+    return painted_({before, shown, charts, look, turned}, [&] {
+        const TileCell cell = cell_of(before->own_parts, turned);
+        Told told;
+        std::vector<PlacedTile> all;
+        for (const auto& [member, parts] : members) {
+            if (parts.size() != pieces.size()) continue; // something of it is out of reach
+            const std::vector<PlacedTile> there = timed(input.timings, "tiles", [&] {
+                return placed(*base, *layout, *charts, pose_of(*base, parts), look, cell, told);
+            });
+            all.insert(all.end(), there.begin(), there.end());
+        }
+        std::size_t vertices = 0;
+        for (const Part& part : before->own_parts)
+            vertices += part.rest->vertex_count() * all.size();
+        if (vertices > most_vertices)
+            return refused(before,
+                           fmt::format("its {} tiles would have {} vertices, and {} are the most; "
+                                       "simplify it, or paint fewer of them",
+                                       all.size(), vertices, most_vertices));
+        Stage stage = cleared(*before);
+        stage.own_to_world = glm::dmat4(1);
+        for (const Part& part : before->own_parts) {
+            Part tiled{.rest = timed(input.timings, "tiles", [&] {
+                           return bent_tiles(*part.mesh(), turned * part.to_world, cell, all);
+                       })};
+            tiled.key = part.key;
+            tiled.bounds = bounding_box(*tiled.rest);
+            if (!tiled.rest->positions.empty()) stage.parts.push_back(std::move(tiled));
+        }
+        tell(stage, *layout, told);
+        return make_ref(std::move(stage));
+    });
+}
+
+} // namespace trivar
