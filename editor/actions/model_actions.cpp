@@ -42,7 +42,16 @@ const std::vector<OwnModel>& own_models()
                                            {"Terrain", "terrain", below},
                                            {"Jar", "jar", below},
                                            {"Bottle", "bottle", below},
-                                           {"Goblet", "goblet", below}};
+                                           {"Goblet", "goblet", below},
+                                           {"Thorn", "tile_thorn", below},
+                                           {"Flower", "tile_flower", below},
+                                           {"Scale tile", "tile_scale", below},
+                                           {"Chain link", "tile_chain", below},
+                                           {"Mail ring", "tile_mail", below},
+                                           {"Hair", "tile_hair", below},
+                                           {"Hexagon", "tile_hex", below},
+                                           {"Brick", "tile_brick_a", below},
+                                           {"Statue", "tile_statue", below}};
     return all;
 }
 

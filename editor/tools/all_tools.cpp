@@ -5,6 +5,7 @@
 #include "editor/tools/place.h"
 #include "editor/tools/press.h"
 #include "editor/tools/select.h"
+#include "editor/tools/tiles.h"
 #include "editor/tools/transform.h"
 
 namespace trivar {
@@ -19,6 +20,7 @@ std::vector<std::unique_ptr<Tool>> all_tools()
         tools.push_back(std::make_unique<TransformTool>(kind, choices));
     tools.push_back(std::make_unique<PlaceTool>(handles));
     tools.push_back(std::make_unique<PressTool>());
+    tools.push_back(std::make_unique<TilesTool>());
     tools.push_back(std::make_unique<LatticePointsTool>());
     return tools;
 }

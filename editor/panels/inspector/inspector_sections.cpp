@@ -2,6 +2,7 @@
 #include "editor/panels/inspector/inspector_sections.h"
 
 #include "editor/panels/inspector/inspector_simplify.h"
+#include "editor/panels/inspector/inspector_tiles.h"
 #include "editor/panels/panels.h"
 
 namespace trivar {
@@ -45,6 +46,7 @@ const std::vector<InspectorSection>& inspector_sections()
 {
     static const std::vector<InspectorSection> all{
         {is_placed, draw_placement},
+        {is_tile_layer, draw_tiles},
         {is_made_of<LatticeShape>, draw_lattice},
         {has_a_volume, draw_shaping},
         {is_made_of<ImportedFile>,

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/panels/inspector/inspector_tiles.h"
+
+#include "editor/panels/inspector/field_rows.h"
+#include "editor/panels/inspector/inspect.h"
+#include "editor/panels/inspector/key_gutter.h"
+#include "ui/icons.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+namespace trivar {
+namespace {
+
+std::string words_of_stroke(const TileStroke& stroke)
+{
+    const auto length = [](double metres) { return ui::short_number(metres) + " m"; };
+    switch (stroke.brush) {
+    case TileBrush::scatter: return "Scatter, tiles of " + length(stroke.size);
+    case TileBrush::line: return "Line, tiles of " + length(stroke.size);
+    case TileBrush::fill: return "Fill, tiles of " + length(stroke.size);
+    case TileBrush::erase: return "Erase";
+    case TileBrush::comb: return "Comb";
+    case TileBrush::resize: return stroke.strength < 0 ? "Make smaller" : "Make larger";
+    case TileBrush::raise: return stroke.strength < 0 ? "Lower" : "Raise";
+    }
+    return {};
+}
+
+// A stroke with buttons that turn it off and remove it.
+void stroke_row(Session& session, const ui::Theme& theme, Id id, int number,
+                const TileStroke& stroke)
+{
+    const float side = theme.size.row, edge = theme.px(12); // as rows have it
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x - 2 * side - theme.px(8);
+    ImGui::PushID(number);
+    ui::name_text(theme.font.body, ui::rect_at({at.x + edge, at.y}, {width - edge, side}),
+                  stroke.hidden ? theme.color.text_3 : theme.color.text_2,
+                  fmt::format("{}  {}", number, words_of_stroke(stroke)));
+    ImGui::SetCursorScreenPos({at.x + width + theme.px(4), at.y});
+    if (ui::icon_button(theme, "stroke off", stroke.hidden ? ui::icon::hidden : ui::icon::eye,
+                        {side, side},
+                        {stroke.hidden ? "Turn this stroke on" : "Turn this stroke off",
+                         {},
+                         "The strokes after it act on what is left."})) {
+        TileStroke other = stroke;
+        other.hidden = !other.hidden;
+        session.run(EditTileStroke{id, number, std::move(other)});
+    }
+    ImGui::SetCursorScreenPos({at.x + width + theme.px(4) + side, at.y});
+    if (ui::icon_button(theme, "remove stroke", ui::icon::trash, {side, side},
+                        {"Remove this stroke", {}, "The other strokes stay."}))
+        session.run(RemoveTileStrokes{id, {number}});
+    ImGui::SetCursorScreenPos({at.x, at.y + side + theme.px(2)});
+    ImGui::Dummy({1, 0});
+    ImGui::PopID();
+}
+
+} // namespace
+
+bool is_tile_layer(const Document& document, Id id)
+{
+    return object(document, id).tiles.has_value();
+}
+
+void draw_tiles(Editor& editor, const ui::Theme& theme, Id id)
+{
+    if (!ui::section(theme, "Tiles")) return;
+    Session& session = editor.session;
+    const Tiling tiling = *object(session.document(), id).tiles;
+    if (const auto base = session.document().objects.find(tiling.base);
+        base != session.document().objects.end())
+        ui::fact_row(theme, "Painted on", base->second->name, theme.color.text,
+                     "the object that carries the tiles");
+    TileLook look = tiling.look;
+    const KeyGutter keys(editor, {id});
+    ValueRows rows{theme, &keys};
+    FieldRows<TileLook> fields(rows, look, "tiles");
+    fields(&TileLook::scale);
+    fields(&TileLook::height);
+    fields(&TileLook::sink);
+    fields(&TileLook::turn_deg);
+    fields(&TileLook::guard);
+    for (std::size_t i = 0; i < tiling.strokes.size(); ++i)
+        stroke_row(session, theme, id, static_cast<int>(i) + 1, *tiling.strokes[i]);
+    ui::gap(theme, 8);
+    propose_edit(editor, rows.edit, [&] { return SetTiles{{id}, look}; });
+}
+
+} // namespace trivar

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/tools/tiles.h"
+
+#include "core/base/rounded.h"
+#include "editor/session/topics.h"
+#include "editor/tools/select.h"
+#include "ui/icons.h"
+#include "ui/option_bar.h"
+#include "ui/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <imgui.h>
+
+namespace trivar {
+namespace {
+
+constexpr double sample_step = 0.25; // of the size of a tile, between samples
+
+bool lays_tiles(TileBrush brush)
+{
+    return brush == TileBrush::scatter || brush == TileBrush::line || brush == TileBrush::fill;
+}
+
+// The brush as a ring that lies on the surface.
+void paint_ring(const ui::Theme& theme, const ViewportInput& input, const Camera& camera,
+                const glm::dvec3& center, const glm::dvec3& normal, double radius)
+{
+    const glm::dvec3 other = std::abs(normal.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    const glm::dvec3 x = glm::normalize(other - glm::dot(other, normal) * normal),
+                     y = glm::cross(normal, x);
+    constexpr int pieces = 64;
+    std::vector<glm::vec2> ring;
+    for (int i = 0; i <= pieces; ++i) {
+        const double angle = 2 * 3.14159265358979 * i / pieces;
+        const PicturePoint at =
+            project(camera, center + radius * (std::cos(angle) * x + std::sin(angle) * y));
+        if (at.depth_world <= 0) return;
+        ring.push_back(input.rect.lo + glm::vec2(at.p_px));
+    }
+    ui::paint_path(ring, theme.color.halo, theme.line(3.5f));
+    ui::paint_path(ring, theme.color.stroke, theme.line(1.6f));
+    const PicturePoint foot = project(camera, center),
+                       tip = project(camera, center + 0.5 * radius * normal);
+    if (tip.depth_world > 0)
+        ui::paint_path({input.rect.lo + glm::vec2(foot.p_px), input.rect.lo + glm::vec2(tip.p_px)},
+                       theme.color.stroke, theme.line(1.6f));
+}
+
+} // namespace
+
+const char* TilesTool::icon() const
+{
+    return ui::icon::tiles;
+}
+
+Id TilesTool::tile(const Session& session) const
+{
+    const Id selected = session.selected;
+    const auto found = session.document().objects.find(selected);
+    if (found == session.document().objects.end()) return 0;
+    const Object& o = *found->second;
+    return holds_others(o.source) || o.stroke || locked(session.document(), selected) ? 0
+                                                                                      : selected;
+}
+
+Id TilesTool::base_under(const Session& session, const ViewportInput& input) const
+{
+    const Id layer = tile(session);
+    if (layer == 0) return 0;
+    const Object& o = object(session.document(), layer);
+    if (o.tiles && o.tiles->base != 0) return o.tiles->base;
+    if (!lays_tiles(settings_.brush) || !input.seen_at) return 0;
+    Id seen = input.seen_at(input.mouse);
+    const auto found = session.document().objects.find(seen);
+    // Over tiles the brush paints on what these are on.
+    if (found != session.document().objects.end() && found->second->tiles)
+        seen = found->second->tiles->base;
+    return seen == layer ? 0 : seen;
+}
+
+void TilesTool::find_place(const Session& session, const ViewportInput& input)
+{
+    hit_.reset();
+    under_ = 0;
+    if (!input.hovered && !input.pressed) return;
+    under_ = base_under(session, input);
+    if (under_ != 0)
+        hit_ = surface_.hit(session, under_, ray_through(session.view.camera, input.mouse));
+}
+
+double TilesTool::radius(const Session& session) const
+{
+    if (radius_ > 0) return radius_;
+    const auto found = session.evaluated().objects.find(gesture_ ? gesture_->base : under_);
+    if (found == session.evaluated().objects.end()) return 0.1;
+    const glm::dvec3 extent = found->second->bounds->size();
+    return rounded(std::max(1e-6, 0.08 * std::max({extent.x, extent.y, extent.z})), 2);
+}
+
+double TilesTool::size(const Session& session) const
+{
+    return size_ > 0 ? size_ : rounded(radius(session) / 2, 2);
+}
+
+void TilesTool::use(Session& session, const ViewportInput& input)
+{
+    if (gesture_) return go_on(session, input);
+    find_place(session, input);
+    if (!input.pressed || session.committing()) return;
+    if (hit_)
+        begin(session, input);
+    else if (const Id layer = tile(session); layer == 0 || input.under == layer || input.under == 0)
+        select_by_click(session, input.under);
+    else
+        session.notices.say(ui::NoticeKind::warning, "There are no tiles to change yet",
+                            "Choose Scatter, Line or Fill to paint some.", of_a_step);
+}
+
+void TilesTool::begin(Session& session, const ViewportInput& input)
+{
+    Gesture g{tile(session), under_, settings_};
+    g.stroke.radius = radius(session) / hit_->scale;
+    g.stroke.size = size(session) / hit_->scale;
+    g.stroke.seed = ++strokes_;
+    if (ImGui::GetIO().KeyCtrl && !lays_tiles(g.stroke.brush))
+        g.stroke.strength = -g.stroke.strength;
+    if (ImGui::GetIO().KeyAlt) g.stroke.brush = TileBrush::erase;
+    gesture_ = std::move(g);
+    add(*hit_, 0, 1);
+    session.notices.forget(of_a_step);
+    go_on(session, input);
+}
+
+void TilesTool::add(const SurfaceHit& hit, double time_s, double pressure)
+{
+    std::vector<TileSample>& samples = gesture_->stroke.samples;
+    if (samples.size() >= most_tile_samples) return;
+    const double step = sample_step * std::min(gesture_->stroke.size, gesture_->stroke.radius);
+    if (!samples.empty() && glm::distance(samples.back().at.p, hit.at_rest.p) < step) return;
+    samples.push_back({hit.at_rest, time_s, std::clamp(pressure, 0.0, 1.0)});
+}
+
+void TilesTool::go_on(Session& session, const ViewportInput& input)
+{
+    Gesture& g = *gesture_;
+    if (input.wheel != 0) {
+        radius_ = rounded(radius(session) * std::pow(1.1, input.wheel), 3);
+        if (hit_) g.stroke.radius = radius_ / hit_->scale;
+    }
+    if (g.stroke.brush != TileBrush::fill)
+        for (const StrokeSample& move : input.moves)
+            if (const auto hit =
+                    surface_.hit(session, g.base, ray_through(session.view.camera, move.p_px))) {
+                hit_ = hit;
+                add(*hit, move.time_s, move.pressure);
+            }
+    if (input.released || !input.down) return finish(session);
+    // One proposal at a time: the next piece waits until the last one can be seen.
+    if (g.proposed == g.stroke.samples.size() || !session.up_to_date()) return;
+    if (session.propose_quietly(PaintTiles{g.layer, g.base, g.stroke}))
+        g.proposed = g.stroke.samples.size();
+}
+
+void TilesTool::finish(Session& session)
+{
+    const Gesture g = std::move(*gesture_);
+    gesture_.reset();
+    if (session.propose(PaintTiles{g.layer, g.base, g.stroke}))
+        session.commit();
+    else
+        session.cancel();
+}
+
+void TilesTool::cancel(Session& session)
+{
+    if (!gesture_) return;
+    gesture_.reset();
+    session.cancel();
+}
+
+bool TilesTool::resize(Session& session, double factor)
+{
+    radius_ = rounded(radius(session) * factor, 3);
+    return true;
+}
+
+void TilesTool::overlay(const Session& session, const ui::Theme& theme,
+                        const ViewportInput& input) const
+{
+    if (!hit_) return;
+    const bool line = settings_.brush == TileBrush::line;
+    paint_ring(theme, input, session.view.camera, hit_->p_world, hit_->normal_world,
+               line ? size(session) / 2 : radius(session));
+    if (!gesture_) return;
+    const auto shown = session.evaluated().objects.find(gesture_->layer);
+    if (shown == session.evaluated().objects.end() || shown->second->notices.empty()) return;
+    const glm::vec2 mouse = input.rect.lo + glm::vec2(input.mouse);
+    ui::paint_chip(theme, mouse + glm::vec2(theme.px(18), -theme.px(30)),
+                   {shown->second->notices.front(), theme.color.warn});
+}
+
+void TilesTool::options(Session& session, const ui::Theme& theme, float width)
+{
+    const ui::NumberStyle length{.lo = 0, .hi = 1e6, .unit = "m", .zero = "auto"};
+    const bool lays = lays_tiles(settings_.brush), line = settings_.brush == TileBrush::line,
+               fills = settings_.brush == TileBrush::fill;
+    std::vector<ui::Option> options;
+    options.push_back(
+        {"Brush", 96,
+         [&](float field) {
+             int kind = static_cast<int>(settings_.brush);
+             ui::choice(theme, "brush", kind,
+                        {"Scatter", "Line", "Fill", "Erase", "Comb", "Resize", "Raise"}, field);
+             settings_.brush = static_cast<TileBrush>(kind);
+         },
+         "Scatter, Line and Fill lay tiles; the others change those under the brush. With Alt "
+         "every brush erases."});
+    double shown_radius = radius(session), shown_size = size(session);
+    const auto number = [&](const char* words, const char* id, double& value,
+                            const ui::NumberStyle& style, const char* help, auto&& taken) {
+        options.push_back({words, 88,
+                           [&theme, id, &value, style, taken](float field) {
+                               if (ui::number_field(theme, id, value, style, field) !=
+                                   ui::Edit::none)
+                                   taken();
+                           },
+                           help});
+    };
+    if (!line && !fills)
+        number("Radius", "radius", shown_radius, length,
+               "Of the brush; 0 follows the size of what is painted on. The wheel changes it while "
+               "you paint.",
+               [&] { radius_ = shown_radius; });
+    const auto nothing = [] {};
+    if (lays) {
+        number("Size", "size", shown_size, length, "Side of a tile; 0 is half of the radius.",
+               [&] { size_ = shown_size; });
+        number("Spacing", "spacing", settings_.spacing, {.lo = 0.05, .hi = 100, .unit = "x"},
+               "Distance between tiles, in sizes.", nothing);
+        number("Vary", "vary", settings_.size_variation, {.lo = 0, .hi = 1},
+               "Tiles are smaller by up to this share, at random.", nothing);
+        number("Turn", "turn", settings_.turn_variation_deg, {.lo = 0, .hi = 180, .unit = "deg"},
+               "Tiles are turned by up to this angle either way, at random.", nothing);
+        options.push_back(
+            {"Heading", 96,
+             [&](float field) {
+                 int heading = static_cast<int>(settings_.heading);
+                 ui::choice(theme, "heading", heading, {"Along stroke", "Upward", "Random"}, field);
+                 settings_.heading = static_cast<TileHeading>(heading);
+             },
+             "Where the X axis of the tile points."});
+    } else if (settings_.brush != TileBrush::erase)
+        number("Strength", "strength", settings_.strength, {.lo = -1, .hi = 1},
+               "Of the brush; with Ctrl it goes the other way.", nothing);
+    ui::option_bar(theme, options, width);
+}
+
+std::vector<Hint> TilesTool::hints(const Session& session) const
+{
+    if (gesture_)
+        return {{{"left"}, "Let go when done"},
+                {{"wheel"}, "Radius"},
+                {{"Esc", "/", "right"}, "Cancel"}};
+    if (tile(session) == 0)
+        return {{{}, "Select the object to paint with"}, {{"left"}, "Select"}, {{"Esc"}, "Select"}};
+    if (settings_.brush == TileBrush::fill)
+        return {{{"left"}, "Click a body to fill it"}, {{"Esc"}, "Select"}};
+    return {{{"left"}, lays_tiles(settings_.brush) ? "Drag over a surface to paint" : "Drag"},
+            {{"Alt", "left"}, "Erase"},
+            {{"@Smaller tool", "@Larger tool"}, "Radius"},
+            {{"middle"}, "Orbit"},
+            {{"Esc"}, "Select"}};
+}
+
+} // namespace trivar

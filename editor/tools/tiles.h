@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/commands/tiles.h"
+#include "editor/tools/painted_surface.h"
+#include "editor/tools/tool.h"
+
+namespace trivar {
+
+// A brush that paints copies of the selected object onto whatever is under it, and combs, resizes,
+// raises or erases those that are there. What is seen is the proposal; a stroke is one step.
+class TilesTool : public Tool {
+public:
+    std::string name() const override { return "Tiles"; }
+    const char* icon() const override;
+    std::string help() const override
+    {
+        return "Paint copies of the selected object onto a surface.";
+    }
+    std::string page() const override { return "tiles"; }
+    std::vector<ui::Chord> keys() const override { return {{'T'}}; }
+    bool crosshair() const override { return hit_.has_value() || busy(); }
+    void use(Session& session, const ViewportInput& input) override;
+    bool busy() const override { return gesture_.has_value(); }
+    bool takes_wheel() const override { return busy(); }
+    bool resize(Session& session, double factor) override;
+    void cancel(Session& session) override;
+    void overlay(const Session& session, const ui::Theme& theme,
+                 const ViewportInput& input) const override;
+    void options(Session& session, const ui::Theme& theme, float width) override;
+    std::vector<Hint> hints(const Session& session) const override;
+
+private:
+    struct Gesture {
+        Id layer = 0, base = 0;
+        TileStroke stroke;
+        std::size_t proposed = 0; // number of samples of the last proposal
+    };
+    // What would be painted, and onto what; 0: nothing.
+    Id tile(const Session& session) const;
+    Id base_under(const Session& session, const ViewportInput& input) const;
+    void find_place(const Session& session, const ViewportInput& input);
+    void begin(Session& session, const ViewportInput& input);
+    void go_on(Session& session, const ViewportInput& input);
+    void finish(Session& session);
+    void add(const SurfaceHit& hit, double time_s, double pressure);
+    double radius(const Session& session) const; // metres in the world
+    double size(const Session& session) const;
+
+    TileStroke settings_{};        // all but lengths
+    double radius_ = 0, size_ = 0; // metres in the world; 0: in proportion to the base
+    PaintedSurface surface_;
+    Id under_ = 0;                  // what the brush is over
+    std::optional<SurfaceHit> hit_; // under the mouse
+    std::optional<Gesture> gesture_;
+    int strokes_ = 0; // number of strokes so far, which become their seeds
+};
+
+} // namespace trivar
