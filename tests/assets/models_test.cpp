@@ -59,18 +59,18 @@ std::vector<Row> table()
             {"bones_hand", {.42f, .82f, .08f}, 1},
             {"bones_jaw", {.52f, .43f, .62f}, 4},
             {"crystal", {.98f, .98f, .98f}, 192},
-            {"tile_thorn", {.98f, .98f, 1.00f}, 1},
-            {"tile_flower", {.98f, .98f, .67f}, 1},
+            {"tile_thorn", {.98f, 1.00f, .98f}, 1},
+            {"tile_flower", {.98f, .67f, .98f}, 1},
             {"tile_chain", {1.22f, .34f, .34f}, 2},
-            {"tile_mail", {1.47f, 1.39f, .48f}, 2},
-            {"tile_hair", {.78f, .69f, .94f}, 8},
-            {"tile_hex", {1.23f, 1.14f, .26f}, 4},
-            {"tile_brick_a", {.97f, .94f, .35f}, 1},
-            {"tile_brick_b", {.96f, .94f, .37f}, 2},
-            {"tile_brick_c", {.96f, .94f, .35f}, 1},
-            {"tile_brick_hollow", {.96f, .94f, .35f}, 1},
-            {"tile_scale", {1.00f, 1.23f, .36f}, 1},
-            {"tile_statue", {.83f, .73f, .97f}, 1}};
+            {"tile_mail", {1.47f, .48f, 1.39f}, 2},
+            {"tile_hair", {.78f, .94f, .69f}, 8},
+            {"tile_hex", {1.23f, .26f, 1.14f}, 4},
+            {"tile_brick_a", {.97f, .35f, .94f}, 1},
+            {"tile_brick_b", {.96f, .37f, .94f}, 2},
+            {"tile_brick_c", {.96f, .35f, .94f}, 1},
+            {"tile_brick_hollow", {.96f, .35f, .94f}, 1},
+            {"tile_scale", {1.00f, .36f, 1.23f}, 1},
+            {"tile_statue", {.83f, .97f, .73f}, 1}};
 }
 
 make::Model made(const std::string& name)

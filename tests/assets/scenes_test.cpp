@@ -45,7 +45,7 @@ TEST_P(EveryScene, BendsSomethingAndSaysWhereItsPictureIsTakenFrom)
     const trivar::Document document = history().document();
     EXPECT_TRUE(document.kept_views.contains("picture"));
     EXPECT_TRUE(std::ranges::any_of(document.objects, [](const auto& entry) {
-        return entry.second->stroke ||
+        return entry.second->stroke || entry.second->tiles ||
                std::holds_alternative<trivar::LatticeShape>(entry.second->source);
     }));
 }
@@ -67,12 +67,12 @@ TEST_P(EveryScene, HasTheDigestThatItsFileSays)
 
 INSTANTIATE_TEST_SUITE_P(Of, EveryScene,
                          testing::Values("first_placement", "lattice_bend", "goblet_twist",
-                                         "snake_bridge", "crocodile_on_horse", "stacked", "f1_f2",
-                                         "ants", "ants_moebius", "whales", "car", "variable_width",
-                                         "cube_refined", "edges", "crocodile_pressed",
-                                         "pressing_tools", "fold_and_repair", "ants_terrain",
-                                         "cars_over_obstacle", "text_teapot", "bulldozer_parks",
-                                         "reptiles", "rider"),
+                                         "dragon_ring", "snake_bridge", "crocodile_on_horse",
+                                         "stacked", "f1_f2", "ants", "ants_moebius", "whales",
+                                         "car", "variable_width", "cube_refined", "edges",
+                                         "crocodile_pressed", "pressing_tools", "fold_and_repair",
+                                         "ants_terrain", "cars_over_obstacle", "text_teapot",
+                                         "bulldozer_parks", "reptiles", "rider"),
                          [](const auto& scene) { return scene.param; });
 
 TEST(Stacked, PlacesSnakesOnWhatWasPlacedBefore)

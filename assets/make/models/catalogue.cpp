@@ -56,6 +56,8 @@ Model build(const Entry& entry)
     Model model = entry.build();
     model.name = entry.name;
     model.root().name = entry.name;
+    if (entry.name.starts_with("tile_")) // tiles are made lying, with their height along z
+        for (Mesh& part : model.root().parts) part.turn(-90, {1, 0, 0});
     return model;
 }
 

@@ -4,7 +4,8 @@
 #include "assets/make/mesh.h"
 
 // Everything the generator makes. Deformables lie along +x (tail at 0, nose at 1) on y = 0 and are
-// symmetric in z; tiles are an exception: u = x, v = y in [0, 1], height = z.
+// symmetric in z; tiles are an exception: they are made with u = x, v = y in [0, 1] and height =
+// z, and stand upright on that square in the file.
 namespace make {
 
 struct Entry {
