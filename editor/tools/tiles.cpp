@@ -125,7 +125,7 @@ void TilesTool::begin(Session& session, const ViewportInput& input)
     g.stroke.seed = ++strokes_;
     if (ImGui::GetIO().KeyCtrl && !lays_tiles(g.stroke.brush))
         g.stroke.strength = -g.stroke.strength;
-    if (ImGui::GetIO().KeyAlt) g.stroke.brush = TileBrush::erase;
+    if (ImGui::GetIO().KeyShift) g.stroke.brush = TileBrush::erase;
     gesture_ = std::move(g);
     add(*hit_, 0, 1);
     session.notices.forget(of_a_step);
@@ -214,7 +214,7 @@ void TilesTool::options(Session& session, const ui::Theme& theme, float width)
                         {"Scatter", "Line", "Fill", "Erase", "Comb", "Resize", "Raise"}, field);
              settings_.brush = static_cast<TileBrush>(kind);
          },
-         "Scatter, Line and Fill lay tiles; the others change those under the brush. With Alt "
+         "Scatter, Line and Fill lay tiles; the others change those under the brush. With Shift "
          "every brush erases."});
     double shown_radius = radius(session), shown_size = size(session);
     const auto number = [&](const char* words, const char* id, double& value,
@@ -267,7 +267,7 @@ std::vector<Hint> TilesTool::hints(const Session& session) const
     if (settings_.brush == TileBrush::fill)
         return {{{"left"}, "Click a body to fill it"}, {{"Esc"}, "Select"}};
     return {{{"left"}, lays_tiles(settings_.brush) ? "Drag over a surface to paint" : "Drag"},
-            {{"Alt", "left"}, "Erase"},
+            {{"Shift", "left"}, "Erase"},
             {{"@Smaller tool", "@Larger tool"}, "Radius"},
             {{"middle"}, "Orbit"},
             {{"Esc"}, "Select"}};

@@ -12,6 +12,9 @@ namespace {
 
 constexpr float on_ground = .28f, grounded = .64f; // way of a hoof there; share of a cycle
 constexpr float sink = .014f, bob = .005f;         // of the trunk: legs that reach out are short
+// What a sole stands over the ground: on it, where a volume ends, rounding would decide whether
+// that still bends it.
+constexpr float clearance = .0005f;
 
 enum Trunk { pelvis, chest, neck, head, tail, tail_end, trunk_joints };
 struct TrunkJoint {
@@ -194,7 +197,7 @@ void walk(Model& m, const Limb& fore, const Limb& hind)
             const auto angle = [](vec3 link) { return std::atan2(link.y, link.x); };
             const vec3 upper = limbs.middle - limbs.top, lower = limbs.foot - limbs.middle;
             const Step step = step_at(u + leg.phase, on_ground, grounded, limbs.lift);
-            const vec3 wanted = leg.at(limbs.foot) + vec3(step.x, step.lift, 0);
+            const vec3 wanted = leg.at(limbs.foot) + vec3(step.x, step.lift + clearance, 0);
             const vec3 hip = m.nodes[std::size_t(leg.nodes[0])].translation;
             const vec3 there = vec3(glm::inverse(at[limbs.trunk]) * vec4(wanted, 1)) - hip;
             // In the plane through its top that the leg swings in.

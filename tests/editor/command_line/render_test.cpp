@@ -215,7 +215,7 @@ TEST_F(Sequences, RefuseInASentenceWhatMakesNone)
         refused(arguments(good, {}, frames), "--frames", Status::usage);
     refused(arguments(good, {}, "-2000000000:2000000000"), "more than", Status::usage);
     refused(arguments(good, {}, "200:300"), "the scene has no frame 241; its frames are 1 to 240");
-    refused(arguments(good, {}, "0:3"), "frame 0 is none");
+    refused(arguments(good, {}, "0:3"), "no frame 0");
     for (const char* shard : {"0/4", "5/4", "1", "1/0", "-1/4", "1/4/2", "x/y", "1/4x", "/"})
         refused(arguments(good, {"--shard", shard}), "--shard", Status::usage);
     refused(arguments(folder.file("a.png")), "needs ####");

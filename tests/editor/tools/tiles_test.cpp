@@ -86,14 +86,14 @@ TEST(TilesTool, ShowsWhatItPaintsAndLeavesNoTraceWhenItIsCancelled)
     EXPECT_FALSE(rig.tiles());
 }
 
-TEST(TilesTool, ErasesWithAlt)
+TEST(TilesTool, ErasesWithShift)
 {
     TilesRig rig;
     rig.paint();
     const std::size_t painted = rig.vertices();
-    rig.hold(ui::key_left_alt);
+    rig.hold(ui::key_left_shift);
     rig.paint();
-    rig.hold(ui::key_left_alt, false);
+    rig.hold(ui::key_left_shift, false);
     ASSERT_EQ(rig.tiles()->strokes.size(), 2u);
     EXPECT_EQ(rig.tiles()->strokes[1]->brush, TileBrush::erase);
     EXPECT_LT(rig.vertices(), painted);

@@ -56,7 +56,10 @@ TEST_F(CurvesInWindow, AreInViewWhenTheSelectionIsFramed)
         const glm::dvec2 p = project(camera, {x, 0, 0}).p_px;
         EXPECT_TRUE(p.x > 0 && p.x < camera.size_px.x) << p.x;
     }
-    EXPECT_LT(glm::distance(camera.target, glm::dvec3(0)), 0.1);
+    // In the middle of what the hint card leaves of the picture.
+    const glm::dvec2 middle = project(camera, glm::dvec3(0)).p_px;
+    EXPECT_NEAR(middle.x, camera.size_px.x / 2, 20);
+    EXPECT_NEAR(middle.y, (camera.size_px.y - rig.editor.session.view.foot_px) / 2, 20);
 }
 
 TEST_F(CurvesInWindow, AreNoObjectThatCannotBeShown)
