@@ -91,9 +91,10 @@ template <> struct FieldsOf<CopiedPlacement> {
         field("parameters", p.parameters, "how it lies");
         field("onto", p.onto, "its hosts: other copies, or objects of the scene");
         field("round", p.round, "about the only one of onto, in place of a stroke");
-        field("level", p.level, "metres from that one's widest circle, or its origin");
-        field("normal", p.normal, "of the plane that cuts that one; left out: none does");
-        field("attach", p.attach, "which of onto carry it, by the same numbers");
+        field("level", p.level, "metres from the widest circle of that object, or from its origin");
+        field("normal", p.normal, "of the plane that cuts that object; left out: none does");
+        field("attach", p.attach,
+              "the hosts among onto that it is attached to, by the same numbers");
     }
 };
 template <> struct FieldsOf<CopiedTiling> {

@@ -105,21 +105,22 @@ Object object_of(const CopiedObject& copy, const CopiedIds& made)
     return out;
 }
 
+// The object that a copy knew: the copy of that, or that itself where the scene has it; 0: neither.
+Id here(const KnownObject& known, const Document& before, const CopiedIds& made)
+{
+    if (const auto copy = made.find(known.object); copy != made.end()) return copy->second;
+    const auto there = before.objects.find(known.object);
+    return there != before.objects.end() && there->second->name == known.name ? known.object : 0;
+}
+
 // Finds the supports of the copy: those of the original that were copied too, or that are in the
 // scene.
-std::vector<Id> bases_of(const CopiedPlacement& placement, const Document& before,
-                         const Document& document, const CopiedIds& made)
+std::vector<Id> supports_of(const CopiedPlacement& placement, const Document& before,
+                            const Document& document, const CopiedIds& made)
 {
     std::vector<Id> bases;
-    for (const KnownObject& known : placement.onto) {
-        if (const auto copy = made.find(known.object); copy != made.end()) {
-            bases.push_back(copy->second);
-            continue;
-        }
-        const auto there = before.objects.find(known.object);
-        if (there != before.objects.end() && there->second->name == known.name)
-            bases.push_back(known.object);
-    }
+    for (const KnownObject& known : placement.onto)
+        if (const Id id = here(known, before, made); id != 0) bases.push_back(id);
     if (placement.round)
         std::erase_if(bases, [&](Id id) {
             const Object& base = object(document, id);
@@ -155,22 +156,17 @@ Document laid(Document document, Id id, const CopiedObject& copy, const std::vec
     return applied(std::move(document), SetTravel{{id}, *copy.travel});
 }
 
-// Painted on the copy of its base, or on that itself where the scene has it; else it is no layer.
-Document painted(Document document, Id id, const CopiedTiling& tiling, const Document& before,
+// Makes a copy a layer of tiles if its base was copied too or is in the scene.
+Document painted(Document document, Id id, const CopiedTiling& copied, const Document& before,
                  const CopiedIds& made)
 {
-    for (const TileStroke& stroke : tiling.strokes) check(stroke);
-    Id base = 0;
-    if (const auto copy = made.find(tiling.base.object); copy != made.end())
-        base = copy->second;
-    else if (const auto there = before.objects.find(tiling.base.object);
-             there != before.objects.end() && there->second->name == tiling.base.name)
-        base = tiling.base.object;
-    if (base == 0) return document;
-    for (const TileStroke& stroke : tiling.strokes)
-        document = applied(std::move(document), PaintTiles{id, base, stroke});
-    if (tiling.strokes.empty()) return document;
-    return applied(std::move(document), SetTiles{{id}, tiling.look});
+    Tiling tiling{here(copied.base, before, made), copied.look, {}};
+    for (const TileStroke& stroke : copied.strokes) {
+        check(stroke);
+        tiling.strokes.push_back(make_ref(stroke));
+    }
+    if (tiling.base == 0) return document;
+    return with_tiling(std::move(document), id, std::move(tiling));
 }
 
 // Adds tracks, except those of parameters that the copy does not have.
@@ -243,7 +239,7 @@ Document applied(Document document, const Paste& command)
     for (const bool known : {true, false})
         for (const CopiedObject& copy : command.copies) {
             if (!copy.placement) continue;
-            const std::vector<Id> bases = bases_of(*copy.placement, before, document, made);
+            const std::vector<Id> bases = supports_of(*copy.placement, before, document, made);
             if (bases.empty() != known)
                 document = laid(std::move(document), made.at(copy.object), copy, bases, made);
         }

@@ -54,12 +54,13 @@ struct PlaceRound {
     static void fields(auto& c, auto&& field)
     {
         field("object", c.object, "id of the object to lay down", required);
-        field("around", c.around, "id of what it goes round", required);
+        field("around", c.around, "id of the object it goes round", required);
         field("level", c.level,
-              "metres across from the widest circle of that; with a plane, along its normal from "
+              "metres across from the widest circle of that object; with a plane, along its normal "
+              "from "
               "the origin of that");
         field("parameters", c.parameters,
-              "how it lies; springs, misses and clearance have nothing to do here");
+              "how it lies; springs, misses and clearance have no effect here");
         field("normal", c.normal,
               "normal of the plane that cuts it, in its own space; left out: round the Z axis of a "
               "cylinder, a sphere, a torus or a Moebius band");

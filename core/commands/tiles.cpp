@@ -76,19 +76,22 @@ void check(const TileStroke& stroke)
                 "field \"normal\" has the length {} but must have the length 1", length));
 }
 
+Document with_tiling(Document document, Id id, Tiling tiling)
+{
+    check_can_be_tile(document, id, tiling.base);
+    if (tiling.strokes.size() > most_tile_strokes)
+        throw Rejected(fmt::format("{} would have {} strokes of tiles; at most {} are allowed",
+                                   named(document, id), tiling.strokes.size(), most_tile_strokes));
+    return with_changed(std::move(document), id, [&](Object& o) { o.tiles = std::move(tiling); });
+}
+
 Document applied(Document document, const PaintTiles& command)
 {
     check(command.stroke);
-    check_can_be_tile(document, command.object, command.base);
-    if (const Object& tile = object(document, command.object);
-        tile.tiles && tile.tiles->strokes.size() >= most_tile_strokes)
-        throw Rejected(fmt::format("{} has {} strokes already, which are the most",
-                                   named(document, command.object), most_tile_strokes));
-    return with_changed(std::move(document), command.object, [&](Object& o) {
-        if (!o.tiles) o.tiles.emplace();
-        o.tiles->base = command.base;
-        o.tiles->strokes.push_back(make_ref(command.stroke));
-    });
+    Tiling tiling = object(document, command.object).tiles.value_or(Tiling{});
+    tiling.base = command.base;
+    tiling.strokes.push_back(make_ref(command.stroke));
+    return with_tiling(std::move(document), command.object, std::move(tiling));
 }
 
 StepTitle title(const PaintTiles& c, const StepDocuments& step)

@@ -13,6 +13,10 @@ inline constexpr std::size_t most_tile_strokes = 4096, most_tile_samples = 20'00
 // normal that is no direction.
 void check(const TileStroke& stroke);
 
+// The document with an object as a layer of tiles. Throws Rejected for strokes that cannot be or
+// are too many, and where the object cannot be a tile, or not on that base.
+Document with_tiling(Document document, Id id, Tiling tiling);
+
 struct PaintTiles {
     static constexpr std::string_view
         verb = "paint_tiles",

@@ -8,7 +8,7 @@
 namespace trivar {
 
 // The objects on whose shapes an object's own depends: what its stroke lies on, and what its tiles
-// are painted on. An id may come twice, and may name no object.
+// are painted on. An id may come twice.
 std::vector<Id> bases_of(const Object& object);
 
 // The object with other bases in place of its own; 0 takes one away: what lay on it lies on the

@@ -35,7 +35,7 @@ std::vector<std::unique_ptr<Step>> all_steps()
     const auto carriages = std::make_shared<Carriages>();
     steps.push_back(std::make_unique<Laying>(carriages));
     steps.push_back(std::make_unique<Moving>());
-    steps.push_back(std::make_unique<Painting>());
+    steps.push_back(std::make_unique<TilingStep>());
     steps.push_back(std::make_unique<Riding>(carriages));
     steps.push_back(std::make_unique<LatticeVolume>());
     steps.push_back(std::make_unique<WithinReach>());

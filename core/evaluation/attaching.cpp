@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/evaluation/attaching.h"
 
+#include "core/mesh/barycentric.h"
 #include "core/placement/view.h"
 
 #include <algorithm>
@@ -8,18 +9,6 @@
 
 namespace trivar {
 namespace {
-
-// Computes the barycentric coordinates of p, a point of the triangle's plane.
-glm::dvec3 shares_at(const glm::dvec3& p, const std::array<glm::dvec3, 3>& t)
-{
-    const glm::dvec3 ab = t[1] - t[0], ac = t[2] - t[0], ap = p - t[0];
-    const double bb = glm::dot(ab, ab), bc = glm::dot(ab, ac), cc = glm::dot(ac, ac),
-                 pb = glm::dot(ap, ab), pc = glm::dot(ap, ac);
-    const double area = bb * cc - bc * bc;
-    if (!(area > 0)) return {1, 0, 0};
-    const double v = (cc * pb - bc * pc) / area, w = (bb * pc - bc * pb) / area;
-    return {1 - v - w, v, w};
-}
 
 AttachedSample anchored(const Hit& hit, const RayScene& scene, const Support& support, int host)
 {
@@ -36,7 +25,7 @@ AttachedSample anchored(const Hit& hit, const RayScene& scene, const Support& su
             glm::dvec3(entry.to_world * glm::dvec4(entry.mesh->mesh().positions[corners[k]], 1));
         at_rest[K] = glm::dvec3(rest.positions[corners[k]]);
     }
-    const glm::dvec3 shares = shares_at(hit.p_world, in_scene);
+    const glm::dvec3 shares = barycentric(hit.p_world, in_scene);
     const glm::dmat4 to_own = glm::inverse(support.own_to_drawn);
     const glm::dvec3 normal = glm::transpose(glm::dmat3(support.own_to_drawn)) * hit.normal;
     AttachedSample out{host, support.part.key.mesh, support.part.key.member};

@@ -20,8 +20,7 @@ namespace {
 std::vector<Id> comes_from(const Document& document, Id id)
 {
     std::vector<Id> out = lattices_round(document, id);
-    for (const Id base : bases_of(object(document, id)))
-        if (document.objects.contains(base)) out.push_back(base);
+    std::ranges::copy(bases_of(object(document, id)), std::back_inserter(out));
     return out;
 }
 

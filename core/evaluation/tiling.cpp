@@ -10,8 +10,8 @@
 namespace trivar {
 namespace {
 
-// The most vertices of all tiles together: about 60 bytes each, here and on the card.
-constexpr std::size_t most_vertices = 40'000'000;
+// The most vertices of all tiles together, of about 60 bytes each, and the most corners of faces.
+constexpr std::size_t most_vertices = 16'000'000, most_corners = 6 * most_vertices;
 // Tiles of which a border cuts off more than this share of their size are left out.
 constexpr double most_cut = 0.2;
 // Lowered tiles stay below the proven limit by this factor, for the rounding of positions.
@@ -124,7 +124,8 @@ void tell(Stage& stage, const TileLayout& layout, const Told& told)
         stage.notices.push_back(tiles(told.folded) +
                                 " left out, where the surface bends more than a tile can");
     if (told.at_borders > 0)
-        stage.notices.push_back(tiles(told.at_borders) + " left out at borders of the surface");
+        stage.notices.push_back(tiles(told.at_borders) +
+                                " left out, where the surface has no room for them");
     if (layout.lost > 0)
         stage.notices.push_back(
             fmt::format("{} of the points that were painted {} no longer on the surface",
@@ -168,7 +169,7 @@ glm::dmat4 mesh_to_model(const EvaluatedObject& base, const Object& object, cons
     return glm::dmat4(1);
 }
 
-Ref<Stage> Painting::operator()(const Ref<Stage>& before, const StepInput& input)
+Ref<Stage> TilingStep::operator()(const Ref<Stage>& before, const StepInput& input)
 {
     if (!input.object.tiles) return before;
     const Tiling& tiling = *input.object.tiles;
@@ -187,7 +188,7 @@ Ref<Stage> Painting::operator()(const Ref<Stage>& before, const StepInput& input
         bases_(pieces, [&] { return std::make_shared<const TileBase>(pieces); });
     const Ref<TileLayout> layout = layouts_({base, tiling.strokes}, [&] {
         return timed(input.timings, "tiles",
-                     [&] { return make_ref(layout_of(*base, tiling.strokes)); });
+                     [&] { return make_ref(layout_of(*base, tiling.strokes, input.progress)); });
     });
     const TileLook& look = tiling.look;
     const auto charts = charts_({layout, look.turn_deg, look.scale}, [&] {
@@ -212,14 +213,17 @@ Ref<Stage> Painting::operator()(const Ref<Stage>& before, const StepInput& input
             });
             all.insert(all.end(), there.begin(), there.end());
         }
-        std::size_t vertices = 0;
-        for (const Part& part : before->own_parts)
+        std::size_t vertices = 0, corners = 0;
+        for (const Part& part : before->own_parts) {
             vertices += part.rest->vertex_count() * all.size();
-        if (vertices > most_vertices)
+            corners += part.rest->corners.size() * all.size();
+        }
+        if (vertices > most_vertices || corners > most_corners)
             return refused(before,
-                           fmt::format("its {} tiles would have {} vertices, and {} are the most; "
-                                       "simplify it, or paint fewer of them",
-                                       all.size(), vertices, most_vertices));
+                           fmt::format("its {} tiles would have {} vertices and {} corners of "
+                                       "faces; at most {} and {} are drawn, so simplify the "
+                                       "object or paint fewer tiles",
+                                       all.size(), vertices, corners, most_vertices, most_corners));
         Stage stage = cleared(*before);
         stage.own_to_world = glm::dmat4(1);
         for (const Part& part : before->own_parts) {

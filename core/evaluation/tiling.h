@@ -12,10 +12,10 @@ namespace trivar {
 // strokes of tiles are stored. `object` is the object that the base shows.
 glm::dmat4 mesh_to_model(const EvaluatedObject& base, const Object& object, const Part& part);
 
-// Painting puts copies of an object's meshes where its strokes lay them on their base, as the base
-// stands at a frame. The strokes are worked off on the base at rest, and again only when one of
-// them or the base's meshes changed; where the base moves, the patches alone follow it.
-class Painting : public Step {
+// A TilingStep puts copies of an object's meshes where its strokes lay them on their base, as the
+// base stands at a frame. The strokes are worked off on the base at rest, and again only when one
+// of them or the base's meshes changed; where the base moves, the patches alone follow it.
+class TilingStep : public Step {
 public:
     Ref<Stage> operator()(const Ref<Stage>& before, const StepInput& input) override;
 

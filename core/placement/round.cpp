@@ -192,7 +192,8 @@ Placement standing_on(const Surface<glm::dvec3>& contact, Trivariate<glm::dvec3>
     r.smallest_jacobian =
         smallest_jacobian(out.volume, r.length_world * r.width_world * sizes.height);
     if (!(r.smallest_jacobian > 0))
-        r.folds = "the volume folds; make it lower, narrower or what it goes round larger";
+        r.folds =
+            "the volume folds; make it lower or narrower, or make the object it goes round larger";
     for (int i = 0; i < p.grid.x; ++i)
         for (int j = 0; j < p.grid.y; ++j)
             out.nodes.push_back(
@@ -292,9 +293,8 @@ Placement place_round(const Band& band, const PlacementParameters& p, const Box&
     const double width = strip_width(frame, p, length), height = volume_height(frame, p, length);
     const double scale = std::cbrt(det);
     if (width * Profile(p.width_profile).largest() / scale > 2 * reach_across(band))
-        throw Rejected(fmt::format("a strip {:.3g} m wide goes round on itself; choose a smaller "
-                                   "width, or let the model fill less of the way",
-                                   width));
+        throw Rejected(fmt::format(
+            "a model {:.3g} m wide would overlap itself; reduce its width or its fill", width));
     const std::array<Knots, 3> axes =
         axes_of(p, band.twisted() ? Closure::twisted : Closure::periodic);
     const Sizes sizes = sizes_of(p, axes[2], width / scale, band.twisted() ? 2 * height : height,

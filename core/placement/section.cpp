@@ -11,7 +11,7 @@ namespace trivar {
 namespace {
 
 constexpr double whole_turn = glm::two_pi<double>();
-constexpr int angles_round = 720;    // at which the length is measured
+constexpr int angles_round = 2880;   // at which the length is measured
 constexpr int planes_to_a_side = 24; // beside the way
 
 double turn_of(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
@@ -177,8 +177,9 @@ glm::dvec3 place_at(const Section::Column& column, double across)
 {
     const double slack = 1e-9 * (column.across.back() - column.across.front());
     if (across < column.across.front() - slack || across > column.across.back() + slack)
-        throw Rejected("the strip is wider than what it goes round; choose a smaller width, or "
-                       "another level");
+        throw Rejected(
+            "the model is wider than the object it goes round; reduce its width, or choose "
+            "another level");
     const auto next = std::ranges::upper_bound(column.across, across);
     const auto i = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
         next - column.across.begin(), 1, static_cast<std::ptrdiff_t>(column.across.size()) - 1));

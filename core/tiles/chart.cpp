@@ -4,6 +4,7 @@
 #include "core/tiles/straightest.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace trivar {
 
@@ -14,6 +15,10 @@ TileChart chart_of(const TileBase& base, const Tile& tile, double turn_deg, doub
     const glm::dvec3 x = std::cos(angle) * tile.x + std::sin(angle) * glm::cross(n, tile.x),
                      y = glm::cross(n, x);
     TileChart chart;
+    if (!(side <= base.diagonal())) {
+        chart.cut = std::numeric_limits<double>::infinity();
+        return chart;
+    }
     for (std::size_t k = 0; k < 16; ++k) {
         const glm::dvec3 way =
             side * ((patch_nodes[k % 4] - 0.5) * x + (patch_nodes[k / 4] - 0.5) * y);

@@ -12,7 +12,9 @@ struct TileChart {
     std::array<SurfacePlace, 16> nodes; // 4 j + i at (patch_nodes[i], patch_nodes[j])
     // Beyond a border: what is missing of the way to the node, in the space of the model.
     std::array<glm::dvec3, 16> beyond{};
-    double cut = 0; // the longest way that a border cut off, as a share of the tile's size
+    // The longest way that a border cut off, as a share of the tile's size; infinite where the tile
+    // is larger than the whole base.
+    double cut = 0;
 };
 
 // `turn_deg` and `scale` come from the layer's look. About 15 microseconds.

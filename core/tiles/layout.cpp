@@ -36,6 +36,9 @@ glm::dvec3 rotated(const glm::dvec3& x, const glm::dvec3& n, double angle)
     return std::cos(angle) * x + std::sin(angle) * glm::cross(n, x);
 }
 
+// The most tiles that are tried for all strokes together, so that no file keeps the editor busy.
+constexpr int most_tries = 20 * static_cast<int>(most_tiles);
+
 // A stroke's samples on the base as it is now; those that are on no surface are left out.
 struct Step {
     SurfacePlace at;
@@ -60,8 +63,10 @@ double falloff(double distance, double radius) // 1 in the middle, 0 and flat at
 
 class Layouter {
 public:
-    explicit Layouter(const TileBase& base, const std::vector<Ref<TileStroke>>& strokes)
+    Layouter(const TileBase& base, const std::vector<Ref<TileStroke>>& strokes,
+             const Progress& progress)
         : base_(base),
+          progress_(progress),
           near_(cube_of(base, strokes))
     {
         for (std::size_t i = 0; i < strokes.size(); ++i)
@@ -118,6 +123,10 @@ private:
     // goes leaves all later ones as they are.
     std::uint32_t next_seed(const TileStroke& stroke)
     {
+        constexpr int reports = 1024; // tries from one report to the next
+        if (++tries_ > most_tries) out_.too_many = true;
+        if (tries_ % reports == 0)
+            report(progress_, static_cast<double>(tries_) / most_tries, "tiles");
         return mixed(static_cast<std::uint32_t>(stroke.seed), made_++);
     }
 
@@ -157,17 +166,17 @@ private:
         made_ = 0;
         // Twice as many tries as discs of the spacing's radius would fill the brush.
         const double room = std::max(stroke.spacing * stroke.size, 1e-6 * base_.diagonal());
-        const double share = stroke.radius / room;
+        const double radius = std::min(stroke.radius, base_.diagonal()), share = radius / room;
         const int tries = static_cast<int>(std::clamp(std::ceil(8 * share * share), 1.0, 4096.0));
         double since = 1e300; // length since the last dab
         for (std::size_t i = 0; i < path.size() && !out_.too_many; ++i) {
             if (i > 0) since += glm::distance(path[i].p, path[i - 1].p);
-            if (since < stroke.radius / 2) continue;
+            if (since < radius / 2) continue;
             since = 0;
             const glm::dvec3 ahead = along(path, i);
             for (int k = 0; k < tries && !out_.too_many; ++k) {
                 const std::uint32_t seed = next_seed(stroke);
-                const double away = stroke.radius * std::sqrt(random_share(seed, Purpose::across));
+                const double away = radius * std::sqrt(random_share(seed, Purpose::across));
                 const double angle = glm::two_pi<double>() * random_share(seed, Purpose::around);
                 const SurfaceRay ray =
                     straightest(base_, path[i].at, away * rotated(ahead, path[i].n, angle));
@@ -185,10 +194,9 @@ private:
     {
         made_ = 0;
         const double step = std::max(stroke.spacing * stroke.size, 1e-6 * base_.diagonal());
-        double next = 0; // length to the next tile
         lay(stroke, number, next_seed(stroke), path.front().at, along(path, 0), path.front().time_s,
             path.front().pressure, false);
-        next = step;
+        double next = step; // length to the next tile
         for (std::size_t i = 1; i < path.size() && !out_.too_many; ++i) {
             const Step &a = path[i - 1], &b = path[i];
             const double length = glm::distance(a.p, b.p);
@@ -235,11 +243,8 @@ private:
         for (const std::uint32_t t : all) sums.push_back(area += base_.area(t));
         const double room = std::max(stroke.spacing * stroke.size, 1e-6 * base_.diagonal());
         // Random tries fill a surface slowly in the end: ten per place that a tile takes.
-        const double tries = std::ceil(10 * area / (0.7 * room * room));
-        if (!(tries < 20.0 * most_tiles)) {
-            out_.too_many = true;
-            return;
-        }
+        const double tries =
+            std::min<double>(std::ceil(10 * area / (0.7 * room * room)), most_tries + 1);
         const glm::dvec3 ahead = along(path, 0);
         for (int k = 0; k < static_cast<int>(tries) && !out_.too_many; ++k) {
             const std::uint32_t seed = next_seed(stroke);
@@ -289,18 +294,13 @@ private:
         }
     }
 
-    static SurfacePlace inside(SurfacePlace at)
-    {
-        at.weights = glm::max(at.weights, glm::dvec3(0));
-        at.weights /= at.weights.x + at.weights.y + at.weights.z;
-        return at;
-    }
-
     const TileBase& base_;
+    const Progress& progress_;
     TileLayout out_;
     std::vector<char> gone_; // by tile
     NearTiles near_;
     std::uint32_t made_ = 0; // number of tiles that the present stroke tried to lay
+    int tries_ = 0;          // of all strokes
 };
 
 } // namespace
@@ -310,9 +310,10 @@ double random_share(std::uint32_t seed, std::uint32_t purpose)
     return mixed(seed, purpose) * 0x1p-32;
 }
 
-TileLayout layout_of(const TileBase& base, const std::vector<Ref<TileStroke>>& strokes)
+TileLayout layout_of(const TileBase& base, const std::vector<Ref<TileStroke>>& strokes,
+                     const Progress& progress)
 {
-    return Layouter(base, strokes).result();
+    return Layouter(base, strokes, progress).result();
 }
 
 } // namespace trivar

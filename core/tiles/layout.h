@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/tiles/tile_stroke.h"
 
 namespace trivar {
@@ -20,13 +21,14 @@ struct Tile {
 struct TileLayout {
     std::vector<Tile> tiles;
     int lost = 0;          // number of samples that are on no surface any more
-    bool too_many = false; // there would be more than most_tiles
+    bool too_many = false; // there would be more than most_tiles, or too many tries found no room
 };
 
 // Works the strokes off in their order. Pure: a tile's seed comes from its stroke and its number in
 // it, so that editing one stroke leaves the tiles of others, except where they avoid each other.
-// About 5 microseconds per tile.
-TileLayout layout_of(const TileBase& base, const std::vector<Ref<TileStroke>>& strokes);
+// About 5 microseconds per try. Throws Cancelled.
+TileLayout layout_of(const TileBase& base, const std::vector<Ref<TileStroke>>& strokes,
+                     const Progress& progress = {});
 
 // A number of [0, 1) for a seed and a purpose: the same for ever.
 double random_share(std::uint32_t seed, std::uint32_t purpose);

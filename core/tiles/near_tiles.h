@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <unordered_map>
@@ -8,24 +9,33 @@
 
 namespace trivar {
 
-// NearTiles finds tiles by the place of their middle, in a grid of cubes. Adding costs O(1),
-// asking O(#tiles in the cubes that the ball touches).
+// NearTiles finds tiles by the place of their middle, in a grid of cubes. Adding costs O(1), asking
+// O(#cubes that the ball touches + #tiles in them), and never more than O(#tiles).
 class NearTiles {
 public:
     explicit NearTiles(double cube) : cube_(cube) {}
-    void add(const glm::dvec3& p, int tile) { tiles_[key(cube_of(p))].push_back({p, tile}); }
+    void add(const glm::dvec3& p, int tile)
+    {
+        all_.push_back({p, tile});
+        tiles_[key(cube_of(p))].push_back({p, tile});
+    }
     // Calls found(tile, distance) for the tiles within a radius, until it returns true.
     template <class Found> bool any(const glm::dvec3& p, double radius, Found&& found) const
     {
+        const auto is_found = [&](const Known& each) {
+            const double distance = glm::distance(each.p, p);
+            return distance <= radius && found(each.tile, distance);
+        };
         const glm::i64vec3 lo = cube_of(p - radius), hi = cube_of(p + radius);
+        const glm::dvec3 cubes(hi - lo + std::int64_t(1));
+        if (cubes.x * cubes.y * cubes.z > static_cast<double>(all_.size()))
+            return std::ranges::any_of(all_, is_found);
         for (std::int64_t z = lo.z; z <= hi.z; ++z)
             for (std::int64_t y = lo.y; y <= hi.y; ++y)
                 for (std::int64_t x = lo.x; x <= hi.x; ++x) {
                     const auto cube = tiles_.find(key({x, y, z}));
                     if (cube == tiles_.end()) continue;
-                    for (const Known& each : cube->second)
-                        if (const double d = glm::distance(each.p, p); d <= radius)
-                            if (found(each.tile, d)) return true;
+                    if (std::ranges::any_of(cube->second, is_found)) return true;
                 }
         return false;
     }
@@ -46,6 +56,7 @@ private:
                static_cast<std::uint64_t>(c.z) * 0x165667B19E3779F9u;
     }
     double cube_;
+    std::vector<Known> all_;
     std::unordered_map<std::uint64_t, std::vector<Known>> tiles_;
 };
 

@@ -15,20 +15,6 @@ glm::dvec3 in_plane(const glm::dvec3& t, const glm::dvec3& normal)
     return length > 0 ? flat / length : glm::dvec3(0);
 }
 
-// The place of a point of a triangle's plane, as it is: a hair outside stays outside.
-SurfacePlace ended(const TileBase& base, std::uint32_t triangle, const glm::dvec3& p)
-{
-    const glm::uvec3& c = base.triangle(triangle);
-    const glm::dvec3 &a = base.points()[c.x], &b = base.points()[c.y], &d = base.points()[c.z];
-    const glm::dvec3 n = glm::cross(b - a, d - a);
-    const double square = glm::dot(n, n);
-    if (!(square > 0)) return {triangle, glm::dvec3(1.0 / 3)};
-    glm::dvec3 w{glm::dot(n, glm::cross(b - p, d - p)) / square,
-                 glm::dot(n, glm::cross(d - p, a - p)) / square, 0};
-    w.z = 1 - w.x - w.y;
-    return {triangle, w};
-}
-
 } // namespace
 
 glm::dvec3 turned_from_to(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& t)
@@ -83,7 +69,7 @@ SurfaceRay straightest(const TileBase& base, const SurfacePlace& start, const gl
         came = static_cast<int>(behind % 3);
     }
     ray.left = rest;
-    ray.at = ended(base, ray.at.triangle, p);
+    ray.at = base.place(ray.at.triangle, p);
     return ray;
 }
 

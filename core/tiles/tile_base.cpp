@@ -3,6 +3,7 @@
 
 #include "core/base/box.h"
 #include "core/mesh/adjacency.h"
+#include "core/mesh/barycentric.h"
 
 #include <algorithm>
 
@@ -22,21 +23,14 @@ glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& other)
     return length > 0 ? v / length : other;
 }
 
-// The place of a point of the triangle's plane.
-SurfacePlace place_in(std::uint32_t t, const glm::dvec3& a, const glm::dvec3& b,
-                      const glm::dvec3& c, const glm::dvec3& p)
-{
-    const glm::dvec3 n = glm::cross(b - a, c - a);
-    const double square = glm::dot(n, n);
-    if (!(square > 0)) return {t, glm::dvec3(1.0 / 3)};
-    glm::dvec3 w{glm::dot(n, glm::cross(b - p, c - p)) / square,
-                 glm::dot(n, glm::cross(c - p, a - p)) / square, 0};
-    w.z = 1 - w.x - w.y;
-    w = glm::max(w, glm::dvec3(0));
-    return {t, w / (w.x + w.y + w.z)};
-}
-
 } // namespace
+
+SurfacePlace inside(SurfacePlace at)
+{
+    at.weights = glm::max(at.weights, glm::dvec3(0));
+    at.weights /= at.weights.x + at.weights.y + at.weights.z;
+    return at;
+}
 
 std::vector<glm::dvec3> angle_normals(std::span<const glm::dvec3> points,
                                       std::span<const glm::uvec3> triangles)
@@ -102,6 +96,17 @@ std::uint32_t TileBase::piece_of(std::uint32_t t) const
     return static_cast<std::uint32_t>(std::ranges::upper_bound(first_, t) - first_.begin() - 1);
 }
 
+std::array<glm::dvec3, 3> TileBase::corners(std::uint32_t t) const
+{
+    const glm::uvec3& c = triangles_[t];
+    return {points_[c.x], points_[c.y], points_[c.z]};
+}
+
+SurfacePlace TileBase::place(std::uint32_t t, const glm::dvec3& p) const
+{
+    return {t, barycentric(p, corners(t))};
+}
+
 glm::dvec3 TileBase::position(const SurfacePlace& at) const
 {
     const glm::uvec3& t = triangles_[at.triangle];
@@ -141,8 +146,7 @@ std::vector<std::optional<SurfacePlace>> TileBase::locate(std::span<const Surfac
             nearest = away;
             const std::uint32_t t = first_[static_cast<std::size_t>(hits[k]->entry)] +
                                     static_cast<std::uint32_t>(hits[k]->triangle);
-            const glm::uvec3& c = triangles_[t];
-            out[i] = place_in(t, points_[c.x], points_[c.y], points_[c.z], hits[k]->p_world);
+            out[i] = inside(place(t, hits[k]->p_world));
         }
     }
     return out;

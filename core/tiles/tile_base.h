@@ -16,6 +16,9 @@ struct SurfacePlace {
     bool operator==(const SurfacePlace&) const = default;
 };
 
+// The same place, moved into the triangle where it is a hair outside.
+SurfacePlace inside(SurfacePlace at);
+
 // A SurfacePoint is the same point in space, from which its place is found again on other
 // triangles.
 struct SurfacePoint {
@@ -46,6 +49,9 @@ public:
     std::uint32_t piece_of(std::uint32_t t) const;
     std::uint32_t first_triangle(std::size_t piece) const { return first_[piece]; }
 
+    std::array<glm::dvec3, 3> corners(std::uint32_t t) const; // in the model's space
+    // The place of a point of the triangle's plane; outside, some of its weights are negative.
+    SurfacePlace place(std::uint32_t t, const glm::dvec3& p) const;
     glm::dvec3 position(const SurfacePlace& at) const;
     // Unit; weighted by angle at the points, and linear between them.
     glm::dvec3 normal(const SurfacePlace& at) const;

@@ -2,6 +2,7 @@
 #include "editor/tools/painted_surface.h"
 
 #include "core/evaluation/tiling.h"
+#include "core/mesh/barycentric.h"
 
 namespace trivar {
 namespace {
@@ -14,17 +15,20 @@ Ref<RayScene> scene_of(const EvaluatedObject& shown)
     return std::make_shared<const RayScene>(std::move(entries));
 }
 
-struct Triangle {
-    glm::dvec3 a, b, c;
-    glm::dvec3 area() const { return glm::cross(b - a, c - a); } // twice it, along the normal
-};
+using Corners = std::array<glm::dvec3, 3>;
 
-Triangle triangle_of(const Mesh& mesh, const glm::uvec3& corners, const glm::dmat4& matrix)
+Corners corners_of(const Mesh& mesh, const glm::uvec3& vertices, const glm::dmat4& matrix)
 {
-    const auto at = [&](std::uint32_t v) {
-        return glm::dvec3(matrix * glm::dvec4(mesh.positions[v], 1));
-    };
-    return {at(corners.x), at(corners.y), at(corners.z)};
+    Corners out;
+    for (std::size_t k = 0; k < 3; ++k)
+        out[k] = glm::dvec3(matrix * glm::dvec4(mesh.positions[vertices[static_cast<int>(k)]], 1));
+    return out;
+}
+
+// Twice the area of a triangle times its unit normal.
+glm::dvec3 area_normal(const Corners& t)
+{
+    return glm::cross(t[1] - t[0], t[2] - t[0]);
 }
 
 } // namespace
@@ -44,21 +48,20 @@ std::optional<SurfaceHit> PaintedSurface::hit(const Session& session, Id object,
     if (!hit) return {};
     const auto entry = static_cast<std::size_t>(hit->entry);
     const Part& part = shown_->parts[entry];
-    const glm::uvec3& corners =
+    const glm::uvec3& vertices =
         scene_->entries()[entry].mesh->triangles()[static_cast<std::size_t>(hit->triangle)];
-    const Triangle seen = triangle_of(*part.mesh(), corners, part.to_world);
-    const Triangle rest =
-        triangle_of(*part.rest, corners, mesh_to_model(*shown_, *there->second, part));
-    const double square = glm::dot(seen.area(), seen.area());
-    const double rest_area = glm::length(rest.area());
-    if (!(square > 0) || !(rest_area > 0)) return {};
-    const glm::dvec3& p = hit->p_world;
-    const double u = glm::dot(seen.area(), glm::cross(seen.b - p, seen.c - p)) / square,
-                 v = glm::dot(seen.area(), glm::cross(seen.c - p, seen.a - p)) / square;
-    return SurfaceHit{p,
-                      hit->normal,
-                      {u * rest.a + v * rest.b + (1 - u - v) * rest.c, rest.area() / rest_area},
-                      std::sqrt(std::sqrt(square) / rest_area)};
+    const Corners seen = corners_of(*part.mesh(), vertices, part.to_world);
+    const Corners rest =
+        corners_of(*part.rest, vertices, mesh_to_model(*shown_, *there->second, part));
+    const double seen_area = glm::length(area_normal(seen)),
+                 rest_area = glm::length(area_normal(rest));
+    if (!(seen_area > 0) || !(rest_area > 0)) return {};
+    const glm::dvec3 at = barycentric(hit->p_world, seen);
+    return SurfaceHit{
+        hit->p_world,
+        hit->normal,
+        {at.x * rest[0] + at.y * rest[1] + at.z * rest[2], area_normal(rest) / rest_area},
+        std::sqrt(seen_area / rest_area)};
 }
 
 } // namespace trivar

@@ -31,7 +31,7 @@ void options_of_round(Session& session, const ui::Theme& theme, std::vector<ui::
                  !session.committing())
                  lay_round(session, {model, bodies[static_cast<std::size_t>(body) - 1]});
          },
-         "Lays the model all round a body, on a way that closes; no stroke is needed."});
+         "Lays the model all the way round an object; no stroke is needed."});
     if (!now || present == 0) return;
     options.push_back(
         {"About", 88,
@@ -41,7 +41,7 @@ void options_of_round(Session& session, const ui::Theme& theme, std::vector<ui::
                  !session.committing())
                  lay_round(session, {now->model, now->around, static_cast<RoundAxis>(axis)});
          },
-         "The body's own axis that it goes about."});
+         "The axis of the object that the model goes round."});
 }
 
 } // namespace
@@ -65,7 +65,7 @@ void PlaceTool::options_of_model(Session& session, const ui::Theme& theme,
                            if (ui::choice(theme, "model", index, names, field) == ui::Edit::changed)
                                chosen_ = ids[static_cast<std::size_t>(index)];
                        },
-                       "What is laid along the stroke."});
+                       "The model that a stroke lays."});
     options_of_round(session, theme, options, model);
     if (model == 0 || !object(session.document(), model).stroke) return;
     options.push_back(

@@ -44,8 +44,8 @@ Command round_command(const Session& session, const RoundWish& wish)
 {
     const Object& model = object(session.committed(), wish.model);
     PlaceRound command{wish.model, wish.around, 0, {}};
-    command.parameters = model.stroke ? model.stroke->parameters
-                                         : lengthwise({}, bounds_of(session, wish.model));
+    command.parameters =
+        model.stroke ? model.stroke->parameters : lengthwise({}, bounds_of(session, wish.model));
     if (wish.axis != RoundAxis::z || !has_round_way(session.committed(), wish.around))
         command.normal = direction_of(wish.axis);
     const std::optional<RoundWish> now = round_now(session.committed(), wish.model);

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/constants.hpp>
 #include <imgui.h>
 
 namespace trivar {
@@ -32,7 +33,7 @@ void paint_ring(const ui::Theme& theme, const ViewportInput& input, const Camera
     constexpr int pieces = 64;
     std::vector<glm::vec2> ring;
     for (int i = 0; i <= pieces; ++i) {
-        const double angle = 2 * 3.14159265358979 * i / pieces;
+        const double angle = glm::two_pi<double>() * i / pieces;
         const PicturePoint at =
             project(camera, center + radius * (std::cos(angle) * x + std::sin(angle) * y));
         if (at.depth_world <= 0) return;

@@ -213,8 +213,11 @@ TEST(SmallHosts, ShortenTheStrokeWhereTheyAreSqueezed)
         const Surface<glm::dvec3>& contact = laid.placement->contact;
         return evaluate(contact, {1, 0.5}).value.x - evaluate(contact, {0, 0.5}).value.x;
     };
-    EXPECT_NEAR(length(pot), 0.2 * length(before), 0.03 * length(before));
-    EXPECT_NEAR(contact_middle(pot).y, contact_middle(before).y + 2, 0.05);
+    // The samples of the stroke go to and fro by 10 pixels, which are so many metres there. Where
+    // it is squeezed they count for more, and its middle is another sample.
+    constexpr double to_and_fro = 0.05;
+    EXPECT_NEAR(length(pot), 0.2 * length(before), to_and_fro);
+    EXPECT_NEAR(contact_middle(pot).y, contact_middle(before).y + 2, to_and_fro);
     EXPECT_NEAR(pot.bounds->lo.z, table_top, 0.01);
     EXPECT_LE(pot.placement->report.penetration, 1e-3);
 }

@@ -231,6 +231,26 @@ TEST(PaintedTiles, AreCopiedWithAndWithoutTheirBase)
     EXPECT_FALSE(object(after(Document{}, copied(document, {stud_id}, "")), 1).tiles);
 }
 
+TEST(PaintedTiles, AreCopiedWithoutAnyStroke)
+{
+    const Document document = after(after(painted_document(), RemoveTileStrokes{stud_id, {}}),
+                                    SetTiles{{stud_id}, {.height = 3}});
+    const Document pasted = after(document, copied(document, {stud_id}, ""));
+    EXPECT_EQ(object(pasted, document.next_id).tiles, object(document, stud_id).tiles);
+}
+
+TEST(PaintedTiles, ThatNoMachineCouldHoldAreRefusedWithTheirNumbers)
+{
+    Document document = painted_document();
+    Object many = object(document, stud_id);
+    many.source = SphereShape{.radius = 0.1, .segments = 2000, .rings = 1000};
+    document.objects.set(stud_id, make_ref(many));
+    const Evaluation refused = evaluation_of(document);
+    EXPECT_TRUE(shown_in(refused, stud_id).shows_nothing());
+    EXPECT_THAT(shown_in(refused, stud_id).notices,
+                ::testing::Contains(::testing::HasSubstr("paint fewer tiles")));
+}
+
 TEST(PaintedTiles, RefuseWhatMakesNoSense)
 {
     const Document document = painted_document();

@@ -60,7 +60,7 @@ TEST(Section, BridgesWhatIsHollow)
     const glm::dmat4 left = glm::translate(somewhere, {-1, 0, 0}),
                      right = glm::translate(somewhere, {1, 0, 0});
     const Section section({{&post, left}, {&post, right}}, plane_at(0.1));
-    EXPECT_NEAR(section.length(), 2 * (2.2 + 0.2), 0.02);
+    EXPECT_NEAR(section.length(), 2 * (2.2 + 0.2), 0.01);
 }
 
 TEST(Section, APlacementRoundACylinderIsThatRoundItsBand)

@@ -135,6 +135,14 @@ TEST(TileCharts, GoOnStraightBeyondABorderAndSayHowFar)
     EXPECT_LT(glm::distance(tile_point(patch, {1, 0.5, 0}).p, {1.1, 0.1, 0}), 1e-6);
 }
 
+TEST(TileCharts, OfATileThatIsLargerThanTheBaseAreNone)
+{
+    const TileBase base = base_of(sphere_mesh(1, 24, 12));
+    const SurfacePlace at{};
+    EXPECT_GT(chart_of(base, tile_at(at, {1, 0, 0}, 1e9), 0, 1).cut, 1e100);
+    EXPECT_GT(chart_of(base, tile_at(at, {1, 0, 0}, 1), 0, 1e9).cut, 1e100);
+}
+
 // The exponential map of a sphere is known: a way of length r ends at the angle r / R.
 TEST(TileCharts, AreTheExponentialMapOfASphere)
 {

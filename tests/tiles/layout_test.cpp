@@ -202,5 +202,36 @@ TEST(TileLayouts, TooManyTilesAreSaid)
     EXPECT_TRUE(layout_of(base, all({stroke})).too_many);
 }
 
+// Numbers of a hostile file end, and soon.
+TEST(TileLayouts, EndForABrushOfAnySizeAndTilesThatAreNeverLaid)
+{
+    const TileBase base = base_of(ball());
+    TileStroke stroke = over_the_front(base);
+    stroke.size = 1e-9;
+    stroke.radius = 1e9;
+    EXPECT_LE(layout_of(base, all({stroke})).tiles.size(), most_tiles);
+    TileStroke comb = over_the_front(base);
+    comb.brush = TileBrush::comb;
+    comb.radius = 1e9;
+    TileStroke few = over_the_front(base);
+    EXPECT_FALSE(layout_of(base, all({few, comb})).tiles.empty());
+    stroke.brush = TileBrush::line;
+    for (TileSample& each : stroke.samples) each.pressure = 0;
+    const TileLayout none = layout_of(base, all(std::vector<TileStroke>(20, stroke)));
+    EXPECT_TRUE(none.too_many);
+    EXPECT_TRUE(none.tiles.empty());
+}
+
+TEST(TileLayouts, AreStoppedByTheirProgress)
+{
+    const TileBase base = base_of(ball());
+    TileStroke stroke = over_the_front(base);
+    stroke.brush = TileBrush::fill;
+    stroke.size = 1e-3;
+    struct Stop {};
+    EXPECT_THROW(layout_of(base, all({stroke}), [](double, std::string_view) { throw Stop{}; }),
+                 Stop);
+}
+
 } // namespace
 } // namespace trivar
