@@ -109,7 +109,7 @@ std::vector<Hint> LatticePointsTool::hints(const Session& session) const
         return hints;
     }
     if (!laid)
-        return {{{}, "Select a placed object or a lattice, or put one round what is selected"},
+        return {{{}, "Select a placed object or a lattice, or put a lattice round the selection"},
                 {{"left"}, "Select"},
                 {{"Esc"}, "Select"}};
     std::vector<Hint> hints{
